@@ -108,8 +108,8 @@ void print_groups(const World& world) {
                fmt::join(bodies, ", "), cuts.size(), open);
     if (const WorldDef& def = world.settings(); def.parts > 0)
         fmt::print(
-            "    of the world     {} parts, looked at every {} steps: regrouped {} times, {} "
-            "bodies moved\n",
+            "    of the world     {} parts, checked every {} steps: regrouped {} times, {} bodies "
+            "moved\n",
             def.parts, def.regroup_every, world.stats().regroupings,
             world.stats().regrouped_bodies);
 }

@@ -27,7 +27,8 @@ Quat hinge_turn() {
 Builder::Builder(CraneSite& site, const Common& common)
     : site_(site), common_(common), on_(site.find(common.mount.on)), gravity_(site.gravity()) {
     if (on_.kind == BodyKind::lump || on_.kind == BodyKind::scalar)
-        refuse(common.name, "mount/on", "a crane stands on a rigid, kinematic or fixed body");
+        refuse(common.name, "mount/on",
+               "a crane needs a rigid, kinematic or fixed body as its base");
     base_.id = common.mount.on;
     base_.turn = (on_.pose.orientation * common.mount.orientation).normalized();
     base_.pin = on_.pose.position + on_.pose.orientation * common.mount.point;

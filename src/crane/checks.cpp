@@ -158,7 +158,7 @@ void check_cylinder(const std::string& name, const char* part, const CraneCylind
         .positive("mass", cylinder.mass, kHeavy);
     const double now = linkage.length;
     if (!(std::abs(linkage.lever) > 1e-3 * linkage.longest()))
-        f.fail("head", "its pins and the hinge lie in one line: it moves nothing");
+        f.fail("head", "its pins and the hinge are on one line, so that it has no lever arm");
     if (!(cylinder.min_length < now && now < cylinder.max_length))
         f.fail(now <= cylinder.min_length ? "min_length" : "max_length",
                "at the start angle its pins are " + number(now) +
@@ -218,8 +218,8 @@ void check(const KnuckleCraneDef& d) {
     // The line comes to the sheave at the knuckle from above and must bend down there.
     const double r = d.hoist.sheave_radius, along = d.boom.length - d.hoist.drum.x();
     if (!(along > 2.0 * r))
-        f.fail("hoist/drum", "x = " + number(d.hoist.drum.x()) +
-                                 " m; it is to stand on the boom, short of its head");
+        f.fail("hoist/drum",
+               "x = " + number(d.hoist.drum.x()) + " m; it must be on the boom, before its head");
     const double comes = std::atan2(r - d.hoist.drum.z(), along);
     const double most = jib_linkage(d).angle_range(d.jib_cylinder).second;
     if (!(most < comes))
@@ -251,7 +251,7 @@ void check(const LatticeCraneDef& d) {
                                      " m, but from boom head to gantry there are " + number(way) +
                                      " m: nothing is left for the luffing tackle");
     if (!(d.gantry.x() < d.boom_foot.x()))
-        f.fail("gantry", "it has to stand behind the foot of the boom, to hold it back");
+        f.fail("gantry", "it must be behind the foot of the boom, to hold it back");
 }
 
 }  // namespace hawser::crane

@@ -108,7 +108,7 @@ class Finder {
 
 void check_bodies(World& world, const Common& c) {
     if (world.find_system(c.name) != nullptr)
-        refuse(c.name, "name", "the name is taken; names are unique");
+        refuse(c.name, "name", "the name is in use; names must be unique");
     check_load_bodies(world, {"crane", c.name, c.loads, c.take});
     const int hang =
         c.take > 0 ? static_cast<int>(c.loads[static_cast<std::size_t>(c.take - 1)].eyes.size())

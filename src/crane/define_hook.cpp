@@ -17,23 +17,26 @@ namespace {
 }
 
 void check_bodies(World& world, const HookDef& def) {
-    if (!world.alive(def.body)) refuse(def, "there is no body that it is; give one");
+    if (!world.alive(def.body)) refuse(def, "the body of the hook is missing; give one");
     const BodyKind own = world.body_def(def.body).kind;
-    if (own == BodyKind::scalar) refuse(def, "a scalar body has no place to hang anything from");
+    if (own == BodyKind::scalar)
+        refuse(def, "a scalar body has no position from which a load could hang");
     if (!def.point.allFinite() || !(def.point.norm() <= 1e7))
         refuse(def, "point is not finite, or beyond 1e7 m");
     if (own == BodyKind::lump && !def.point.isZero(0.0))
         refuse(def, "a lump is a point: leave out `point`");
     for (std::size_t i = 0; i < def.loads.size(); ++i)
         if (def.loads[i].body == def.body)
-            refuse(def, "loads/" + std::to_string(i) + "/body: a hook does not take itself");
+            refuse(def, "loads/" + std::to_string(i) + "/body: a hook cannot attach itself");
     crane::check_load_bodies(world, {"hook", def.name, def.loads, def.take});
 }
 
 void check(World& world, const HookDef& def) {
     if (def.name.empty()) throw DefError("a hook needs a name");
-    if (world.find_system(def.name) != nullptr) refuse(def, "the name is taken; names are unique");
-    if (def.loads.empty()) refuse(def, "it can take nothing; name what it may take in `loads`");
+    if (world.find_system(def.name) != nullptr)
+        refuse(def, "the name is in use; names must be unique");
+    if (def.loads.empty())
+        refuse(def, "it has no loads; name the loads that it can attach in `loads`");
     crane::check_loads({"hook", def.name, def.loads, def.take});
     check_bodies(world, def);
     for (const double force : {def.strength, def.latch})
@@ -64,7 +67,7 @@ void define(World& world, const HookDef& def) {
                     refuse(def, "take: an eye of the load is " + number(way) +
                                     " m from the hook's point, and its sling reaches " +
                                     number(load.sling_length + load.reach) +
-                                    " m; have it taken later, or bring the hook nearer");
+                                    " m; attach it later, or move the hook nearer");
                 legs.push_back(world.add_interaction(crane::sling_of(
                     load, i, crane::leg_name(def.name, i), def.body, def.point, way)));
             }

@@ -100,7 +100,7 @@ void add_slings(Builder& b, const Common& c, const Link& hook) {
             refuse(c.name, "take",
                    "an eye of the load is " + number(way) + " m from the hook's point, and its " +
                        "sling reaches " + number(load.sling_length + load.reach) +
-                       " m; have it taken later, or bring the hook nearer");
+                       " m; attach it later, or move the hook nearer");
         b.add(sling_of(load, i, part(c.name, "sling") + std::to_string(i + 1), hook.id, own, way));
     }
 }

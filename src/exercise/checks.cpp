@@ -84,8 +84,8 @@ class Checker {
         if (is_winch(world, f.target)) {
             if (f.kind == FaultKind::motor_loses_force && f.share > 0.0)
                 scene::refuse(place,
-                              "the motor of a winch loses all of its force: \"share\" is "
-                              "for motors of the scene");
+                              "the motor of a winch always fails completely; \"share\" is for "
+                              "motors of the scene only");
             return;
         }
         const std::string front = f.target.substr(0, f.target.rfind('/'));

@@ -33,7 +33,7 @@ Field text_field() {
 std::vector<Field> triggered(const char* which) {
     const ShapePtr condition =
         object("condition", "a condition",
-               "Holds while the output is at least `above` and at most `below`.",
+               "Active while the output is at least `above` and at most `below`.",
                {{"output", text("an output"), true, "", "",
                  "Of the scene or of the exercise, or of a system (name.signal)."},
                 {"above", number("a number", -1e30, 1e30), false, "-inf", "", "Least value."},
@@ -41,7 +41,7 @@ std::vector<Field> triggered(const char* which) {
     return {{"name", name("a name"), true, "", "", which},
             text_field(),
             {"when", list("a list of conditions", condition, 1, kMaxConditions), false, "", "",
-             "All of them hold …"},
+             "All of these conditions are met …"},
             {"hold", time_shape(), false, "0", "s", "… for so long without a break; or …"},
             {"event", word("a kind of event", event_words()), false, "", "",
              "… an event of this kind happens …"},
@@ -72,9 +72,11 @@ ShapePtr fault() {
         text_field(),
         {"kind", word("a kind of fault", {std::begin(kFaults), std::end(kFaults)}), true, "", "",
          "Kind."},
-        {"at", time_shape(), false, "when the instructor says", "s", "Comes by itself then."}};
+        {"at", time_shape(), false, "when the instructor starts it", "s",
+         "Time at which it starts."}};
     const Field lasts{"lasts", time_shape(), false, "to the end", "s", "Ends by itself."};
-    const Field share{"share", number("a share", 0.0, 1.0), false, "0", "1", "What is left."};
+    const Field share{"share", number("a share", 0.0, 1.0), false, "0",
+                      "1",     "Fraction that remains."};
     const auto of = [&](const char* id, const char* doc, std::vector<Field> own) {
         std::vector<Field> fields{std::begin(common), std::end(common)};
         fields.insert(fields.end(), own.begin(), own.end());
@@ -84,13 +86,13 @@ ShapePtr fault() {
     out->type = scene::Shape::Type::switched;
     out->id = "fault";
     out->what = "a fault";
-    out->doc = "Something that goes wrong, at a time or by the instructor.";
+    out->doc = "A fault that starts at a time or by the instructor.";
     out->key = "kind";
     const auto target = [](const char* key, const char* doc) {
         return Field{key, text("a name"), true, "", "", doc};
     };
     out->cases = {
-        {kFaults[0], of("fault_line", "A line parts, for good.",
+        {kFaults[0], of("fault_line", "A line breaks permanently.",
                         {target("wire", "Wire, or one of its elements."),
                          {"s", number("a length", 0.0, 1e6), false, "its middle", "m",
                           "From the wire's first end, unstretched."}})},
@@ -100,14 +102,14 @@ ShapePtr fault() {
             "free.",
             {target("motor", "Winch, or interaction of a kind that drives."), share, lasts})},
         {kFaults[2],
-         of("fault_brake", "A brake holds less.",
+         of("fault_brake", "A brake has less holding force.",
             {target("brake", "Winch, or interaction of a kind that rubs."), share, lasts})},
-        {kFaults[3], of("fault_stuck", "An input stays as it is.",
+        {kFaults[3], of("fault_stuck", "An input is stuck.",
                         {target("input", "Input."),
-                         {"value", number("a number", -1e30, 1e30), false, "what it is then", "",
-                          "Goes there instead."},
+                         {"value", number("a number", -1e30, 1e30), false, "its value at that time",
+                          "", "Value to which it moves instead."},
                          lasts})},
-        {kFaults[4], of("fault_late", "An input takes effect late.",
+        {kFaults[4], of("fault_late", "An input acts with a delay.",
                         {target("input", "Input."),
                          {"delay", positive("a time", 600.0), true, "", "s", "So late."},
                          lasts})},
@@ -117,35 +119,36 @@ ShapePtr fault() {
 }
 
 std::vector<Field> lists() {
-    const Field points{"points", points_shape(), false, "0", "", "What it gives."};
+    const Field points{"points", points_shape(), false, "0", "", "Points for it."};
     const ShapePtr goal =
-        with("goal", "a goal", "What is to be done.",
-             {{"points", points_shape(), true, "", "", "What it gives."},
+        with("goal", "a goal", "Text of the goal.",
+             {{"points", points_shape(), true, "", "", "Points for it."},
               {"after", text("a goal"), false, "", "", "Counts only once that goal is reached."},
-              {"by", time_shape(), false, "the end", "s", "Later it gives nothing."}},
+              {"by", time_shape(), false, "the end", "s", "Time after which it gives no points."}},
              "Unique among goals.");
     const ShapePtr penalty =
-        with("penalty", "a penalty", "What costs points.",
+        with("penalty", "a penalty", "Conditions that cost points.",
              {{"points", points_shape(), false, "0", "", "Each time it begins."},
               {"per_second", points_shape(), false, "0", "", "And while it lasts."},
               {"most", points_shape(), false, "no limit", "", "In all."}},
              "Unique among penalties.");
-    const ShapePtr end = with("end", "an end", "What ends the exercise.",
+    const ShapePtr end = with("end", "an end", "Conditions that end the exercise.",
                               {{"failed", boolean("true or false"), false, "false", "",
                                 "Whether it has then failed, whatever the points."}},
                               "Unique among ends.");
-    return {{"stations", some("a list of stations", station()), false, "none", "", "Roles."},
-            {"displays", some("a list of outputs", text("an output")), false, "none", "",
-             "What stations see, and reports draw."},
-            {"faults", some("a list of faults", fault()), false, "none", "", "Faults."},
-            {"alarms",
-             some("a list of alarms",
-                  with("alarm", "an alarm", "Sounds while it holds.", {}, "Unique among alarms.")),
-             false, "none", "", "Alarms."},
-            {"goals", some("a list of goals", goal), false, "none", "", "Goals."},
-            {"penalties", some("a list of penalties", penalty), false, "none", "", "Penalties."},
-            {"ends", some("a list of ends", end), false, "none", "",
-             "Beside the time, and all goals reached."}};
+    return {
+        {"stations", some("a list of stations", station()), false, "none", "", "Roles."},
+        {"displays", some("a list of outputs", text("an output")), false, "none", "",
+         "Outputs that stations display and reports draw."},
+        {"faults", some("a list of faults", fault()), false, "none", "", "Faults."},
+        {"alarms",
+         some("a list of alarms", with("alarm", "an alarm", "Active while the condition is met.",
+                                       {}, "Unique among alarms.")),
+         false, "none", "", "Alarms."},
+        {"goals", some("a list of goals", goal), false, "none", "", "Goals."},
+        {"penalties", some("a list of penalties", penalty), false, "none", "", "Penalties."},
+        {"ends", some("a list of ends", end), false, "none", "",
+         "Further conditions, besides the time and all goals reached."}};
 }
 
 ShapePtr make_shape() {
@@ -153,7 +156,7 @@ ShapePtr make_shape() {
         {"$schema", text("a text"), false, "", "", "For editors."},
         {"version", integer("the version 1", 1, 1), true, "", "", "Version of the format: 1."},
         {"exercise", name("a name"), true, "", "", "Name of the exercise."},
-        {"description", text("a text"), false, "", "", "What it is about."},
+        {"description", text("a text"), false, "", "", "Description of the exercise."},
         {"scene", text("a file name"), true, "", "",
          "Scene, relative to this file and not above the folder that its folder is in."},
         {"set", list("a list of changes", text("path=value"), 0, 64), false, "none", "",
@@ -167,7 +170,7 @@ ShapePtr make_shape() {
         {"outputs", list_of("a list of outputs", scene::output_shape()), false, "none", "",
          "Added to the scene's."},
         {"timeline", list_of("a list of operations", scene::operation_shape()), false,
-         "the scene's", "", "In place of the scene's."}};
+         "the scene's", "", "Value instead of the scene's."}};
     for (Field& field : lists()) fields.push_back(std::move(field));
     return object("exercise", "an exercise", "An exercise file.", std::move(fields));
 }

@@ -55,7 +55,8 @@ Trigger read_trigger(const Json& json, const Place& place) {
         if (!one.contains("above") && !one.contains("below"))
             scene::refuse(place / "when" / i, "needs \"above\" or \"below\"");
         if (c.above > c.below)
-            scene::refuse(place / "when" / i, "never holds: \"above\" is greater than \"below\"");
+            scene::refuse(place / "when" / i,
+                          "this condition is never met: \"above\" is greater than \"below\"");
         out.conditions.push_back(std::move(c));
     }
     return out;

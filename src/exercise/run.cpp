@@ -207,7 +207,7 @@ void Run::clear(std::string_view role, std::string_view fault) {
     if (role != kInstructor)
         throw Refused(fmt::format("\"{}\" may not clear faults; the instructor may", role));
     if (impl_->exercise.faults[index].kind == FaultKind::line_parts)
-        throw DefError(fmt::format("the fault \"{}\": a line that has parted stays so", fault));
+        throw DefError(fmt::format("the fault \"{}\": a broken line stays broken", fault));
     impl_->finish(index, role);
 }
 

@@ -45,7 +45,7 @@ void check_waves(const WaterHull& h, const std::string& at) {
             throw SeaError(at + "/excitation", "the coefficients have no force of waves");
         if (h.wave_pressure && !h.linear.on)
             throw SeaError(at + "/excitation",
-                           "\"full\" has the pressure of waves that the mesh has, too; give "
+                           "\"full\" includes the wave pressure, which the mesh adds as well; give "
                            "wave_pressure false, or excitation \"scattering\"");
     }
     if (h.excitation == ExcitationKind::scattering) {
@@ -53,8 +53,8 @@ void check_waves(const WaterHull& h, const std::string& at) {
             throw SeaError(at + "/excitation", "the coefficients have no force of scattering");
         if (!h.wave_pressure || h.linear.on)
             throw SeaError(at + "/excitation",
-                           "\"scattering\" comes on top of the pressure of waves on the mesh; "
-                           "give wave_pressure true, or excitation \"full\"");
+                           "\"scattering\" needs the wave pressure on the mesh in addition; give "
+                           "wave_pressure true, or excitation \"full\"");
     }
     if (h.drift && c.drift.empty())
         throw SeaError(at + "/drift", "the coefficients have no table of drift");

@@ -28,7 +28,7 @@ void check_water_body(const World& world, const WaterBody& b, const std::string&
     if (!world.alive(b.body)) throw SeaError(at + "/body", "there is no such body");
     const BodyKind kind = world.body_def(b.body).kind;
     if (kind == BodyKind::scalar)
-        throw SeaError(at + "/body", "a scalar body has no place in the water");
+        throw SeaError(at + "/body", "a scalar body has no position in the water");
     check_areas(at + "/drag_area", b.drag_area);
     check_areas(at + "/wind_area", b.wind_area);
     check_range(at + "/volume", b.volume, 0.0, 1e9, false, "m^3");
@@ -45,7 +45,8 @@ void check_water_hull(const World& world, const WaterHull& h, const std::string&
         throw SeaError(at + "/body", "a hull needs a rigid body");
     if (h.linear.on && h.mesh.triangles.empty()) {
         if (h.wave_pressure && h.excitation == ExcitationKind::scattering)
-            throw SeaError(at + "/mesh", "scattering comes on top of the pressure on a mesh");
+            throw SeaError(at + "/mesh",
+                           "scattering needs the wave pressure on a mesh in addition");
     } else if (const std::string fault = hull_fault(h.mesh); !fault.empty()) {
         throw SeaError(at + "/mesh", fault);
     }
@@ -63,13 +64,13 @@ void check_water_rod(const World& world, const WaterRod& r, const std::string& a
     const BodyKind kind = world.body_def(r.body).kind;
     if (kind == BodyKind::lump || kind == BodyKind::scalar)
         throw SeaError(at + "/body",
-                       "a rod needs a rigid body; a lump takes water as one of "
-                       "bodies, or as a node of a line in lines");
+                       "a rod needs a rigid body; a point mass belongs in \"bodies\", or in "
+                       "\"lines\" as a node of a line");
     for (const Vec3* end : {&r.from, &r.to})
         for (const double x : *end)
             check_range(at + (end == &r.from ? "/from" : "/to"), x, -1e4, 1e4, false, "m");
     if (!((r.to - r.from).norm() > 0.0))
-        throw SeaError(at + "/to", "it lies where from does; a rod needs a length");
+        throw SeaError(at + "/to", "it is at the same point as \"from\"; a rod needs a length");
     marine::check_line_water(at, marine::with_volume(r.water));
     check_range(at + "/segments", r.segments, 1.0, kMaxRodSegments, false, "");
 }

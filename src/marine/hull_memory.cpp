@@ -124,7 +124,7 @@ void HullMemorySums::check_state(StateRules& rules) const {
     if (!follows()) return;
     constexpr double kMostSpeed = 1e15;  // as velocities of bodies [m/s, rad/s]
     rules.require(newest_ >= 0 && newest_ < std::max<std::int64_t>(count_, 1),
-                  "there is no such sample of a hull's memory");
+                  "a sample of a hull's memory has an invalid index");
     rules.require(begun_ == 0 || begun_ == 1, "whether a hull's memory has begun is no flag");
     rules.require(last_.cwiseAbs().maxCoeff() <= kMostSpeed, "the speed of a hull is out of range");
     for (int i = 0; i < 6; ++i)

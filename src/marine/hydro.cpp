@@ -133,8 +133,8 @@ std::string swapped_fault(const WaveCoefficients& c) {
         separation += std::abs(c.zero(i, i) - c.infinite(i, i)) / size;
     }
     if (separation < 0.05 || swapped >= 0.5 * as_is) return {};
-    return "A(inf) and A(0) are swapped: by A(w) and B(w) the former is nearer to what is given "
-           "as A(0), as for heave " +
+    return "A(inf) and A(0) are swapped: according to A(w) and B(w), A(inf) is nearer to the given "
+           "A(0), for example in heave " +
            number(reported(2, 2)) + " kg where A(inf) is " + number(c.infinite(2, 2)) +
            " and A(0) " + number(c.zero(2, 2));
 }
@@ -176,11 +176,10 @@ WaveCoefficients repaired_damping(const WaveCoefficients& c, NegativeDamping how
             continue;
         }
         if (i == 0)
-            throw DefError(
-                "damping at " + number(c.frequency[i]) +
-                " rad/s, the first frequency, is not positive semi-definite: there is "
-                "none before from which it could be truncated; give \"negative_damping\": "
-                "\"fit\"");
+            throw DefError("damping at " + number(c.frequency[i]) +
+                           " rad/s, the first frequency, is not positive semi-definite, and no "
+                           "lower frequency exists from which it could be truncated; give "
+                           "\"negative_damping\": \"fit\"");
         for (std::size_t k = i; k < c.damping.size(); ++k) {
             const double ratio = c.frequency[i - 1] / c.frequency[k];
             out.damping[k] = ratio * ratio * ratio * c.damping[i - 1];

@@ -210,9 +210,9 @@ void WaveForce::check_state(StateRules& rules) const {
     rules.require(begun_ == 0 || begun_ == 1, "whether a hull's lags have begun is no flag");
     for (const auto& lag : lag_) {
         rules.range(lag[0], -kMaxCoordinate, kMaxCoordinate,
-                    "the slow place of a hull is out of range");
+                    "the filtered position of a hull is out of range");
         rules.range(lag[1], -kMaxCoordinate, kMaxCoordinate,
-                    "the slow place of a hull is out of range");
+                    "the filtered position of a hull is out of range");
         rules.range(lag[2], -kMaxTurn, kMaxTurn, "the slow heading of a hull is out of range");
     }
 }

@@ -128,7 +128,7 @@ void apply_wire_change(ChangeKind kind, GetFields& get, World& world) {
         const auto element = get.value<InteractionId>();
         const auto end = get.value<std::int32_t>();
         const auto mass = get.value<double>();
-        if (!(mass > 0.0 && mass <= 1e12)) throw BadBytes("an end is let go with no mass");
+        if (!(mass > 0.0 && mass <= 1e12)) throw BadBytes("a released end of a wire has no mass");
         detach_carried(world, element, end, mass);
     } else {
         world.release(get.value<InteractionId>());

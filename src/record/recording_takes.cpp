@@ -83,7 +83,7 @@ void Recording::read_take(ByteReader in) {
     take.cuts = cuts.size();
     if (take.changes == (takes.empty() ? 0 : takes.back().changes) ||
         changes.back().step != take.from)
-        throw BadBytes("a take begins without a state to begin with");
+        throw BadBytes("a branch begins without a state");
     check_gap(take.from, false);
     takes.push_back(take);
 }

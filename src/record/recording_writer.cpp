@@ -67,8 +67,8 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& file, const SceneI
     // Indices of bodies in the layout are their indices in the world.
     if (world.bodies().size() != static_cast<std::size_t>(world.body_count()))
         throw RecordingError(file.string() +
-                             ": bodies were removed before the recording began; begin it with a "
-                             "world from which none has gone, such as a scene's");
+                             ": bodies were removed before the recording began; begin the "
+                             "recording with a world without removals, such as a scene's");
     for (const BodyId id : world.bodies())
         bodies_.push_back({id, world.body_def(id).kind, world.pose(id)});
 

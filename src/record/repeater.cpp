@@ -105,7 +105,7 @@ void Repeater::drop_loader(std::span<const std::byte> change, World& world) {
 void Repeater::enter_take(World& world) {
     const RecordedTake& take = recording_.takes[take_];
     if (world.step_count() != take.to)
-        throw std::runtime_error("a take of the recording does not begin where it says");
+        throw std::runtime_error("a branch of the recording does not begin at its stated step");
     input_ = take.inputs;
     load_ = take.loads;
     cut_ = take.cuts;

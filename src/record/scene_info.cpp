@@ -70,7 +70,7 @@ WireId wire_at(const World& world, BodyId body) {
 
 std::string body_label(const World& world, BodyId body) {
     if (!body.valid()) return "-";
-    if (!world.alive(body)) return fmt::format("body {}, which is gone", body.index);
+    if (!world.alive(body)) return fmt::format("body {}, which has been removed", body.index);
     const std::string& name = world.body_def(body).name;
     if (!name.empty()) return name;
     const WireId wire = wire_at(world, body);
@@ -81,7 +81,7 @@ std::string body_label(const World& world, BodyId body) {
 std::string interaction_label(const World& world, InteractionId interaction) {
     if (!interaction.valid()) return "-";
     if (!world.alive(interaction))
-        return fmt::format("interaction {}, which is gone", interaction.index);
+        return fmt::format("interaction {}, which has been removed", interaction.index);
     const InteractionDef& def = world.interaction_def(interaction);
     if (!def.name.empty()) return def.name;
     const KindInfo& kind = kind_info(def.kind);

@@ -93,7 +93,7 @@ std::vector<std::string> restore_snapshot(const std::filesystem::path& file, con
         if (hash != scene.hash) {
             SceneDifferences found = differences(text, scene.text);
             if (found.structure.empty() && version == kWithStructure)
-                found.structure = "the run had added or removed parts until then";
+                found.structure = "the run had added or removed parts before that time";
             if (!found.structure.empty())
                 throw BadBytes(fmt::format(
                     "saved at {:.6g} s from the scene \"{}\" with hash {:016x}; this is \"{}\" "

@@ -144,7 +144,7 @@ std::string of_anchors(const EventFigures& e) {
         return "anchors dragged or winches yielded to the load " + plural(e.count, "time", "times");
     return e.kind == EventKind::join
                ? "anchors were set or wires joined " + plural(e.count, "time", "times")
-               : "anchors broke out or wires were let go " + plural(e.count, "time", "times");
+               : "anchors broke out or wires were released " + plural(e.count, "time", "times");
 }
 
 /// Return a text with an event and its number of occurrences.
@@ -193,7 +193,7 @@ std::string what_happened(const EventFigures& e) {
         case EventKind::join:
             return plural(e.count, "joint of wires made", "joints of wires made");
         case EventKind::detach:
-            return plural(e.count, "end of a wire let go", "ends of wires let go");
+            return plural(e.count, "end of a wire released", "ends of wires released");
         case EventKind::chain_jump:
             return "chain jumped a pocket of its gypsy " + plural(e.count, "time", "times");
         case EventKind::no_node:

@@ -140,8 +140,8 @@ void quality(Out out, const Summary& s) {
     if (s.coupling.steps > 0) coupling(out, s);
     if (s.parts > 0)
         fmt::format_to(out,
-                       "  groups       {} parts, looked at every {} steps: regrouped {} times, "
-                       "{} bodies moved\n",
+                       "  groups       {} parts, checked every {} steps: regrouped {} times, {} "
+                       "bodies moved\n",
                        s.parts, s.regroup_every, s.last.regroupings, s.last.regrouped_bodies);
     if (s.asleep_max > 0.0)
         fmt::format_to(out, "  asleep       {:.0f} bodies in the median step, at most {:.0f}\n",
@@ -178,7 +178,7 @@ void quality(Out out, const Summary& s) {
                        record::with_unit(s.energy_end.water - s.energy_start.water, "J"));
     // At rest no energy is exchanged, so a fraction of it is meaningless.
     if (s.energy_scale > 1e-6 * std::abs(s.energy_start.mechanical()))
-        fmt::format_to(out, " ({:.2g} % of what was exchanged)", 100.0 * drift / s.energy_scale);
+        fmt::format_to(out, " ({:.2g} % of the exchanged energy)", 100.0 * drift / s.energy_scale);
     fmt::format_to(out, "\n");
 }
 
@@ -227,17 +227,16 @@ void bodies(Out out, const Summary& s) {
 std::string to_text(const verify::Verification& v) {
     if (v.steps == 0) return "";
     std::string text = fmt::format(
-        "  verified     {} steps: natural map {:.2e} (differs by {:.2e}), momentum "
-        "of {} of {} bodies {:.2e}, bounds {:.2e}\n"
-        "               of what is wrong: energy {:.2g} %, lost {:.2g} %, joints {:.2g} %, cable "
-        "law {:.2g} %, turns {:.2g} %\n",
+        "  verified     {} steps: natural map {:.2e} (differs by {:.2e}), momentum of {} of {} "
+        "bodies {:.2e}, bounds {:.2e}\n               of the failure limits: energy {:.2g} %, lost "
+        "{:.2g} %, joints {:.2g} %, cable law {:.2g} %, turns {:.2g} %\n",
         v.steps, v.natural_map, v.difference, v.covered_bodies, v.moving_bodies, v.momentum,
         v.bounds, 100.0 * v.states.created, 100.0 * v.states.lost, 100.0 * v.states.open,
         100.0 * v.states.cable, 100.0 * v.states.turn);
     if (v.states.edited > 0.0)
-        text +=
-            fmt::format("               stretch from edits of wires {:.2g} % of what is wrong\n",
-                        100.0 * v.states.edited);
+        text += fmt::format(
+            "               stretch from edits of wires {:.2g} % of the failure limit\n",
+            100.0 * v.states.edited);
     if (v.sea > 0.0)
         text += fmt::format("               loads of the sea differ by {:.2e}\n", v.sea);
     return text;

@@ -42,7 +42,7 @@ CableEnd read_end(Description& out, const Scope& scope, const Json& json, bool l
     const BodyDef& body = out.body(end.body);
     if (body.kind == BodyKind::scalar) {
         refuse(place / "body", "the scalar body " + in_quotes(body.name) +
-                                   " has no place; name it as the drum of a \"winch\"");
+                                   " has no position; name it as the drum of a \"winch\"");
     }
     if (body.kind == BodyKind::lump && !end.local.isZero(0.0)) {
         refuse(place / "point", "the lump " + in_quotes(body.name) + " is a point");
@@ -200,7 +200,8 @@ CableLayout lay_out_cable(Description& out, const Scope& scope, const Scope& to_
     c.tension_only = cable.value("tension_only", true);
     c.consistent_mass = cable.value("consistent_mass", false);
     if (c.links && c.consistent_mass)
-        refuse(place / "consistent_mass", "links are rigid and have their mass as it is");
+        refuse(place / "consistent_mass",
+               "links are rigid bodies and already have consistent mass");
     c.joint_compliance = number_or(cable, "compliance", out.default_compliance);
     c.joint_damping_time = number_or(cable, "damping_time", out.default_damping_time);
     read_line_types(c, cable, document, place);

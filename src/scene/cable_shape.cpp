@@ -90,8 +90,8 @@ class AtRest {
         Catenary rest = free_end ? free_end_at_rest() : solve(c_.length, false);
         if (rest.status == CatenaryStatus::below_seabed) {
             refuse(place_ / "seabed",
-                   fmt::format("an end of the cable lies under it, at {:.6g} m and {:.6g} m where "
-                               "its nodes lie at {:.6g} m",
+                   fmt::format("an end of the cable is below the seabed: at {:.6g} m and {:.6g} m, "
+                               "where nodes on it are at {:.6g} m",
                                height(c_.from.world), height(c_.to.world),
                                def_.seabed.value_or(FlatSeabed{}).height));
         }

@@ -242,7 +242,7 @@ class Expander {
             const BodyId on =
                 resolve_body(out_, outer, instance["on"].get<std::string>(), place / "on");
             if (out_.body(on).kind == BodyKind::scalar) {
-                refuse(place / "on", "a scalar body has no place");
+                refuse(place / "on", "a scalar body has no position");
             }
             base = out_.frame_of(on);
         }
@@ -261,7 +261,7 @@ class Expander {
         for (const auto& [local, value] : names->items()) {
             const Place at = place / "bind" / local;
             if (local == "world") {
-                refuse(at, "the name \"world\" always stands for the world");
+                refuse(at, "the name \"world\" is reserved for the world");
             }
             const BodyId id = resolve_body(out_, outer, value.get<std::string>(), at);
             scope.bound.emplace(local, out_.body(id).name);

@@ -58,8 +58,8 @@ std::size_t nearest(Description& out, const Cable& cable, const GuideDef& def, c
     constexpr double kSame = 1e-3;
     if (guided < least - kSame)
         refuse(place / "point", "the cable " + in_quotes(cable.name) +
-                                    " passes it with an element that another guide has; between "
-                                    "two guides there is a lump: give it more elements");
+                                    " passes it with an element of another guide; two guides need "
+                                    "a node between them: give it more elements");
     return best;
 }
 
@@ -76,9 +76,8 @@ CableSection& section_of(Cable& cable, std::size_t element) {
 void lighten(BodyDef& lump, double half, const Place& place) {
     if (lump.kind != BodyKind::lump || !(half > 0.0)) return;
     if (!(lump.mass > half * (1.0 + 1e-6)))
-        refuse(
-            place / "cable",
-            "a lump next to the guide has no element but that one; give the cable more elements");
+        refuse(place / "cable",
+               "a node next to the guide has no other element; give the cable more elements");
     const double scale = (lump.mass - half) / lump.mass;
     lump.mass -= half;
     lump.linear_damping *= scale;
@@ -147,7 +146,7 @@ void divide(Description& out, Cable& cable, std::size_t k, GuideDef& def, const 
     if (std::isnan(def.element_length)) def.element_length = density > 0.0 ? length : 0.0;
     if (def.element_length > 0.0 && !(density > 0.0))
         refuse(place, "elements of the cable " + in_quotes(cable.name) +
-                          " have no mass of their own that could run through; give it "
+                          " have no mass that could run through; give the cable "
                           "\"consistent_mass\": true, or the guide \"element\": 0");
     const double chord = (out.world_point(element.body[1], element.point[1]) -
                           out.world_point(element.body[0], element.point[0]))

@@ -79,7 +79,8 @@ void read_tec_forces(const Path& file, std::size_t first, WaveCoefficients& out,
     std::vector<double> headings;
     for (const Zone& zone : zones) headings.push_back(heading_of_zone(file, zone));
     if (out.heading.empty()) out.heading = headings;
-    if (headings != out.heading) refuse_hydro(file, "its directions are not those of the others");
+    if (headings != out.heading)
+        refuse_hydro(file, "its directions differ from those of the other files");
     for (std::size_t h = 0; h < zones.size(); ++h) {
         check_zone(file, zones[h], 1 + 2 * (first + 6), out.frequency);
         for (const NumberLine& row : zones[h].rows)
@@ -100,7 +101,7 @@ WaveCoefficients read_nemoh_tec(const Path& file, const HydroUnits& units) {
     const auto first = static_cast<std::size_t>(6 * units.body);
     if (zones.size() < first + 6)
         refuse_hydro(radiation, std::to_string(zones.size()) + " zones; body " +
-                                    std::to_string(units.body) + " needs those of six motions");
+                                    std::to_string(units.body) + " needs all six motions");
     out.added_mass.assign(out.frequency.size(), Matrix6::Zero());
     out.damping = out.added_mass;
     for (std::size_t j = 0; j < 6; ++j) {

@@ -164,7 +164,7 @@ WaveCoefficients read_apart(const Path& file, const HydroUnits& units, const Rea
     // An absolute path cannot be a network address or an option.
     std::error_code error;
     const Path whole = std::filesystem::absolute(file, error);
-    if (error) refuse_hydro(file, "its folder is gone");
+    if (error) refuse_hydro(file, "its folder does not exist any more");
     const SpawnResult run =
         spawn_reader(program,
                      {program, kReaderWord, whole.string(), decimal(units.density),

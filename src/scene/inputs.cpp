@@ -89,7 +89,7 @@ InputDef read_input(Description& out, const Scope& scope, const Json& json, cons
         refuse(place / "component", "this component does not act on a body of its kind");
     }
     if (def.local && kind != BodyKind::rigid) {
-        refuse(place / "local", "a body of its kind does not turn");
+        refuse(place / "local", "a body of its kind does not rotate");
     }
     return def;
 }

@@ -118,7 +118,7 @@ class Reader {
             }
             if (body.kind == BodyKind::lump) {
                 if (def_.point[i].norm() > kNodeTolerance) {
-                    refuse(where, fmt::format("the lump {} is a point, {:.6g} m away from here; "
+                    refuse(where, fmt::format("the point mass {} is {:.6g} m away from this point; "
                                               "attach it at its position",
                                               in_quotes(body.name), def_.point[i].norm()));
                 }

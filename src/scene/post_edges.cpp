@@ -62,7 +62,7 @@ std::string words(const Vec3& v) {
 /// Return the edge next to two points.
 ShapeEdge edge_near(const std::vector<ShapeEdge>& edges, const Vec3& a, const Vec3& b,
                     const Place& place) {
-    if (!((b - a).norm() > 0.0)) refuse(place, "give two points that are apart");
+    if (!((b - a).norm() > 0.0)) refuse(place, "give two different points");
     if (edges.empty()) refuse(place, "the shape has no convex edge");
     const auto best =
         std::min_element(edges.begin(), edges.end(), [&](const auto& x, const auto& y) {
@@ -70,8 +70,8 @@ ShapeEdge edge_near(const std::vector<ShapeEdge>& edges, const Vec3& a, const Ve
         });
     const double far = distance_to_edge(*best, a, b);
     if (far > kNear * (b - a).norm())
-        refuse(place, fmt::format("no convex edge lies within a tenth of the way between them; the "
-                                  "nearest, {:.3g} m off, goes from {} to {}",
+        refuse(place, fmt::format("no convex edge is within a tenth of their distance; the "
+                                  "nearest, {:.3g} m away, goes from {} to {}",
                                   far, words(best->from), words(best->to)));
     return *best;
 }
@@ -104,7 +104,7 @@ std::vector<EdgeAxis> axes_of_edges(const Description& out, BodyId body, const J
     for (const ShapeEdge& edge : edges) {
         if (radius > edge.most_radius * (1.0 + 1e-9))
             refuse(place, fmt::format("the shape is thinner than the cylinder at its edge from {} "
-                                      "to {}: at most {:.4g} m of radius lie in it",
+                                      "to {}: its radius there is at most {:.4g} m",
                                       words(edge.from), words(edge.to), edge.most_radius));
         axes.push_back(axis_in_edge(edge, radius));
     }

@@ -20,27 +20,28 @@ constexpr ResolutionNumber kLengths[] = {
     {"max_length", &ResolutionDef::max_length, "m", "20",
      "Of the longest element; from twice \"min_length\" on.", 0.01, kMaxMetres},
     {"sag_error", &ResolutionDef::sag_error, "m", "0.05",
-     "How far an element may lie off its arc; 0: no such bound.", 0.0, kMaxMetres},
+     "Maximum distance of an element from its arc; 0: no limit.", 0.0, kMaxMetres},
     {"max_angle", &ResolutionDef::max_angle, "rad", "0.26",
-     "Largest angle between elements; 0: no such bound.", 0.0, kHalfTurn},
+     "Largest angle between elements; 0: no limit.", 0.0, kHalfTurn},
     {"contact_length", &ResolutionDef::contact_length, "m", "twice \"min_length\"",
-     "Of elements that touch something, and their neighbours; 0: no such bound.", 0.0, kMaxMetres},
+     "Maximum length of elements in contact, and of their neighbours; 0: no limit.", 0.0,
+     kMaxMetres},
     {"drum_length", &ResolutionDef::drum_length, "m", "\"element\" of its winch",
-     "Of the element next to a drum; 0: no such bound.", 0.0, kMaxMetres},
+     "Maximum length of the element next to a drum; 0: no limit.", 0.0, kMaxMetres},
     {"wave_period", &ResolutionDef::wave_period, "s", "2",
-     "Of the shortest wave across that is to be resolved; 0: no such bound.", 0.0, kMaxMetres},
+     "Period of the shortest transverse wave to be resolved; 0: no limit.", 0.0, kMaxMetres},
     {"points_per_wave", &ResolutionDef::points_per_wave, "1", "8", "Elements to that wave.", 2.0,
      1000.0},
     {"averaging", &ResolutionDef::averaging, "s", "10",
-     "Time over which the tension is averaged that gives the length of waves.", 1e-3, kMaxMetres},
+     "Averaging time of the tension from which wave lengths are computed.", 1e-3, kMaxMetres},
     {"hysteresis", &ResolutionDef::hysteresis, "1", "1.5",
      "Elements become one where that would be shorter than it may be by this factor.", 1.0, 100.0},
     {"patience", &ResolutionDef::patience, "s", "2",
-     "For which a node is not needed before it goes.", 0.0, kMaxMetres}};
+     "Time for which a node must be unnecessary before it is removed.", 0.0, kMaxMetres}};
 
 constexpr ResolutionCount kWholes[] = {
     {"max_nodes", &ResolutionDef::max_nodes, "1000", "Of the cable, its ends included.", 3.0, 1e5},
-    {"interval", &ResolutionDef::interval, "4", "Steps from one look at the cable to the next.",
+    {"interval", &ResolutionDef::interval, "4", "Number of steps between two checks of the cable.",
      1.0, 1e4}};
 
 /// Check the limits. Inconsistent limits are reported at the key that is too small or too large.
@@ -70,8 +71,7 @@ void read_resolution(Description& out, const CableLayout& cable, const Json& jso
     const Place place = cable_place / "resolution";
     if (cable.links) refuse(place, "a cable of links has the elements that it has");
     if (!cable.consistent_mass)
-        refuse(place,
-               "nodes take shares of the mass of elements: it needs \"consistent_mass\": true");
+        refuse(place, "nodes need mass from elements: the cable needs \"consistent_mass\": true");
     Resolution one;
     one.def.name = cable.name + "/resolution";
     one.cable = cable.name;

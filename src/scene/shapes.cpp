@@ -124,7 +124,7 @@ bool is_segment(const Json& shape) { return shape["kind"] == "segment"; }
 /// Check that a body may be an end of a segment.
 void check_end(const BodyDef& body, const Place& place) {
     if (body.kind != BodyKind::lump && body.kind != BodyKind::fixed) {
-        refuse(place, "a segment lies between two lumps, or a lump and a fixed body; " +
+        refuse(place, "a segment connects two point masses, or a point mass and a fixed body; " +
                           in_quotes(body.name) + " is neither a lump nor fixed");
     }
 }

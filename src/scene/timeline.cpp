@@ -94,7 +94,7 @@ class Reader {
             const std::vector<std::string>& known = own->second;
             const auto found = std::find(known.begin(), known.end(), word);
             if (found != known.end()) return static_cast<double>(found - known.begin()) + 1.0;
-            refuse(place, "it knows no load " + in_quotes(word) + suggestion(word, known));
+            refuse(place, "it has no load " + in_quotes(word) + suggestion(word, known));
         }
         if (!input.ends_with(".mode")) refuse(place, "expected a number, found a text");
         const auto modes = winch_modes();

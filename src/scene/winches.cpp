@@ -23,7 +23,7 @@ constexpr WinchNumber kNumbers[] = {
      kFar},
     {"width", &WinchDef::width, "m", "required of drums", "Between the flanges.", 0.0, kFar},
     {"flange_radius", &WinchDef::flange_radius, "m", "as far as \"stored\" needs",
-     "Wire does not stand above it.", 0.0, kFar},
+     "Radius of the flanges; wire does not extend beyond it.", 0.0, kFar},
     {"wire_diameter", &WinchDef::wire_diameter, "m", "of the line type", "Of the wire.", 0.0, kFar},
     {"layer_pitch", &WinchDef::layer_pitch, "m", "the wire's diameter",
      "Of one layer above the last.", 0.0, kFar},
@@ -33,7 +33,8 @@ constexpr WinchNumber kNumbers[] = {
     {"stored", &WinchDef::stored, "m", "",
      "Wire on the drum, or chain in the locker, at the start.", 0.0, 1e6},
     {"inertia", &WinchDef::inertia, "kg m^2", "",
-     "Of the bare drum or the gypsy and what turns with it.", 0.0, kHeavy},
+     "Moment of inertia of the bare drum or the gypsy, and of the parts that rotate with it.", 0.0,
+     kHeavy},
     {"motor_inertia", &WinchDef::motor_inertia, "kg m^2", "0",
      "Of motor and gear at the drum, by the clutch.", 0.0, kHeavy},
     {"torque_haul", &WinchDef::torque_haul, "N m", "no limit", "Of the motor.", 0.0, kPull},
@@ -41,7 +42,7 @@ constexpr WinchNumber kNumbers[] = {
      kPull},
     {"power", &WinchDef::power, "W", "no limit", "Of the motor.", 0.0, kPull},
     {"max_speed", &WinchDef::max_speed, "m/s", "2",
-     "Of the wire where mode tension or render takes it in.", 0.0, 100.0},
+     "Largest speed at which the modes tension and render haul in wire.", 0.0, 100.0},
     {"speed", &WinchDef::speed, "m/s", "0", "Wanted in mode speed; below 0 it hauls.", -100.0,
      100.0},
     {"tension", &WinchDef::tension, "N", "0", "Wanted in modes tension and render.", 0.0, kPull},
@@ -52,8 +53,9 @@ constexpr WinchNumber kNumbers[] = {
      "Torque with which it slips.", 0.0, kPull},
     {"band_friction", &WinchDef::band_friction, "1", "0", "Of the band.", 0.0, 10.0},
     {"band_angle", &WinchDef::band_angle, "rad", "0",
-     "That the band covers: as wire runs in it holds e^(-friction angle) of its torque.", 0.0,
-     100.0},
+     "Angle that the band covers. While wire is hauled in, its torque is reduced to e^(-friction × "
+     "angle).",
+     0.0, 100.0},
     {"release_delay", &WinchDef::release_delay, "s", "0", "Of an emergency release.", 0.0, 1e6},
     {"release_load", &WinchDef::release_load, "N", "0", "Tension that is left after it.", 0.0,
      kPull},
@@ -74,16 +76,17 @@ constexpr WinchNumber kNumbers[] = {
 
 constexpr GypsyNumber kGypsyNumbers[] = {
     {"pitch", &GypsyDef::pitch, "m", "4 wire_diameter",
-     "Of a link; a pocket takes two. The radius is pockets times pitch over pi.", 0.0, 100.0},
+     "Pitch of a link; a pocket holds two links. The radius is pockets × pitch / pi.", 0.0, 100.0},
     {"jump_load", &GypsyDef::jump_load, "N", "it does not jump",
      "Difference of the tensions outboard and inboard above which chain jumps by a pocket.", 0.0,
      kPull},
     {"jump_friction", &GypsyDef::jump_friction, "N", "half of jump_load",
      "Of links on the wheel while they jump.", 0.0, kPull},
     {"locker_fall", &GypsyDef::locker_fall, "m", "0",
-     "Chain that hangs from the wheel into the locker; its weight holds back.", 0.0, kFar},
-    {"locker", &GypsyDef::locker, "m", "no limit", "Chain that the locker holds.", 0.0, 1e6},
-    {"wrap", &GypsyDef::wrap, "rad", "pi", "Angle of the wheel that chain lies on.", 0.0, 7.0}};
+     "Length of chain that hangs from the wheel into the locker; its weight adds back tension.",
+     0.0, kFar},
+    {"locker", &GypsyDef::locker, "m", "no limit", "Length of chain in the locker.", 0.0, 1e6},
+    {"wrap", &GypsyDef::wrap, "rad", "pi", "Angle of the wheel that the chain covers.", 0.0, 7.0}};
 
 /// Return the cable of a winch in this scope.
 const Cable& cable_of(const Description& out, const Scope& scope, const Json& json,
@@ -202,7 +205,7 @@ void read_winch(Description& out, const Scope& scope, const Json& json, const Pl
     if (kind_info(d.kind).is(kWoundUp))
         refuse(place / (json.contains("end") ? "end" : "cable"),
                "this end of the cable " + in_quotes(cable.name) +
-                   " lies on a drum already; one winch an end");
+                   " is on a drum already; an end can have one winch only");
     if (cable.stretch.size() == 1 && def.end == 1 && !(def.element == 0.0))
         refuse(place / "end",
                "a cable of one element is wound up from its first end; change its ends, give it "
@@ -217,7 +220,7 @@ void read_winch(Description& out, const Scope& scope, const Json& json, const Pl
             def.element > fine.def.max_length)
             refuse(place / "element",
                    fmt::format("{:.6g} m is above \"max_length\" of the resolution of its cable, "
-                               "{:.6g} m: what it pays out would be divided at once",
+                               "{:.6g} m: elements that it pays out would be divided at once",
                                def.element, fine.def.max_length));
     if (def.element > 0.0) give_mass(out, cable, def, place);
     winch.place = out.keep(place);

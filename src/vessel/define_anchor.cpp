@@ -31,7 +31,7 @@ void check_anchor_number(const AnchorDef& def, const char* field, double value, 
 void check_anchor_body(World& world, const AnchorDef& def) {
     if (def.name.empty()) throw DefError("anchor: name: it needs a name");
     if (world.find_system(def.name) != nullptr)
-        refuse_anchor(def, "name", "the name is taken; names are unique");
+        refuse_anchor(def, "name", "the name is in use; names must be unique");
     if (!world.alive(def.body)) refuse_anchor(def, "body", "there is no such body; give one");
     const BodyKind kind = world.body_def(def.body).kind;
     if (kind != BodyKind::rigid)

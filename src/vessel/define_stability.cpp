@@ -38,7 +38,7 @@ const WaterHull* hull_of_ship(const World& world, BodyId body) {
 void check_gauge_parts(World& world, const StabilityDef& def) {
     if (def.name.empty()) throw DefError("stability: name: it needs a name");
     if (world.find_system(def.name) != nullptr)
-        refuse_gauge(def, "name", "the name is taken; names are unique");
+        refuse_gauge(def, "name", "the name is in use; names must be unique");
     if (!world.alive(def.body) || world.body_def(def.body).kind != BodyKind::rigid)
         refuse_gauge(def, "body", "there is no such rigid body; give the ship");
     if (!world.alive(def.wire))

@@ -63,8 +63,7 @@ void check_weight(const World& world, const VesselDef& def, Unusual& out) {
             "weightless (gravity false) or give it a hull in the sea");
     if (afloat && !def.restoring.isZero(0.0))
         out.list.push_back(
-            "restoring acts beside a hull in the sea, which restores by itself; "
-            "give one of them");
+            "\"restoring\" adds to the restoring force of a hull in the sea; give one of them");
 }
 
 }  // namespace

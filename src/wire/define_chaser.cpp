@@ -18,14 +18,15 @@ namespace {
 
 void check(World& world, const ChaserDef& def) {
     if (def.name.empty()) throw DefError("a chaser needs a name");
-    if (world.find_system(def.name) != nullptr) refuse(def, "the name is taken; names are unique");
+    if (world.find_system(def.name) != nullptr)
+        refuse(def, "the name is in use; names must be unique");
     for (const char* part : {"/slide", "/behind", "/friction"})
         if (world.find_body(def.name + part).valid() ||
             world.find_interaction(def.name + part).valid())
-            refuse(def, "'" + def.name + part + "' is there; one of its parts will be called so");
-    if (!world.alive(def.body)) refuse(def, "there is no body that is its ring; give one");
+            refuse(def, "'" + def.name + part + "' exists, but is reserved for one of its parts");
+    if (!world.alive(def.body)) refuse(def, "the body of its ring is missing; give one");
     if (world.body_def(def.body).kind != BodyKind::rigid)
-        refuse(def, "its ring is a rigid body; what stands still is a guide");
+        refuse(def, "its ring must be a rigid body; a fixed ring is a guide");
     if (!def.point.allFinite() || !(def.point.norm() <= 1e7))
         refuse(def, "point is not finite, or beyond 1e7 m");
     if (!(def.reach > 0.0 && def.reach <= 1e3))

@@ -38,12 +38,11 @@ void check_nodes(const World& world, const DrumFeedDef& def, InteractionId line)
     const InteractionDef& at_drum = world.interaction_def(line);
     const BodyId fairlead = at_drum.body[def.end == 0 ? 0 : 1];
     if (world.body_def(fairlead).kind == BodyKind::lump)
-        refuse_feed(def, "the fairlead must be on a body that is no lump");
+        refuse_feed(def, "the fairlead must not be on a point mass");
     for (const InteractionId id : world.elements(def.wire))
         if (id != line && world.alive(id) && !(world.interaction_def(id).get("mass") > 0.0))
             refuse_feed(def,
-                        "its wire's elements have no mass of their own, which nodes could take "
-                        "(consistent_mass)");
+                        "the elements of its wire have no mass for new nodes (consistent_mass)");
 }
 
 }  // namespace
@@ -52,7 +51,7 @@ void define(World& world, const DrumFeedDef& given) {
     DrumFeedDef def = given;
     if (def.name.empty()) throw DefError("a drum feed needs a name");
     if (world.find_system(def.name) != nullptr)
-        refuse_feed(def, "the name is taken; names are unique");
+        refuse_feed(def, "the name is in use; names must be unique");
     const InteractionId line = element_on_drum(world, def);
     const double length = world.interaction_def(line).get("length");
     if (std::isnan(def.element)) def.element = length;

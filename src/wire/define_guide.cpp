@@ -47,8 +47,8 @@ InteractionId nearest_element(const World& world, const GuideDef& def) {
     constexpr double kSame = 1e-3;
     if (guided < least - kSame)
         refuse(def,
-               "the wire passes it with an element that another guide has; between two guides "
-               "there is a lump: give the wire shorter elements");
+               "the wire passes it with an element of another guide; two guides need a node "
+               "between them: give the wire shorter elements");
     return best;
 }
 
@@ -108,14 +108,15 @@ void check_space(const World& world, const GuideDef& def, InteractionId before,
 
 void check(World& world, const GuideDef& def) {
     if (def.name.empty()) throw DefError("a guide needs a name");
-    if (world.find_system(def.name) != nullptr) refuse(def, "the name is taken; names are unique");
+    if (world.find_system(def.name) != nullptr)
+        refuse(def, "the name is in use; names must be unique");
     if (world.find_input(def.name + "/friction/force").valid())
         refuse(def, "there is an input '" + def.name + "/friction/force' already; rename one");
-    if (!world.alive(def.wire)) refuse(def, "there is no wire that runs over it; give one");
-    if (!world.alive(def.body)) refuse(def, "there is no body that it is on; give one");
+    if (!world.alive(def.wire)) refuse(def, "its wire is missing; give one");
+    if (!world.alive(def.body)) refuse(def, "its body is missing; give one");
     const Nonsmooth method = world.settings().nonsmooth;
     if (method == Nonsmooth::pgs || method == Nonsmooth::split)
-        refuse(def, "nonsmooth = pgs and split take no loads of systems; choose newton");
+        refuse(def, "nonsmooth = pgs and split do not support loads of systems; choose newton");
     if (!std::isnan(def.element_length) &&
         !(def.element_length >= 0.0 && def.element_length <= 1e6))
         refuse(def, "element_length = " + number(def.element_length) +
@@ -152,7 +153,7 @@ void check_position(const GuideDef& def, const InteractionDef& element, const Ro
     const double far = separation(centre, first, second) - radius;
     if (far > 0.5 * length)
         refuse(def, "its wire passes " + number(far) +
-                        " m beside it, more than half of an element (" + number(0.5 * length) +
+                        " m next to it, more than half of an element (" + number(0.5 * length) +
                         " m); draw the wire over the guide, or move the guide to the wire");
     if (radius == 0.0 || def.turns > 0) return;
     const Vec3 axis = (on.orientation * def.axis).normalized() * (def.radius < 0.0 ? -1.0 : 1.0);
@@ -263,7 +264,7 @@ Guide lay_on(World& world, GuideDef& def, double speed, std::array<double, 2>& m
         refuse(def, "its element is none of its wire");
     const InteractionDef element = world.interaction_def(id);
     if (kind_info(element.kind).is(kWoundUp))
-        refuse(def, "its element is at a drum or another guide; take one farther out");
+        refuse(def, "its element is at a drum or another guide; choose one farther away");
     const std::array<Vec3, 2> ends = world.ends(id);
     const double length = element.get("length"), mass = element.get("mass");
     if (std::isnan(def.mass_per_length)) def.mass_per_length = mass / length;

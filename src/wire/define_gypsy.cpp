@@ -58,7 +58,7 @@ GypsyWheel gypsy_of(const WinchDef& def) {
     if (pitch < 2.0 * def.wire_diameter)
         refuse(def, "gypsy.pitch = " + number(pitch) + " m is below 2 bar diameters, " +
                         number(2.0 * def.wire_diameter) +
-                        " m: no link goes through another; 4 are usual");
+                        " m: links of this proportion do not fit into each other; 4 is usual");
     check_number(def, "gypsy.jump_load", g.jump_load, 0.0, true);
     const double friction = std::isnan(g.jump_friction) ? 0.5 * g.jump_load : g.jump_friction;
     check_number(def, "gypsy.jump_friction", friction, 0.0, false);

@@ -62,10 +62,10 @@ void check(World& world, const PinDef& def) {
     for (const std::string& name : {def.name, def.name + "/post"})
         if (world.find_system(name) != nullptr)
             refuse(def, "there is a system '" + name + "' already; names are unique");
-    if (!world.alive(def.body)) refuse(def, "there is no body that it is on; give one");
+    if (!world.alive(def.body)) refuse(def, "its body is missing; give one");
     const BodyKind kind = world.body_def(def.body).kind;
     if (kind == BodyKind::lump || kind == BodyKind::scalar)
-        refuse(def, "it is on a lump or a scalar body; give one that has an orientation");
+        refuse(def, "it is on a point mass or a scalar body; give a body with an orientation");
     if (!def.from.allFinite() || !def.to.allFinite() || !((def.to - def.from).norm() >= 0.01))
         refuse(def, "its axis from `from` to `to` is shorter than 0.01 m, or not finite");
     if (!(def.radius > 0.0 && def.radius <= 100.0))

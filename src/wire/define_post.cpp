@@ -21,16 +21,17 @@ namespace {
 
 void check(World& world, const PostDef& def) {
     if (def.name.empty()) throw DefError("a post needs a name");
-    if (world.find_system(def.name) != nullptr) refuse(def, "the name is taken; names are unique");
-    if (!world.alive(def.shape)) refuse(def, "there is no shape that wires lie on; give one");
+    if (world.find_system(def.name) != nullptr)
+        refuse(def, "the name is in use; names must be unique");
+    if (!world.alive(def.shape)) refuse(def, "the shape for the wires is missing; give one");
     const ShapeDef& shape = world.shape_def(def.shape);
     if (shape.kind != ShapeKind::cylinder && shape.kind != ShapeKind::capsule)
         refuse(def, "its shape is neither a cylinder nor a capsule");
     if (shape.body_b.valid() || world.body_def(shape.body).kind == BodyKind::lump)
-        refuse(def, "its shape is that of a wire or a lump; give one of a body");
+        refuse(def, "its shape belongs to a wire or a point mass; give a shape of a body");
     const Nonsmooth method = world.settings().nonsmooth;
     if (method == Nonsmooth::pgs || method == Nonsmooth::split)
-        refuse(def, "nonsmooth = pgs and split take no loads of systems; choose newton");
+        refuse(def, "nonsmooth = pgs and split do not support loads of systems; choose newton");
     if (!(def.friction >= 0.0 && def.friction <= 100.0))
         refuse(def, "friction = " + number(def.friction) + "; give 0 to 100");
     if (!(def.efficiency > 0.0 && def.efficiency <= 1.0))

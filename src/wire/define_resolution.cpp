@@ -119,15 +119,14 @@ void define(World& world, const ResolutionDef& given) {
     ResolutionDef def = given;
     if (def.name.empty()) throw DefError("a resolution needs a name");
     if (world.find_system(def.name) != nullptr)
-        refuse(def, "the name is taken; names are unique among systems");
+        refuse(def, "the name is in use; names must be unique among systems");
     check_numbers(def);
     check_wire(world, def);
     auto lines = lines_of(world, def.wire);
     if (!std::isnan(def.mass_per_length)) lines.assign(1, {0.0, def.mass_per_length});
     if (lines.empty())
         refuse(def, "the elements of the wire '" + world.wire_name(def.wire) +
-                        "' have no mass of their own that nodes could take; make it with "
-                        "consistent_mass");
+                        "' have no mass for new nodes; make it with consistent_mass");
     for (const auto& line : lines)
         if (!(line.mass_per_length > 0.0 && line.mass_per_length < 1e12))
             refuse(def,

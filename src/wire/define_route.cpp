@@ -74,7 +74,8 @@ Straight straight_between(const RouteDef& def, const Corner& a, const Corner& b)
         if (a.radius != 0.0 && b.radius != 0.0) leave_own_planes(a, b, s);
     }
     s.length = (s.to - s.from).norm();
-    if (!(s.length > 1e-6)) refuse(def, "two of its places, or a place and an end, coincide");
+    if (!(s.length > 1e-6))
+        refuse(def, "two of its turning points, or a turning point and an end, coincide");
     s.along = (s.to - s.from) / s.length;
     return s;
 }
@@ -162,7 +163,8 @@ InteractionDef part_between(const RouteDef& def, const Corner& a, const Corner& 
     const double to_b = to_end ? b.out : -1.0;
     const bool both = a.slide.valid() && b.slide.valid();
     if (a.body == b.body) {
-        if (!both) refuse(def, "an end is made fast to the same body as the place next to it");
+        if (!both)
+            refuse(def, "an end is attached to the same body as the turning point next to it");
         d.kind = InteractionKind::BodySpan;
         d.body[0] = a.slide;
         d.body[1] = b.slide;
@@ -273,8 +275,9 @@ RoutePlan plan_route(const RouteDef& def, const RouteBodies& bodies,
     }
     const double length = std::isnan(def.length) ? path / (1.0 + def.tension / def.EA) : def.length;
     if (path > 1.5 * length)
-        refuse(def, "its way over its places is " + number(path) + " m long, but it has " +
-                        number(length) + " m, and no line stretches by half; give it more length");
+        refuse(def, "its path over the turning points is " + number(path) + " m long, but it has " +
+                        number(length) +
+                        " m, more than half longer than the line; give it more length");
     for (std::size_t i = 0; i < straight.size(); ++i) {
         const bool to_end = i + 1 == straight.size();
         out.parts.push_back(part_between(def, corners[i], corners[i + 1], straight[i], lies[i],
@@ -303,7 +306,7 @@ RoutePlan plan_route(const RouteDef& def, const RouteBodies& bodies,
 
 void stop_ends(World& world, const std::string& name, std::vector<InteractionId> parts) {
     if (world.find_system(name) != nullptr)
-        throw DefError("end stops '" + name + "': the name is taken; names are unique");
+        throw DefError("end stops '" + name + "': the name is in use; names must be unique");
     for (const InteractionId id : parts)
         if (!world.alive(id) || world.interaction_def(id).kind != InteractionKind::EndSpan)
             throw DefError("end stops '" + name + "': each part must be an end_span");

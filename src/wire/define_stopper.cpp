@@ -18,14 +18,15 @@ namespace {
 
 void check(World& world, const StopperDef& def) {
     if (def.name.empty()) throw DefError("a stopper needs a name");
-    if (world.find_system(def.name) != nullptr) refuse(def, "the name is taken; names are unique");
+    if (world.find_system(def.name) != nullptr)
+        refuse(def, "the name is in use; names must be unique");
     if (world.find_interaction(def.name + "/hold").valid())
         refuse(def,
-               "the interaction '" + def.name + "/hold' is there; its joint will be called so");
-    if (!world.alive(def.body)) refuse(def, "there is no body that it stands on; give one");
+               "the interaction '" + def.name + "/hold' exists, but is reserved for its joint");
+    if (!world.alive(def.body)) refuse(def, "its body is missing; give one");
     const BodyKind kind = world.body_def(def.body).kind;
     if (kind == BodyKind::lump || kind == BodyKind::scalar)
-        refuse(def, "it stands on a lump or a scalar body; give one that has an orientation");
+        refuse(def, "it is on a point mass or a scalar body; give a body with an orientation");
     if (!def.point.allFinite() || !(def.point.norm() <= 1e7))
         refuse(def, "point is not finite, or beyond 1e7 m");
     if (!def.outboard.allFinite() || !(def.outboard.norm() > 1e-9))
@@ -54,10 +55,10 @@ void check_others(World& world, const StopperDef& def) {
         if (!theirs || theirs->wire != claim->wire) continue;
         const double separation = std::abs(theirs->at - claim->at);
         if (separation > wire::kStopperAtNode) continue;
-        refuse(def, "point: closed at the start it would hold the node that stopper '" +
+        refuse(def, "point: if closed at the start, it would hold the same node as stopper '" +
                         other->def().name + "' holds, " + number(separation) +
-                        " m from it along the wire; give points whose nearest places on the wire "
-                        "are more than " +
+                        " m from it along the wire; give points whose nearest positions on the "
+                        "wire are more than " +
                         number(wire::kStopperAtNode) + " m apart, or start one of them open");
     }
 }

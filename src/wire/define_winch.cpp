@@ -47,7 +47,7 @@ void check_numbers(const WinchDef& def) {
     if (std::isnan(def.brake_dynamic)) return;
     check_number(def, "brake_dynamic", def.brake_dynamic, 0.0, false);
     if (def.brake_dynamic > def.brake_static)
-        refuse(def, "brake_dynamic is above brake_static: a band that slips holds no more");
+        refuse(def, "brake_dynamic is above brake_static: a slipping band cannot hold more");
 }
 
 /// Return the geometry of the drum.
@@ -64,7 +64,7 @@ wire::DrumGeometry drum_of(const WinchDef& def) {
                             .flange_radius = def.flange_radius};
     if (def.core_radius < kMinimum * def.wire_diameter)
         refuse(def, "core_radius = " + number(def.core_radius) + " m is below " + number(kMinimum) +
-                        " diameters of its wire, which does not bend so far; give a larger drum");
+                        " diameters of its wire, too small to wind it; give a larger drum");
     if (std::isnan(drum.layer_pitch)) drum.layer_pitch = def.wire_diameter;
     check_number(def, "layer_pitch", drum.layer_pitch, 0.0, true);
     if (drum.wraps_a_layer() < 1)
@@ -87,7 +87,7 @@ wire::DrumGeometry drum_of(const WinchDef& def) {
         def.dead_wraps > usual.dead_wraps && def.dead_wraps > wraps)
         refuse(def, "dead_wraps = " + number(def.dead_wraps) +
                         ", but stored = " + number(def.stored) + " m are " + number(wraps) +
-                        " wraps: the motor would pay out nothing; give fewer");
+                        " wraps: the motor could not pay out any wire; give fewer");
     if (def.stored > drum.capacity())
         refuse(def, "stored = " + number(def.stored) + " m, but the drum holds " +
                         number(drum.capacity()) + " m in " + std::to_string(drum.layers()) +
@@ -116,9 +116,7 @@ InteractionId wound_end(const World& world, const WinchDef& def) {
     const InteractionId id = def.end == 0 ? elements.front() : elements.back();
     if (!world.alive(id) || !kind_info(world.interaction_def(id).kind).is(kWoundUp) ||
         world.interaction_def(id).body[2] != (is_gypsy(def) ? def.chain : def.drum))
-        refuse(def,
-               "this end of its wire does not lie on its drum; leave out the drum to have "
-               "both made");
+        refuse(def, "this end of its wire is not on its drum; leave out the drum to create both");
     return id;
 }
 
@@ -137,16 +135,17 @@ double element_of(const World& world, const WinchDef& def) {
     if (asked && def.element < def.wire_diameter)
         refuse(def, "element = " + number(def.element) + " m is shorter than its wire is thick, " +
                         number(def.wire_diameter) +
-                        " m, and would make as many nodes; give the length of an element, or 0 "
-                        "for one that grows");
+                        " m, and would create one node for each; give the length of an element, or "
+                        "0 for an element that grows");
     const bool wound = kind_info(world.interaction_def(at_drum).kind).is(kWoundUp);
     const bool single = wound && elements.size() == 1;  // the drum's element is the whole wire
     if ((!(mass > 0.0) && !(asked && single)) || !(def.mass_per_length > 0.0)) {
         if (!asked) return 0.0;
-        refuse(def, mass > 0.0 || single
-                        ? "element: it makes nodes of its wire's mass_per_length; give one"
-                        : "element: its wire's elements have no mass of their own that nodes "
-                          "could take (consistent_mass)");
+        refuse(
+            def,
+            mass > 0.0 || single
+                ? "element: new nodes need the mass_per_length of its wire; give it"
+                : "element: the elements of its wire have no mass for new nodes (consistent_mass)");
     }
     if (elements.size() == 1 && def.end == 1)
         refuse(def,
@@ -227,17 +226,18 @@ void add_wheel(World& world, const WinchDef& def, WinchIds& ids) {
 WinchIds define(World& world, const WinchDef& given_def) {
     WinchDef def = given_def;
     if (def.name.empty()) throw DefError("a winch needs a name");
-    if (world.find_system(def.name) != nullptr) refuse(def, "the name is taken; names are unique");
+    if (world.find_system(def.name) != nullptr)
+        refuse(def, "the name is in use; names must be unique");
     check_numbers(def);
     wire::WinchWheel wheel;
     if (is_gypsy(def))
         wheel.gypsy = wire::gypsy_of(def);
     else
         wheel.drum = drum_of(def);
-    if (!world.alive(def.wire)) refuse(def, "there is no wire that it could wind; give one");
+    if (!world.alive(def.wire)) refuse(def, "its wire is missing; give one");
     const Nonsmooth method = world.settings().nonsmooth;
     if (method == Nonsmooth::pgs || method == Nonsmooth::split)
-        refuse(def, "nonsmooth = pgs and split take no loads of systems; choose newton");
+        refuse(def, "nonsmooth = pgs and split do not support loads of systems; choose newton");
     check_names(world, def);
     if (def.end != 0 && def.end != 1) refuse(def, "end must be 0, the first one, or 1");
     def.element = element_of(world, def);

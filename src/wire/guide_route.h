@@ -56,7 +56,7 @@ inline std::string too_far_round(const GuideDef& def, const InteractionDef& elem
     const std::string far =
         "the wire would turn by " + number(angle) + " rad, more than half a turn beyond `turns`";
     if (lies) return far + "; change the sign of `radius`";
-    return far + ", and does not lie on it with the other sign of `radius` either: the ends of '" +
+    return far + ", and does not touch it with the other sign of `radius` either: the ends of '" +
            element.name +
            "', the element that passes it, are not on two sides of it; move the guide, or the "
            "nodes of the wire";

@@ -62,7 +62,7 @@ void GuideSystem::check_state(const World& world, StateRules& rules) const {
     rules.range(angle_, -kMaxAngle, kMaxAngle, "the angle at the guide is out of range");
     rules.range(bound_, 0.0, kUnbounded, "the friction of the guide is out of range");
     rules.require(parted_ >= 0 && parted_ <= (def_.closed ? kRanOff : kLifted),
-                  "there is no such condition of the guide");
+                  "the guide has an invalid condition");
     if (!def_.closed) {
         rules.require(wait_ >= 0 && wait_ <= kMaxWait, "the wait of the guide is out of range");
         check_position(world, rules);
@@ -88,7 +88,7 @@ void GuideSystem::check_position(const World& world, StateRules& rules) const {
                   "the guide has no friction");
     rules.require(world.alive(def_.wire), "the guide has no wire");
     rules.require(def_.point.allFinite() && def_.point.norm() <= 1e7,
-                  "the place of the guide is out of range");
+                  "the position of the guide is out of range");
     rules.range(std::abs(def_.radius), 0.0, 1e6, "the radius of the guide is out of range");
     rules.range(def_.element_length, 0.0, 1e7, "the element of the guide is out of range");
     rules.range(def_.mass_per_length, 0.0, 1e9, "the mass of the wire is out of range");

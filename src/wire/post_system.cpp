@@ -86,9 +86,11 @@ void PostSystem::visit_state(StateVisitor& v) {
 }
 
 void PostSystem::check_state(const World& world, StateRules& rules) const {
-    for (const std::int32_t on : on_) rules.flag(on, "whether a wire lies on the post is no flag");
+    for (const std::int32_t on : on_)
+        rules.flag(on, "the flag of an engaged wire of the bollard is invalid");
     rules.require(wait_ >= 0 && wait_ <= kWait, "the wait of the post is out of range");
-    rules.require(steady_ >= 0 && steady_ <= kSteady, "the looks of the post are out of range");
+    rules.require(steady_ >= 0 && steady_ <= kSteady,
+                  "the counter of checks of the bollard is out of range");
     for (std::size_t k = 0; k < on_.size(); ++k) {
         if (on_[k] != 1) continue;
         guides_[k]->check_position(world, rules);

@@ -15,9 +15,9 @@ void check_position(const RouteBodies& bodies, const RouteDef& def, std::size_t 
     const RoutePlace& p = def.places[i];
     const std::string where = "places/" + std::to_string(i) + ": ";
     const BodyKind kind = bodies(p.body).kind;
-    if (kind == BodyKind::scalar) refuse(def, where + "a scalar body has no place in space");
+    if (kind == BodyKind::scalar) refuse(def, where + "a scalar body has no position in space");
     if (kind == BodyKind::lump && (p.radius != 0.0 || !p.point.isZero(0.0)))
-        refuse(def, where + "a lump is a point: no wheel and no point on it");
+        refuse(def, where + "a point mass has neither a wheel nor points");
     if (!(std::abs(p.radius) <= 1e3)) refuse(def, where + "radius: give -1000 to 1000 m");
     if (!(p.efficiency > 0.0 && p.efficiency <= 1.0))
         refuse(def, where + "efficiency = " + number(p.efficiency) + "; give (0, 1]");
@@ -25,7 +25,8 @@ void check_position(const RouteBodies& bodies, const RouteDef& def, std::size_t 
         refuse(def, where + "friction = " + number(p.friction) + "; give 0 to 10");
     if (!(p.inertia >= 0.0 && p.inertia <= 1e12))
         refuse(def, where + "inertia = " + number(p.inertia) + " kg m^2; give 0 to 1e12");
-    if (p.inertia > 0.0 && p.radius == 0.0) refuse(def, where + "inertia: what turns has a radius");
+    if (p.inertia > 0.0 && p.radius == 0.0)
+        refuse(def, where + "inertia: only a wheel with a radius has one");
     if (p.turns < 0 || p.turns > kMaxTurns) refuse(def, where + "turns: give 0 to 100");
     if (p.turns > 0 && p.radius == 0.0)
         refuse(def, where + "turns: an eye has none; give a radius");
@@ -46,18 +47,18 @@ void refuse(const RouteDef& def, const std::string& why) {
 void check(const RouteBodies& bodies, const RouteDef& def) {
     if (!(def.EA > 0.0 && def.EA <= 1e15)) refuse(def, "EA: give its axial stiffness [N]");
     if (def.places.empty() || def.places.size() > kMaxPlaces)
-        refuse(def, "places: give 1 to 256 that it runs over");
+        refuse(def, "places: give 1 to 256 turning points");
     for (const RouteEnd* e : {&def.first, &def.last}) {
         const std::string where = e == &def.first ? "first: " : "last: ";
         const RouteBody body = bodies(e->body);
         if (body.kind == BodyKind::scalar)
-            refuse(def, where + "a scalar body has no place in space; name it as the drum");
+            refuse(def, where + "a scalar body has no position in space; name it as the drum");
         if (body.kind == BodyKind::lump && !e->point.isZero(0.0))
             refuse(def, where + "a lump is a point; leave the point on it at 0");
         if (e->drum.valid() && bodies(e->drum).kind != BodyKind::scalar)
             refuse(def, where + "its drum must be a scalar body");
         if (e->drum.valid() && !(std::abs(e->radius) > 0.0 && std::abs(e->radius) <= 1e3))
-            refuse(def, where + "radius: give what its drum pays out per unit [m]");
+            refuse(def, where + "radius: give the length that its drum pays out per radian [m]");
     }
     for (std::size_t i = 0; i < def.places.size(); ++i) check_position(bodies, def, i);
     if (!std::isnan(def.length) && !(def.length > 0.0)) refuse(def, "length: give more than 0 m");

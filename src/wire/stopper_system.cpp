@@ -64,7 +64,7 @@ void StopperSystem::check_state(const World& world, StateRules& rules) const {
     rules.require(lump(node_) && lump(put_), "the stopper holds no node of a wire");
     for (const BodyId id : idle_) rules.require(lump(id), "an idle node is none of a wire");
     const Vec3 place(place_[0], place_[1], place_[2]);
-    rules.require(place.allFinite() && place.norm() <= 1e7, "the place is out of range");
+    rules.require(place.allFinite() && place.norm() <= 1e7, "the position is out of range");
     if (!world.alive(joint_)) return;  // removed by another system
     const InteractionDef& d = world.interaction_def(joint_);
     rules.require(d.name == joint_name_ && d.body[0] == def_.body && d.body[1] == node_,

@@ -50,10 +50,10 @@ void WireResolution::check_state(const World& world, StateRules& rules) const {
     rules.require(known_ >= 0 && static_cast<std::size_t>(known_) <= room_,
                   "more nodes are known than there may be");
     rules.require(wanted_ >= -1, "there is no such node");
-    rules.require(sampled_ >= -1, "it looked at no step");
+    rules.require(sampled_ >= -1, "its last check has no step");
     for (std::size_t k = 2; k < memory_.size(); k += 3)
         rules.require(memory_[k] >= -kMaxSampleCount && memory_[k] <= kMaxSampleCount,
-                      "the looks of a node are out of range");
+                      "the counter of checks of a node is out of range");
     rules.require(nodes_ >= 0.0 && inserted_ >= 0.0 && removed_ >= 0.0, "a count is below 0");
 }
 

@@ -55,8 +55,8 @@ void check_inertia(const Where& where, const Mat3& inertia) {
     if (!(e[0] > 1e-12 * e[2]) || !(e[0] > 0.0))
         refuse(where, "inertia is not positive definite (smallest principal moment " +
                           number(e[0]) +
-                          " kg m²); a rigid body needs three positive "
-                          "moments, a point mass is a lump");
+                          " kg m²); a rigid body needs three positive moments of inertia; a body "
+                          "without them is a point mass (kind lump)");
     if (e[0] + e[1] < e[2] * (1.0 - 1e-6))
         refuse(where, "inertia breaks the triangle inequality: no body has such moments");
 }
@@ -95,8 +95,8 @@ void check(const WorldDef& def) {
     }
     if (def.coupling != Coupling::exact && def.sleep_after > 0.0)
         refuse(where,
-               "a coupling other than exact needs sleep_after 0: what is cut cannot tell "
-               "when to wake");
+               "a coupling other than exact needs sleep_after 0: the parts of a split cannot wake "
+               "each other");
     if ((def.budget > 0.0 || def.budget_work > 0.0) && def.nonsmooth != Nonsmooth::newton)
         refuse(where, "a budget needs the nonsmooth method newton");
 }
@@ -149,7 +149,7 @@ void check_mass(const InteractionDef& def, const model::Bodies& bodies) {
         const auto body = static_cast<std::size_t>(def.body[b].index);
         if (bodies.kind[body] == BodyKind::lump && bodies.mass[body] < (1.0 - kRounding) * half)
             refuse(label("interaction", def.name),
-                   "a lump at its end has less than half of its mass");
+                   "a node at its end has less than half of its mass");
     }
 }
 
@@ -249,11 +249,11 @@ void check_params(const InteractionDef& def) {
 void check_end(const std::string& where, double mass, double carried) {
     if (carried < 0.0)
         refuse(where,
-               "its drum has hauled in all that it had, and there is no end to let go; pay some "
-               "out, and detach() then");
+               "its drum has hauled in all wire, so that no end can be released; pay out some wire "
+               "first");
     if (!(mass > 0.0))
         refuse(where,
-               "neither it nor a lump has the mass of the wire at this end; give the wire more "
+               "neither it nor a node has the mass of the wire at this end; give the wire more "
                "elements");
 }
 

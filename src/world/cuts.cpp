@@ -122,8 +122,8 @@ void World::set_coupling(InteractionId id, Coupling coupling) {
         throw DefError("a coupling other than exact needs sleep_after 0");
     if (coupling != Coupling::exact && !stepper::can_cut(c.model, id.index))
         throw DefError(world::label("interaction", c.model.interactions.def[i].name) +
-                       ": a motor, a range, friction, what loads friction or a winch cannot be "
-                       "cut; couple it exactly");
+                       ": a motor, a range, friction, a load of friction or a winch cannot be cut; "
+                       "use the exact coupling");
     c.model.cuts.coupling.resize(at(interaction_count()), c.model.def.coupling);
     if (c.model.cuts.coupling[i] == coupling) return;
     c.model.cuts.coupling[i] = coupling;

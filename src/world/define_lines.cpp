@@ -21,7 +21,7 @@ void attach(InteractionDef& def, const World& in, std::size_t slot, BodyId body,
     if (!point.isZero(0.0) && in.body_def(body).kind == BodyKind::lump)
         throw DefError(std::string(kind_info(def.kind).name) + " " +
                        (def.name.empty() ? "(unnamed)" : "'" + def.name + "'") +
-                       ": a lump is a point; leave its attachment at 0");
+                       ": a point mass has no attachment points; leave the point at 0");
 }
 
 template <class Def>

@@ -112,7 +112,7 @@ InputId World::add_input(const InputDef& def) {
         allowed.min = std::max(def.min, -kMaxInputForce);
         allowed.max = std::min(def.max, kMaxInputForce);
         if (def.local && m.ctx.model.bodies.kind[b] != BodyKind::rigid)
-            throw DefError(where.text() + ": local: its body does not turn; leave it false");
+            throw DefError(where.text() + ": local: its body does not rotate; leave it false");
     }
     if (def.local && def.interaction.valid())
         throw DefError(where.text() +

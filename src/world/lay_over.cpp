@@ -34,7 +34,7 @@ void check_parts(const world::Where& where, const InteractionDef& old, const Int
         before.body[1] != behind.body[0])
         world::refuse(where, "its parts must have its ends and meet at one body");
     if (!(before.get("radius") < 0.0 && behind.get("radius") > 0.0))
-        world::refuse(where, "the slide must take from the part before and give to the one behind");
+        world::refuse(where, "the slide must lengthen one part and shorten the other");
 }
 
 /// Return the mass of its half element that a node passes to the guide [kg]. This is all of it, or
@@ -91,7 +91,7 @@ std::array<InteractionId, 2> World::lay_over(InteractionId element, InteractionD
     const world::Where where("interaction", old.name);
     if (!kind_info(old.kind).is(kWireElement) || kind_info(old.kind).is(kWoundUp))
         world::refuse(where, "only an element of a wire that no drum or guide has can be divided");
-    if (!intact(element)) world::refuse(where, "it has parted");
+    if (!intact(element)) world::refuse(where, "it is broken");
     check_parts(where, old, before, behind);
     world::Wire* wire = m.wire_with(element);
     if (wire == nullptr) world::refuse(where, "it is of no wire");
@@ -100,7 +100,7 @@ std::array<InteractionId, 2> World::lay_over(InteractionId element, InteractionD
     for (const std::size_t end : {0U, 1U}) {
         if (body_def(old.body[end]).kind != BodyKind::lump || !(half > 0.0)) continue;
         given[end] = given_to_guide(*this, *wire, element, end, half);
-        if (!(given[end] > 0.0)) world::refuse(where, "a lump at its end has less than half of it");
+        if (!(given[end] > 0.0)) world::refuse(where, "a node at its end has less than half of it");
     }
     m.refuse_held(element);
     base::reserve_more(wire->elements, 1);
@@ -179,7 +179,7 @@ world::Wire& World::Impl::wire_on_guide(InteractionId before, InteractionId behi
         world::refuse(where, "only two parts with one slide become an element again");
     if (!kind_info(element.kind).is(kWireElement) || kind_info(element.kind).is(kWoundUp) ||
         element.body[0] != a.body[0] || element.body[1] != b.body[1])
-        world::refuse(where, "what they become is an element of a wire between their ends");
+        world::refuse(where, "the result must be an element of a wire between their ends");
     world::Wire* wire = wire_with(before);
     if (wire == nullptr || wire != wire_with(behind)) world::refuse(where, "it is of no wire");
     return *wire;

@@ -29,7 +29,7 @@ std::size_t place_of(const Id& id, const base::Slots& slots, int count, const ch
         throw DefError(std::string("there is no ") + what + " with id " + number);
     throw DefError(std::string("the ") + what + " with id " + number + " of generation " +
                    std::to_string(id.generation) + " has been removed" +
-                   (slots.holds(id.index) ? "; another one has its place" : ""));
+                   (slots.holds(id.index) ? "; another object has its index" : ""));
 }
 
 /// Hash for lookups without a copy of the name, which would allocate.
@@ -136,7 +136,8 @@ class Names {
 inline void claim(Names& names, const std::string& name, std::int32_t index, const char* what) {
     if (name.empty()) return;
     if (!names.add(name, index))
-        throw DefError(std::string(what) + " '" + name + "': the name is taken; names are unique");
+        throw DefError(std::string(what) + " '" + name +
+                       "': the name is in use; names must be unique");
 }
 
 /// Claim a name and call f(). Release the claim if f() throws; f() undoes its own changes.

@@ -41,7 +41,8 @@ void check_move(const World& world, const model::Interactions& in, InteractionId
     const world::Where where("interaction", a.name);
     if (!kind_info(a.kind).is(kAtGuide) || b.kind != a.kind || a.body[2] != b.body[2] ||
         a.body[1] != b.body[0] || !(a.get("radius") < 0.0 && b.get("radius") > 0.0))
-        world::refuse(where, "only the place of two parts with one slide moves along an axis");
+        world::refuse(where,
+                      "only the turning point of two parts with one slide can move along an axis");
     if (a.get("wheel") == 0.0) world::refuse(where, "an eye has no axis to move along");
     if (!std::isfinite(along) || !std::isfinite(fed))
         world::refuse(where, "along = " + world::number(along) + " m, fed = " + world::number(fed) +

@@ -42,14 +42,14 @@ std::string to_string(const BoundMet& met) {
             return "";
         case Bound::contacts:
             return value + " contact points exceed max_contacts = " + limit +
-                   "; raise it, or part the shapes that lie in each other";
+                   "; raise it, or separate overlapping shapes";
         case Bound::pairs:
             return value +
                    " pairs of shapes near each other (and more) exceed 8 max_contacts = " + limit +
-                   "; raise it, or part the shapes that lie in each other";
+                   "; raise it, or separate overlapping shapes";
         case Bound::memory:
             return value + " bytes exceed max_memory = " + limit +
-                   "; raise it where the machine has as much, or make the scene smaller";
+                   "; raise it if the machine has more memory, or make the scene smaller";
     }
     return "?";
 }

@@ -20,23 +20,22 @@ void World::Impl::check_node(InteractionId element, double share, double mass) c
     if (!kind_info(in.def[e].kind).is(kWireElement) || in.parted[e] != 0)
         world::refuse(where, "only elements of wires that are whole have nodes");
     if (systems.refuses_nodes(element))
-        world::refuse(where, "its winch puts nodes there; take an element farther out");
+        world::refuse(where, "its winch inserts nodes there; choose an element farther away");
     if (!(share > 0.0 && share < 1.0))
         world::refuse(where,
-                      "a node is put at a share between 0 and 1, not " + world::number(share));
+                      "a node needs a fraction between 0 and 1, not " + world::number(share));
     if (kind_info(in.def[e].kind).is(kWoundUp)) {
         if (!(mass > 0.0 && mass < 1e12))
-            world::refuse(where, "a drum pays it out: say what mass it has, not " +
+            world::refuse(where, "a drum pays it out: its mass must be given, not " +
                                      world::number(mass) + " kg");
         const auto lump = [&](std::size_t slot) {
             return stepper::is_lump(ctx, stepper::end_of(ctx, element.index, slot));
         };
-        if (lump(0) && lump(1))
-            world::refuse(where, "its fairlead must be on a body that is no lump");
+        if (lump(0) && lump(1)) world::refuse(where, "its fairlead must not be on a point mass");
     } else if (!std::isnan(mass)) {
         world::refuse(where, "its mass is its own; leave it out");
     } else if (!(stepper::mass_of_element(ctx, element.index) > 0.0)) {
-        world::refuse(where, "it has no mass of its own that a node could take (give it `mass`)");
+        world::refuse(where, "it has no mass for a new node (give it `mass`)");
     }
     if ((in.flags[e] & model::kFromLength) == 0)
         world::refuse(where, "its compliance is not that of its length; leave it out");
@@ -54,7 +53,7 @@ void World::Impl::refuse_two_lines(BodyId node, const stepper::NodeSurroundings&
     const double x = a.get("mass") * b.get("length"), y = b.get("mass") * a.get("length");
     if (a.get("EA") == b.get("EA") && std::abs(x - y) <= kSame * std::max(x, y)) return;
     world::refuse(world::Where("body", body_defs[at(node.index)].name),
-                  "two line types meet there; take away nodes on either side of it");
+                  "two line types meet at this node; remove nodes on either side of it instead");
 }
 
 /// Check that a node can be removed.
@@ -73,9 +72,8 @@ std::int32_t World::Impl::check_node_goes(BodyId node, stepper::NodeSurroundings
                 ? (ctx.model.interactions.flags[at(id)] & model::kFromLength) != 0
                 : stepper::mass_of_element(ctx, id) > 0.0 && stepper::is_of_material(ctx, id))
             continue;
-        world::refuse(where,
-                      "its elements have no mass of their own (give them `mass`), or a "
-                      "compliance that is not that of their length");
+        world::refuse(
+            where, "its elements have no `mass`, or a compliance that does not match their length");
     }
     refuse_two_lines(node, place);
     double own = 0.0;  // mass of the wire
@@ -87,12 +85,13 @@ std::int32_t World::Impl::check_node_goes(BodyId node, stepper::NodeSurroundings
     const bool drum = second || stepper::is_wound(ctx, place.first);
     const double more = drum ? kKept : 1e-6;  // otherwise rounding
     if (body_defs[at(node.index)].mass > (1.0 + more) * own)
-        world::refuse(where, "it has " + world::number(body_defs[at(node.index)].mass - own) +
-                                 " kg beside the wire's, of gear or a load, which would be lost");
+        world::refuse(where,
+                      "it has " + world::number(body_defs[at(node.index)].mass - own) +
+                          " kg of gear or a load in addition to the wire, which would be lost");
     if (!(bend >= 0.0)) world::refuse(where, "bend must be an angle, not " + world::number(bend));
     const std::int32_t stays = second ? place.second : place.first;
     if (systems.refuses_nodes(ctx.model.interactions.id(stays)))
-        world::refuse(where, "its winch takes it away when it hauls; take one farther out");
+        world::refuse(where, "its winch removes it when it hauls; choose one farther away");
     refuse_held(node, ctx.model.interactions.id(stays));
     return stays;
 }

@@ -27,7 +27,7 @@ void World::remove_output(OutputId id) {
     const OutputDef& def = impl_->outputs.defs()[place];
     if (def.kind == OutputKind::signal)
         throw DefError("remove_output: '" + def.name + "' is a signal of system '" + def.group +
-                       "', which goes with it; remove the system");
+                       "', which owns it; remove the system");
     impl_->outputs.remove(place);
 }
 

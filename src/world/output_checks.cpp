@@ -33,7 +33,7 @@ void check_body(const std::string& where, const char* field, BodyId body, const 
     const int dof = bodies.dof(body.index);
     if (dof == 1 && is_place)
         refuse(where,
-               std::string(field) + " is a scalar body, which has a coordinate, not a place");
+               std::string(field) + " is a scalar body, which has a coordinate but no position");
     if ((dof == 1 || dof == 3) && !point.isZero(0.0))
         refuse(where, std::string(field) +
                           " has no orientation: leave the point at 0, it is the body itself");
@@ -45,7 +45,7 @@ void check_body_component(const std::string& where, const OutputDef& def, int co
     const int dof = bodies.dof(def.body.index);
     const bool turning = component >= (def.kind == OutputKind::pose ? int{kRoll} : int{kTurning});
     if (dof == 3 && (turning || def.local))
-        refuse(where, "a lump does not turn; give x, y or z, in the world's axes");
+        refuse(where, "a point mass does not rotate; give x, y or z, in the world's axes");
     if (dof == 1 && (component != 0 || def.local))
         refuse(where, "a scalar body has one coordinate; give the component x");
 }
@@ -151,7 +151,7 @@ int check_output(OutputDef& def, const stepper::StepContext& ctx, const WireList
         case OutputTarget::world:
             break;
         case OutputTarget::system:
-            refuse(where, "a signal comes with its system; add that");
+            refuse(where, "signals belong to their system; add the system");
     }
     def.component = chosen.name;
     if (def.unit.empty()) def.unit = unit;

@@ -65,13 +65,13 @@ constexpr OutputComponent kStatistic[] = {
     {"kinetic", "J", "Kinetic energy."},
     {"applied", "J", "Work done since the start by applied forces."},
     {"driven", "J", "Work done since the start by motors, winches and carriers."},
-    {"dissipated", "J", "Energy taken since the start by drag."},
-    {"friction", "J", "Energy taken since the start by friction of contacts."},
-    {"contact", "J", "Energy taken since the start by contacts across their surfaces."},
-    {"damped", "J", "Energy taken since the start by damping of interactions."},
-    {"gravity", "J", "Potential energy of weights. It takes a pass over the scene."},
-    {"elastic", "J", "Energy of springs and lines. It takes a pass over the scene."},
-    {"mechanical", "J", "Kinetic, gravity and elastic. It takes a pass over the scene."}};
+    {"dissipated", "J", "Energy dissipated since the start by drag."},
+    {"friction", "J", "Energy dissipated since the start by friction of contacts."},
+    {"contact", "J", "Energy dissipated since the start by contacts along their normals."},
+    {"damped", "J", "Energy dissipated since the start by damping of interactions."},
+    {"gravity", "J", "Potential energy of weights. Computing it needs a pass over the scene."},
+    {"elastic", "J", "Energy of springs and lines. Computing it needs a pass over the scene."},
+    {"mechanical", "J", "Kinetic, gravity and elastic. Computing it needs a pass over the scene."}};
 constexpr OutputComponent kSignal[] = {{"value", "", "In the unit of the signal."}};
 static_assert(std::size(kStatistic) == world::kMechanical + 1);
 static_assert(std::size(kPose) == world::kQuaternion + 4);
@@ -83,7 +83,8 @@ constexpr OutputKindInfo kKinds[] = {
     {OutputKind::velocity, "velocity", OutputTarget::body, kVelocity,
      "How fast a point of a body moves and the body turns, half a step before the state."},
     {OutputKind::coordinate, "coordinate", OutputTarget::interaction, kCoordinate,
-     "Angle or way of a joint, or of what limits, drives or rubs it; position of a scalar body."},
+     "Angle or displacement of a joint, or of its limit, motor or friction; position of a scalar "
+     "body."},
     {OutputKind::speed, "speed", OutputTarget::interaction, kSpeed,
      "Rate of a coordinate, half a step before the state."},
     {OutputKind::motor_force, "motor_force", OutputTarget::interaction, kMotorForce,

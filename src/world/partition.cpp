@@ -127,7 +127,7 @@ void check(const PartitionRequest& request, std::size_t bodies) {
         if (g < -1 || g >= request.parts)
             throw DefError("groups of a partition: -1 or below the number of parts");
     if (request.before != nullptr && request.before->use != request.use)
-        throw DefError("a partition goes on from one of the same use");
+        throw DefError("a partition can only continue one of the same purpose");
 }
 
 /// Find parts between separators.

@@ -52,7 +52,8 @@ void World::add_interactions(std::span<const InteractionDef> defs, std::span<Int
         world::fill_in(whole, m.ctx);
         world::claim(names, d.name, 0, "interaction");
         if (find_interaction(d.name).valid())
-            throw DefError("interaction '" + d.name + "': the name is taken; names are unique");
+            throw DefError("interaction '" + d.name +
+                           "': the name is in use; names must be unique");
     }
     std::size_t added = 0;
     try {

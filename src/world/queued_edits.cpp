@@ -20,7 +20,7 @@ Id real(Id id, const std::vector<Id>& made) {
     const std::size_t k = at(-2 - id.index);
     if (k >= made.size())
         throw DefError(
-            "an id stands for what is added later, or was added in another step; add it "
+            "an id refers to an object that is added later, or was added in another step; add it "
             "first, and find it by its name in later steps");
     return made[k];
 }

@@ -70,14 +70,13 @@ constexpr auto kSettings = std::to_array<SettingInfo>({
          .what = "a factor",
          .identity = true,
          .doc = "Numerical damping of the relative rotation in joints; 0 is off."}),
-    of<&WorldDef::staggered_start>(
-        {.name = "staggered_start",
-         .type = SettingType::boolean,
-         .max = 1.0,
-         .what = "true or false",
-         .identity = true,
-         .doc = "Take the initial velocities half a step back, which makes the scheme second "
-                "order."}),
+    of<&WorldDef::staggered_start>({.name = "staggered_start",
+                                    .type = SettingType::boolean,
+                                    .max = 1.0,
+                                    .what = "true or false",
+                                    .identity = true,
+                                    .doc = "Shift the initial velocities back by half a step, "
+                                           "which makes the scheme second order."}),
     of<&WorldDef::nonsmooth>({.name = "nonsmooth",
                               .type = SettingType::word,
                               .what = "a method",
@@ -98,9 +97,9 @@ constexpr auto kSettings = std::to_array<SettingInfo>({
                               .what = "a predictor",
                               .words = kPredictors,
                               .identity = true,
-                              .doc = "Velocity that a side of a cut takes the other one to have: "
-                                     "the last one, one from the last forces, or that of a solve "
-                                     "of the bodies at the cuts."}),
+                              .doc = "Velocity that each side of a cut assumes for the other side: "
+                                     "the last velocity, a velocity from the last forces, or the "
+                                     "result of a solve for the bodies at the cuts."}),
     of<&WorldDef::parts>({.name = "parts",
                           .type = SettingType::integer,
                           .max = 4096,
@@ -109,12 +108,13 @@ constexpr auto kSettings = std::to_array<SettingInfo>({
                           .doc = "Parts to cut into where coupling is not exact: bodies without a "
                                  "group get one, which follows the state; 0: only bodies with "
                                  "groups of their own are cut apart."}),
-    of<&WorldDef::regroup_every>({.name = "regroup_every",
-                                  .type = SettingType::integer,
-                                  .max = 1'000'000,
-                                  .what = "a number of steps",
-                                  .doc = "Steps after which these groups are looked at again; 0: "
-                                         "they stay as they are at first."}),
+    of<&WorldDef::regroup_every>(
+        {.name = "regroup_every",
+         .type = SettingType::integer,
+         .max = 1'000'000,
+         .what = "a number of steps",
+         .doc =
+             "Number of steps after which these groups are checked again; 0: they never change."}),
     of<&WorldDef::contact_tolerance>({.name = "contact_tolerance",
                                       .min = 1e-12,
                                       .max = 1.0,
@@ -139,14 +139,14 @@ constexpr auto kSettings = std::to_array<SettingInfo>({
                                      .what = "an integer",
                                      .identity = true,
                                      .doc = "Sweeps a step of the methods split and pgs."}),
-    of<&WorldDef::refinements>({.name = "refinements",
-                                .type = SettingType::integer,
-                                .max = 4,
-                                .what = "an integer",
-                                .identity = true,
-                                .doc = "Refinements of a solution whose residual is above "
-                                       "solution_tolerance; up to two more where it is above "
-                                       "1e-11 still."}),
+    of<&WorldDef::refinements>(
+        {.name = "refinements",
+         .type = SettingType::integer,
+         .max = 4,
+         .what = "an integer",
+         .identity = true,
+         .doc = "Refinements of a solution whose residual is above solution_tolerance; up to two "
+                "more while it is above 1e-11."}),
     of<&WorldDef::solution_tolerance>(
         {.name = "solution_tolerance",
          .min = 1e-13,
@@ -172,13 +172,13 @@ constexpr auto kSettings = std::to_array<SettingInfo>({
                                 .identity = true,
                                 .doc = "Islands at rest for this long sleep until something "
                                        "disturbs them; 0 is never."}),
-    of<&WorldDef::on_diverged>({.name = "on_diverged",
-                                .type = SettingType::word,
-                                .what = "what to do",
-                                .words = kOnDiverged,
-                                .doc = "What a step does that comes to what cannot be "
-                                       "(docs/limits.md): stop the run as failed, or go on with a "
-                                       "warning."}),
+    of<&WorldDef::on_diverged>(
+        {.name = "on_diverged",
+         .type = SettingType::word,
+         .what = "what to do",
+         .words = kOnDiverged,
+         .doc = "Reaction to a physically impossible state (docs/limits.md): stop the run as "
+                "failed, or continue with a warning."}),
     of<&WorldDef::sleep_speed>(
         {.name = "sleep_speed",
          .max = 1.0,
@@ -213,8 +213,8 @@ constexpr auto kSettings = std::to_array<SettingInfo>({
                                .unit = "byte",
                                .what = "a number of bytes",
                                .fallback = "1.6e10",
-                               .doc = "Memory for state, solver and contacts; more is refused "
-                                      "before it is asked for."}),
+                               .doc = "Limit of the memory for state, solver and contacts; "
+                                      "requests beyond it are rejected."}),
     of<&WorldDef::budget>({.name = "budget",
                            .max = 1e6,
                            .unit = "s",

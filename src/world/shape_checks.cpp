@@ -111,28 +111,28 @@ void check_bodies(const Where& where, const ShapeDef& d, const model::Bodies& bo
     const BodyKind a = kind(d.body, "body");
     if (d.body_b.valid()) {
         if (d.kind != ShapeKind::capsule)
-            reject(where, "only a capsule lies between two bodies (a segment)");
-        if (d.body_b == d.body) reject(where, "a segment needs two different lumps");
+            reject(where, "only a capsule can connect two bodies (a segment)");
+        if (d.body_b == d.body) reject(where, "a segment needs two different nodes");
         const BodyKind b = kind(d.body_b, "body_b");
         const bool lumps = a == BodyKind::lump || b == BodyKind::lump;
         if (!lumps || a == BodyKind::scalar || b == BodyKind::scalar)
             reject(where,
-                   "a segment lies between two lumps, or a lump and a body that is no scalar; name "
-                   "a lump on one side");
+                   "a segment connects two nodes, or a node and a body that is not scalar; name a "
+                   "node on one side");
         return;
     }
-    if (a == BodyKind::scalar) reject(where, "a scalar body has no place, so no shape");
+    if (a == BodyKind::scalar) reject(where, "a scalar body has no position, so no shape");
     if (a == BodyKind::lump) {
         if (d.kind != ShapeKind::sphere)
             reject(where,
-                   "a lump has no orientation: it takes a sphere, or a segment to another "
-                   "lump (body_b)");
+                   "a point mass has no orientation: it can have a sphere, or a segment to another "
+                   "node (body_b)");
         if (!d.position.isZero(0.0))
-            reject(where, "the sphere of a lump is centred on it; position must be 0");
+            reject(where, "the sphere of a point mass is centred on it; position must be 0");
     }
     const bool moves = model::dof_of(a) > 0;
     if (moves && d.kind == ShapeKind::mesh)
-        reject(where, "a mesh belongs to a body without freedom; give what moves a hull");
+        reject(where, "a mesh needs a fixed or kinematic body; give a moving body a hull");
 }
 
 }  // namespace

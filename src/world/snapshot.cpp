@@ -219,8 +219,8 @@ void World::take_saved(std::span<const std::byte> bytes, bool variant) {
             "lengths, stiffnesses, damping, gravity, ranges of inputs, method, coupling, sleep)");
     if (header.systems != m.systems.layout())
         throw DefError(
-            "snapshot: it belongs to a world with other systems; add those that it had, in the "
-            "same order and with states of the same size");
+            "snapshot: it belongs to a world with other systems; add the same systems, in the same "
+            "order and with states of the same size");
     stepper::ready(m.ctx);
     const auto damaged = [] { return DefError("snapshot: the bytes are damaged (checksum)"); };
     if (sum != base::checksum(bytes.data(), bytes.size() - sizeof sum)) throw damaged();

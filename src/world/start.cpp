@@ -47,7 +47,8 @@ std::vector<ContactView> World::overlaps() const {
         const BoundMet met = ctx.model.collider.over();
         if (met.bound != Bound::none) throw LimitError(met);
         if (!ctx.model.collider.finite())
-            throw DefError("a body with a shape is where numbers tell no lengths apart");
+            throw DefError(
+                "a body with a shape is so far away that coordinates do not resolve lengths");
         throw std::bad_alloc();
     }
     for (const collide::Contact& c : found.contacts) {

@@ -80,7 +80,7 @@ void check_bodies(const stepper::StepContext& ctx, const SavedState& s) {
         if (!is_rotation_of(&s.model.bodies.r[9 * b], q))
             refuse_state("a rotation is not that of the orientation" + entry(b));
         if (s.model.bodies.asleep[b] != 0 && ctx.model.bodies.dof(static_cast<int>(b)) == 0)
-            refuse_state("what cannot move is asleep" + entry(b));
+            refuse_state("a body that cannot move is asleep" + entry(b));
         if (s.model.bodies.quiet[b] < 0 || s.model.bodies.quiet[b] > kMaxQuiet)
             refuse_state("a time at rest is out of range" + entry(b));
     }
@@ -94,7 +94,7 @@ void check_interactions(const stepper::StepContext& ctx, const SavedState& s) {
     for (const std::int32_t id : ctx.model.interactions.spans)
         if (const double turns = s.model.interactions.anchor[at(id)]; turns != std::round(turns))
             refuse_state("turns of a line on its wheel are no whole number");
-    numbers(s.model.wires.energy_allowance, "what a wire lost lately", kHuge);
+    numbers(s.model.wires.energy_allowance, "the energy allowance of a wire", kHuge);
     for (std::size_t k = 0; k < s.model.wires.energy_allowance.size(); ++k)
         if (s.model.wires.energy_allowance[k] < 0.0 || s.model.wires.flag_steps[k] < 0 ||
             s.model.wires.flag_steps[k] > stepper::max_flag_steps(ctx.model.def.step) ||
@@ -102,14 +102,14 @@ void check_interactions(const stepper::StepContext& ctx, const SavedState& s) {
             s.model.wires.recoil[k] > stepper::max_recoil(ctx.model.def.step))
             refuse_state("a wire's guard is out of range" + entry(k));
     flags(s.model.interactions.active, "which rows act");
-    flags(s.model.interactions.parted, "which lines have parted");
+    flags(s.model.interactions.parted, "the flag of a broken line");
     flags(s.model.interactions.saturated, "which motors are at a limit");
-    flags(s.model.interactions.repeats, "which joints repeat each other");
+    flags(s.model.interactions.repeats, "the flag of a redundant joint");
     for (std::size_t i = 0; i < s.model.interactions.parted.size(); ++i)
         if (s.model.interactions.parted[i] != 0 &&
             (ctx.model.interactions.gone(static_cast<int>(i)) ||
              !kind_info(ctx.model.interactions.def[i].kind).is(kWireElement)))
-            refuse_state("what cannot part has parted" + entry(i));
+            refuse_state("an interaction that cannot break is broken" + entry(i));
 }
 
 /// Return true if a side of a contact remembers bodies of the side's shape.
@@ -128,7 +128,7 @@ void check_contacts(const stepper::StepContext& ctx, const SavedState& s) {
     const auto& memory = s.model.system.contacts.memory;
     const std::vector<collide::Shape>& shapes = ctx.model.collider.shapes();
     if (s.model.collider.awake > kept.size())
-        refuse_state("more contacts take part than there are");
+        refuse_state("the number of active contacts exceeds the number of contacts");
     for (std::size_t i = 0; i < kept.size(); ++i) {
         const collide::KeptContact& k = kept[i];
         const auto count = static_cast<std::int32_t>(shapes.size());
@@ -136,7 +136,7 @@ void check_contacts(const stepper::StepContext& ctx, const SavedState& s) {
             refuse_state("a contact is of shapes that there are not" + entry(i));
         if (i > 0 && i != s.model.collider.awake && behind(kept[i - 1], k))
             refuse_state("contacts are not in their order" + entry(i));
-        numbers(k.at, "the place of a contact", kFar);
+        numbers(k.at, "the position of a contact", kFar);
         const assembly::ContactMemory& m = memory[i];
         numbers(m.fraction, "the fraction of a contact between the nodes of its wire", 2.0);
         numbers(m.anchor[0], "the anchor of a contact", kFar);
@@ -189,7 +189,7 @@ void check_links(const stepper::StepContext& ctx, const SavedState& s) {
 
 /// Check an elimination order as far as possible without the pattern.
 void check_order(const factor::AnalysisState& order) {
-    flags(order.between, "a place in the order of elimination");
+    flags(order.between, "an index in the order of elimination");
     std::vector<std::uint8_t> seen(order.elimination.order.size(), 0);
     for (const std::int32_t node : order.elimination.order) {
         if (node < 0 || at(node) >= seen.size() || seen[at(node)] != 0)
@@ -215,21 +215,21 @@ void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
     numbers(std::array{j.kinetic, j.potential, j.elastic, j.by_length, j.by_force, j.posed, j.held,
                        j.given, j.exchanged, j.counted, j.age, j.closed, j.closed_elastic,
                        j.unsolved, j.open_start, j.held_time},
-            "a figure of the judge", 1e300);
-    numbers(j.mean, "a figure of the judge", 1e300);
-    numbers(j.work, "a figure of the judge", 1e300);
-    numbers(j.stretched, "a figure of the judge", 1e300);
-    numbers(j.held_rise, "a figure of the judge", 1e300);
-    numbers(j.overlong, "a figure of the judge", 1e300);
-    numbers(j.wound, "a figure of the judge", 1e300);
-    numbers(j.beyond, "a figure of the judge", 1e300);
-    numbers(j.deep, "a figure of the judge", 1e300);
+            "a value of the monitors", 1e300);
+    numbers(j.mean, "a value of the monitors", 1e300);
+    numbers(j.work, "a value of the monitors", 1e300);
+    numbers(j.stretched, "a value of the monitors", 1e300);
+    numbers(j.held_rise, "a value of the monitors", 1e300);
+    numbers(j.overlong, "a value of the monitors", 1e300);
+    numbers(j.wound, "a value of the monitors", 1e300);
+    numbers(j.beyond, "a value of the monitors", 1e300);
+    numbers(j.deep, "a value of the monitors", 1e300);
     for (const auto& extremes : {j.now_extremes, j.mean_extremes})
         for (const stepper::DecayingExtremes& tide : extremes)
-            numbers(std::array{tide.least, tide.most}, "a figure of the judge", 1e300);
-    flags(std::span(j.reported).first(kJudgeCount), "a word of the judge");
+            numbers(std::array{tide.least, tide.most}, "a value of the monitors", 1e300);
+    flags(std::span(j.reported).first(kJudgeCount), "a flag of the monitors");
     if (j.step < 0 || j.step > s.state.step || j.begun < 0 || j.begun > s.state.step + 1)
-        refuse_state("the judge looked at no step");
+        refuse_state("the monitors have checked no step");
     const double energies[] = {
         s.state.ledger.work,         s.state.ledger.drag,           s.state.ledger.drive,
         s.state.ledger.friction,     s.state.ledger.contact,        s.state.ledger.damped,

@@ -51,13 +51,12 @@ void check(const Placed<Def>& from, const char* what) {
     const auto refuse = [&](const char* why) {
         throw DefError(std::string("structure: ") + what + " " + why);
     };
-    if (from.generations.size() != from.defs.size())
-        refuse("have as many generations as there are places");
+    if (from.generations.size() != from.defs.size()) refuse("have as many generations as slots");
     for (const std::int32_t g : from.generations)
         if (g < 0) refuse("have generations from 0 on");
     std::int32_t last = -1;
     for (const std::int32_t k : from.vacant) {
-        if (k <= last || at(k) >= from.defs.size()) refuse("have their empty places in order");
+        if (k <= last || at(k) >= from.defs.size()) refuse("have their vacant slots in order");
         last = k;
     }
 }
@@ -165,7 +164,7 @@ void World::Impl::take_defined(const Structure& from) {
     std::size_t row = 0, drum = 0;
     const auto next = [](const std::vector<double>& list, std::size_t& k, double most) {
         if (k >= list.size() || !(std::abs(list[k]) <= most))
-            throw DefError("structure: compliances or radii are not those of its interactions");
+            throw DefError("structure: compliances or radii do not match its interactions");
         return list[k++];
     };
     constexpr double kSoftest = 1e30, kLargest = 1e3;

@@ -20,8 +20,8 @@ System& World::add_system(std::unique_ptr<System> system) {
     const Nonsmooth method = m.ctx.model.def.nonsmooth;
     if (method == Nonsmooth::pgs || method == Nonsmooth::split)
         throw DefError(
-            "add_system: nonsmooth = pgs and split sweep over bodies one by one and take no loads "
-            "of systems; choose newton");
+            "add_system: nonsmooth = pgs and split process bodies one by one and do not support "
+            "loads of systems; choose newton");
     const std::size_t before = m.systems.signals().size();
     System& out = m.systems.add(std::move(system));
     const auto signals = std::span(m.systems.signals()).subspan(before);

@@ -122,7 +122,7 @@ Status Systems::make_edits(World& world) noexcept {
             edit_fault_ = what;
             bad.reason = edit_fault_.c_str();
         } catch (const std::bad_alloc&) {
-            bad.reason = "it asked for an edit that the world refuses";
+            bad.reason = "it requested an edit that the world rejects";
         }
         forget();
         return Status::bad_edit;
@@ -197,7 +197,7 @@ bool has(const std::vector<Id>& list, Id id) {
                                  const std::string& name) {
     throw DefError("system '" + std::string(system) + "' holds the " + what + " " +
                    (name.empty() ? std::to_string(index) : "'" + name + "'") +
-                   ", or what would go with it; remove the system first");
+                   ", or an object that would be removed with it; remove the system first");
 }
 
 }  // namespace

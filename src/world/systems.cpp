@@ -126,7 +126,7 @@ System& Systems::add(std::unique_ptr<System> system) {
     const std::string name(system->name());
     if (name.empty()) throw DefError("a system needs a name");
     if (find(name) != nullptr)
-        throw DefError("system '" + name + "': the name is taken; names are unique");
+        throw DefError("system '" + name + "': the name is in use; names must be unique");
     std::vector<SystemSignal> all = signals_;
     SignalTable table(name, all);
     system->signals(table);

@@ -20,7 +20,8 @@ void World::set_mass(BodyId lump, double mass) {
     const std::size_t b = impl_->place(lump);
     BodyDef& def = impl_->body_defs[b];
     const std::string where = world::label("body", def.name);
-    if (def.kind != BodyKind::lump) world::refuse(where, "it is no lump; only those change mass");
+    if (def.kind != BodyKind::lump)
+        world::refuse(where, "it is not a node; only nodes change mass");
     if (!(mass > 0.0 && mass <= 1e12))
         world::refuse(where, "mass = " + world::number(mass) + " kg; give a positive one");
     stepper::StepContext& c = impl_->ctx;

@@ -29,7 +29,7 @@ WireId World::add_wire(const WireDef& def) {
     if (def.to.valid() && !alive(def.to))
         world::refuse(where, "there is no body that holds its last end");
     if (m.wires.names.contains(def.name))
-        world::refuse(where, "the name is taken; names are unique");
+        world::refuse(where, "the name is in use; names must be unique");
     world::Wire& made = m.wires.coming;
     made.begin(def.name, true);
     made.trim.EI = def.sections.empty() ? def.EI : def.sections.front().EI;
@@ -140,7 +140,8 @@ WireId World::adopt_wire(const std::string& name, std::span<const InteractionId>
         made.nodes.push_back(d.body[1]);
         made.elements.push_back(id);
     }
-    if (m.wires.names.contains(name)) world::refuse(where, "the name is taken; names are unique");
+    if (m.wires.names.contains(name))
+        world::refuse(where, "the name is in use; names must be unique");
     return m.keep_wire(made);
 }
 

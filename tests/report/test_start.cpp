@@ -223,7 +223,7 @@ TEST(Start, HullsCarryWhatHangsOnThem) {
     EXPECT_TRUE(start_of(barge("", kDeep, welded)).of(FindingKind::displacement).empty());
     const Finding heavy = only(start_of(barge("", kHull, welded)), FindingKind::displacement);
     EXPECT_NEAR(heavy.value, 225.5 / 205.0, 1e-9);
-    EXPECT_NE(heavy.text.find("what it carries"), std::string::npos) << heavy.text;
+    EXPECT_NE(heavy.text.find("the mass that it carries"), std::string::npos) << heavy.text;
     // A tension leg stretched by 0.1 m pulls straight down with 201 kN, 20.5 t.
     const std::string leg = R"(, "line_types": {"leg": {"mass_per_length": 1e-6, "EA": 5.630391e7}},
           "cables": [{"name": "leg", "line_type": "leg", "elements": 1, "length": 28,

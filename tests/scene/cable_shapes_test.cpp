@@ -173,7 +173,7 @@ TEST(CableShapes, refusals_say_why) {
     expect_refused(with_wire(ends + R"("seabed": {"height": -5})"), "/cables/0/seabed",
                    "\"hanging\"");
     expect_refused(with_wire(ends + R"("shape": "hanging", "seabed": {"height": 5})"),
-                   "/cables/0/seabed", "lies under it");
+                   "/cables/0/seabed", "is below the seabed");
     expect_refused(with_wire(R"("from": {"free": [0, 0, 0]}, "to": {"free": [80, 0, 0]},
                                 "shape": "hanging")"),
                    "/cables/0/shape", "an end that is held");

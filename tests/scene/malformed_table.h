@@ -279,7 +279,7 @@ inline constexpr Mistake kSceneMistakes[] = {
 {kSite, R"([{"op":"replace","path":"/inputs/1/name","value":"roller.speed"}])", "/inputs/1", "exists already"},
 {kSite, R"([{"op":"replace","path":"/inputs/1/spring","value":6e5}])", "/inputs/1/spring", "between"},
 {kSite, R"([{"op":"add","path":"/inputs/0/local","value":true}])", "/inputs/0", "not both"},
-{kSite, R"([{"op":"replace","path":"/inputs/1/body","value":"hook"}])", "/inputs/1/local", "does not turn"},
+{kSite, R"([{"op":"replace","path":"/inputs/1/body","value":"hook"}])", "/inputs/1/local", "does not rotate"},
 {kSite, R"([{"op":"replace","path":"/inputs/1/nominal","value":-1}])", "/inputs/1/nominal", "at least 0"},
 // --- outputs ------------------------------------------------------------------------------------
 {kSite, R"([{"op":"replace","path":"/outputs/0/kind","value":"poze"}])", "/outputs/0/kind", "did you mean \"pose\""},
@@ -287,7 +287,7 @@ inline constexpr Mistake kSceneMistakes[] = {
 {kSite, R"([{"op":"remove","path":"/outputs/0/component"}])", "/outputs/0", "component"},
 {kSite, R"([{"op":"replace","path":"/outputs/0/component","value":"yow"}])", "/outputs/0/component", "did you mean \"yaw\""},
 {kSite, R"([{"op":"replace","path":"/outputs/0/body","value":"shp"}])", "/outputs/0/body", "did you mean \"ship\""},
-{kSite, R"([{"op":"replace","path":"/outputs/0/body","value":"hook"}])", "/outputs/0", "does not turn"},
+{kSite, R"([{"op":"replace","path":"/outputs/0/body","value":"hook"}])", "/outputs/0", "does not rotate"},
 {kSite, R"([{"op":"add","path":"/outputs/0/local","value":true}])", "/outputs/0/local", "has no key"},
 {kSite, R"([{"op":"replace","path":"/outputs/2/interaction","value":"bering"}])", "/outputs/2/interaction", "did you mean \"bearing\""},
 {kSite, R"([{"op":"replace","path":"/outputs/2/interaction","value":"fall"}])", "/outputs/2", "has no coordinate"},

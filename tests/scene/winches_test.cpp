@@ -152,7 +152,8 @@ TEST(SceneWinches, AreRefusedByTheirPlace) {
         R"("winches": [{"name": "NAME", "cable": "fall", "core_radius": 0.3, "width": 1,
             "stored": 100, "inertia": 500}, )";
     std::string two = lift_with("\"winches\": [", second);
-    EXPECT_TRUE(says(r = refused_at(two), "/winches/1/cable", "one winch an end")) << r;
+    EXPECT_TRUE(says(r = refused_at(two), "/winches/1/cable", "an end can have one winch only"))
+        << r;
     two.replace(two.find("NAME"), 4, "hoist");
     EXPECT_TRUE(says(r = refused_at(two), "/winches/1/name", "exists already")) << r;
 }

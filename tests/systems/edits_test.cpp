@@ -106,7 +106,7 @@ TEST(SystemEdits, ThatAreRefusedChangeNothing) {
     EXPECT_EQ(y.w.bad_load().system, "doer");
     const std::string said = to_string(y.w.bad_load(), y.w);
     EXPECT_NE(said.find("doer"), std::string::npos) << said;
-    EXPECT_NE(said.find("the name is taken"), std::string::npos) << said;
+    EXPECT_NE(said.find("the name is in use"), std::string::npos) << said;
     EXPECT_EQ(y.w.bodies().size(), 2U);
     EXPECT_TRUE(y.w.alive(y.rod));
     EXPECT_EQ(y.w.state_hash(), before);

@@ -371,7 +371,7 @@ TEST(WireCut, WhatMakesNoSenseIsRefusedAndChangesNothing) {
         (void)w.attach(loose, 1, f.left, {0, 0, -3},
                        {.gear = Gear::shackle, .length = std::nan("")});
     });
-    expect("the name is taken",
+    expect("the name is in use",
            [&] { (void)w.attach(loose, 1, f.left, {0, 0, -3}, {.name = "tow/s1"}); });
     expect("it is no pelican hook", [&] { w.release(w.elements(f.wire)[0]); });
     EXPECT_EQ(w.save(), state);

@@ -188,7 +188,7 @@ TEST(NearGuides, ShareNoElement) {
         return "";
     };
     EXPECT_EQ(add("one", 0.4), "");
-    EXPECT_NE(add("two", 0.6).find("an element that another guide has"), std::string::npos)
+    EXPECT_NE(add("two", 0.6).find("an element of another guide"), std::string::npos)
         << add("two", 0.6);
     // In the next element, there is a node between them.
     EXPECT_EQ(add("two", 1.4), "");

@@ -125,7 +125,8 @@ TEST(Pins, RefuseWhatCannotBe) {
         change(def);
         return refusal(def);
     };
-    EXPECT_NE(with([](PinDef& p) { p.name = "pin"; }).find("names are unique"), std::string::npos);
+    EXPECT_NE(with([](PinDef& p) { p.name = "pin"; }).find("names must be unique"),
+              std::string::npos);
     EXPECT_NE(with([](PinDef& p) { p.to = p.from; }).find("shorter"), std::string::npos);
     EXPECT_NE(with([](PinDef& p) { p.radius = 0.0; }).find("radius = 0"), std::string::npos);
     EXPECT_NE(with([](PinDef& p) { p.force = 100.0; }).find("more than its weight"),

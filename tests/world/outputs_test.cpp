@@ -292,7 +292,7 @@ TEST(Outputs, WhatIsNotThereIsRefusedWithTheNearestName) {
     says({.kind = pose, .body = c.hull, .component = "rol"}, "did you mean 'roll'?");
     says({.kind = pose, .body = c.hull}, "give one of x, y, z");
     says({.kind = pose, .body = {99}, .component = "x"}, "body does not exist");
-    says({.kind = pose, .body = c.load, .component = "roll"}, "does not turn");
+    says({.kind = pose, .body = c.load, .component = "roll"}, "does not rotate");
     says({.kind = pose, .body = c.drum, .component = "y"}, "component x");
     says({.kind = pose, .body = c.load, .point = {1, 0, 0}, .component = "x"}, "at 0");
     says({.kind = distance, .body = c.hull, .body_b = c.drum}, "not a place");

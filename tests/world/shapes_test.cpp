@@ -120,7 +120,7 @@ TEST(Shapes, RefusesWhatMakesNoSense) {
                         d.radius = 1.0;
                         d.body_b = second;
                     }),
-                    "a lump on one side"));
+                    "a node on one side"));
     EXPECT_TRUE(has(why([](ShapeDef& d) { d.half_size[1] = 0.0; }), "half_size"));
     EXPECT_TRUE(has(why([&](ShapeDef& d) { d.half_size[1] = nan; }), "half_size"));
     EXPECT_TRUE(has(why([&](ShapeDef& d) { d.position[1] = nan; }), "position"));
@@ -128,7 +128,8 @@ TEST(Shapes, RefusesWhatMakesNoSense) {
     EXPECT_TRUE(has(why([](ShapeDef& d) { d.material = MaterialId{7}; }), "material"));
     EXPECT_TRUE(has(why([](ShapeDef& d) { d.kind = ShapeKind::sphere; }), "radius"));
     EXPECT_TRUE(has(why([](ShapeDef& d) { d.kind = ShapeKind::hull; }), "4,096"));
-    EXPECT_TRUE(has(why([](ShapeDef& d) { d.kind = ShapeKind::mesh; }), "without freedom"));
+    EXPECT_TRUE(
+        has(why([](ShapeDef& d) { d.kind = ShapeKind::mesh; }), "a fixed or kinematic body"));
     EXPECT_TRUE(has(why([](ShapeDef& d) {
                         d.kind = ShapeKind::heightfield;
                         d.rows = d.columns = 2;

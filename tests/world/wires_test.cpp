@@ -224,7 +224,7 @@ TEST(Wires, AreAddedWholeOrNotAtAll) {
     EXPECT_FALSE(w.find_wire("second").valid());
     EXPECT_FALSE(w.find_body("second/1").valid());
     def.name = "wire";
-    EXPECT_THROW(w.add_wire(def), DefError) << "the name is taken";
+    EXPECT_THROW(w.add_wire(def), DefError) << "the name is in use";
     def.name = "third";
     def.mass_per_length = 0.0;
     EXPECT_THROW(w.add_wire(def), DefError);

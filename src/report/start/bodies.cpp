@@ -63,8 +63,8 @@ void check_density(const World& world, BodyId id, double shapes, Findings& out) 
     if (!dense && def.mass / least >= kLightest) return;
     const double volume = dense ? most : least, density = def.mass / volume;
     out.add(false, FindingKind::density, {record::body_label(world, id)}, density,
-            fmt::format("{} has a density of {:.3g} kg/m³ ({:.6g} kg in {:.3g} m³), which is that "
-                        "of nothing: {}; check its mass in kg and its size in m (half sizes)",
+            fmt::format("{} has an implausible density of {:.3g} kg/m³ ({:.6g} kg in {:.3g} m³): "
+                        "{}; check its mass in kg and its size in m (half sizes)",
                         record::name_in_quotes(record::body_label(world, id)), density, def.mass,
                         volume, dense ? "platinum has 21,450" : "air has 1.2"));
 }
@@ -79,8 +79,8 @@ void check_inertia(const World& world, BodyId id, Findings& out) {
     const double ratio = spread * spread / (extent * extent);
     if (ratio <= kTooWide && ratio >= kTooNarrow) return;
     out.add(false, FindingKind::inertia, {name}, ratio,
-            fmt::format("the inertia of {} does not fit its size: its mass would lie {} from the "
-                        "centre, and its box reaches to {}",
+            fmt::format("the inertia of {} does not fit its size: its mass would be {} from the "
+                        "centre, but its box extends to {}",
                         record::name_in_quotes(name), record::with_unit(spread, "m"),
                         record::with_unit(extent, "m")));
 }

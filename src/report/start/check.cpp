@@ -26,8 +26,8 @@ Findings check_start(const record::SceneInfo& scene, const World& world, std::si
     JointRows rows(world);
     if (rows.rows() > max_rows) {
         out.add(false, FindingKind::unexamined, {}, static_cast<double>(rows.rows()),
-                fmt::format("the {} rows of joints are more than {}: gaps, and joints that repeat "
-                            "or contradict each other, were not looked for",
+                fmt::format("the {} rows of joints are more than {}: gaps, and redundant or "
+                            "inconsistent joints, were not checked",
                             rows.rows(), max_rows));
     } else if (rows.rows() > 0) {
         if (rows.update(world)) {
@@ -35,8 +35,8 @@ Findings check_start(const record::SceneInfo& scene, const World& world, std::si
             check_repetitions(world, rows, out);
         } else {
             out.add(false, FindingKind::unexamined, {}, 0.0,
-                    "gaps, and joints that repeat or contradict each other, could not be computed: "
-                    "lengths in this scene differ too much");
+                    "gaps, and redundant or inconsistent joints, could not be checked: lengths in "
+                    "this scene differ too much");
         }
     }
     out.sort();

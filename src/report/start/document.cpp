@@ -58,11 +58,12 @@ void visit(const Json& json, const std::string& key, Findings& out) {
                 if (mode != "brake" || (held != winch.end() && !held->is_number())) continue;
                 if (number_in(winch, "brake_static") > 0.0) continue;
                 const std::string which = winch.value("name", "");
-                out.add(false, FindingKind::brake, {which}, 0.0,
-                        fmt::format("the winch {} starts in mode \"brake\" without "
-                                    "\"brake_static\": its brake holds nothing, and the wire runs "
-                                    "out; give the torque at which it slips, or another mode",
-                                    record::name_in_quotes(which)));
+                out.add(
+                    false, FindingKind::brake, {which}, 0.0,
+                    fmt::format("the winch {} starts in mode \"brake\" without \"brake_static\": "
+                                "its brake has no holding torque, and the wire runs out; give the "
+                                "torque at which it slips, or another mode",
+                                record::name_in_quotes(which)));
             }
         visit(value, value.is_object() && inner != "line_type" ? inner : own, out);
     }

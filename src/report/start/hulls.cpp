@@ -118,8 +118,8 @@ void check_rods(const World& world, const SeaDef& sea, Findings& out) {
         const std::string name = record::body_label(world, hull.body);
         const double water = sea.density * volume;
         out.add(false, FindingKind::displacement, {name}, world.body_def(hull.body).mass / water,
-                fmt::format("{} has a hull, and rods that displace up to {} of water beside: what "
-                            "lies inside the hull counts twice; give such rods displaced_area 0",
+                fmt::format("{} has a hull, and rods that displace up to {} of water: the part "
+                            "inside the hull counts twice; give such rods displaced_area 0",
                             record::name_in_quotes(name), record::with_unit(water, "kg")));
     }
 }
@@ -148,7 +148,7 @@ void check_hulls(const World& world, Findings& out) {
                     "hawser inspect --hydrostatics",
                     c.hulls == 1 ? "hull" : "hulls", record::name_in_quotes(name),
                     c.hulls == 1 ? "displaces" : "displace", record::with_unit(c.water, "kg"),
-                    c.alone ? "its mass" : "what it carries, lines included,",
+                    c.alone ? "its mass" : "the mass that it carries, including lines,",
                     record::with_unit(c.weight, "kg"), c.water < c.weight ? "sinks in" : "rises"));
     }
 }

@@ -73,10 +73,11 @@ void check_gaps(const World& world, const JointRows& rows, Findings& out) {
         const double turning = speed.angle * reach(joint);
         if (std::max(speed.length, turning) > kTearing)
             out.add(false, FindingKind::speed, {name}, std::max(speed.length, turning),
-                    fmt::format("{} starts with speeds that tear it at {}; the first step takes "
-                                "them away with a blow: give its bodies velocities that fit",
-                                record::interaction_in_words(world, joint.id),
-                                record::with_unit(std::max(speed.length, turning), "m/s")));
+                    fmt::format(
+                        "{} starts with inconsistent speeds, which separate it at {}; the first "
+                        "step removes them with an impact: give its bodies matching velocities",
+                        record::interaction_in_words(world, joint.id),
+                        record::with_unit(std::max(speed.length, turning), "m/s")));
     }
 }
 
@@ -133,11 +134,12 @@ void check_ranges(const World& world, Findings& out) {
         for (const double end : {r.min, r.max})
             if (r.coordinate == KindCoordinate::about && std::abs(end) > kTurn &&
                 std::abs(end) < kNoEnd)
-                out.add(false, FindingKind::gap, {name}, end,
-                        fmt::format("{} has an end at {:.4g} rad, but its angle lies between -pi "
-                                    "and pi: that end never acts; turn the axes so that the range "
-                                    "lies within, or limit a drum or slide that it drives",
-                                    record::interaction_in_words(world, r.id), end));
+                out.add(
+                    false, FindingKind::gap, {name}, end,
+                    fmt::format("{} has an end at {:.4g} rad, but its angle is between -pi and pi, "
+                                "so that this end has no effect; rotate the axes so that the range "
+                                "is within these limits, or limit a drum or slide that it drives",
+                                record::interaction_in_words(world, r.id), end));
         for (std::size_t k = i + 1; k < ranges.size(); ++k) {
             const Range& other = ranges[k];
             if (!same_coordinate(world, r, other)) continue;
@@ -180,8 +182,8 @@ void check_motor_friction(const World& world, Findings& out) {
                 false, FindingKind::motor,
                 {record::interaction_label(world, {m}), record::interaction_label(world, {f})},
                 held,
-                fmt::format("{} gives at most {}, and {} holds with {}: nothing will move "
-                            "until one of them changes",
+                fmt::format("{} has at most {}, but {} holds with {}: nothing moves until one of "
+                            "them changes",
                             record::interaction_in_words(world, {m}), record::with_unit(most, unit),
                             record::name_in_quotes(record::interaction_label(world, {f})),
                             record::with_unit(held, unit)));

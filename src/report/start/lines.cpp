@@ -37,15 +37,16 @@ void report(const World& world, const std::string& name, const std::string& what
             const Tightest& worst, Findings& out) {
     const double ratio = worst.tension / worst.most;
     const std::string where = record::name_in_quotes(record::interaction_label(world, worst.at));
-    out.add(false, FindingKind::tension, {name}, worst.tension,
-            fmt::format(
-                "{} starts with {} in {}, {}; give it more length, or start its ends nearer", what,
-                record::with_unit(worst.tension, "N"), where,
-                worst.strain ? fmt::format("stretched by {:.2g} %, which no wire or chain survives",
-                                           100.0 * kStrain * ratio)
-                             : fmt::format("{:.3g} times its breaking load of {}: it parts in the "
-                                           "first step",
-                                           ratio, record::with_unit(worst.most, "N"))));
+    out.add(
+        false, FindingKind::tension, {name}, worst.tension,
+        fmt::format(
+            "{} starts with {} in {}, {}; give it more length, or start with its ends closer", what,
+            record::with_unit(worst.tension, "N"), where,
+            worst.strain
+                ? fmt::format("stretched by {:.2g} %, which no wire or chain survives",
+                              100.0 * kStrain * ratio)
+                : fmt::format("{:.3g} times its breaking load of {}: it breaks in the first step",
+                              ratio, record::with_unit(worst.most, "N"))));
 }
 
 }  // namespace

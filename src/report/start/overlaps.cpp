@@ -204,7 +204,7 @@ class Overlaps {
                         deep ? fmt::format(", deeper than half of {}, from where contact pushes "
                                            "to the wrong side",
                                            record::with_unit(pair.width, "m"))
-                             : "; contact throws them apart"));
+                             : "; the contact separates them with an impact"));
     }
 
     const World& world_;

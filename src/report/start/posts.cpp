@@ -62,8 +62,8 @@ void check_posts(const record::SceneInfo& scene, const World& world, Findings& o
             if (!(near <= kBeside * cable.length)) continue;
             out.add(
                 false, FindingKind::post, {post.name, cable.name}, near,
-                fmt::format("the post {} never takes the cable {}, which touches it lump by "
-                            "lump; give the cable \"consistent_mass\": true",
+                fmt::format("the bollard {} never engages the cable {}, which touches it node by "
+                            "node; give the cable \"consistent_mass\": true",
                             record::name_in_quotes(post.name), record::name_in_quotes(cable.name)));
         }
     }

@@ -105,11 +105,11 @@ class Search {
             true, FindingKind::contradiction, names, std::max(length, angle),
             names.size() == 1
                 ? fmt::format(
-                      "{} cannot hold: wherever its bodies go, {} stays open; move "
+                      "{} cannot be satisfied: at any position of its bodies {} stays open; move "
                       "its points and axes",
                       record::interaction_in_words(world_, joint(index(group.joints[0])).id), open)
-                : fmt::format("the joints {} contradict each other: wherever their bodies go, "
-                              "{} stays open; take one away, or move points and axes",
+                : fmt::format("the joints {} are inconsistent: at any position of their bodies {} "
+                              "stays open; remove one, or move points and axes",
                               in_quotes(names), open));
     }
 
@@ -153,10 +153,11 @@ class Search {
     void report_motion(const Group& group, const std::vector<std::string>& names,
                        const std::string& all, double speed, const char* unit, bool drives) {
         if (!drives) {
-            out_.add(true, FindingKind::contradiction, names, speed,
-                     fmt::format("{} contradict the prescribed velocities of bodies that they hold "
-                                 "by {:.3g} {}: no motion of the others satisfies both",
-                                 all, speed, unit));
+            out_.add(
+                true, FindingKind::contradiction, names, speed,
+                fmt::format("{} are inconsistent with the prescribed velocities of their bodies by "
+                            "{:.3g} {}: no motion of the other bodies satisfies both",
+                            all, speed, unit));
             return;
         }
         for (const std::int32_t j : group.joints) {
@@ -178,8 +179,8 @@ class Search {
                     record::interaction_in_words(world_, one.id), wanted, unit_of(one, 0),
                     record::names_in_words(others) +
                         (others.size() == 1 ? " holds still or drives" : " hold still or drive"),
-                    unlimited ? "with no limit of its force nothing can give way; "
-                                "give it force_min and force_max, or take one away"
+                    unlimited ? "without a limit of its force none of them can yield; give it "
+                                "force_min and force_max, or remove one"
                               : "it will push with all its force and not move"));
         }
     }
@@ -191,11 +192,11 @@ class Search {
                                   : group.repetitions > 1
                                       ? fmt::format(" in {} directions", group.repetitions)
                                       : "";
-        out_.add(false, FindingKind::repeated, names, group.repetitions,
-                 fmt::format("{} {} repeat each other{}: how they share the force there is not "
-                             "determined; where that matters, put a joint that holds less in place "
-                             "of one",
-                             what, all, count));
+        out_.add(
+            false, FindingKind::repeated, names, group.repetitions,
+            fmt::format("{} {} are redundant{}: the distribution of the force among them is not "
+                        "determined; if it matters, replace one by a joint with fewer constraints",
+                        what, all, count));
     }
 
     const World& world_;

@@ -59,8 +59,8 @@ void check_depth(const record::SceneInfo& scene, const World& world, const SeaDe
         const double off = z + sea.depth;
         if (std::abs(off) <= depth_digits(sea.depth)) return;
         out.add(false, FindingKind::depth, {name}, std::abs(off),
-                fmt::format("{} lies at z = {:.6g} m, and the sea ends at z = {:.6g} m (its "
-                            "\"depth\" of {:.6g} m below z = 0): give both the same",
+                fmt::format("{} is at z = {:.6g} m, but the bottom of the sea is at z = {:.6g} m "
+                            "(its \"depth\" of {:.6g} m below z = 0): give both the same height",
                             what, z, -sea.depth, sea.depth));
     });
 }
@@ -152,8 +152,8 @@ void check_memories(const World& world, const SeaDef& sea, Findings& out) {
         const std::string remedy =
             std::isnan(end.enough)
                 ? fmt::format(
-                      "K does not fall below {:.2g} % in {:.3g} s: its frequencies lie too "
-                      "far apart; give finer ones, or \"radiation\": \"state_space\"",
+                      "K does not fall below {:.2g} % in {:.3g} s: its frequencies are too far "
+                      "apart; give a finer table, or \"radiation\": \"state_space\"",
                       100.0 * kMemoryLeft, 20.0 * hull.memory)
                 : fmt::format(
                       "give \"memory\" of {:.3g} s or more, or \"radiation\": "

@@ -62,9 +62,9 @@ void report_swing(const World& world, std::vector<std::string> about, const std:
     const double h = world.settings().step;
     out.add(
         false, FindingKind::joint_step, std::move(about), worst.s,
-        fmt::format("{}: under the {} in {} the body {} swings within {:.2g} steps (h² f r/I = "
-                    "{:.3g}); that swing is damped in place of followed, which takes steps of "
-                    "{:.2g} ms",
+        fmt::format("{}: under the {} in {} the body {} oscillates within {:.2g} steps (h² f r/I = "
+                    "{:.3g}); this oscillation is damped, not resolved; resolving it needs steps "
+                    "of {:.2g} ms",
                     what, record::with_unit(worst.force, "N"),
                     record::name_in_quotes(record::interaction_label(world, worst.joint)),
                     record::name_in_quotes(record::body_label(world, worst.body)),
@@ -178,8 +178,8 @@ void check_steps(const record::SceneInfo& scene, const World& world, Findings& o
     const StartForces forces(world);
     if (!forces.known()) {
         out.add(false, FindingKind::unexamined, {}, 0.0,
-                "the forces at the start could not be computed, so that no one knows what the step "
-                "resolves: masses in this scene differ too much");
+                "the forces at the start could not be computed, so the resolution of the step is "
+                "unknown: masses in this scene differ too much");
         return;
     }
     CablesAt cables_at(static_cast<std::size_t>(world.body_count()), 0.0);
