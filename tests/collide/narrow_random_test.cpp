@@ -27,7 +27,7 @@ TEST_P(NarrowRandom, AgreesWithTheReference) {
     const std::string text = test::describe(a, b, score);
     if (count > 1) {
         EXPECT_GT(score.touching, count / 10) << text;
-        EXPECT_GT(score.apart, count / 40) << text;
+        EXPECT_GT(score.separated, count / 40) << text;
     }
     EXPECT_EQ(score.wrong_verdicts, 0) << text;
     EXPECT_EQ(score.bad_points, 0) << text;
@@ -47,7 +47,7 @@ TEST(NarrowRandomGround, AgreesWithTheReference) {
             const std::string text = test::describe(kind, ground, score);
             if (count > 20) {  // up to twenty, chance decides
                 EXPECT_GT(score.touching, count / 10) << text;
-                EXPECT_GT(score.apart, count / 10) << text;
+                EXPECT_GT(score.separated, count / 10) << text;
                 EXPECT_GT(score.normals, count / 4) << text;
             }
             EXPECT_EQ(score.wrong_verdicts, 0) << text;

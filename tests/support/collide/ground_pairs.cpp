@@ -122,7 +122,7 @@ void check_ground_pair(const GroundPair& pair, std::uint64_t seed, GroundScore& 
     collide::collide_function(shape.kind, geometry.kind)(shape, pair.placed, geometry, s.placed,
                                                          pair.margin, m);
     ++score.pairs;
-    ++(claims.inside ? score.touching : score.separation);
+    ++(claims.inside ? score.touching : score.separated);
     if (!well_formed(m, pair.margin)) ++score.bad_points;
     const ManifoldPoint* deepest = &m.point[0];
     for (int i = 1; i < m.count; ++i)

@@ -203,7 +203,7 @@ void check_one(const Pair& pair, std::uint64_t seed, Draw draw, Score& score) {
     Manifold m;
     collide::collide_function(ga.kind, gb.kind)(ga, pair.pa, gb, pair.pb, pair.margin, m);
     ++score.pairs;
-    ++(truth.gap < 0 ? score.touching : score.separation);
+    ++(truth.gap < 0 ? score.touching : score.separated);
     if (!well_formed(m, pair.margin)) ++score.bad_points;
     const bool expected = truth.gap < pair.margin;
     if (expected != (m.count > 0) && std::fabs(truth.gap - pair.margin) > 1e-6L)
