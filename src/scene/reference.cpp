@@ -134,7 +134,7 @@ std::string reference_text() {
     page.kinds();
     page.object(*format().part, "An included file", "##");
     page.object(*format().state, "A state file", "##");
-    return page.text_;
+    return page.text_ + "\nNext page: [Hydrodynamic coefficient files](hydro_files.md)\n";
 }
 
 }  // namespace hawser::scene
