@@ -22,7 +22,8 @@ void keep_iterate(Model& model, Newton& newton) noexcept;
 /// Set u and λ of the contacts to those of the iterate kept.
 void recall_contacts(Model& model, const Newton& newton) noexcept;
 
-/// Go back to a share t of the way from the iterate kept. The laws' p follow, so that λ = p − S u.
+/// Return to a fraction t of the way from the stored iterate. The laws' p follow, so that λ = p − S
+/// u.
 void shorten(Model& model, const Newton& newton, double t) noexcept;
 
 /// Return Σ (W + Σ) ‖λ − P‖² over contacts, at a fraction t of the way: an energy [J].

@@ -132,7 +132,7 @@ Status solve_iteration(StepContext& ctx, const Course& course, const Progress& p
     return newton_solve(ctx, p.it == 0, p.it == 0);
 }
 
-/// Go on to the solution of the laws, or to a share of the way to it, and keep it.
+/// Move to the solution of the laws, or a fraction of the way to it, and store it.
 Status move_on(StepContext& ctx, const Course& course, Progress& p) noexcept {
     Newton& newton = ctx.work.newton;
     take_bounds(ctx.model, newton);

@@ -21,7 +21,8 @@ constexpr int kRounds = 3;
 
 }  // namespace
 
-/// Assign small islands to lanes whole; write the nodes of the others one after the other to line_.
+/// Assign each small island as a whole to a lane. Write the nodes of the other islands one after
+/// the other to line_.
 void Partitioner::place_islands(const PartitionOptions& options, Partition& out) {
     const std::int32_t islands = cost.islands();
     island_cost_.assign(at(islands), 0);
@@ -205,7 +206,7 @@ void Partitioner::assign() {
     join_back();
 }
 
-/// Return separator nodes that have neighbours in one part only to that part.
+/// Move separator nodes whose neighbours are in one part only to that part.
 void Partitioner::join_back() {
     std::size_t kept = 0;
     for (const std::int32_t k : between_) {

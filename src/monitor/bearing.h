@@ -16,9 +16,9 @@ namespace hawser::stepper {
 [[nodiscard]] Finding strain_finding(Model& model, const State& state,
                                      MonitorState& memory) noexcept;
 
-/// Check for wound elements of negative length for three steps: a slide wound in more than there
-/// is. The element of a drum does not reach this state (kLeastOfDrumElement). Finding::value is the
-/// length [m].
+/// Check for wound elements with a negative length in three consecutive steps, because a slide
+/// wound in more wire than exists. The element of a drum does not reach this state
+/// (kLeastOfDrumElement). Finding::value is the length [m].
 [[nodiscard]] Finding wound_finding(const Model& model, const State& state,
                                     MonitorState& memory) noexcept;
 

@@ -19,7 +19,7 @@ namespace hawser::record {
 inline constexpr char kDoneNote[] = "done";
 inline constexpr char kSetNote[] = "set";
 
-/// Return the text of such a note.
+/// Return the text of a note that a recording stores.
 [[nodiscard]] std::string text_of(const RecordedNote& note);
 
 /// True if the input at index `place` of a recording is part of a system, which drives it.

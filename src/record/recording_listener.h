@@ -33,8 +33,8 @@ class RecordingListener final : public ChangeBytes {
     /// @param step  Number of steps before that one; a replay makes the changes before it.
     /// @throws RecordingError
     void flush(std::int64_t step);
-    /// Return the number of set inputs and of bytes of changes. Allocates nothing, since a step
-    /// must not lose what was set before it.
+    /// Return the number of set inputs and of bytes of changes. Allocates no memory, because a step
+    /// must not lose changes made before it.
     std::size_t mark() noexcept override;
     void undone(std::size_t mark) noexcept override;
 

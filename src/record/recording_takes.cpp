@@ -9,7 +9,8 @@
 
 namespace hawser::record {
 
-/// Return the least step of the next entry of `all`: the step of the last entry of the same branch.
+/// Return the minimum step of the next entry of `all`: the step of the last entry of the same
+/// branch.
 template <class T>
 std::int64_t Recording::least_step(const std::vector<T>& all,
                                    std::size_t RecordedTake::* before) const {
@@ -58,8 +59,8 @@ void Recording::add_cut(const RecordedCut& cut) {
     cuts.push_back(cut);
 }
 
-/// Check the number of steps from the last frame to the new one. A replay does not accept a longer
-/// gap than frames of one stride explain.
+/// Check the number of steps from the last frame to the new one. A gap longer than one stride of
+/// frames is rejected.
 void Recording::check_gap(std::int64_t step, bool frame) const {
     const bool begins = frames_.size() == (takes.empty() ? 0 : takes.back().frames);
     const std::int64_t before = !begins         ? frame_head(frames_.size() - 1).step

@@ -38,7 +38,7 @@ class RecordingWriter {
     void add_note(std::int64_t step, std::string_view kind, std::span<const std::byte> bytes);
     void add_cut(const RecordedCut& cut);
     void add_event(const World& world, const Event& event);
-    /// Note that the world restored another of its own states, which was the last change.
+    /// Write that the world restored another of its own states; this was the last change.
     void add_take(std::int64_t from, std::int64_t to);
     void finish(const World& world, Ending ending);
 

@@ -57,7 +57,7 @@ class Pool final : public base::Executor {
     /// Return the CPU time of a thread since its start [s]; 0: the calling thread.
     [[nodiscard]] double cpu_seconds(int thread) noexcept;
 
-    /// Record loops and tasks there from now on; nullptr ends it. Call between loops only.
+    /// Start recording loops and tasks in `trace`; nullptr ends it. Call between loops only.
     void record(Trace* trace) noexcept { trace_ = trace; }
 
     void run(int count, Task task, void* context) noexcept override;

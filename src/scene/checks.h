@@ -15,7 +15,8 @@ namespace hawser::scene {
 /// is removed.
 void check_document(Json& root, const Shape& shape, const Place& place, Mistakes* mistakes);
 
-/// check_document() of one list, content[key], whose entries have names that begin with `prefix`.
+/// Check a list like check_document(): content[key], whose entries have names that begin with
+/// `prefix`.
 void check_list(Json& content, const char* key, const Shape& shape, const Place& place,
                 const std::string& prefix, Mistakes* mistakes);
 

@@ -129,8 +129,8 @@ HAWSER_SCENE_SECTIONS(HAWSER_SECTION_SHAPE)
 [[nodiscard]] ShapePtr input_shape();
 [[nodiscard]] ShapePtr output_shape();
 
-/// Return the shapes of the shapes of a body, a material, a pair of materials, and the contact of a
-/// cable. See format_shapes.cpp.
+/// Return the shapes (JSON forms) of a shape of a body, a material, a pair of materials, and the
+/// contact of a cable. See format_shapes.cpp.
 [[nodiscard]] std::vector<Field> surface_fields();  ///< Material and groups of a shape.
 [[nodiscard]] ShapePtr shape_of_body();
 [[nodiscard]] ShapePtr material();

@@ -38,7 +38,8 @@ double separation(const Description& out, const InteractionDef& d, const Vec3& p
     return (p - a - t * along).norm();
 }
 
-/// Number of the element that passes nearest, of those that no drum or guide has.
+/// Return the number of the element that passes nearest, among the elements without a drum or
+/// guide.
 std::size_t nearest(Description& out, const Cable& cable, const GuideDef& def, const Place& place) {
     const Vec3 at = out.world_point(def.body, def.point);
     std::size_t best = cable.stretch.size();

@@ -12,9 +12,9 @@ namespace {
 
 constexpr int kMaxPasses = 20;
 
-/// Switch rows by the current λ and v₊. At first all rows that request it switch. Two rows may
-/// alternate forever, so later only the first one switches (K. G. Murty's least index rule, which
-/// terminates).
+/// Switch rows by the current λ and v₊. In the first passes all rows that request it switch. Two
+/// rows might alternate forever, so later only the first row switches (K. G. Murty's least index
+/// rule, which terminates).
 /// @return the number of requesting rows; none switch from kMaxPasses on.
 std::int32_t switch_solved(Model& model, Work& work, int pass) noexcept {
     constexpr int kTogether = 6;

@@ -44,9 +44,9 @@ BoundedRow row_now(const View& v, std::int32_t id) noexcept {
     return {lambda, r};
 }
 
-/// Return the end of the range that an impulse was at before the ends moved: the end of its sign.
-/// If both ends are on one side of 0 (a winch that pulls with one of two tensions), return the
-/// nearer one.
+/// Return the end of the range at which an impulse was before the range moved: the end with the
+/// sign of the impulse. If both ends are on one side of 0 (a winch that pulls with one of two
+/// tensions), return the nearer one.
 double moved_with(const ImpulseRange& range, double held) noexcept {
     if (held == 0.0) return std::clamp(0.0, range.low, range.high);
     const bool one_sided = range.high < 0.0 || range.low > 0.0;
@@ -93,7 +93,7 @@ bool stays(const Model& model, const View& v, std::int32_t id, const ImpulseRang
            ((v.flags[id] & model::kRange) && range.low == range.high);
 }
 
-/// Return true if a request to switch a place in a run comes from the rounding of its tensions.
+/// Return true if a request to switch a turning point of a run is due to rounding of its tensions.
 bool is_rounding(const Model& model, std::int32_t id, const Wish& wish, double lambda,
                  const ImpulseRange& range) noexcept {
     const double way = std::fabs(wish.projected - lambda), width = range.high - range.low;

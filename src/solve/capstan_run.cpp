@@ -11,7 +11,7 @@ namespace {
 /// Relative rounding of the impulses whose difference acts at a place.
 constexpr double kRounding = 2e-15;
 
-/// Write the speed w of a place as a linear function of the impulses before and behind it.
+/// Write the speed w of a turning point as a linear function of the impulses before and behind it.
 void give_way(RunPoint& p) noexcept {
     if (p.side == 0) {
         const double scale = 1.0 / (1.0 + p.sigma * p.mass);
@@ -63,9 +63,9 @@ void solve_run(std::size_t n, RunPoint* place, RunPart* part) noexcept {
         part[i].lambda = part[i].right - part[i].upper * part[i + 1].lambda;
 }
 
-/// Compute the speeds w of all places from the impulses. In the equation of a sliding place, w is a
-/// small difference of large forces over a small mass. The equation of the part before it avoids
-/// this.
+/// Compute the speeds w of all turning points from the impulses. In the equation of a sliding
+/// point, w is a small difference of large forces over a small mass. The equation of the part
+/// before it avoids this.
 void find_speeds(std::size_t n, RunPoint* place, const RunPart* part) noexcept {
     for (std::size_t k = 0; k < n; ++k) {
         RunPoint& p = place[k];
@@ -77,9 +77,9 @@ void find_speeds(std::size_t n, RunPoint* place, const RunPart* part) noexcept {
     }
 }
 
-/// Change the statuses that the solution contradicts: parts between pulling and slack, places
-/// between holding and sliding in either direction.
-/// @param most  Largest number of changes.
+/// Change the statuses that the solution contradicts: parts between pulling and slack, turning
+/// points between sticking and sliding in either direction.
+/// @param most  Maximum number of changes.
 /// @return the number of changes.
 int switch_run(std::size_t n, RunPoint* place, RunPart* part, int most) noexcept {
     int switched = 0;

@@ -16,10 +16,10 @@
 
 namespace hawser::stepper {
 
-/// Find the sliding places and pulling parts: solve the run and change the contradicted statuses,
-/// in turns. If the limit of turns is reached, the statuses need not be consistent, but are closer
-/// to it than those of the rejected solution.
-/// @param n  Number of places; there is one more part.
+/// Find the sliding turning points and the pulling parts: solve the run and change contradicted
+/// statuses, in turns. If the limit of turns is reached, the statuses may be inconsistent, but less
+/// than those of the rejected solution.
+/// @param n  Number of turning points; there is one more part.
 /// @return true if the statuses differ from the initial ones.
 bool find_statuses(std::size_t n, RunPoint* place, RunPart* part) noexcept;
 

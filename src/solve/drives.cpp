@@ -58,7 +58,7 @@ double work_of_carriers(const Model& model, const assembly::View& v, std::int32_
     return work;
 }
 
-/// Return the same work for friction, on all of its rows.
+/// Return the work of prescribed velocities on all rows of a friction [J].
 double friction_of_carriers(const Model& model, const assembly::View& v, std::int32_t id) noexcept {
     const model::RowState s = model.interactions.row_state(id, model.bodies);
     double work = 0.0;

@@ -24,7 +24,7 @@ struct DriveWork {
 /// Call before the velocities are overwritten.
 [[nodiscard]] double drive_gain(Model& model) noexcept;
 
-/// Return the same for springs and lines.
+/// Return that sum for springs and lines [J].
 /// @param springs  Interactions.
 [[nodiscard]] double spring_gain(Model& model, std::span<const std::int32_t> springs) noexcept;
 

@@ -11,7 +11,7 @@ struct ImpulseRange {
     double low, high;  ///< [N s or N m s]
 };
 /// Return the allowed impulses of the first row of an interaction, for the current loads. If inputs
-/// have crossed the ends, both are the upper one.
+/// have exchanged the ends, both are equal to the upper one.
 [[nodiscard]] ImpulseRange impulse_range(const Model& model, const Newton& newton,
                                          std::int32_t id) noexcept;
 

@@ -22,7 +22,7 @@ struct Run {
     std::size_t first, last, entry;
 };
 
-/// Call f(run) for all sequences of consecutive places along a line.
+/// Call f(run) for all sequences of consecutive turning points along a line.
 template <class F>
 void each_run(const assembly::System& s, F&& f) noexcept {
     std::size_t entry = 0;
@@ -47,7 +47,7 @@ std::int32_t side_of(const Model& model, const Capstan& c) noexcept {
     return held > 0.0 || (held == 0.0 && c.side > 0.0) ? 1 : -1;
 }
 
-/// Return the mobility of one body along a row, in comparison with that of its slides.
+/// Return the mobility of one body along a row, relative to the mobility of its slides.
 double mobility_of(const model::Bodies& b, const View& v, std::int32_t body, const double* jac) {
     const int dof = v.dof[body];
     if (dof == 1) return jac[0] * jac[0] / v.body_block[assembly::block_offset(v.dof_begin[body])];

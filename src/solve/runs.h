@@ -30,7 +30,7 @@ void reserve_runs(const Model& model, Newton& newton);
 void note_runs(Model& model) noexcept;
 
 /// Return the largest impulse of the parts of a run [N s].
-/// @param friction  Friction of one of its places.
+/// @param friction  Friction of one of its turning points.
 [[nodiscard]] double largest_in_run(const Model& model, std::int32_t friction) noexcept;
 
 /// Set the statuses of runs from their own problem, after rows were switched.

@@ -11,7 +11,7 @@ namespace hawser::stepper {
 /// Run stage 6: write the blocks of the matrix, factor, solve and refine v₊ and λ.
 [[nodiscard]] Status factor_and_solve(StepContext& ctx) noexcept;
 
-/// Write the blocks, factor and solve once, without refinement: one iteration of a Newton method.
+/// Write the blocks, factor and solve once, without refinement: one iteration of Newton's method.
 /// @param first  True to start from v₊ = 0, otherwise from the current v₊ and λ.
 [[nodiscard]] Status newton_solve(StepContext& ctx, bool first, bool whole) noexcept;
 

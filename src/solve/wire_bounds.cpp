@@ -82,7 +82,7 @@ void number_nodes(const Model& model, WireChains& chains, std::size_t first) noe
     }
 }
 
-/// Add the chain that begins with an element, if it has more than one.
+/// Add the chain that begins with an element, if the chain has more than one element.
 void add_chain(const Model& model, WireChains& chains, std::int32_t element) {
     const std::size_t first = chains.element.size();
     while (element >= 0) {

@@ -20,14 +20,15 @@
 
 namespace hawser::stepper {
 
-/// Return the angle at the place of friction that follows it (kFollowsAngle) [rad].
+/// Return the angle of the line at the turning point of a friction with kFollowsAngle [rad].
 [[nodiscard]] double wrap_angle(const Model& model, std::int32_t friction) noexcept;
 
 /// Store the angles of spans on their wheels, and count their whole turns after bodies have moved.
 void note_wheels(const Model& model, Work& work) noexcept;
 void follow_wheels(Model& model, const Work& work) noexcept;
 
-/// Update the factors of all such friction at the current poses, before bounds are evaluated.
+/// Update the factors of all friction with kFollowsAngle at the current poses. Call before bounds
+/// are evaluated.
 void follow_wraps(Model& model) noexcept;
 
 }  // namespace hawser::stepper

@@ -98,7 +98,7 @@ void read_own_graph(Model& model, bool weigh) {
         r.graph.group[at(b)] = part_by_hand(model, b);
 }
 
-/// Make groups from the model if there are none or if the model has changed.
+/// Make groups from the model if there are none, or if the model has changed.
 void make_groups(Model& model, const State& state) {
     Regroup& r = model.regroup;
     if (!makes_groups(model)) {
@@ -119,7 +119,7 @@ void make_groups(Model& model, const State& state) {
     r.stale = false;
 }
 
-/// True if a round is due before the step.
+/// True if a new choice of parts is due before the step.
 bool due(const Model& model, const State& state) noexcept {
     const Regroup& r = model.regroup;
     if (model.def.regroup_every < 1 || !makes_groups(model) || state.step == r.seen) return false;

@@ -39,7 +39,7 @@ void join_model(Model& model) noexcept;
 
 // Stages of a step.
 
-/// Run the round that is due, if any (stage graph). If groups have changed, make new cuts and run
+/// Choose parts again if this is due (stage graph). If groups have changed, make new cuts and run
 /// stage analyse. If allocation fails, the state is unchanged.
 [[nodiscard]] Status regroup(StepContext& ctx) noexcept;
 
@@ -73,7 +73,7 @@ void part_all(Model& model, std::int32_t id) noexcept;
 
 // Requests of deadlines (budget).
 
-/// Bring these interfaces into force, see Degradation::cuts, and analyse if that changes a cut.
+/// Bring the given interfaces into force (Degradation::cuts), and analyse if that changes a cut.
 [[nodiscard]] Status ask_for_cuts(StepContext& ctx, std::uint64_t interfaces) noexcept;
 
 /// Return the interfaces that have a cut of Coupling::deadline in force.

@@ -61,8 +61,8 @@ double write_gaps(const Model& model, const View& v) noexcept {
     return most;
 }
 
-/// Move bodies by the vector of the solver. Angular velocities turn with the bodies, so that
-/// kinetic energy stays.
+/// Move bodies by the solution vector of the solver. Angular velocities rotate with the bodies, so
+/// that the kinetic energy does not change.
 void move(Model& model, const View& v, double time) noexcept {
     for (const std::int32_t body : model.bodies.moving) {
         const int dof = v.dof[body];
@@ -120,8 +120,8 @@ double close_with_factor(Model& model, Work& work, runtime::Pool& pool, const Vi
     return gap;
 }
 
-/// Move poses by the vector of the solver, by a smaller fraction while the gap grows. @return the
-/// new gap; if no fraction reduces it, the earlier one.
+/// Move poses by the solution vector of the solver, with a smaller fraction as long as the gap
+/// grows. @return the new gap; if no fraction reduces it, the earlier one.
 double move_some(Model& model, JointWork& joints, const View& v, double gap) noexcept {
     constexpr int kMaxHalvings = 4;
     const double turn = v.h * fastest_turn(model, v);

@@ -33,11 +33,11 @@ struct Wrenches {
 [[nodiscard]] Wrenches row_wrenches(const World& world, InteractionId id,
                                     std::span<const Pose> pose, std::span<const double> force);
 
-/// Return the impulses [N s, N m s] of the geometric stiffness and the damping of joints
+/// Return the impulses [N s, N m s] of the geometric stiffness and of the damping of joints
 /// (docs/theory/stiffness.md). They belong to the step from velocities `before` to the present
 /// ones.
-/// @param earlier  Velocities before the step before that one. @param last  Forces of the rows in
-/// it. @param alert World::wire_alert() before the present step.
+/// @param earlier  Velocities one step earlier than `before`. @param last  Forces of the rows in
+/// that step. @param alert  World::wire_alert() before the present step.
 [[nodiscard]] Wrenches stiffness_wrenches(const World& world, InteractionId id,
                                           std::span<const Pose> pose, std::span<const Twist> before,
                                           std::span<const Twist> earlier,

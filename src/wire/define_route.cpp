@@ -139,7 +139,7 @@ std::string part_name(const RouteDef& def, const char* what, std::size_t i) {
     return def.name.empty() ? std::string() : def.name + "/" + what + std::to_string(i + 1);
 }
 
-/// Compute the length of line on each place [m], and the angles there.
+/// Compute the length of line on each turning point [m], and the angles.
 std::vector<double> arcs_of(const RouteDef& def, const std::vector<Corner>& corners,
                             const std::vector<Straight>& straight, std::vector<double>& angles) {
     std::vector<double> arcs;

@@ -66,8 +66,8 @@ struct Feed {
 /// @return true if a node was inserted.
 bool put_node(NodeEdits& nodes, const Feed& feed, double there, double& at) noexcept;
 
-/// Remove the node of the element: `at` grows by the material beyond it. Wire of another line type
-/// stays.
+/// Remove the node of the element; `at` grows by the material beyond it. Wire of another line type
+/// remains.
 /// @return true if the node was removed.
 bool take_node(NodeEdits& nodes, const Feed& feed, std::size_t node, double& at) noexcept;
 

@@ -14,11 +14,11 @@ namespace hawser::wire {
 /// @param def  Values that hold for all wires.
 [[nodiscard]] std::unique_ptr<GuideSystem> bare_guide(GuideDef def);
 
-/// Engage def.element with a guide. All of its mass is on one side or the other from then on,
-/// except the mass that nodes keep.
+/// Engage def.element with a guide. All of its mass is then on one side or the other, except the
+/// mass that nodes keep.
 /// @param speed  Speed of the wire through the guide, from its first end [m/s].
 /// @return null if it was rejected and nothing has changed.
-/// @throws std::bad_alloc, not again when the step is retried.
+/// @throws std::bad_alloc, but not again when the step is retried.
 [[nodiscard]] std::unique_ptr<GuideSystem> lay_on_guide(NodeEdits& nodes, GuideDef def,
                                                         double speed);
 

@@ -34,8 +34,8 @@ inline RouteDef route_of(const GuideDef& def, const InteractionDef& element, dou
     return out;
 }
 
-/// Return the largest angle by which the wire turns on the guide: half a turn beyond the defined
-/// ones [rad].
+/// Return the largest angle by which the wire turns on the guide: half a turn more than defined
+/// [rad].
 inline double most_angle(const GuideDef& def) {
     const double half = std::acos(-1.0);
     return half * (1.0 + 1e-9) + 2.0 * half * def.turns;

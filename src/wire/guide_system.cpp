@@ -219,8 +219,8 @@ bool GuideSystem::nearly_used_up(const World& world, std::size_t side) const noe
     return std::min(straight(world, side), material_[side]) < least && runs_out(side);
 }
 
-/// Hold the slide against running out of a side until it is pulled the other way. A wire that has
-/// broken at the guide is held, because nothing else balances its other part.
+/// Hold the slide at the end of a side until it is pulled the other way. If the wire has broken at
+/// the guide, it is held, because no force balances its other part.
 void GuideSystem::stop(Prestep& now) noexcept {
     if (ran_off()) return;
     if (parted_ != 0) {

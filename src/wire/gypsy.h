@@ -58,11 +58,12 @@ class GypsyChain {
     explicit GypsyChain(const GypsyWheel& wheel) noexcept : wheel_(wheel) {}
 
     /// Read the result of the last step.
-    /// @param apart  θ_c − θ_w.
+    /// @param separation  θ_c − θ_w [rad].
     /// @param rate  Its rate [rad/s].
     /// @param torque  Torque of the grip's row on the chain [N m].
-    /// @param pull  T − T_0 now [N].
-    /// @return the load at which it has begun to jump or passed to another pocket [N]; 0: neither.
+    /// @param pull  T − T_0 [N].
+    /// @return the load at which the chain has begun to jump or passed to another pocket [N]; 0:
+    /// neither.
     [[nodiscard]] double sample(double separation, double rate, double torque,
                                 double pull) noexcept;
     /// Return the order for a step of h [s] that begins.

@@ -158,8 +158,8 @@ void PostSystem::take(NodeEdits& nodes) {
     }
 }
 
-/// Remove a node on the bollard: one element replaces the two beside it, with its chord through the
-/// bollard. It lies on the node's side of the bollard.
+/// Remove a node on the bollard: one element replaces the two next to it, with its chord through
+/// the bollard. It is on the node's side of the bollard.
 bool PostSystem::take_node_at(NodeEdits& nodes, Touch& touch) const {
     const World& world = nodes.world;
     const InteractionDef& d = world.interaction_def(touch.element);

@@ -28,7 +28,7 @@ struct Surroundings {
     double friction = 0.0;         ///< Friction coefficient of the seabed [1].
 };
 
-/// Find the balance from a shape near it. Set the chain's weights to those of the result.
+/// Find the balance from a shape near it. The weights of the chain become those of the result.
 /// @return none if Newton's method did not reach `tolerance` [N].
 [[nodiscard]] std::optional<Plane> rest_near(Chain& chain, const Plane& start,
                                              const Surroundings& around, double tolerance);

@@ -47,8 +47,8 @@ struct Crossing {
 /// @param s  Relative to the present position [m].
 [[nodiscard]] double lean(const Crossing& c, double s) noexcept;
 
-/// Return the displacement of the position [m]; 0: friction holds it. At most a quarter of the
-/// shorter part.
+/// Return the displacement of the position, at most a quarter of the shorter part [m]; 0: it
+/// sticks.
 /// @param bound  μφ [rad].
 [[nodiscard]] double way_sideways(const Crossing& c, double bound) noexcept;
 

@@ -77,7 +77,8 @@ void check_pose(const Where& where, const Vec3& position, const Quat& orientatio
 void check_velocity(const Where& where, const Vec3& linear, const Vec3& angular);
 void check_force(const Where& where, const Vec3& force, const Vec3& torque);
 
-/// Return the message for a kind without coordinate or motor, with the kinds that have one.
+/// Return the error message for a kind without coordinate or motor. It lists the kinds that have
+/// one.
 [[nodiscard]] std::string no_coordinate(const KindInfo& kind);
 [[nodiscard]] std::string no_motor(const KindInfo& kind);
 

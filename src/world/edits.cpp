@@ -196,7 +196,7 @@ void World::Impl::forget_removal() noexcept {
 
 namespace {
 
-/// Note a removed object while there is capacity, in calls that undo their own additions.
+/// Store a removed object while there is capacity, for calls that undo their own additions.
 template <class Id>
 void note(std::vector<Id>& list, Id id) noexcept {
     if (list.size() < list.capacity()) list.push_back(id);

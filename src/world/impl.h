@@ -108,7 +108,7 @@ struct World::Impl final : private world::InputDoor {
     void check_node(InteractionId element, double share, double mass) const;
     /// Return the element before a node (side 0) or behind it (side 1).
     [[nodiscard]] InteractionId element_at(BodyId node, std::size_t side) noexcept;
-    /// Join a short element at an end left by a cut with the next one, if its node can be removed.
+    /// Join a short element at a cut end with the next one, if its node can be removed.
     void join_short_end(World& world, InteractionId end, std::size_t side) noexcept;
     void check_cut_at_node(const std::string& where, stepper::NodeSurroundings& place) const;
     [[nodiscard]] bool carried(const world::Wire& wire, std::size_t element) const noexcept;

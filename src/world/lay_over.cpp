@@ -159,9 +159,9 @@ void World::Impl::turn_bend(BodyId lump, BodyId from, BodyId to, const Vec3& poi
     drop_folded(bend);
 }
 
-/// Remove a bend between two places of one body. An interaction has each body once, and the effect
-/// of a node's bend between a bollard and a drum of one ship is negligible. Capacity has been
-/// reserved (reserve_removal()).
+/// Remove a bend between two turning points of one body. An interaction can have each body once
+/// only, and the effect of a node's bend between a bollard and a drum of one ship is negligible.
+/// Capacity has been reserved (reserve_removal()).
 void World::Impl::drop_folded(std::int32_t bend) noexcept {
     if (bend >= 0 && stepper::end_of(ctx, bend, 0) == stepper::end_of(ctx, bend, 2))
         remove(ctx.model.interactions.id(bend));

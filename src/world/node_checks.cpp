@@ -57,7 +57,7 @@ void World::Impl::refuse_two_lines(BodyId node, const stepper::NodeSurroundings&
 }
 
 /// Check that a node can be removed.
-/// @return the element beside it that stays.
+/// @return the adjacent element that remains.
 /// @throws DefError with the remedy.
 std::int32_t World::Impl::check_node_goes(BodyId node, stepper::NodeSurroundings& place,
                                           double bend) const {

@@ -17,7 +17,7 @@ class World;
 
 namespace hawser::world {
 
-/// Return a node with the properties of those at the ends of its element.
+/// Return a node with the properties of the nodes at the ends of its element.
 [[nodiscard]] BodyDef node_body(const World& w, const InteractionDef& element,
                                 const stepper::NodeDef& node);
 

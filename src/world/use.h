@@ -17,7 +17,7 @@ namespace hawser::world {
 class Use {
   public:
     /// Try to lock the world.
-    /// @return 0 rejected, 1 granted, 2 granted within a call of the same thread.
+    /// @return 0: rejected, 1: granted, 2: granted within a call of the same thread.
     int take() noexcept {
         const pthread_t me = this_thread();
         pthread_t user = kNobody;

@@ -95,7 +95,7 @@ class SecondPiece {
     std::vector<std::uint8_t> behind_;  ///< By body.
 };
 
-/// Return a body like the node that it stands beside, or like those at the ends of an element.
+/// Return a body like the adjacent node, or like the nodes at the ends of an element.
 BodyDef end_body(const World& w, const InteractionDef& element) {
     BodyDef out{.kind = BodyKind::lump, .position = w.pose(element.body[0]).position};
     out.mass = 1.0;

@@ -151,7 +151,7 @@ void reserve_end(world::Wire& wire) {
     base::reserve_more(wire.shapes, 1);
 }
 
-/// Copy the forces of one element to its replacement.
+/// Copy the forces of one element to the element that replaces it.
 void go_on(model::Interactions& in, std::int32_t from, std::int32_t to) noexcept {
     const auto before = at(in.row_begin[at(from)]), now = at(in.row_begin[at(to)]);
     in.lambda[now] = in.lambda[before];
@@ -159,7 +159,7 @@ void go_on(model::Interactions& in, std::int32_t from, std::int32_t to) noexcept
     in.active[at(to)] = in.active[at(from)];
 }
 
-/// Let the wire end at a node of its own.
+/// Let the wire end at its own new node.
 void end_at_node(world::Wire& wire, std::size_t side, const world::Wire& made, InteractionId before,
                  InteractionId now) noexcept {
     (side == 0 ? wire.nodes.front() : wire.nodes.back()) = made.lumps[0];
@@ -201,7 +201,7 @@ EndFraction end_fraction(const stepper::StepContext& ctx, const world::Systems& 
     return out;
 }
 
-/// Return the capsule of an end without one, like that of the next element.
+/// Return the capsule for an end without one, like the capsule of the next element.
 template <class Impl>
 std::optional<ShapeDef> capsule_like(const Impl& m, std::int32_t beyond) {
     const ShapeId its =

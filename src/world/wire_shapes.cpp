@@ -68,7 +68,7 @@ ShapeId World::Impl::segment_between(std::int32_t a, std::int32_t b) const noexc
     return {};
 }
 
-/// Return the capsule added with a node on an element; none if its wire touches nothing there.
+/// Return the capsule to add with a node on an element; none if its wire has no contacts there.
 std::optional<ShapeDef> World::Impl::next_segment(const stepper::NodeSurroundings& place,
                                                   BodyId node, bool first,
                                                   const world::Wire* wire) const {

@@ -30,7 +30,7 @@ void put_before(world::Wire& to, const world::Wire& more, BodyId both) noexcept 
     to.elements.insert(to.elements.begin(), more.elements.begin(), more.elements.end());
 }
 
-/// Return a bend at the joined node, like the one beside it.
+/// Return a bend at the joined node, like the adjacent bend.
 InteractionDef bend_at_splice(const model::Interactions& in, std::int32_t beside, BodyId before,
                               BodyId node, BodyId after, double length) {
     InteractionDef out;

@@ -146,8 +146,8 @@ TEST(RodsWorld, SavedStateAndTwinGoOnWithTheSameBits) {
     }
 }
 
-/// Return the largest difference of loads that separate code computes for `p` with the sea of
-/// `told`.
+/// Return the largest difference between the loads of `p` and the loads that separate code computes
+/// with the sea of `reported`.
 double difference(Platform& p, const World& reported, int steps) {
     verify::SeaVerifier verifier(reported);
     double worst = 0.0;

@@ -63,7 +63,8 @@ TEST(SlackContact, LinesThatSwitchDuringTheIterationsStayInTheMatrix) {
     }
 }
 
-/// Make a weight on a slack line, which falls until the line comes taut, and bounces or swings.
+/// Make a weight on a slack line. It falls until the line becomes taut, and then bounces or
+/// oscillates.
 World falling_weight(double stiffness, double aside, bool touching) {
     World w;
     BodyDef ground;

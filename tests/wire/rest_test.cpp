@@ -25,7 +25,8 @@ double bend_energy(const std::vector<Vec3>& x, std::size_t i, double k) {
     return k * (1.0 - a.dot(b) / (a.norm() * b.norm()));
 }
 
-/// Return the largest force left at a node, over the heaviest node. One section of equal elements.
+/// Return the largest unbalanced force at a node, relative to the weight of the heaviest node. One
+/// section of equal elements.
 double left(const CatenaryDef& def, const Catenary& c) {
     const CatenarySection& s = def.sections[0];
     const std::size_t n = c.nodes.size() - 1;

@@ -18,8 +18,8 @@ namespace {
 constexpr int kFastSteps = 10;
 constexpr double kWireRadius = 0.0025, kElement = 0.5;
 
-/// Add point masses of 0.1 kg from `from` on, at intervals of `apart`, joined by elements; with
-/// fixed or free ends.
+/// Add point masses of 0.1 kg from `from` on, at intervals of `separation`, joined by elements;
+/// with fixed or free ends.
 std::vector<BodyId> add_fast_wire(World& w, int nodes, const Vec3& from, const Vec3& separation,
                                   const Vec3& velocity, double length, bool held) {
     std::vector<BodyId> wire;

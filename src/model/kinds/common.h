@@ -78,14 +78,15 @@ inline constexpr double kStopCompliance = 1e-12;
 
 inline double given(double value, double fallback) { return value == value ? value : fallback; }
 
-/// Set τ as defined, else to two steps without a damper.
+/// Set the damping time τ of the definition; without one, two steps.
 inline void damping_or_flagged(const InteractionDef& def, double h, int row, RowSpec& out) {
     const double defined = def.damping_time.data()[row];
     out.damping_time = given(defined, 2.0 * h);
     out.damped_by_scheme = defined != defined;
 }
 
-/// Set ε and τ of an ordinary constraint: as defined, else rigid (or `compliance`) and two steps.
+/// Set ε and τ of an ordinary constraint. Without a definition it is rigid (or has `compliance`)
+/// and τ is two steps.
 inline void constraint_rows(const InteractionDef& def, double h, int first, int count, bool gap,
                             RowSpec* out, double compliance = 0.0) {
     for (int r = first; r < first + count; ++r) {

@@ -78,8 +78,8 @@ struct SpanShape {
 inline constexpr double kSteepest = 0.999;
 
 /// Return the direction u of the tangent, which leaves a wheel of signed radius s at s u × n from
-/// its centre. @param d  Vector between the centres. @param n  Axis of the wheels. @param apart
-/// Second signed radius minus the first one.
+/// its centre. @param d  Vector between the centres. @param n  Axis of the wheels. @param
+/// separation  Second signed radius minus the first one.
 inline V3 tangent_direction(const V3& d, const V3& n, double separation) {
     const V3 flat = d - dot(d, n) * n;
     const double size = norm(flat), most = kSteepest * size;

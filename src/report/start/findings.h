@@ -62,8 +62,8 @@ struct Findings {
 /// Number of findings of one kind that a text lists.
 inline constexpr std::size_t kListedOfAKind = 5;
 
-/// Return one line for each finding, beginning with `before`: of each kind the worst kListedOfAKind
-/// and the number of others.
+/// Return one line for each finding, with the prefix `before`: the worst kListedOfAKind of each
+/// kind, and the number of others.
 [[nodiscard]] std::string to_text(const Findings& findings, const std::string& before);
 
 }  // namespace hawser::report::start
