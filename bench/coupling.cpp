@@ -91,7 +91,7 @@ Json compare(const std::string& file, const CouplingOptions& o, const PoolCosts&
 }
 
 /// Compare the stability limit of two bodies, by bisection, with theory.
-Json judge_boundaries(const CouplingOptions& o, Verdict& verdict) {
+Json check_boundaries(const CouplingOptions& o, Verdict& verdict) {
     Json rows = two_body_boundaries(o.quick ? 2 : 6);
     double most = 0.0;
     for (const Json& row : rows)
@@ -135,7 +135,7 @@ int run(int argc, char** argv) {
         o.stiffness = false;
     }
     Verdict verdict;
-    Json out = {{"two_bodies", judge_boundaries(o, verdict)}};
+    Json out = {{"two_bodies", check_boundaries(o, verdict)}};
     if (!o.quick) out["chain"] = chain_predictors();
     if (!theory) {
         fmt::print(

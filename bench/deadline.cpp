@@ -24,14 +24,14 @@ Exit code 1 where a criterion is not met: 99 % of steps within the budget (solve
 60 steps left out), something degraded under the load, exact again within 60 steps after it, the state
 physical, and the same state hash when the degradations are repeated without a clock.)";
 
-double share_point(std::vector<double> v, double p) {
+double quantile(std::vector<double> v, double p) {
     if (v.empty()) return 0.0;
     std::sort(v.begin(), v.end());
     return v[static_cast<std::size_t>(p * static_cast<double>(v.size() - 1))];
 }
 
 /// Return the fraction of the steps of all phases within a limit.
-double share_within(const DeadlineRun& run, double limit_ms) {
+double fraction_within(const DeadlineRun& run, double limit_ms) {
     double in = 0.0, all = 0.0;
     for (const PhaseFigures& f : run.phase) {
         in += static_cast<double>(
@@ -48,14 +48,14 @@ void print_run(const char* name, const DeadlineRun& run) {
             "{:<8} {:<7} {:>8} {:>7.2f} {:>7.2f} {:>7.2f} {:>7.2f} {:>8.2f} {:>7.2f} {:>7.2f} "
             "{:>9} "
             "{:>9.1e} {:>9.1e}\n",
-            name, kPhaseNames[k], f.contacts, share_point(f.cpu, 0.5), share_point(f.cpu, 0.95),
-            share_point(f.cpu, 0.99), share_point(f.cpu, 1.0), share_point(f.wall, 0.5),
-            share_point(f.wall, 0.95), share_point(f.wall, 0.99), f.degraded,
-            share_point(f.map, 0.95), share_point(f.map, 1.0));
+            name, kPhaseNames[k], f.contacts, quantile(f.cpu, 0.5), quantile(f.cpu, 0.95),
+            quantile(f.cpu, 0.99), quantile(f.cpu, 1.0), quantile(f.wall, 0.5),
+            quantile(f.wall, 0.95), quantile(f.wall, 0.99), f.degraded, quantile(f.map, 0.95),
+            quantile(f.map, 1.0));
     }
 }
 
-double apart(const DeadlineRun& a, const DeadlineRun& b) {
+double separation(const DeadlineRun& a, const DeadlineRun& b) {
     double most = 0.0;
     for (std::size_t k = 0; k < a.at_end_of_load.size(); ++k)
         most = std::max(most, (a.at_end_of_load[k] - b.at_end_of_load[k]).norm());
@@ -92,10 +92,10 @@ nlohmann::json run_json(const DeadlineRun& run) {
     for (std::size_t k = 0; k < kDeadlinePhases; ++k) {
         const PhaseFigures& f = run.phase[k];
         const auto points = [](const std::vector<double>& v) {
-            return nlohmann::json{{"p50", share_point(v, 0.5)},
-                                  {"p95", share_point(v, 0.95)},
-                                  {"p99", share_point(v, 0.99)},
-                                  {"max", share_point(v, 1.0)}};
+            return nlohmann::json{{"p50", quantile(v, 0.5)},
+                                  {"p95", quantile(v, 0.95)},
+                                  {"p99", quantile(v, 0.99)},
+                                  {"max", quantile(v, 1.0)}};
         };
         phases[kPhaseNames[k]] = {{"contacts", f.contacts},
                                   {"solver_cpu_ms", points(f.cpu)},
@@ -128,7 +128,7 @@ int compare_deadline(const DeadlineOptions& o) {
     print_run("budget", kept);
     const report::Degradations& d = kept.log;
     fmt::print("\nload: {:.2f} times the solver time of before in the exact run (medians)\n",
-               share_point(exact.phase[1].cpu, 0.5) / share_point(exact.phase[0].cpu, 0.5));
+               quantile(exact.phase[1].cpu, 0.5) / quantile(exact.phase[0].cpu, 0.5));
     fmt::print(
         "degradations: friction iterations in {} steps, {} times: {} by prediction, {} by clock; "
         "another iteration would have ended by {:.2f} ms\n",
@@ -139,12 +139,12 @@ int compare_deadline(const DeadlineOptions& o) {
         "with more\n",
         kept.late_analysis, kept.late_one, kept.late_more);
     fmt::print("boxes {:.3f} m from where the exact run has them at the end of the load\n\n",
-               apart(exact, kept));
+               separation(exact, kept));
     Verdict verdict;
-    const double within = share_within(kept, o.budget_ms);
+    const double within = fraction_within(kept, o.budget_ms);
     verdict.ask("within_budget", "", within >= 0.99,
                 fmt::format("{:.2f} % of steps within {} ms (exact: {:.2f} %)", 100.0 * within,
-                            o.budget_ms, 100.0 * share_within(exact, o.budget_ms)));
+                            o.budget_ms, 100.0 * fraction_within(exact, o.budget_ms)));
     verdict.ask("degraded_under_load", "", kept.phase[1].degraded > 0,
                 "the load had something degraded");
     verdict.ask("exact_again", "", kept.exact_after >= 0 && kept.exact_after <= 60,

@@ -50,8 +50,8 @@ struct Edited {
         InteractionDef d;
         d.kind = InteractionKind::Stretch;
         d.body = {a, b};
-        const double apart = (world.pose(a).position - world.pose(b).position).norm();
-        return d.set("EA", 1e5).set("length", 1.01 * apart);
+        const double separation = (world.pose(a).position - world.pose(b).position).norm();
+        return d.set("EA", 1e5).set("length", 1.01 * separation);
     }
     void add_lump() {
         const Vec3 below = world.pose(hulls[0]).position - Vec3(0, 0, 15);
@@ -82,11 +82,11 @@ struct EditFigures {
     std::size_t bytes = 0;  ///< Additional memory of the world at the end.
 };
 
-constexpr double kMostRatio = 1.3;
+constexpr double kMaxRatio = 1.3;
 
 std::string edit_line(const EditFigures& f) {
     return fmt::format("a step with an edit {:.3g} ms, {:.3g} times one without, to be {}",
-                       f.edit_ms, f.edit_ms / f.plain_ms, kMostRatio);
+                       f.edit_ms, f.edit_ms / f.plain_ms, kMaxRatio);
 }
 
 double timed_step(World& world, const std::function<void()>& before) {
@@ -143,7 +143,7 @@ int report_own(const std::string& file, const EditFigures& f, const std::string&
     fmt::print("{}: a step {:.3g} ms, {} plans, {} repairs, {} growths\n", file, f.plain_ms,
                f.plans, f.repairs, f.growths);
     Verdict verdict;
-    verdict.ask("edit", "", f.edit_ms <= kMostRatio * f.plain_ms, edit_line(f));
+    verdict.ask("edit", "", f.edit_ms <= kMaxRatio * f.plain_ms, edit_line(f));
     if (!json.empty())
         std::ofstream(json) << nlohmann::json{{"scene", file},         {"step_ms", f.plain_ms},
                                               {"edit_ms", f.edit_ms},  {"plans", f.plans},
@@ -199,7 +199,7 @@ int edits_command(int argc, char** argv) {
     }
     fmt::print("  {} repairs, {} bytes more\n", f.repairs, f.bytes);
     Verdict verdict;
-    verdict.ask("edit", "", f.edit_ms <= kMostRatio * f.plain_ms, edit_line(f));
+    verdict.ask("edit", "", f.edit_ms <= kMaxRatio * f.plain_ms, edit_line(f));
     verdict.ask("plans", "", f.plans == 0, fmt::format("{} new plans, to be none", f.plans));
     verdict.ask("growths", "", f.growths == 0, fmt::format("{} growths, to be none", f.growths));
     if (!json.empty()) {

@@ -186,7 +186,7 @@ int factor_command(int argc, char** argv) {
     if (o.shares) {
         fmt::print("kernels {}, one thread; medians of {} rounds, wall time\n", instruction_set(),
                    o.trial.rounds);
-        for (const ProblemSource& p : sources) print_shares(p, o.trial.rounds);
+        for (const ProblemSource& p : sources) print_fractions(p, o.trial.rounds);
         return 0;
     }
     fmt::print("kernels {}, BLAS {}; one thread: processor time, more: wall time\n",

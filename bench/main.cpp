@@ -44,10 +44,10 @@ constexpr Command kCommands[] = {
      hawser::bench::wires_command},
 };
 
-/// Debian gives huge pages to all memory, other systems only on request, which Hawser's largest
-/// arrays make. Results must depend on neither: request them for all memory, including that of
-/// libraries. The setting is read when the program is loaded: start again. Continue without it if
-/// this fails.
+/// Restart the program with huge pages for all memory, including that of libraries. Debian provides
+/// them always, other systems only on request, and only Hawser's largest arrays request them.
+/// Results must not depend on this. The setting is read when the program is loaded. If the restart
+/// fails, continue without it.
 void insist_on_huge_pages(char** argv) {
     constexpr const char* kTunables = "GLIBC_TUNABLES";
     if (std::getenv(kTunables) != nullptr) return;

@@ -56,7 +56,7 @@ nlohmann::json print_part_row(const PartRow& r) {
         r.flops, r.makespan, timed ? fmt::format("{:.3f}", r.factor_ms) : "-");
     if (!timed)
         fmt::print("    factorisation not timed: {:.2g} flops; beyond {:.0g} it takes seconds\n",
-                   static_cast<double>(r.counts.flops), static_cast<double>(kMostFlops));
+                   static_cast<double>(r.counts.flops), static_cast<double>(kMaxFlops));
     return {{"method", r.method},
             {"seconds", r.seconds},
             {"separators", r.separators},
@@ -126,8 +126,8 @@ double update_seconds(const PartCase& c, const OurParts& ours) {
 constexpr double kFree = 0.8;
 
 /// Check the bars of the paper's graphs for the best of Hawser's results.
-void judge_parts(Verdict& verdict, const std::string& name, const PartRow& best, const Race& r,
-                 double update, const std::vector<FactorTimes>& factors) {
+void check_part_times(Verdict& verdict, const std::string& name, const PartRow& best, const Race& r,
+                      double update, const std::vector<FactorTimes>& factors) {
     if (r.metis > 0.0) {
         verdict.ask("full_partition", name, r.ours * 10.0 <= r.metis,
                     fmt::format("from the body graph, with cost, {:.1f} times faster than METIS "
@@ -158,7 +158,7 @@ void judge_parts(Verdict& verdict, const std::string& name, const PartRow& best,
     }
 }
 
-/// @param judged  True if the bars apply to this case.
+/// Compare the parts of one case. @param judged  True if the bars apply to this case.
 nlohmann::json compare_parts(const PartCase& c, const PartitionFlags& o, bool judged,
                              Verdict& verdict) {
     const int parts = o.parts;
@@ -222,7 +222,7 @@ nlohmann::json compare_parts(const PartCase& c, const PartitionFlags& o, bool ju
     if (!judged) return out;
     const std::vector<FactorTimes> factors = compare_factors(c, parts, o.quick ? 3 : 30 * o.rounds);
     out["factor_and_solve"] = factor_json(factors);
-    judge_parts(verdict, c.name, best, times, update, factors);
+    check_part_times(verdict, c.name, best, times, update, factors);
     return out;
 }
 

@@ -60,7 +60,7 @@ Ended run_case(std::uint64_t seed, std::uint64_t number, int divide) {
         options.step = out.of.step;
         scene::Scene scene =
             scene::load_text(out.of.text, fmt::format("random {}", number), options);
-        RandomJudge judge(scene.world);
+        RandomMonitor judge(scene.world);
         while (scene.world.time() < scene.duration - 0.5 * out.of.step) {
             if (const Status status = scene.world.step(); status != Status::ok) {
                 out.outcome = Outcome::failed;
@@ -68,7 +68,7 @@ Ended run_case(std::uint64_t seed, std::uint64_t number, int divide) {
                 out.why = fmt::format("{} at {:.4g} s", to_string(status), scene.world.time());
                 break;
             }
-            judge.look(scene.world);
+            judge.sample(scene.world);
             if (!judge.figures().finite) break;
         }
         out.judged = judge.figures();
@@ -100,7 +100,7 @@ struct RandomOptions {
 int run_all(const RandomOptions& o) {
     RandomReport report;
     CaseList list(o.list);
-    std::vector<std::string> wrong_told, failed_told;
+    std::vector<std::string> wrong_lines, failed_lines;
     double slowest = 0.0;
     for (std::uint64_t k = 0; k < static_cast<std::uint64_t>(o.count); ++k) {
         const Ended e = run_case(o.seed, k, o.divide);
@@ -109,9 +109,9 @@ int run_all(const RandomOptions& o) {
         slowest = std::max(slowest, e.seconds);
         const auto room = static_cast<std::size_t>(o.shown);
         if (e.wrong()) {
-            if (wrong_told.size() < room) wrong_told.push_back(told(e));
-        } else if (e.outcome != Outcome::ok && !e.of.contradictory && failed_told.size() < room) {
-            failed_told.push_back(told(e));
+            if (wrong_lines.size() < room) wrong_lines.push_back(reported(e));
+        } else if (e.outcome != Outcome::ok && !e.of.contradictory && failed_lines.size() < room) {
+            failed_lines.push_back(reported(e));
         }
     }
     report.print_outcomes();
@@ -122,23 +122,23 @@ int run_all(const RandomOptions& o) {
         fmt::print("\n{}\n", title);
         for (const std::string& line : lines) fmt::print("{}\n", line);
     };
-    if (!wrong_told.empty() || !failed_told.empty())
+    if (!wrong_lines.empty() || !failed_lines.empty())
         fmt::print(
             "L loops, R repeated joints, C contradictory joints, W wires, E ratios of 1e6\n");
-    show("Ended ok although wrong, the first of them:", wrong_told);
-    show("Not ok although nothing contradicts, the first of them:", failed_told);
+    show("Ended ok although wrong, the first of them:", wrong_lines);
+    show("Not ok although nothing contradicts, the first of them:", failed_lines);
     list.close();
     report.write_json(o.json, o.seed, o.count);
     const Tally& all = report.all();
-    constexpr double kShareOk = 0.9;
-    const bool none_wrong = all.wrong == 0, enough = all.share_ok() >= kShareOk;
+    constexpr double kFractionOk = 0.9;
+    const bool none_wrong = all.wrong == 0, enough = all.fraction_ok() >= kFractionOk;
     fmt::print("\n{:<7} {} of {} runs ended ok although wrong (bar: none)\n",
                none_wrong ? "ok" : "MISSED", all.wrong, all.cases);
     fmt::print("{:<7} {:.1f} % of {} without contradictory joints ended ok and right (bar: 90 %)\n",
-               enough ? "ok" : "MISSED", 100.0 * all.share_ok(), all.consistent);
+               enough ? "ok" : "MISSED", 100.0 * all.fraction_ok(), all.consistent);
     fmt::print("        energy of {} that ended ok swung by more than 1 % in a single state\n",
                all.swung);
-    if (!none_wrong || !failed_told.empty())
+    if (!none_wrong || !failed_lines.empty())
         fmt::print("One again: hawser bench random --seed {} --only NUMBER [--save NUMBER FILE]\n",
                    o.seed);
     return none_wrong && enough ? 0 : 1;
@@ -207,7 +207,7 @@ int random_command(int argc, char** argv) {
                          .json = o.json});
     if (o.only < 0) return run_all(o);
     const Ended e = run_case(o.seed, static_cast<std::uint64_t>(o.only), o.divide);
-    fmt::print("{}\n", told(e));
+    fmt::print("{}\n", reported(e));
     return e.wrong() || (e.outcome != Outcome::ok && !e.of.contradictory) ? 1 : 0;
 }
 

@@ -54,7 +54,7 @@ class GearMaker {
         result_.text = doc_.dump(1);
         return std::move(result_);
     }
-    void probe_place(const std::string& body, const char* component, double absolute) {
+    void probe_position(const std::string& body, const char* component, double absolute) {
         const std::string name = body + "_" + component;
         outputs_.push_back(
             {{"name", name}, {"kind", "pose"}, {"body", body}, {"component", component}});
@@ -207,7 +207,7 @@ class Winches : public WinchMaker {
         const double duration = 8.0;
         add_winch(choose_winch(rope, pull_), length, mass);
         add_orders(duration);
-        probe_place("load", hangs ? "z" : "x", kPlace * length);
+        probe_position("load", hangs ? "z" : "x", kPlace * length);
         probe_tension("wire", "last", 0.02 * pull_);
         return finish(step, duration);
     }
@@ -268,8 +268,8 @@ class Guides : public WinchMaker {
             haul_to_the_end(speed);
         else
             add_orders(kDuration);
-        probe_place("float", "x", kPlace * length);
-        probe_place("float", "z", kPlace * length);
+        probe_position("float", "x", kPlace * length);
+        probe_position("float", "z", kPlace * length);
         // A float at the roller bounces there.
         probe_tension("wire", "last", (to_end ? 1.0 : 0.02) * pull_);
         return finish(step, kDuration);
@@ -354,9 +354,9 @@ class Hulls : public GearMaker {
             probe_tension(name, "first", 0.02 * tension);
         }
         add_sea(length, beam, draught, depth, mass);
-        probe_place("barge", "x", 0.05);
-        probe_place("barge", "z", 0.02 * draught);
-        probe_place("barge", "pitch", 0.002);
+        probe_position("barge", "x", 0.05);
+        probe_position("barge", "z", 0.02 * draught);
+        probe_position("barge", "pitch", 0.002);
         return finish(step, 10.0);
     }
 
@@ -393,7 +393,7 @@ class Hulls : public GearMaker {
     }
 };
 
-/// A vessel of the library under random orders.
+/// Make a case with a vessel of the library under random orders.
 GearCase make_ship_case(std::uint64_t seed, std::uint64_t number) {
     GearCase out;
     out.step = 1.0 / 60.0;

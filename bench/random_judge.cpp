@@ -10,8 +10,8 @@
 namespace hawser::bench {
 namespace {
 
-constexpr double kLeastViolation = 0.01;  ///< allowed for any size [m]
-constexpr double kViolationShare = 0.01;  ///< allowed fraction of the size of the smaller body
+constexpr double kMinViolation = 0.01;       ///< allowed for any size [m]
+constexpr double kViolationFraction = 0.01;  ///< allowed fraction of the size of the smaller body
 
 bool is_joint(InteractionKind kind) {
     using enum InteractionKind;
@@ -36,14 +36,14 @@ struct Gap {
 
 Gap gap_of(const InteractionDef& d, const std::vector<Pose>& poses) {
     using enum InteractionKind;
-    const Vec3 apart = point_of(d, poses, 1) - point_of(d, poses, 0);
-    if (d.kind == Distance) return {std::abs(apart.norm() - d.get("length")), 0.0};
+    const Vec3 separation = point_of(d, poses, 1) - point_of(d, poses, 0);
+    if (d.kind == Distance) return {std::abs(separation.norm() - d.get("length")), 0.0};
     const Quat p = poses[at(d.body[0].index)].orientation * d.frame[0];
     const Quat q = poses[at(d.body[1].index)].orientation * d.frame[1];
     const Vec3 pz = p * Vec3::UnitZ(), qz = q * Vec3::UnitZ();
-    Gap gap{apart.norm(), 0.0};
+    Gap gap{separation.norm(), 0.0};
     if (d.kind == Prismatic || d.kind == Cylindrical)
-        gap.along = (apart - apart.dot(pz) * pz).norm();
+        gap.along = (separation - separation.dot(pz) * pz).norm();
     if (d.kind == Hinge || d.kind == Cylindrical) gap.turned = angle_between(pz, qz);
     if (d.kind == Prismatic || d.kind == Lock) gap.turned = p.angularDistance(q);
     if (d.kind == Universal) gap.turned = std::abs(std::asin(std::clamp(pz.dot(qz), -1.0, 1.0)));
@@ -58,14 +58,14 @@ std::vector<Pose> poses_of(const World& world) {
 
 }  // namespace
 
-double RandomJudge::Swing::rise(double energy) {
+double RandomMonitor::Swing::rise(double energy) {
     least = begun ? std::min(least, energy) : energy;
     begun = true;
     now = energy;
     return now - least;
 }
 
-RandomJudge::RandomJudge(const World& world) : before_(poses_of(world)) {
+RandomMonitor::RandomMonitor(const World& world) : before_(poses_of(world)) {
     double weight = 0.0;
     for (std::int32_t i = 0; i < world.body_count(); ++i) {
         const BodyDef& d = world.body_def(BodyId{i});
@@ -73,7 +73,7 @@ RandomJudge::RandomJudge(const World& world) : before_(poses_of(world)) {
         moving_.push_back(BodyId{i});
         if (d.gravity) weight += d.mass * world.settings().gravity.norm();
     }
-    floor_ = kLeastViolation * weight;
+    floor_ = kMinViolation * weight;
     auto size_of = [&](BodyId id) {
         const BodyDef& d = world.body_def(id);
         const double size = 2.0 * d.half_size.maxCoeff();
@@ -94,13 +94,13 @@ RandomJudge::RandomJudge(const World& world) : before_(poses_of(world)) {
             const double size = std::min(size_of(d.body[0]), size_of(d.body[1]));
             joints_.push_back(InteractionId{i});
             size_.push_back(std::isfinite(size) ? size : 0.0);
-            allowed_.push_back(std::max(kLeastViolation, kViolationShare * size_.back()));
+            allowed_.push_back(std::max(kMinViolation, kViolationFraction * size_.back()));
         }
     }
     start(world);
 }
 
-void RandomJudge::start(const World& world) {
+void RandomMonitor::start(const World& world) {
     kinetic_ = kinetic(world);
     gravity_ = gravity(world, before_);
     elastic_ = elastic(world, before_);
@@ -115,7 +115,7 @@ void RandomJudge::start(const World& world) {
     (void)at_poses_.rise(energy + fall);
 }
 
-double RandomJudge::gravity(const World& world, const std::vector<Pose>& poses) const {
+double RandomMonitor::gravity(const World& world, const std::vector<Pose>& poses) const {
     double sum = 0.0;
     for (const BodyId id : moving_) {
         const BodyDef& d = world.body_def(id);
@@ -124,7 +124,7 @@ double RandomJudge::gravity(const World& world, const std::vector<Pose>& poses) 
     return sum;
 }
 
-double RandomJudge::elastic(const World& world, const std::vector<Pose>& poses) const {
+double RandomMonitor::elastic(const World& world, const std::vector<Pose>& poses) const {
     double sum = 0.0;
     for (const Spring& s : springs_) {
         const InteractionDef& d = world.interaction_def(s.id);
@@ -134,7 +134,7 @@ double RandomJudge::elastic(const World& world, const std::vector<Pose>& poses) 
     return sum;
 }
 
-double RandomJudge::elastic_by_force(const World& world) const {
+double RandomMonitor::elastic_by_force(const World& world) const {
     double sum = 0.0;
     for (const Spring& s : springs_) {
         const double force = world.force(s.id)[0];
@@ -143,7 +143,7 @@ double RandomJudge::elastic_by_force(const World& world) const {
     return sum;
 }
 
-double RandomJudge::kinetic(const World& world) const {
+double RandomMonitor::kinetic(const World& world) const {
     double sum = 0.0;
     for (const BodyId id : moving_) {
         const BodyDef& d = world.body_def(id);
@@ -155,21 +155,21 @@ double RandomJudge::kinetic(const World& world) const {
     return sum;
 }
 
-void RandomJudge::look_at_joints(const World& world) {
+void RandomMonitor::check_joints(const World& world) {
     const std::vector<Pose> poses = poses_of(world);
     for (std::size_t i = 0; i < joints_.size(); ++i) {
         const Gap gap = gap_of(world.interaction_def(joints_[i]), poses);
         const double violation = std::max(gap.along, 0.5 * size_[i] * gap.turned);
         if (!std::isfinite(violation)) out_.finite = false;
         out_.violation = std::max(out_.violation, violation);
-        if (violation / allowed_[i] <= out_.violation_share) continue;
-        out_.violation_share = violation / allowed_[i];
+        if (violation / allowed_[i] <= out_.violation_fraction) continue;
+        out_.violation_fraction = violation / allowed_[i];
         out_.violation_at = world.time();
         out_.worst = joints_[i];
     }
 }
 
-void RandomJudge::look_at_energy(const World& world) {
+void RandomMonitor::check_energy(const World& world) {
     const std::vector<Pose> poses = poses_of(world);
     std::vector<Pose> half = poses;
     for (std::size_t i = 0; i < poses.size(); ++i)
@@ -194,10 +194,10 @@ void RandomJudge::look_at_energy(const World& world) {
     risen_ = {rise, risen_[0]};
     out_.created = std::max(out_.created, stays);
     const double of = std::max(out_.exchanged + moved, floor_);
-    out_.swing_share = std::max(out_.swing_share, rise / of);
+    out_.oscillation_fraction = std::max(out_.oscillation_fraction, rise / of);
     const double share = stays / of;
-    if (share > out_.created_share) {
-        out_.created_share = share;
+    if (share > out_.created_fraction) {
+        out_.created_fraction = share;
         out_.created_at = world.time();
     }
     kinetic_ = moved;
@@ -207,9 +207,9 @@ void RandomJudge::look_at_energy(const World& world) {
     begun_ = true;
 }
 
-void RandomJudge::look(const World& world) {
-    look_at_joints(world);
-    look_at_energy(world);
+void RandomMonitor::sample(const World& world) {
+    check_joints(world);
+    check_energy(world);
 }
 
 }  // namespace hawser::bench

@@ -16,18 +16,19 @@ struct Judged {
     double exchanged = 0.0;  ///< ½ Σ of changes of kinetic, gravity and elastic energy [J].
     /// Largest rise of mechanical energy above its earlier value, in three consecutive states [J].
     double created = 0.0;
-    double created_share = 0.0;    ///< The same over `exchanged` and the kinetic energy at that
-                                   ///< time.
-    double swing_share = 0.0;      ///< In one state: includes changes that vanish within two steps.
-    double created_at = 0.0;       ///< [s].
-    double violation = 0.0;        ///< Largest of a joint [m]; rotations count at half the body's
-                                   ///< size.
-    double violation_share = 0.0;  ///< Largest over the limit: 1 cm or 1 % of the size.
-    double violation_at = 0.0;     ///< [s].
-    InteractionId worst{};         ///< Joint with this violation.
+    double created_fraction = 0.0;  ///< The same over `exchanged` and the kinetic energy at that
+                                    ///< time.
+    double oscillation_fraction =
+        0.0;                  ///< In one state: includes changes that vanish within two steps.
+    double created_at = 0.0;  ///< [s].
+    double violation = 0.0;   ///< Largest of a joint [m]; rotations count at half the body's
+                              ///< size.
+    double violation_fraction = 0.0;  ///< Largest over the limit: 1 cm or 1 % of the size.
+    double violation_at = 0.0;        ///< [s].
+    InteractionId worst{};            ///< Joint with this violation.
     bool finite = true;
     [[nodiscard]] bool wrong() const noexcept {
-        return !finite || created_share > 0.01 || violation_share > 1.0;
+        return !finite || created_fraction > 0.01 || violation_fraction > 1.0;
     }
 };
 
@@ -41,11 +42,11 @@ struct Judged {
 /// The smallest of the three rises counts, if it is present in three consecutive states. A body
 /// that whips round within two steps changes its energy by some per cent, which returns afterwards.
 /// Each halving of the step reduces this to a quarter.
-class RandomJudge {
+class RandomMonitor {
   public:
-    explicit RandomJudge(const World& world);
+    explicit RandomMonitor(const World& world);
     /// Check the state after a step.
-    void look(const World& world);
+    void sample(const World& world);
     [[nodiscard]] const Judged& figures() const noexcept { return out_; }
 
   private:
@@ -66,8 +67,8 @@ class RandomJudge {
     [[nodiscard]] double elastic(const World& world, const std::vector<Pose>& poses) const;
     [[nodiscard]] double elastic_by_force(const World& world) const;
     [[nodiscard]] double kinetic(const World& world) const;
-    void look_at_joints(const World& world);
-    void look_at_energy(const World& world);
+    void check_joints(const World& world);
+    void check_energy(const World& world);
 
     std::vector<BodyId> moving_;
     std::vector<Spring> springs_;

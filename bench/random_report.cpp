@@ -52,14 +52,14 @@ std::string reason_of(const Ended& e) {
 
 }  // namespace
 
-std::string told(const Ended& e) {
+std::string reported(const Ended& e) {
     const Judged& j = e.judged;
     std::string text = fmt::format(
         "{:>6} {} {:<8} h {:.3e} s, energy {:.1e} of what was exchanged at {:.3g} s (swung "
         "{:.1e}), open {:.1e} m "
         "at {:.3g} s ({})",
-        e.number, letters(e.of), name_of(e.outcome), e.of.step, j.created_share, j.created_at,
-        j.swing_share, j.violation, j.violation_at, e.worst.empty() ? "-" : e.worst);
+        e.number, letters(e.of), name_of(e.outcome), e.of.step, j.created_fraction, j.created_at,
+        j.oscillation_fraction, j.violation, j.violation_at, e.worst.empty() ? "-" : e.worst);
     if (!j.finite) text += ", not finite";
     if (!e.why.empty()) text += ": " + e.why;
     return text;
@@ -72,10 +72,10 @@ void Tally::add(const Ended& e) {
     failed += e.outcome == Outcome::failed;
     refused += e.outcome == Outcome::refused;
     wrong += e.wrong();
-    swung += e.outcome == Outcome::ok && e.judged.swing_share > 0.01;
+    swung += e.outcome == Outcome::ok && e.judged.oscillation_fraction > 0.01;
     if (e.wrong()) {
-        energy += e.judged.created_share > 0.01;
-        open += e.judged.violation_share > 1.0;
+        energy += e.judged.created_fraction > 0.01;
+        open += e.judged.violation_fraction > 1.0;
         infinite += !e.judged.finite;
     }
     if (e.of.contradictory) return;
@@ -83,7 +83,7 @@ void Tally::add(const Ended& e) {
     // A wrong case did not end ok, whatever its status.
     consistent_ok += e.outcome == Outcome::ok && !e.wrong();
 }
-double Tally::share_ok() const {
+double Tally::fraction_ok() const {
     return consistent > 0 ? static_cast<double>(consistent_ok) / consistent : 1.0;
 }
 
@@ -108,7 +108,7 @@ void RandomReport::print_outcomes() const {
         fmt::print("{:<22}{:>7}{:>7}{:>10}{:>8}{:>9}{:>14}{:>9}{:>7}{:>9}{:>18}\n",
                    kCategories[i].name, t.cases, t.ok, t.doubtful, t.failed, t.refused, t.wrong,
                    t.energy, t.open, t.infinite,
-                   t.consistent > 0 ? fmt::format("{:.1f}", 100.0 * t.share_ok()) : "-");
+                   t.consistent > 0 ? fmt::format("{:.1f}", 100.0 * t.fraction_ok()) : "-");
     }
 }
 
@@ -169,8 +169,9 @@ void CaseList::add(const Ended& e) {
     const auto of = [&](Judge judge) { return e.verdict.of(judge).doubtful; };
     file_ << fmt::format("{},{},{},{},{:.4g},{:.3g},{:.3g},{:.3g},{:.3g},{:.3g},{},", e.number,
                          letters(e.of), name_of(e.outcome),
-                         e.outcome == Outcome::ok ? "" : reason_of(e), e.of.step, j.created_share,
-                         j.created_at, j.swing_share, j.violation_share, j.violation_at, e.worst);
+                         e.outcome == Outcome::ok ? "" : reason_of(e), e.of.step,
+                         j.created_fraction, j.created_at, j.oscillation_fraction,
+                         j.violation_fraction, j.violation_at, e.worst);
     file_ << fmt::format("{:.3g},{:.3g},{:.3g},{:.3g},{:.3g},{:.2g}\n", of(Judge::energy),
                          of(Judge::violation), of(Judge::cable), of(Judge::certificate),
                          e.verdict.of(Judge::speed).value, e.seconds);

@@ -33,7 +33,7 @@ struct Ended {
 };
 
 /// Return a line about a case.
-[[nodiscard]] std::string told(const Ended& ended);
+[[nodiscard]] std::string reported(const Ended& ended);
 
 /// Counts of a category.
 struct Tally {
@@ -42,7 +42,7 @@ struct Tally {
     int consistent = 0, consistent_ok = 0;  ///< Cases without inconsistent joints.
     int swung = 0;  ///< Cases that ended ok with an energy change above 1 % in one state.
     void add(const Ended& ended);
-    [[nodiscard]] double share_ok() const;
+    [[nodiscard]] double fraction_ok() const;
 };
 
 inline constexpr std::size_t kCategoryCount = 11;

@@ -51,7 +51,7 @@ double time_of(int repeat, Call&& call) {
         for (int i = 0; i < repeat; ++i) call(i);
         rounds.push_back((sea_cpu() - start) / repeat);
     }
-    return share_of(rounds, 0.5);
+    return fraction_of(rounds, 0.5);
 }
 
 struct Set {
@@ -202,12 +202,12 @@ SceneFigures scene_figures(const std::string& file, int threads, int steps) {
         work.push_back(s.factorisations);
     }
     return {threads,
-            share_of(prestep, 0.5),
-            share_of(wall, 0.5),
-            share_of(cpu, 0.5),
-            share_of(cpu, 0.95),
-            share_of(cpu, 0.99),
-            share_of(work, 0.5)};
+            fraction_of(prestep, 0.5),
+            fraction_of(wall, 0.5),
+            fraction_of(cpu, 0.5),
+            fraction_of(cpu, 0.95),
+            fraction_of(cpu, 0.99),
+            fraction_of(work, 0.5)};
 }
 
 }  // namespace

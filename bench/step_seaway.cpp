@@ -82,8 +82,8 @@ struct SeawaySteps {
 };
 
 nlohmann::json print_costs(const char* name, const std::vector<double>& values) {
-    const double p50 = share_of(values, 0.5), p95 = share_of(values, 0.95),
-                 p99 = share_of(values, 0.99), worst = share_of(values, 1.0);
+    const double p50 = fraction_of(values, 0.5), p95 = fraction_of(values, 0.95),
+                 p99 = fraction_of(values, 0.99), worst = fraction_of(values, 1.0);
     const auto ratio = [&](double value) { return p50 > 0.0 ? value / p50 : 0.0; };
     fmt::print("  {:<15} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f}   {:>6.2f} {:>6.2f}\n", name, p50, p95,
                p99, worst, ratio(p99), ratio(worst));

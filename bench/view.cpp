@@ -223,17 +223,17 @@ nlohmann::json report(const ViewBench& options, double median_alone, const Seen&
         const double rate = reader.ended > reader.begun ? static_cast<double>(reader.ages.size()) /
                                                               (reader.ended - reader.begun)
                                                         : 0.0;
-        const double age = share_of(reader.ages, 0.95);
+        const double age = fraction_of(reader.ages, 0.95);
         slowest = std::min(slowest, rate);
         oldest = std::max(oldest, age);
         steps.insert(steps.end(), reader.step_ms.begin(), reader.step_ms.end());
         frames.insert(frames.end(), reader.frame_us.begin(), reader.frame_us.end());
         bytes.insert(bytes.end(), reader.bytes.begin(), reader.bytes.end());
         fmt::print("  reader  {:6.2f} frames/s, age p50 {:.2f} ms, p95 {:.2f} ms, max {:.1f} ms\n",
-                   rate, share_of(reader.ages, 0.5), age, share_of(reader.ages, 1.0));
+                   rate, fraction_of(reader.ages, 0.5), age, fraction_of(reader.ages, 1.0));
         rows.push_back({{"frames_per_second", rate}, {"age_p95_ms", age}});
     }
-    const double median = share_of(steps, 0.5);
+    const double median = fraction_of(steps, 0.5);
     const double clients = static_cast<double>(options.readers) + 2.0;
     const double memory = (seen.memory_with - seen.memory_before) / clients;
     fmt::print(
@@ -247,11 +247,11 @@ nlohmann::json report(const ViewBench& options, double median_alone, const Seen&
                 fmt::format("step_ms.median {:.3f} with clients, {:.3f} by run --realtime: {:.3f} "
                             "times",
                             median, median_alone, median / median_alone));
-    verdict.ask("made", "", share_of(frames, 0.5) <= 150.0,
-                fmt::format("a frame made in {:.0f} us, p95 {:.0f} us", share_of(frames, 0.5),
-                            share_of(frames, 0.95)));
-    verdict.ask("size", "", share_of(bytes, 1.0) <= 72e3,
-                fmt::format("a frame of {:.0f} bytes at most", share_of(bytes, 1.0)));
+    verdict.ask("made", "", fraction_of(frames, 0.5) <= 150.0,
+                fmt::format("a frame made in {:.0f} us, p95 {:.0f} us", fraction_of(frames, 0.5),
+                            fraction_of(frames, 0.95)));
+    verdict.ask("size", "", fraction_of(bytes, 1.0) <= 72e3,
+                fmt::format("a frame of {:.0f} bytes at most", fraction_of(bytes, 1.0)));
     verdict.ask("memory", "", memory <= 256.0,
                 fmt::format("{:.0f} kB a client ({:.0f} kB before, {:.0f} kB with {:.0f})", memory,
                             seen.memory_before, seen.memory_with, clients));
@@ -260,8 +260,8 @@ nlohmann::json report(const ViewBench& options, double median_alone, const Seen&
             {"readers", rows},
             {"step_ms_median", median},
             {"step_ms_median_alone", median_alone},
-            {"frame_us_median", share_of(frames, 0.5)},
-            {"frame_bytes", share_of(bytes, 1.0)},
+            {"frame_us_median", fraction_of(frames, 0.5)},
+            {"frame_bytes", fraction_of(bytes, 1.0)},
             {"memory_kb_per_client", memory},
             {"bars", verdict.json()}};
 }

@@ -106,11 +106,11 @@ APART = [re.compile(pattern, re.DOTALL | re.MULTILINE) for pattern in (
     rf"\b(?P<off>if constexpr \({BALANCED}\))")]
 # Statements, functions, conditions and calls in which a fault has no effect to observe.
 QUIET_STATEMENT = re.compile(
-    r"assert|reserve|shrink_to_fit|make_room|capacity|prefetch|[tT]race|[sS]topwatch|[tT]imer\b|"
+    r"assert|reserve|shrink_to_fit|reserve_more|capacity|prefetch|[tT]race|[sS]topwatch|[tT]imer\b|"
     r"chrono|clock\b|noexcept|alignas|alignof|kAlign|[hH]uge|memory_order|fence|likely|[hH]ash|"
     r"\boperator\b|\bcrc|checksum|\benum\b|\busing\b|\bgrain|chunk_?size|\broom\b|scratch|"
     r"\bbytes\(")
-QUIET_FUNCTION = re.compile(r"\b(?:\w*bytes|(?:make_room|reserve|prefetch|assert)\w*|what|"
+QUIET_FUNCTION = re.compile(r"\b(?:\w*bytes|(?:reserve_more|reserve|prefetch|assert)\w*|what|"
                             r"\w*(?:trace|hash)\w*)$")
 QUIET_CONDITION = re.compile(r"threads?\b|parallel|serial|\bpool")
 QUIET_CALL = re.compile(r"(?:\w*closed?|\w*flush|f?sync|free|destroy\w*|lock|unlock|yield|wait\w*|"

@@ -36,7 +36,7 @@ what tension each cable starts. Exit codes: 0 all scenes are good, with
 warnings or without, 1 at least one is not.)";
 
 /// Largest number of cables of a scene that are listed line by line.
-constexpr std::size_t kMostCables = 40;
+constexpr std::size_t kMaxCables = 40;
 
 struct CheckOptions {
     SceneOptions scene;
@@ -106,7 +106,7 @@ void print_lines(const std::string& file, const Checked& checked, const CheckOpt
         counted(checked.start.warnings(), "warning"), scene.world.bodies().size(),
         scene.world.interactions().size(), scene.cables.size(), scene.world.inputs().size(),
         scene.world.output_ids().size(), scene.hash);
-    fmt::print("{}", report::start::to_text(checked.cables, kMostCables));
+    fmt::print("{}", report::start::to_text(checked.cables, kMaxCables));
     if (options.one_scene())
         for (const scene::Operation& operation : scene.timeline)
             fmt::print("  at {:.6g} s: {}\n", operation.at, to_string(operation));

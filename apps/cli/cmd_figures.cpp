@@ -38,7 +38,7 @@ struct FiguresOptions {
     double at = 1.0;
     int samples = 21;
     int simulated = 4;
-    double most_gflop = 20.0;
+    double max_gflop = 20.0;
 };
 
 /// Return the scene of the figures. It is searched in the current folder, in all folders above the
@@ -233,10 +233,10 @@ int figures(FiguresOptions options) {
         for (OrderedMatrix& m : *list) all.push_back(&m);
     for (const OrderedMatrix* m : all) {
         const double gflop = 1e-9 * static_cast<double>(m->counts.flops);
-        if (gflop > 1.0 && gflop <= options.most_gflop)
+        if (gflop > 1.0 && gflop <= options.max_gflop)
             fmt::print(stderr, "factoring a matrix in an order that takes {:.3g} Gflop …\n", gflop);
     }
-    time_matrices(all, options.samples, 1e9 * options.most_gflop);
+    time_matrices(all, options.samples, 1e9 * options.max_gflop);
     figure1(writer, scene.world, parts, full[0], split[0]);
     figure2(writer, full, split,
             run_timelines(options.scene, {.at = options.at,
@@ -264,7 +264,7 @@ void add_figures(CLI::App& app, Command& chosen) {
         ->check(CLI::Range(1, kMostThreads))
         ->capture_default_str();
     command
-        ->add_option("--most-gflop", options->most_gflop,
+        ->add_option("--most-gflop", options->max_gflop,
                      "Orders of elimination that need more are drawn but not timed")
         ->check(not_negative())
         ->capture_default_str();

@@ -25,7 +25,7 @@ using Command = std::function<int()>;
 
 inline constexpr int kMostThreads = 256;  ///< Limit of WorldDef::threads.
 
-/// Checks of options; their messages state the expected values.
+/// Return a check of an option. Its message states the expected values.
 [[nodiscard]] CLI::Validator positive();
 [[nodiscard]] CLI::Validator not_negative();
 [[nodiscard]] CLI::Validator finite();

@@ -86,10 +86,10 @@ OrderedMatrix order_matrix(const draw::BlockGraph& graph, std::int32_t parts, Or
     return m;
 }
 
-void time_matrices(const std::vector<OrderedMatrix*>& matrices, int samples, double most_flops) {
+void time_matrices(const std::vector<OrderedMatrix*>& matrices, int samples, double max_flops) {
     std::vector<Job> jobs;
     for (OrderedMatrix* m : matrices) {
-        if (!m->missing.empty() || static_cast<double>(m->counts.flops) > most_flops) continue;
+        if (!m->missing.empty() || static_cast<double>(m->counts.flops) > max_flops) continue;
         m->samples = samples;
         for (std::size_t p = 0; p < m->part_seconds.size(); ++p) {
             const bool whole = m->part_seconds.size() == 1;

@@ -37,7 +37,7 @@ struct OrderedMatrix {
 /// Measure factorisations in turns, so that disturbances affect all matrices. A sample writes the
 /// values and factors on one thread, and is measured by processor time. Values are random; times do
 /// not depend on them. A matrix with long times gets fewer samples. @throws std::runtime_error if a
-/// factorisation fails. @param most_flops  Orders that need more are not factored: samples stays 0.
-void time_matrices(const std::vector<OrderedMatrix*>& matrices, int samples, double most_flops);
+/// factorisation fails. @param max_flops  Orders that need more are not factored: samples stays 0.
+void time_matrices(const std::vector<OrderedMatrix*>& matrices, int samples, double max_flops);
 
 }  // namespace hawser::cli

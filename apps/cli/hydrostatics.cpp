@@ -64,11 +64,11 @@ void print_radiation(const WaterHull& hull, const HullMemory& m) {
         if (m.first(k, k) > 0.0) most = std::max(most, m.added(k, k) / m.first(k, k));
     fmt::print("; damping added for passivity {:.3g} s of K(0)\n", most);
     if (c.added_mass.empty()) return;
-    const Matrix6 told = infinite_added_mass(c);
+    const Matrix6 reported = infinite_added_mass(c);
     fmt::print("  A(inf)           by the damping, and as it is taken\n");
     for (int k = 0; k < 6; ++k)
-        if (told(k, k) != 0.0)
-            fmt::print("    motion {}       {:>14.6g} {:>14.6g}\n", k + 1, told(k, k),
+        if (reported(k, k) != 0.0)
+            fmt::print("    motion {}       {:>14.6g} {:>14.6g}\n", k + 1, reported(k, k),
                        c.infinite(k, k));
 }
 

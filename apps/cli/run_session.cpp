@@ -29,7 +29,7 @@ constexpr double kRecordingBytes = 128e6;
 constexpr double kTimeSlack = 1e-6;  // Slack of times [steps]
 
 // Times are doubles: beyond this a step is lost in rounding.
-constexpr double kMostRunSteps = 0x1p53;
+constexpr double kMaxRunSteps = 0x1p53;
 
 }  // namespace
 
@@ -83,11 +83,11 @@ void RunSession::choose_times() {
     const double h = world.settings().step;
     end_time_ = options_.duration.value_or(session_.scene().duration);
     const double count = std::ceil((end_time_ - world.time()) / h - kTimeSlack);
-    if (!(end_time_ / h <= kMostRunSteps))
+    if (!(end_time_ / h <= kMaxRunSteps))
         throw std::runtime_error(fmt::format(
             "the end at {:.6g} s cannot be reached with a step of {:.6g} s: at most {:.6g} s; give "
             "another --duration",
-            end_time_, h, kMostRunSteps * h));
+            end_time_, h, kMaxRunSteps * h));
     if (count <= 0.0 && !options_.restore.empty())
         throw std::runtime_error(
             fmt::format("{}: the snapshot is at {:.6g} s and the run ends at {:.6g} s; give a "

@@ -36,7 +36,7 @@ constexpr Word kWords[] = {
     {CommandKind::end, "end", " "},
 };
 
-constexpr std::uint64_t kMostId = std::uint64_t{1} << 53U;
+constexpr std::uint64_t kMaxId = std::uint64_t{1} << 53U;
 constexpr auto kLargestId = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
 
 void take_name(const Json& value, const char* key, std::size_t most, Command& out) {
@@ -59,19 +59,19 @@ void read_set(const Json& from, const Command& begun, std::vector<Command>& out)
         throw Refused("set needs either input and value, or inputs");
     if (list == from.end()) {
         Command one = begun;
-        take_name(from["input"], "input", one.name.kMost, one);
+        take_name(from["input"], "input", one.name.kMaximum, one);
         if (!from.contains("value")) throw Refused("value is missing");
         take_value(from["value"], one);
         out.push_back(one);
         return;
     }
-    if (!list->is_array() || list->empty() || list->size() > kMostInputs)
+    if (!list->is_array() || list->empty() || list->size() > kMaxInputs)
         throw Refused("inputs is to be a list of 1 to 64 pairs of a name and a value");
     for (const Json& pair : *list) {
         if (!pair.is_array() || pair.size() != 2)
             throw Refused("inputs is to be a list of pairs of a name and a value");
         Command one = begun;
-        take_name(pair[0], "input", one.name.kMost, one);
+        take_name(pair[0], "input", one.name.kMaximum, one);
         take_value(pair[1], one);
         one.answer = false;
         out.push_back(one);
@@ -81,7 +81,7 @@ void read_set(const Json& from, const Command& begun, std::vector<Command>& out)
 
 /// Read the body, wire or joint that a message names.
 void read_place(const Json& from, bool joints, bool names, Command& out) {
-    constexpr double kMostPlaces = 2147483647.0;
+    constexpr double kMaxPlaces = 2147483647.0;
     const int given = static_cast<int>(from.contains("body")) +
                       static_cast<int>(from.contains("wire")) +
                       static_cast<int>(from.contains("joint"));
@@ -89,46 +89,46 @@ void read_place(const Json& from, bool joints, bool names, Command& out) {
         throw Refused(joints ? "one of body, wire and joint is to be given"
                              : "either body or wire is to be given");
     if (from.contains("body")) {
-        out.target_id = static_cast<std::int32_t>(whole(from, "body", 0.0, kMostPlaces));
+        out.target_id = static_cast<std::int32_t>(whole(from, "body", 0.0, kMaxPlaces));
         if (from.contains("s")) throw Refused("s goes with a wire");
         return;
     }
     if (from.contains("joint")) {
         out.by_joint = true;
-        out.target_id = static_cast<std::int32_t>(whole(from, "joint", 0.0, kMostPlaces));
+        out.target_id = static_cast<std::int32_t>(whole(from, "joint", 0.0, kMaxPlaces));
         if (from.contains("s")) throw Refused("s goes with a wire");
         return;
     }
     out.by_wire = true;
     if (names && from["wire"].is_string())
-        take_name(from["wire"], "wire", out.name.kMost, out);
+        take_name(from["wire"], "wire", out.name.kMaximum, out);
     else
-        out.target_id = static_cast<std::int32_t>(whole(from, "wire", 0.0, kMostPlaces));
+        out.target_id = static_cast<std::int32_t>(whole(from, "wire", 0.0, kMaxPlaces));
     out.value = number(from, "s", 0.0, 1.0);
 }
 
 void read_drag(const Json& from, Command& out) {
-    constexpr double kMostStiffness = 1e9;  // Largest stiffness [N/m].
+    constexpr double kMaxStiffness = 1e9;  // Largest stiffness [N/m].
     read_place(from, false, false, out);
     if (from.contains("point")) {
         if (out.by_wire) throw Refused("point goes with a body");
         out.point = vector(from, "point");
     }
     out.target = vector(from, "target");
-    out.stiffness = number_or(from, "stiffness", 0.0, kMostStiffness, 0.0);
+    out.stiffness = number_or(from, "stiffness", 0.0, kMaxStiffness, 0.0);
 }
 
 void read_command(const Json& from, Command one, std::vector<Command>& out) {
-    constexpr double kMostSteps = 1000.0, kLeastRate = 0.1, kMostRate = 10.0, kMostTime = 1e12;
+    constexpr double kMaxSteps = 1000.0, kMinRate = 0.1, kMaxRate = 10.0, kMaxTime = 1e12;
     constexpr std::size_t kMostName = 64;  // of a restore point
     switch (one.kind) {
         case CommandKind::set:
             return read_set(from, one, out);
         case CommandKind::step:
-            one.value = from.contains("count") ? whole(from, "count", 1.0, kMostSteps) : 1.0;
+            one.value = from.contains("count") ? whole(from, "count", 1.0, kMaxSteps) : 1.0;
             break;
         case CommandKind::rate:
-            one.value = number(from, "value", kLeastRate, kMostRate);
+            one.value = number(from, "value", kMinRate, kMaxRate);
             break;
         case CommandKind::drag:
             read_drag(from, one);
@@ -147,11 +147,11 @@ void read_command(const Json& from, Command one, std::vector<Command>& out) {
             break;
         case CommandKind::fault:
             if (!from.contains("name")) throw Refused("name is missing");
-            take_name(from["name"], "name", one.name.kMost, one);
+            take_name(from["name"], "name", one.name.kMaximum, one);
             one.value = switched(from, "active") ? 1.0 : 0.0;
             break;
         case CommandKind::seek:
-            one.value = number(from, "time", 0.0, kMostTime);
+            one.value = number(from, "time", 0.0, kMaxTime);
             break;
         default:
             break;
@@ -191,7 +191,7 @@ const Word& word_of(const std::string& type) {
 }
 
 void read_message(std::string_view text, Request& out) {
-    if (text.size() > kMostMessage) throw Refused("a message has at most 16 kB");
+    if (text.size() > kMaxMessage) throw Refused("a message has at most 16 kB");
     const Json from = parsed(text);
     if (from.is_discarded()) throw Refused("this is not JSON");
     if (!from.is_object()) throw Refused("a message is a JSON object");
@@ -201,9 +201,9 @@ void read_message(std::string_view text, Request& out) {
         if (id.is_number_unsigned() && id.get<std::uint64_t>() <= kLargestId)
             out.id = static_cast<std::int64_t>(id.get<std::uint64_t>());
         // As a double, 2^53 + 1 would become 2^53.
-        if (id.is_number_unsigned() && id.get<std::uint64_t>() > kMostId)
+        if (id.is_number_unsigned() && id.get<std::uint64_t>() > kMaxId)
             throw Refused("id is to be from 0 to 9007199254740992");
-        out.id = static_cast<std::int64_t>(whole(from, "id", 0.0, kMostWhole));
+        out.id = static_cast<std::int64_t>(whole(from, "id", 0.0, kMaxWhole));
     }
     const auto type = from.find("type");
     if (type == from.end() || !type->is_string()) throw Refused("a message has a type");

@@ -38,7 +38,7 @@ enum class CommandKind : std::uint8_t {
 template <std::size_t N>
 class ShortText {
   public:
-    static constexpr std::size_t kMost = N;
+    static constexpr std::size_t kMaximum = N;
     /// Assign a text. @return false if it is too long; the old text then stays.
     bool assign(std::string_view text) noexcept {
         if (text.size() > N) return false;
@@ -84,8 +84,8 @@ struct Request {
     std::vector<Command> commands;  ///< Several of `set`.
 };
 
-inline constexpr std::size_t kMostMessage = 16 * 1024;  ///< Largest message [bytes].
-inline constexpr std::size_t kMostInputs = 64;  ///< Largest number of inputs in one message.
+inline constexpr std::size_t kMaxMessage = 16 * 1024;  ///< Largest message [bytes].
+inline constexpr std::size_t kMaxInputs = 64;          ///< Largest number of inputs in one message.
 
 /// Read a message. No content of the message makes this throw, except std::bad_alloc. @param reason
 /// Set to the reason of a rejection, in words. @return true if the message is valid.

@@ -28,11 +28,11 @@ BodyId node_near(const World& world, WireId wire, double share) {
     BodyId best{};
     double least = 2.0 * last + 1.0;
     for (std::size_t n = 0; n < nodes.size(); ++n) {
-        const double apart = std::abs(static_cast<double>(n) - share * last);
-        if (apart >= least || !world.alive(nodes[n]) ||
+        const double separation = std::abs(static_cast<double>(n) - share * last);
+        if (separation >= least || !world.alive(nodes[n]) ||
             world.body_def(nodes[n]).kind != BodyKind::lump)
             continue;
-        least = apart;
+        least = separation;
         best = nodes[n];
     }
     if (!best.valid())

@@ -40,19 +40,19 @@ Driver::Driver(Session& session, Hub& hub, const DriverOptions& options)
     origin_ = middle_of(session_.world(), plan_);
     notes_.epoch = 1;
     save("start");
-    tell_scene();
-    tell_state();
-    if (lesson_) lesson_->tell_now(out_);
+    send_scene();
+    send_state();
+    if (lesson_) lesson_->send_now(out_);
     publish();
 }
 
-void Driver::tell_scene() {
+void Driver::send_scene() {
     out_.scene(
         text_of(scene_json(session_.scene(), plan_, {.epoch = notes_.epoch, .origin = origin_})));
-    told_ = out_.flush();
+    reported_ = out_.flush();
 }
 
-void Driver::tell_state() {
+void Driver::send_state() {
     Json points = Json::array();
     for (const Point& point : points_)
         points.push_back({{"name", point.name}, {"time", point.time}});
@@ -74,7 +74,7 @@ void Driver::tell_state() {
                             {"remedy", failure_->remedy},
                             {"restore_point", points_.back().name}};
     out_.state(state);
-    told_ = out_.flush();
+    reported_ = out_.flush();
 }
 
 /// Update the plan after objects were added or removed, by the last step or by commands.
@@ -85,7 +85,7 @@ void Driver::follow_pieces() {
     plan_ = std::move(next);
     if (same) return;
     ++notes_.epoch;
-    tell_scene();
+    send_scene();
 }
 
 void Driver::follow_origin() {
@@ -94,7 +94,7 @@ void Driver::follow_origin() {
     if ((middle - origin_).norm() < kFarFromOrigin) return;
     origin_ = middle;
     ++notes_.epoch;
-    tell_scene();
+    send_scene();
 }
 
 void Driver::publish() {
@@ -107,8 +107,8 @@ void Driver::publish() {
     ++notes_.number;
     if (lesson_) notes_.shown = lesson_->frozen(world, plan_);
     // Clients cannot use frames without the scene.
-    if (!told_) told_ = out_.flush();
-    if (!told_) return;
+    if (!reported_) reported_ = out_.flush();
+    if (!reported_) return;
     Bytes& frame = hub_.frames.back();
     writer_.write(world, plan_, origin_, notes_, frame);
     figures_.frame_bytes = std::max(figures_.frame_bytes, frame.size());
@@ -129,7 +129,7 @@ void Driver::fail(Failure failure) {
                   {"reason", failure_->reason},
                   {"remedy", failure_->remedy},
                   {"restore_point", points_.back().name}});
-    tell_state();
+    send_state();
 }
 
 void Driver::step() {
@@ -147,14 +147,14 @@ void Driver::step() {
     }
     if (status != Status::ok) return fail(failure_of(world, status));
     ++figures_.steps;
-    if (!session_.events().empty()) tell_events(world, session_.events(), out_);
+    if (!session_.events().empty()) send_events(world, session_.events(), out_);
     follow_pieces();
     follow_origin();
     if (failure_) {
         failure_.reset();
-        tell_state();
+        send_state();
     }
-    if (playing_.count_step()) tell_state();
+    if (playing_.count_step()) send_state();
     after_exercise_step();
 }
 
@@ -164,7 +164,7 @@ void Driver::after_exercise_step() {
     lesson_->tell(session_.world(), out_);
     if (lesson_->ended() && !over_) {
         playing_.pause();
-        tell_state();
+        send_state();
     }
     over_ = lesson_->ended();
     (void)out_.flush();
@@ -175,7 +175,7 @@ void Driver::advance() {
     const int clients = hub_.clients.load(std::memory_order_relaxed);
     if (clients != clients_) {
         clients_ = clients;
-        tell_state();
+        send_state();
     }
     if (playing_.runs()) {
         step();
@@ -183,7 +183,7 @@ void Driver::advance() {
         publish();
         return;
     }
-    if (!told_) told_ = out_.flush();
+    if (!reported_) reported_ = out_.flush();
     if (changed_ || playing_.due_to_show()) publish();
 }
 

@@ -33,9 +33,9 @@
 namespace hawser::live {
 
 struct DriverOptions {
-    std::string recording{};    ///< File that the session records to, for clients; "": none.
-    bool paused = false;        ///< At the start.
-    double states_share = 0.2;  ///< Largest fraction of time for saving and restoring.
+    std::string recording{};       ///< File that the session records to, for clients; "": none.
+    bool paused = false;           ///< At the start.
+    double states_fraction = 0.2;  ///< Largest fraction of time for saving and restoring.
     /// Exercise of the session, and its run; null: none.
     const exercise::Exercise* exercise = nullptr;
     exercise::Run* run = nullptr;
@@ -87,8 +87,8 @@ class Driver {
     void follow_origin();
     void publish();
     void fail(Failure failure);
-    void tell_state();
-    void tell_scene();
+    void send_state();
+    void send_scene();
 
     Session& session_;
     Hub& hub_;
@@ -105,7 +105,7 @@ class Driver {
     double states_took_ = 0.0;  ///< Time of the last saving or restoring [s].
     double states_free_ = 0.0;  ///< Time of clock_now() from which the next one is allowed [s].
     std::optional<Failure> failure_;
-    bool told_ = false, changed_ = true;
+    bool reported_ = false, changed_ = true;
     bool over_ = false;  ///< True if the exercise had ended at the last check.
     int clients_ = 0;
     DriverFigures figures_;

@@ -18,14 +18,14 @@ namespace hawser::live {
 namespace {
 
 constexpr std::size_t kMostPoints = 17;   // restore points, including the start
-constexpr int kMostCommands = 512;        // performed between two steps
+constexpr int kMaxCommands = 512;         // performed between two steps
 constexpr double kRestoresAllowed = 0.1;  // [s] time for it that is always allowed
 
 }  // namespace
 
 void Driver::take_commands() {
     Command command;
-    for (int n = 0; n < kMostCommands && hub_.commands.pop(command); ++n) {
+    for (int n = 0; n < kMaxCommands && hub_.commands.pop(command); ++n) {
         try {
             perform(command);
         } catch (const DefError& refused) {
@@ -98,8 +98,8 @@ void Driver::perform(const Command& command) {
             return;
     }
     out_.answer(command);
-    if (lesson_ && command.kind != CommandKind::set) lesson_->tell_now(out_);
-    if (command.kind != CommandKind::set && command.kind != CommandKind::drag) tell_state();
+    if (lesson_ && command.kind != CommandKind::set) lesson_->send_now(out_);
+    if (command.kind != CommandKind::set && command.kind != CommandKind::drag) send_state();
 }
 
 Lesson& Driver::lesson() {
@@ -151,8 +151,8 @@ void Driver::afford_states(const char* what) const {
 
 void Driver::count_states(double begun) {
     states_took_ = clock_now() - begun;
-    const double from = std::max(states_free_, begun - kRestoresAllowed / options_.states_share);
-    states_free_ = from + states_took_ / options_.states_share;
+    const double from = std::max(states_free_, begun - kRestoresAllowed / options_.states_fraction);
+    states_free_ = from + states_took_ / options_.states_fraction;
 }
 
 void Driver::save(const std::string& name) {

@@ -128,7 +128,7 @@ void FrameWriter::add_contacts(const World& world, const Vec3& origin, FrameHead
     world.contacts(contacts_);
     for (const ContactView& contact : contacts_) {
         if (contact.force.isZero(0.0)) continue;
-        if (forces_.size() >= 6 * kMostContacts) {
+        if (forces_.size() >= 6 * kMaxContacts) {
             ++head.contacts_left;
             continue;
         }

@@ -79,12 +79,12 @@ Json lasting_json(const std::vector<exercise::Tally>& tallies, bool points) {
 std::vector<Role> roles_of(const exercise::Exercise& exercise) {
     std::vector<Role> out{instructor()};
     for (const exercise::Station& station : exercise.stations) {
-        constexpr std::size_t kMost = decltype(Command::role)::kMost;
-        if (station.name.size() > kMost)
+        constexpr std::size_t kMaximum = decltype(Command::role)::kMaximum;
+        if (station.name.size() > kMaximum)
             throw exercise::Refused(
                 fmt::format("the station \"{}\" has a name of {} bytes; `hawser view` takes {}: "
                             "shorten it in {}",
-                            station.name, station.name.size(), kMost, exercise.file));
+                            station.name, station.name.size(), kMaximum, exercise.file));
         out.push_back({.name = station.name, .inputs = station.inputs, .token = make_token()});
     }
     out.push_back(watcher());
@@ -110,13 +110,13 @@ void Lesson::end(const Command& command) {
 void Lesson::back_to(int mark) {
     run_.back_to(mark);
     // The last entry records the restored state. Clients receive it as a command instead.
-    told_ = run_.result().entries.size();
+    reported_ = run_.result().entries.size();
 }
 
-void Lesson::tell_entries(Outbox& out) {
+void Lesson::send_entries(Outbox& out) {
     const auto& entries = run_.result().entries;
-    for (; told_ < entries.size(); ++told_) {
-        const exercise::Entry& entry = entries[told_];
+    for (; reported_ < entries.size(); ++reported_) {
+        const exercise::Entry& entry = entries[reported_];
         out.event(entry.time, exercise::to_string(entry.kind), entry.name, entry.points,
                   words_of(entry), of_faults(entry.kind));
     }
@@ -159,8 +159,8 @@ Json Lesson::faults() const {
     return {{"type", "faults"}, {"faults", std::move(out)}};
 }
 
-void Lesson::tell_now(Outbox& out) {
-    tell_entries(out);
+void Lesson::send_now(Outbox& out) {
+    send_entries(out);
     const Json now = state();
     std::string text = now.dump(-1, ' ', false, Json::error_handler_t::replace);
     if (text != last_) {
@@ -173,10 +173,10 @@ void Lesson::tell_now(Outbox& out) {
 void Lesson::tell(const World& world, Outbox& out) {
     constexpr std::int64_t kEvery = 15;  // steps
     const std::int64_t step = world.step_count();
-    const bool news = told_ != run_.result().entries.size();
-    if (!news && std::abs(step - told_step_) < kEvery) return;
-    told_step_ = step;
-    tell_now(out);
+    const bool news = reported_ != run_.result().entries.size();
+    if (!news && std::abs(step - reported_step_) < kEvery) return;
+    reported_step_ = step;
+    send_now(out);
 }
 
 const std::vector<ShownOutput>& Lesson::frozen(const World& world, const FramePlan& plan) {

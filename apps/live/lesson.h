@@ -51,20 +51,20 @@ class Lesson {
     /// Report news: entries at once; points, seconds and active items four times a second.
     void tell(const World& world, Outbox& out);
     /// Report everything, after commands.
-    void tell_now(Outbox& out);
+    void send_now(Outbox& out);
     /// Return the outputs whose frame values are those of frozen displays.
     [[nodiscard]] const std::vector<ShownOutput>& frozen(const World& world, const FramePlan& plan);
 
   private:
-    void tell_entries(Outbox& out);
+    void send_entries(Outbox& out);
     [[nodiscard]] Json state() const;
     [[nodiscard]] Json faults() const;
 
     const exercise::Exercise& exercise_;
     exercise::Run& run_;
-    std::size_t told_ = 0;        ///< Number of reported entries of the result.
-    std::int64_t told_step_ = 0;  ///< Step of the last message.
-    std::string last_;            ///< The last message.
+    std::size_t reported_ = 0;        ///< Number of reported entries of the result.
+    std::int64_t reported_step_ = 0;  ///< Step of the last message.
+    std::string last_;                ///< The last message.
     std::vector<ShownOutput> frozen_;
 };
 

@@ -10,7 +10,7 @@
 namespace hawser::live {
 
 namespace {
-constexpr double kMostPlace = 1e7;  // [m], as in World::set_pose()
+constexpr double kMaxCoordinate = 1e7;  // [m], as in World::set_pose()
 }  // namespace
 
 std::string_view shortened(std::string_view text, std::size_t most) {
@@ -67,7 +67,7 @@ std::array<double, 3> vector(const Json& from, const char* key) {
         const Json& entry = (*at)[k];
         if (!entry.is_number()) throw Refused(std::string(key) + " is to be three numbers");
         out[k] = entry.get<double>();
-        if (!(std::abs(out[k]) <= kMostPlace))
+        if (!(std::abs(out[k]) <= kMaxCoordinate))
             throw Refused(std::string(key) + " is farther away than 10,000 km");
     }
     return out;

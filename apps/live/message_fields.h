@@ -21,7 +21,7 @@ struct Refused : std::runtime_error {
 };
 
 /// 2^53: whole numbers up to this are exact in a double.
-inline constexpr double kMostWhole = 9007199254740992.0;
+inline constexpr double kMaxWhole = 9007199254740992.0;
 
 /// Return the first bytes of a text, cut between two characters of UTF-8.
 [[nodiscard]] std::string_view shortened(std::string_view text, std::size_t most);

@@ -54,8 +54,8 @@ void Outbox::timeline(const Json& message) { timeline_ = compact(message); }
 void Outbox::exercise(const Json& message) { exercise_ = compact(message); }
 void Outbox::faults(const Json& message) {
     std::string text = compact(message);
-    if (text == told_faults_) return;
-    told_faults_ = text;
+    if (text == reported_faults_) return;
+    reported_faults_ = text;
     faults_ = std::move(text);
 }
 

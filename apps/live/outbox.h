@@ -43,7 +43,7 @@ class Outbox {
 
     Hub& hub_;
     std::optional<std::string> scene_, state_, timeline_, exercise_, faults_;
-    std::string told_faults_;
+    std::string reported_faults_;
 };
 
 }  // namespace hawser::live

@@ -14,16 +14,16 @@ namespace hawser::live {
 Player::Player(const record::Recording& recording, Hub& hub)
     : recording_(recording), hub_(hub), out_(hub), scene_(recording) {
     out_.scene(text_of(scene_.json()));
-    tell_timeline();
-    tell_state();
+    send_timeline();
+    send_state();
     publish();
 }
 
-void Player::tell_timeline() {
-    constexpr std::size_t kMost = 4096;
+void Player::send_timeline() {
+    constexpr std::size_t kMaximum = 4096;
     Json events = Json::array(), inputs = Json::array(), takes = Json::array();
     for (const record::RecordedNote& note : recording_.notes) {
-        if (note.kind != record::kDoneNote || events.size() >= kMost) continue;
+        if (note.kind != record::kDoneNote || events.size() >= kMaximum) continue;
         const std::string text = record::text_of(note);
         events.push_back({{"time", static_cast<double>(note.step) * recording_.settings.step},
                           {"kind", "command"},
@@ -35,7 +35,7 @@ void Player::tell_timeline() {
     for (const bool often : {false, true})
         for (const record::RecordedEvent& event : recording_.events) {
             const bool frequent = event.kind == EventKind::slack || event.kind == EventKind::taut;
-            if (frequent != often || events.size() >= kMost) continue;
+            if (frequent != often || events.size() >= kMaximum) continue;
             events.push_back({{"time", event.time},
                               {"kind", to_string(event.kind)},
                               {"name", event.where},
@@ -44,7 +44,7 @@ void Player::tell_timeline() {
         }
     for (const record::RecordedInput& input : recording_.inputs) {
         const auto place = static_cast<std::size_t>(input.input);
-        if (inputs.size() < kMost && place < recording_.input_names.size() &&
+        if (inputs.size() < kMaximum && place < recording_.input_names.size() &&
             !record::is_inner_input(recording_, place))
             inputs.push_back({static_cast<double>(input.step) * recording_.settings.step,
                               recording_.input_names[place], input.value});
@@ -55,7 +55,7 @@ void Player::tell_timeline() {
     out_.timeline({{"type", "timeline"}, {"events", events}, {"inputs", inputs}, {"takes", takes}});
 }
 
-void Player::tell_state() {
+void Player::send_state() {
     double first = recording_.frame_head(0).time, last = first;
     for (std::size_t f = 0; f < recording_.frame_count(); ++f) {
         const double time = recording_.frame_head(f).time;
@@ -133,7 +133,7 @@ void Player::perform(const Command& command) {
             throw DefError("a recording cannot be changed");
     }
     out_.answer(command);
-    tell_state();
+    send_state();
 }
 
 void Player::take_commands() {
@@ -152,15 +152,15 @@ void Player::advance() {
     const int clients = hub_.clients.load(std::memory_order_relaxed);
     if (clients != clients_) {
         clients_ = clients;
-        tell_state();
+        send_state();
     }
     if (playing_.runs() && !changed_) {
         playing_.took(gap());
         if (frame_ + 1 < recording_.frame_count()) ++frame_;
-        if (playing_.count_step()) tell_state();
+        if (playing_.count_step()) send_state();
         if (frame_ + 1 == recording_.frame_count() && !playing_.paused()) {
             playing_.pause();
-            tell_state();
+            send_state();
         }
         return publish();
     }

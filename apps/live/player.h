@@ -34,8 +34,8 @@ class Player {
     void perform(const Command& command);
     void take_commands();
     void publish();
-    void tell_state();
-    void tell_timeline();
+    void send_state();
+    void send_timeline();
     [[nodiscard]] double gap() const;  ///< Return the time to the next frame [s].
 
     const record::Recording& recording_;

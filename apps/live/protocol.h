@@ -11,7 +11,7 @@ namespace hawser::live {
 inline constexpr int kProtocolVersion = 1;
 inline constexpr std::uint32_t kFrameMagic = 0x564C5748;  ///< "HWLV"
 inline constexpr std::size_t kFrameHeader = 128;          ///< Size of the header [bytes].
-inline constexpr std::size_t kMostContacts = 4096;  ///< Largest number of contacts in a frame.
+inline constexpr std::size_t kMaxContacts = 4096;  ///< Largest number of contacts in a frame.
 
 /// Layout of the header in a frame; little-endian, as all machines on which Hawser runs.
 struct FrameHeader {

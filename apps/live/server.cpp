@@ -19,8 +19,8 @@ namespace {
 
 using namespace net;
 
-constexpr std::size_t kMostConnections = 96;  // in addition to the slots of clients
-constexpr double kGoodbye = 0.5;              // [s] time for the last messages
+constexpr std::size_t kMaxConnections = 96;  // in addition to the slots of clients
+constexpr double kGoodbye = 0.5;             // [s] time for the last messages
 
 std::string machine_name() {
     std::array<char, 256> name{};
@@ -111,7 +111,7 @@ struct Server::Impl final : Floor {
         acceptor.async_accept([this](Error error, Tcp::socket socket) {
             if (error == asio::error::operation_aborted) return;
             if (!error) {
-                if (connections_.size() >= kMostConnections) make_room_for_connections();
+                if (connections_.size() >= kMaxConnections) free_connection_slot();
                 std::make_shared<Connection>(*this, std::move(socket))->begin();
             }
             accept();
@@ -180,7 +180,7 @@ struct Server::Impl final : Floor {
             if (error) return;
             const double now = clock_now();
             const auto all = clients_;
-            for (const auto& [number, client] : all) client->look(now);
+            for (const auto& [number, client] : all) client->sample(now);
             await_second();
         });
     }

@@ -96,15 +96,15 @@ std::string event_words(const std::string& where, EventKind kind, double value) 
                          : record::with_unit(value, std::string(unit)));
 }
 
-void tell_events(const World& world, std::span<const Event> events, Outbox& out) {
-    constexpr int kMostFrequent = 8, kMost = 64;
-    int told = 0, often = 0, more = 0;
+void send_events(const World& world, std::span<const Event> events, Outbox& out) {
+    constexpr int kMaxFrequent = 8, kMaximum = 64;
+    int reported = 0, often = 0, more = 0;
     const auto tell = [&](const Event& event) {
-        if (told >= kMost || (frequent(event.kind) && often >= kMostFrequent)) {
+        if (reported >= kMaximum || (frequent(event.kind) && often >= kMaxFrequent)) {
             ++more;
             return;
         }
-        ++told;
+        ++reported;
         often += frequent(event.kind) ? 1 : 0;
         const std::string where = record::event_label(world, event);
         out.event(event.time, to_string(event.kind), where, event.value,
@@ -136,7 +136,7 @@ Failure failure_of(const World& world, Status status) {
         const Verdict verdict = world.verdict();
         const Finding& worst = verdict.of(verdict.judge);
         if (worst.interaction.valid() || worst.body.valid())
-            out.element = record::place_label(world, worst.interaction, worst.body);
+            out.element = record::position_label(world, worst.interaction, worst.body);
         out.reason = record::sentence(world, verdict.judge, worst, out.element);
         out.remedy = record::remedy_for(world, verdict.judge);
     }

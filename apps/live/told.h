@@ -14,7 +14,7 @@ namespace hawser::live {
 
 /// Send the events of one step, the rarest kinds first. At most 64 events are sent, with at most 8
 /// of `slack` and `taut`; the others are counted.
-void tell_events(const World& world, std::span<const Event> events, Outbox& out);
+void send_events(const World& world, std::span<const Event> events, Outbox& out);
 
 /// Return an event in words, such as "work1/s3 (work1 at 12.5 m) parted at 3.4 MN".
 [[nodiscard]] std::string event_words(const std::string& where, EventKind kind, double value);

@@ -7,29 +7,29 @@
 
 namespace hawser::validate {
 
-// pendulum.cpp
+// Cases in pendulum.cpp.
 void case_pendulum_period(Report& report);
 void case_pendulum_a01(Report& report);
-// mechanisms.cpp
+// Cases in mechanisms.cpp.
 void case_n_four_bar(Report& report);
 void case_andrews(Report& report);
 void case_bricard(Report& report);
 void case_slider_crank(Report& report);
-// spin.cpp
+// Cases in spin.cpp.
 void case_dzhanibekov(Report& report);
 void case_heavy_top(Report& report);
-// cables.cpp
+// Cases in cables.cpp.
 void case_catenary(Report& report);
 void case_hanging_chain(Report& report);
 void case_taut_string(Report& report);
-// momentum.cpp
+// Cases in momentum.cpp.
 void case_momentum(Report& report);
-// beams.cpp
+// Cases in beams.cpp.
 void case_beams(Report& report);
 void case_euler_column(Report& report);
-// contact.cpp
+// Cases in contact.cpp.
 void case_capstan(Report& report);
-// routes.cpp
+// Cases in routes.cpp.
 void check_posts(Report& report);  ///< Part of "capstan".
 void case_tackle(Report& report);
 void case_incline(Report& report);
@@ -44,16 +44,16 @@ void case_joint_friction(Report& report);
 void case_bollard(Report& report);
 void case_joint_limits(Report& report);
 void case_motor_limits(Report& report);
-// resistance.cpp
+// Cases in resistance.cpp.
 void case_rolling_resistance(Report& report);
-// winches.cpp
+// Cases in winches.cpp.
 void case_winches(Report& report);
-// winches_limits.cpp and winches_joined.cpp; parts of case_winches()
+// Parts of case_winches(), in winches_limits.cpp and winches_joined.cpp.
 void report_winch_limits(Report& report);
 void report_joined_wires(Report& report);
-// cranes.cpp
+// Cases in cranes.cpp.
 void case_cranes(Report& report);
-// scheme.cpp
+// Cases in scheme.cpp.
 void case_static_violation(Report& report);
 void case_violation_decay(Report& report);
 void case_linear_invariant(Report& report);

@@ -12,16 +12,16 @@ namespace hawser::validate {
 /// Return the cases of the group "firstday"; they take at most two minutes together.
 [[nodiscard]] std::span<const Case> firstday_cases();
 
-// firstday_lines.cpp
+// Cases in firstday_lines.cpp.
 void case_first_chains(Report& report);
 void case_first_lines(Report& report);
-// firstday_hulls.cpp
+// Cases in firstday_hulls.cpp.
 void case_first_waves(Report& report);
 void case_first_drag(Report& report);
 void case_first_memory(Report& report);
-// firstday_checks.cpp
+// Cases in firstday_checks.cpp.
 void case_first_warnings(Report& report);
-// firstday_winches.cpp
+// Cases in firstday_winches.cpp.
 void case_first_winches(Report& report);
 void case_first_routes(Report& report);
 

@@ -177,7 +177,7 @@ std::vector<double> governor_course(double step) {
     }
     return out;
 }
-double apart(const std::vector<double>& a, const std::vector<double>& b) {
+double separation(const std::vector<double>& a, const std::vector<double>& b) {
     double most = 0.0;
     for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
     return most;
@@ -187,9 +187,9 @@ double apart(const std::vector<double>& a, const std::vector<double>& b) {
 
 void case_governor(Report& report) {
     const std::vector<double> exact = governor_course(1.0 / 3840.0);
-    const double coarse = apart(governor_course(kRobustStep), exact);
-    const double fine = apart(governor_course(0.25 * kRobustStep), exact);
-    const double finer = apart(governor_course(1.0 / 960.0), exact);
+    const double coarse = separation(governor_course(kRobustStep), exact);
+    const double fine = separation(governor_course(0.25 * kRobustStep), exact);
+    const double finer = separation(governor_course(1.0 / 960.0), exact);
     below(report, "governor: slider over 10 s against 1/3840 s [m]", coarse, 2e-3, "1/60 s");
     below(report,
           fmt::format("governor: slider over 10 s at 1/240 s; orders {:.2f} and {:.2f} [m]",

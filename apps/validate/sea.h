@@ -13,21 +13,21 @@ namespace hawser::validate {
 [[nodiscard]] std::span<const Case> sea_cases();
 [[nodiscard]] std::span<const Case> long_sea_cases();  ///< Not part of the group "sea".
 
-// sea_waves.cpp
+// Cases in sea_waves.cpp.
 void case_sea_waves(Report& report);
 void case_sea_statistics(Report& report);
-// sea_hulls.cpp
+// Cases in sea_hulls.cpp.
 void case_sea_box(Report& report);
 void case_sea_periods(Report& report);
 void case_sea_froude_krylov(Report& report);
-// sea_drag.cpp
+// Cases in sea_drag.cpp.
 void case_sea_drag(Report& report);
-// sea_stability.cpp
+// Cases in sea_stability.cpp.
 void case_sea_stability(Report& report);
 void case_sea_stability_hour(Report& report);
-// sea_sphere.cpp
+// Cases in sea_sphere.cpp.
 void case_sea_sphere(Report& report);
-// sea_rao.cpp
+// Cases in sea_rao.cpp.
 void case_sea_rao(Report& report);
 
 /// Return the cases that need external data; they run by name only.

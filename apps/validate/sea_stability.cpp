@@ -20,7 +20,7 @@ class Balance {
   public:
     /// Start at a world after at least one step: before, there are no energies.
     explicit Balance(const World& w) : start_(w.energy()), before_(start_) {}
-    void look(const World& w) {
+    void sample(const World& w) {
         const Energy e = w.energy();
         // Change of each account in this step.
         for (const auto change :
@@ -124,7 +124,7 @@ void run_wet(Report& report, const WetCase& c, int steps) {
     double speed = 0.0;
     for (int i = 0; i < steps && std::isfinite(speed); ++i) {
         advance(w, 1);
-        balance.look(w);
+        balance.sample(w);
         if (i > 60 || i + 1 == steps) speed = std::max(speed, fastest_wet(w, bodies));
     }
     report.compare(c.name + ": highest speed, the first second left out [m/s]", {0.0}, {speed},

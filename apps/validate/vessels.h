@@ -10,28 +10,28 @@
 
 namespace hawser::validate {
 
-/// Those that "vessels" stands for; at most a minute together.
+/// Return the cases that the name "vessels" selects; together at most a minute.
 [[nodiscard]] std::span<const Case> vessel_cases();
 
-// vessels_osv.cpp
+// Cases in vessels_osv.cpp.
 void case_vessel_osv(Report& report);
-// vessels_trials.cpp
+// Cases in vessels_trials.cpp.
 void case_vessel_kvlcc2(Report& report);
 void case_vessel_mariner(Report& report);
 void case_vessel_s175(Report& report);
 void case_vessel_esso(Report& report);
-// vessels_propulsion.cpp
+// Cases in vessels_propulsion.cpp.
 void case_vessel_propulsion(Report& report);
-// vessels_anchors.cpp
+// Cases in vessels_anchors.cpp.
 void case_vessel_anchors(Report& report);
-// vessels_stability.cpp
+// Cases in vessels_stability.cpp.
 void case_vessel_stability(Report& report);
-// vessels_winches.cpp
+// Cases in vessels_winches.cpp.
 void case_vessel_winches(Report& report);
 
-// vessels_capability.cpp
+// Cases in vessels_capability.cpp.
 void case_vessel_capability(Report& report);
-// vessels_dp.cpp
+// Cases in vessels_dp.cpp.
 void case_vessel_dp(Report& report);
 
 }  // namespace hawser::validate

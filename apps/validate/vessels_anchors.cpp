@@ -62,7 +62,7 @@ AnchorDef sand_anchor(double drag) {
     return {.soil = AnchorSoil::sand, .type = AnchorType::stevpris_mk6, .drag = drag, .set = true};
 }
 
-/// The law by its text: UHC 904.21 kN t^-0.92, fluke (m/120)^(1/3), 4 of them.
+/// Return the capacity by the published law: UHC 904.21 kN t^-0.92, fluke (m/120)^(1/3), 4 flukes.
 double sand_capacity(double drag) {
     const double uhc = 904.21e3 * std::pow(15.0, 0.92), fluke = std::cbrt(kAnchorMass / 120.0);
     return uhc * (0.072 + 0.928 * (1.0 - std::exp(-drag / (4.0 * fluke))));
@@ -105,7 +105,7 @@ void report_creep(Report& report) {
     }
 }
 
-/// Drag at which the capacity is `force` [m].
+/// Return the drag distance at which the capacity is `force` [m].
 double sand_drag(double force) {
     const double full = sand_capacity(1e9), fluke = std::cbrt(kAnchorMass / 120.0);
     return -4.0 * fluke * std::log((1.0 - force / full) / 0.928);
@@ -167,7 +167,7 @@ constexpr Clay kClay[] = {{1, 1.700, 241.7e3},    {5, 4.127, 471.0e3},    {10, 6
                           {20, 10.801, 1101.7e3}, {30, 14.126, 1415.9e3}, {40, 16.898, 1677.9e3},
                           {60, 21.280, 2092.0e3}};
 
-/// Haul the buoy slowly and note the tension at drags.
+/// Haul the buoy slowly and store the tension at drag distances.
 std::vector<double> drag_through(const AnchorDef& def, const char* what) {
     Moored m(def, 1e4, 0.0);
     std::vector<double> out;

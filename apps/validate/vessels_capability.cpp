@@ -19,7 +19,7 @@ namespace {
 constexpr double kCapabilityDegree = kPi / 180.0;
 constexpr const char* kTestShip = "test ship of the standard, solved apart";
 
-/// Offshore ship of 80 m with two ducted azimuths and two bow tunnels.
+/// Make an offshore ship of 80 m with two ducted azimuths and two bow tunnels.
 DpShip test_ship() {
     DpShip s;
     s.length = 80.0;

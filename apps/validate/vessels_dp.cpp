@@ -29,17 +29,17 @@ void case_vessel_dp(Report& report) {
     sea.current.push_back({.depth = 0.0, .speed = 0.5, .direction = 140.0 * kPi / 180.0});
     world.add(sea);
     world.add(ship.vessel);
-    double most_x = 0.0, most_y = 0.0;
+    double max_x = 0.0, max_y = 0.0;
     for (int k = 0; k < 36000; ++k) {
         advance(world, 1);
         const Vec3 at = world.world_point(ship.vessel.body, ship.vessel.origin);
-        most_x = std::max(most_x, std::abs(at.x()));
-        most_y = std::max(most_y, std::abs(at.y()));
+        max_x = std::max(max_x, std::abs(at.x()));
+        max_y = std::max(max_y, std::abs(at.y()));
     }
     constexpr const char* kReason = "relative; Runge-Kutta of the published equations";
     const Vec3 end = world.world_point(ship.vessel.body, ship.vessel.origin);
     report.compare("osv, DP in a current: largest offsets x, y [m]", {0.2620, 0.4372},
-                   {most_x, most_y}, 5e-3, kReason);
+                   {max_x, max_y}, 5e-3, kReason);
     report.compare("osv, DP in a current: offsets x, y after 600 s [m]", {-0.00019, -0.00025},
                    {end.x(), -end.y()}, 2e-5, "absolute; printed digits and the step", 1.0);
     const auto force = [&](const char* name) {

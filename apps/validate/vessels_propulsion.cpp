@@ -74,8 +74,9 @@ struct CrashStop {
     }
 };
 
-/// Energy of the shaft from full ahead to a ship that stops: motor = water + change of kinetic
-/// energy. The water's work is a sum over samples of the series, apart from the shaft's solver.
+/// Check the energy of the shaft from full ahead until the ship stops: motor = water + change of
+/// kinetic energy. The work of the water is a sum over samples of the series, independent of the
+/// shaft's solver.
 void report_crash_stop(Report& report, double speed, double inertia) {
     CrashStop s(speed, inertia);
     s.world.set_system_signal("ship.main", 1.0);

@@ -82,7 +82,7 @@ struct Heeled {
     }
 };
 
-/// Righting lever of a wall-sided ship, by the formula of text books.
+/// Return the righting lever of a wall-sided ship, by the formula of textbooks.
 double wall_sided(double heel) {
     const double bm = kHeelBeam * kHeelBeam / (12.0 * kHeelDraught),
                  gm = 0.5 * kHeelDraught + bm - kHeelKg;
@@ -127,7 +127,7 @@ void report_capsize(Report& report) {
     }
 }
 
-/// OSV of T. I. Fossen, 1 MN at 30 degrees to starboard and 30 degrees down.
+/// Check the gauge of the OSV of T. I. Fossen at 1 MN, 30 degrees to starboard and 30 degrees down.
 void report_gauge(Report& report) {
     constexpr double kForce = 1e6, kAngle = 30.0 * kHeelDegree, kTow = 1000.0, kStiff = 1e8;
     World w{WorldDef{.step = kHeelStep}};
@@ -165,7 +165,7 @@ void report_gauge(Report& report) {
     check("worst_beta", 41.634, 1.0 / kHeelDegree);
 }
 
-/// Criteria of a ship with GZ = GM sin φ, by closed forms.
+/// Compare the criteria of a ship with GZ = GM sin φ with closed forms.
 void report_permissible(Report& report) {
     constexpr double kGm = 1.2, kGaugeMass = 5e6, kAlpha = 40.0 * kHeelDegree, kHigh = 6.0;
     World w{WorldDef{.step = kHeelStep}};

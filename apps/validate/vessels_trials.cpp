@@ -88,7 +88,7 @@ ZigZagTrial report_zig_zag(Report& report, const PublishedShip& ship, const std:
     return z;
 }
 
-/// Criteria of IMO: whether each is met, as the reference's own figures meet it.
+/// Check the criteria of IMO: a criterion is met if the figures of the reference meet it.
 void report_imo(Report& report, const PublishedShip& ship, const std::string& name,
                 const TurningCircle& turn, const ZigZagTrial& small, const ZigZagTrial& large,
                 const std::vector<double>& met) {
@@ -107,7 +107,8 @@ struct ShipRows {
     std::vector<double> imo;  ///< Met: advance, tactical diameter, overshoots.
 };
 
-/// @param small, large  Numbers of the 10/10 and 20/20 zig-zags among the rows; −1: none.
+/// Compare the trials of a ship with its published figures. @param small, large  Indices of the
+/// 10/10 and 20/20 zigzags among the rows; −1: none.
 void report_ship(Report& report, const PublishedShip& ship, const ShipRows& rows,
                  std::size_t full_rudder, int small, int large) {
     TurningCircle turn;
@@ -168,10 +169,10 @@ void case_vessel_mariner(Report& report) {
                 0, 0, 1);
 }
 
-/// MSS integrates ψ̇ = r cos φ without a pitch rate; Hawser's r is that of the heading, as in the
-/// horizontal axes of the source. The steady figures of both agree, the tracks differ by 0.5 %.
-/// References: the equations with ψ̇ = r; with r cos φ the same integration gives 5.618, 8.199 L at
-/// 10 degrees and 3.251, 1.814, 4.094 L at 35 degrees.
+/// Compare the S175 with the published equations. MSS integrates ψ̇ = r cos φ without a pitch rate.
+/// Hawser's r is the rate of the heading, as in the horizontal axes of the source. Steady figures
+/// agree; tracks differ by 0.5 %. References use ψ̇ = r. With r cos φ the same integration gives
+/// 5.618, 8.199 L at 10 degrees and 3.251, 1.814, 4.094 L at 35 degrees.
 void case_vessel_s175(Report& report) {
     report_ship(report, s175(),
                 {"s175",

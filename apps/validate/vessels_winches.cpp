@@ -153,7 +153,8 @@ void report_overload(Report& report) {
         }
 }
 
-/// A short wire that comes taut at 4 m/s: its tension rises by a tenth of the limit in a step.
+/// Check a short wire that becomes taut at 4 m/s. Its tension rises by a tenth of the limit per
+/// step.
 void report_snatch(Report& report) {
     const Overloaded held = overload(WinchMode::brake, 1e6, 0.0, 4.0, 80.0, 3.0);
     report.compare("protection, a wire of 80 m comes taut at 4 m/s: it parts", {0.0},

@@ -206,14 +206,14 @@ void report_empty(Report& report, bool gypsy) {
         worst = std::max(worst, std::abs(add(weak, link, 1.1 * link + 2e5).value / link - 1.0));
     }
     const char* what = gypsy ? "lockers" : "drums";
-    const auto told = [&](const char* how) {
+    const auto reported = [&](const char* how) {
         return fmt::format("{} {}: empty, weak link, wire held; of 10", what, how);
     };
-    report.compare(told("without a weak link"), {kEach, 0.0, 0.0},
+    report.compare(reported("without a weak link"), {kEach, 0.0, 0.0},
                    {none.empty, none.links, none.intact}, 0.0, "counts: lets go");
-    report.compare(told("below its load"), {kEach, 0.0, kEach},
+    report.compare(reported("below its load"), {kEach, 0.0, kEach},
                    {strong.empty, strong.links, strong.intact}, 0.0, "counts: holds");
-    report.compare(told("above its load"), {kEach, kEach, 0.0},
+    report.compare(reported("above its load"), {kEach, kEach, 0.0},
                    {weak.empty, weak.links, weak.intact}, 0.0, "counts: parts once");
     report.compare(fmt::format("load at which the fastening of {} parts, worst", what), {0.0},
                    {worst}, 1e-2, "relative; found after the step", 1.0);

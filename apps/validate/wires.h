@@ -12,23 +12,23 @@ namespace hawser::validate {
 /// Return the cases of the group "wires".
 [[nodiscard]] std::span<const Case> wire_cases();
 
-// wires_catenary.cpp
+// Cases in wires_catenary.cpp.
 void case_wire_catenary(Report& report);
 void case_wire_touchdown(Report& report);
-// payout.cpp
+// Cases in payout.cpp.
 void case_payout(Report& report);
-// payout_roller.cpp
+// Cases in payout_roller.cpp.
 void check_roller(Report& report);  ///< Part of "payout".
-// tow_payout.cpp
+// Cases in tow_payout.cpp.
 void case_tow_payout(Report& report);
-// wires_events.cpp
+// Cases in wires_events.cpp.
 void case_wire_events(Report& report);
-// wires_crossing.cpp
+// Cases in wires_crossing.cpp.
 void case_wire_cross_parting(Report& report);
-// wires_waves.cpp
+// Cases in wires_waves.cpp.
 void case_wire_parting(Report& report);
 void case_wire_pulse(Report& report);
-// wires_resolution.cpp
+// Cases in wires_resolution.cpp.
 void case_wire_resolution(Report& report);
 
 }  // namespace hawser::validate

@@ -149,7 +149,7 @@ struct Segment {
     std::array<Piece, 2> x;  ///< Ends at both poses.
 };
 
-void look(const Crossed& c, std::size_t pose, std::vector<Segment>& out) {
+void sample(const Crossed& c, std::size_t pose, std::vector<Segment>& out) {
     if (pose == 0) out.clear();
     for (std::size_t k = 0, i = 0; k < c.wires.size(); ++k)
         for (const InteractionId id : c.w.elements(c.wires[k])) {
@@ -196,9 +196,9 @@ Outcome run_crossed(Chance& chance) {
     double mean = 0.0;
     std::array<double, kMean> past{};
     for (long i = 0; i < kFalls; ++i) {
-        look(c, 0, segments);
+        sample(c, 0, segments);
         advance(c.w, 1);
-        look(c, 1, segments);
+        sample(c, 1, segments);
         for (std::size_t a = 0; a < segments.size(); ++a)
             for (std::size_t b = a + 1; b < segments.size(); ++b)
                 if (segments[a].wire != segments[b].wire &&

@@ -88,8 +88,9 @@ struct FreeWire {
             // Tension of steady rotation: T = ρω²(L²/4 − s²)/2.
             const double s = l * (static_cast<double>(i) + 0.5) - 0.5 * kLength;
             const double pull = 0.5 * kLineMass * spin * spin * (0.25 * kLength * kLength - s * s);
-            const double apart = (w.pose(lumps[i + 1]).position - w.pose(lumps[i]).position).norm();
-            d.set("length", apart / (1.0 + pull / kLineEA))
+            const double separation =
+                (w.pose(lumps[i + 1]).position - w.pose(lumps[i]).position).norm();
+            d.set("length", separation / (1.0 + pull / kLineEA))
                 .set("EA", kLineEA)
                 .set("mass", kLineMass * l);
             made.push_back(w.add_interaction(d));
@@ -107,7 +108,7 @@ struct Edits {
 
 /// Add or remove a node at a random position.
 void edit(FreeWire& f, Dice& dice, Edits& sum) {
-    constexpr std::size_t kLeast = 20, kMost = 96;
+    constexpr std::size_t kMinimum = 20, kMaximum = 96;
     constexpr double kShortest = 2.0;  // m
     const auto elements = f.w.elements(f.wire);
     const std::size_t n = elements.size(), k = 1 + dice.below(n - 2);
@@ -115,10 +116,10 @@ void edit(FreeWire& f, Dice& dice, Edits& sum) {
     const double share = 0.3 + 0.4 * dice.next();
     const Possession before = possession(f.w, f.wire);
     if (in) {
-        if (f.w.interaction_def(elements[k]).get("length") < kShortest || n >= kMost) return;
+        if (f.w.interaction_def(elements[k]).get("length") < kShortest || n >= kMaximum) return;
         (void)f.w.insert_node(elements[k], share);
         ++sum.in;
-    } else if (n > kLeast) {
+    } else if (n > kMinimum) {
         ++(f.w.remove_node(f.w.nodes(f.wire)[k]) ? sum.out : sum.later);
     }
     const Possession after = possession(f.w, f.wire);

@@ -34,7 +34,8 @@ HAWSER_BENCH_INLINE void add_rows(const BlockWrite& op, const AssembleView& v, i
     }
 }
 
-/// Rows: number of rows of the block; 0: not known. V: vector with at least as many lanes.
+/// Write one block. @tparam Rows  Number of rows of the block; 0: not known at compile time.
+/// @tparam V  Vector with at least as many lanes.
 template <int Rows, int Columns, class V>
 HAWSER_BENCH_INLINE void run(const BlockWrite& op, const AssembleView& v) {
     V sum[Columns] = {};
@@ -113,9 +114,9 @@ HAWSER_BENCH_INLINE void fetch_tables(const BlockWrite& op, const AssembleView& 
 
 /// Prefetch for diagonal blocks, which come first and read all data of the others.
 HAWSER_BENCH_INLINE void fetch_values(const BlockWrite& op, const AssembleView& v) {
-    constexpr int kMost = 16;  // blocks with more contributions take long anyway
+    constexpr int kMaximum = 16;  // blocks with more contributions take long anyway
     const int count = op.count[0] + op.count[1] + op.count[2];
-    if (!op.diagonal || count >= kMost) return;
+    if (!op.diagonal || count >= kMaximum) return;
     const int lines = op.row_size > 3 ? 3 : 2;
     for (int i = 0; i < count; ++i) fetch(v.values + v.contributions[op.begin + i].g[0], lines);
 }

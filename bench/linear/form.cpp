@@ -26,7 +26,7 @@ struct Piece {
 void sort_pieces(std::vector<Piece>& pieces, int nodes) {
     std::vector<Piece> other(pieces.size());
     auto pass = [&](auto key) {
-        std::vector<std::int64_t> start(at(std::max(nodes, kMostRows + 1)) + 1, 0);
+        std::vector<std::int64_t> start(at(std::max(nodes, kMaxRows + 1)) + 1, 0);
         for (const Piece& p : pieces) ++start[at(key(p)) + 1];
         std::partial_sum(start.begin(), start.end(), start.begin());
         for (const Piece& p : pieces) other[at(start[at(key(p))]++)] = p;
@@ -41,14 +41,14 @@ void sort_pieces(std::vector<Piece>& pieces, int nodes) {
 void add_pair(const BlockSystem& s, const BlockForm& f, int e, int i, int j,
               std::vector<Piece>& pieces) {
     const std::int32_t a = s.pattern.adjacent[at(i)], b = s.pattern.adjacent[at(j)];
-    for (int r = 0; r < s.size(e); r += kMostRows)
+    for (int r = 0; r < s.size(e); r += kMaxRows)
         pieces.push_back({f.index[at(a)],
                           f.index[at(b)],
                           -1,
                           {{static_cast<std::int32_t>(s.edge[at(i)]) + r * s.size(a),
                             static_cast<std::int32_t>(s.edge[at(j)]) + r * s.size(b)},
                            s.offset[at(e)] + r},
-                          std::min(kMostRows, s.size(e) - r)});
+                          std::min(kMaxRows, s.size(e) - r)});
 }
 
 std::vector<Piece> list_pieces(const BlockSystem& s, const BlockForm& f) {

@@ -18,9 +18,9 @@
 namespace hawser::bench {
 
 /// Largest number of eliminated rows that are processed together.
-inline constexpr int kMostRows = 3;
+inline constexpr int kMaxRows = 3;
 
-/// Adds Σ g_rowᵀ Σ⁻¹ g_col over 1 … kMostRows successive eliminated rows of a node to a block.
+/// Adds Σ g_rowᵀ Σ⁻¹ g_col over 1 … kMaxRows successive eliminated rows of a node to a block.
 struct Contribution {
     std::int32_t g[2];   ///< Addresses of the first row's parts with the row node and the column
                          ///< node.
@@ -30,10 +30,10 @@ struct Contribution {
 /// Computation of one block of the form. Contributions of one row come first, then those of two,
 /// then those of three.
 struct BlockOp {
-    std::int32_t row = 0, col = 0;       ///< Kept nodes.
-    std::int32_t base = -1;              ///< Address of the block in the system; −1: zero.
-    std::int32_t begin = 0;              ///< First of its contributions.
-    std::int32_t count[kMostRows] = {};  ///< Number of contributions of one row, two, three.
+    std::int32_t row = 0, col = 0;      ///< Kept nodes.
+    std::int32_t base = -1;             ///< Address of the block in the system; −1: zero.
+    std::int32_t begin = 0;             ///< First of its contributions.
+    std::int32_t count[kMaxRows] = {};  ///< Number of contributions of one row, two, three.
     std::uint8_t row_size = 0, col_size = 0;
     bool by_rows = false;  ///< The base block is stored by rows of the row node.
 };
@@ -41,7 +41,7 @@ struct BlockOp {
 /// A block and the address to which it is written: half a cache line, as there are many.
 struct BlockWrite {
     std::int32_t base = -1, begin = 0;
-    std::int32_t count[kMostRows] = {};
+    std::int32_t count[kMaxRows] = {};
     std::uint32_t to = 0;     ///< Address of (0, 0).
     std::int32_t stride = 0;  ///< From column c to c + 1, less c if `shrink`.
     std::uint8_t row_size : 4 = 0, col_size : 4 = 0;
@@ -53,8 +53,8 @@ struct BlockWrite {
     std::uint8_t unused : 4 = 0;  ///< Written with the others to avoid a read.
 
     BlockWrite() = default;
-    /// @param turn  Write the block transposed. @throws std::length_error if the address needs more
-    /// than 32 bits.
+    /// Make a write operation of a block. @param turn  Write the block transposed. @throws
+    /// std::length_error if the address needs more than 32 bits.
     BlockWrite(const BlockOp& op, bool turn, std::int64_t address, int row_step, int column_stride)
         : base(op.base),
           begin(op.begin),
@@ -66,7 +66,7 @@ struct BlockWrite {
           by_rows(op.by_rows != turn),
           turned(turn),
           diagonal(op.row == op.col) {
-        for (int k = 0; k < kMostRows; ++k) count[k] = op.count[k];
+        for (int k = 0; k < kMaxRows; ++k) count[k] = op.count[k];
         if (address != to) out_of_reach();
     }
     [[noreturn]] static void out_of_reach();

@@ -29,15 +29,14 @@ class LdlSolver final : public ScalarSolver {
     void analyse_own() override {
         const int n = full_.size();
         const auto size = static_cast<std::size_t>(n);
-        for (std::vector<int>* v :
-             {&own_order_, &own_place_, &own_parent_, &own_count_, &own_flag_})
+        for (std::vector<int>* v : {&own_order_, &own_slot_, &own_parent_, &own_count_, &own_flag_})
             v->resize(size);
         own_start_.resize(size + 1);
         if (amd_order(n, full_.start.data(), full_.row.data(), own_order_.data(), nullptr,
                       nullptr) < 0)
             throw std::runtime_error("AMD failed");
         ldl_symbolic(n, full_.start.data(), full_.row.data(), own_start_.data(), own_parent_.data(),
-                     own_count_.data(), own_flag_.data(), own_order_.data(), own_place_.data());
+                     own_count_.data(), own_flag_.data(), own_order_.data(), own_slot_.data());
         own_row_.resize(static_cast<std::size_t>(own_start_.back()));
         own_value_.resize(own_row_.size());
     }
@@ -83,7 +82,7 @@ class LdlSolver final : public ScalarSolver {
     std::vector<double> value_, d_, y_;
     // Matrix of its own analysis.
     Permuted full_;
-    std::vector<int> own_order_, own_place_, own_start_, own_parent_, own_count_, own_flag_,
+    std::vector<int> own_order_, own_slot_, own_start_, own_parent_, own_count_, own_flag_,
         own_row_;
     std::vector<double> own_value_;
 };

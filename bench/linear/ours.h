@@ -21,7 +21,7 @@ class Ours final : public Solver {
     explicit Ours(Order order) : analysis_(planner(order)) {}
 
     void analyse(const Input& input, base::Executor& executor) override;
-    /// Nodes keep their numbers; the pattern has all data of the analysis.
+    /// Update the analysis. Nodes keep their numbers; the pattern has all data of the analysis.
     void update(const Input& input, const std::vector<int>& changed,
                 base::Executor& executor) override;
     /// Compute order and structure: the first part of analyse() and update(). The second part finds

@@ -32,7 +32,7 @@ void Placer::place(const BlockForm& form, const factor::Analysis& analysis,
     sort(form, executor);
     of_piece.resize(pieces.size());
     for (std::size_t r = 0; r < pieces.size(); ++r)
-        of_piece[at(by_place_[r].second)] = {at(r == 0 ? 0 : next_[r - 1]), at(next_[r])};
+        of_piece[at(by_slot_[r].second)] = {at(r == 0 ? 0 : next_[r - 1]), at(next_[r])};
     ops.resize(form.ops.size());
     const std::size_t n = s.order.size();
     row_.resize(n * at(executor.threads()));
@@ -91,14 +91,14 @@ void Placer::place_groups(const BlockForm& form, const factor::Analysis& analysi
 
 /// Sort pieces by their panels, and collect the data of every node.
 void Placer::find_nodes(const factor::Symbolic& s, const std::vector<factor::Piece>& pieces) {
-    by_place_.clear();
+    by_slot_.clear();
     for (const factor::Piece& p : pieces)
-        by_place_.emplace_back(p.panel_begin, static_cast<std::int32_t>(by_place_.size()));
-    std::sort(by_place_.begin(), by_place_.end());
+        by_slot_.emplace_back(p.panel_begin, static_cast<std::int32_t>(by_slot_.size()));
+    std::sort(by_slot_.begin(), by_slot_.end());
     const auto fronts = static_cast<std::int32_t>(s.fronts.size());
     rank_.resize(s.fronts.size() + s.batch_steps.size());
     for (std::size_t r = 0; r < pieces.size(); ++r) {
-        const factor::Piece& p = pieces[at(by_place_[r].second)];
+        const factor::Piece& p = pieces[at(by_slot_[r].second)];
         const auto rank = static_cast<std::int32_t>(r);
         if (p.begin == p.end)
             std::fill(rank_.begin() + fronts + p.step_begin, rank_.begin() + fronts + p.step_end,
@@ -124,7 +124,7 @@ void Placer::find_nodes(const factor::Symbolic& s, const std::vector<factor::Pie
 void Placer::sort(const BlockForm& form, base::Executor& executor) {
     const std::size_t count = form.ops.size();
     start_.assign(rank_.size(), 0);
-    next_.assign(by_place_.size(), 0);
+    next_.assign(by_slot_.size(), 0);
     column_.resize(count);
     index_.resize(count);
     to_.resize(count);

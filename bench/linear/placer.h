@@ -39,9 +39,9 @@ class Placer {
     void place_groups(const BlockForm& form, const factor::Analysis& analysis, std::size_t begin,
                       std::size_t end, std::int32_t* row, BlockWrite* ops) const;
 
-    std::vector<Place> places_;                                    ///< By node.
-    std::vector<std::pair<std::int64_t, std::int32_t>> by_place_;  ///< By rank: panel, piece.
-    std::vector<std::int32_t> rank_;                               ///< By group: rank of the piece.
+    std::vector<Place> places_;                                   ///< By node.
+    std::vector<std::pair<std::int64_t, std::int32_t>> by_slot_;  ///< By rank: panel, piece.
+    std::vector<std::int32_t> rank_;                              ///< By group: rank of the piece.
     std::vector<std::int32_t> next_;    ///< By rank: end of the blocks of the piece.
     std::vector<std::int32_t> start_;   ///< By group: end of its blocks in index_.
     std::vector<std::int32_t> column_;  ///< By block: node of its column times two, plus 1 if

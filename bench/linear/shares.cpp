@@ -139,7 +139,7 @@ void print_update(const PaperOptions& paper, int rounds) {
 
 }  // namespace
 
-void print_shares(const ProblemSource& source, int rounds) {
+void print_fractions(const ProblemSource& source, int rounds) {
     Problem problem(source.system());
     SweepVectors vectors;
     vectors.resize(problem.system);

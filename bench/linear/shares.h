@@ -11,6 +11,6 @@ namespace hawser::bench {
 /// Condense, factor, solve and refine a system `rounds` times. For the paper's scene, also follow
 /// it for this number of steps with 50 contacts changed in each. Prints medians of every part. One
 /// thread, condensed form, wall time.
-void print_shares(const ProblemSource& source, int rounds);
+void print_fractions(const ProblemSource& source, int rounds);
 
 }  // namespace hawser::bench

@@ -76,7 +76,7 @@ HAWSER_BENCH_INLINE void row_product(const SweepView& v, std::int64_t e, const d
 
 enum class Sweep : std::uint8_t { unfold, correct, residual };
 
-/// Blocks of rows are adjacent, in stretches too short for the hardware prefetcher.
+/// Prefetch a block of rows. Blocks are adjacent, but too short for the hardware prefetcher.
 HAWSER_BENCH_INLINE void fetch_row(const SweepView& v, std::int64_t e) {
     constexpr int kAhead = 320, kLines = 5;  // doubles, at most, of a row node
     if (v.distant) fetch(v.values + v.rows[e].sigma + kAhead, kLines);
@@ -258,7 +258,7 @@ void all_bodies(const BlockForm& f, const SweepView& v, bool residual, base::Exe
 /// Call work(scalar in the system, scalar in the form) for all scalars of the bodies.
 template <class F>
 void all_scalars(const BlockForm& f, base::Executor& executor, F work) {
-    constexpr std::int64_t kLeast = 1024;
+    constexpr std::int64_t kMinimum = 1024;
     in_pieces(
         std::ssize(f.tables.bodies), executor,
         [&](std::int64_t begin, std::int64_t end) {
@@ -268,7 +268,7 @@ void all_scalars(const BlockForm& f, base::Executor& executor, F work) {
                     work(at(body.scalar + i), at(body.to + i));
             }
         },
-        kLeast);
+        kMinimum);
 }
 
 /// Scatter the scalars of the bodies from the form's vector to the system's.

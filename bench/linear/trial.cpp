@@ -212,7 +212,8 @@ void Candidate::wake() {
 void Candidate::sleep() {
     if (pool_) pool_->pause();
 }
-/// A spinning pool would occupy a core of a library with threads of its own.
+/// Put the threads of the pool to sleep: a spinning pool would occupy a core of a library with its
+/// own threads.
 void Candidate::rest() {
     if (pool_ && own_ != pool_.get()) pool_->pause();
 }

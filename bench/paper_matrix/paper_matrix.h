@@ -56,7 +56,7 @@ class PaperScene {
         return static_cast<int>(joints_.size() + contacts_.size());
     }
     [[nodiscard]] const std::vector<Contact>& contacts() const noexcept { return contacts_; }
-    /// Node of contact i in system(). Contacts keep their nodes when they change.
+    /// Return the node of contact i in system(). Changed contacts keep their nodes.
     [[nodiscard]] int contact_node(int i) const noexcept {
         const int copy = i / contacts_per_copy();
         return bodies() + joint_end_[static_cast<std::size_t>(copy)] + i;
@@ -67,7 +67,8 @@ class PaperScene {
     /// ascending.
     std::vector<int> change_contacts(int count, int step);
 
-    /// Bodies are the first nodes; then come joints and contacts, copy by copy.
+    /// Return the whole system. The first nodes are bodies, followed by joints and contacts, copy
+    /// by copy.
     [[nodiscard]] BlockSystem system() const;
 
   private:
@@ -99,7 +100,7 @@ class PaperScene {
     void emit_body(SystemBuilder& builder, int body) const;
     void emit_joint(SystemBuilder& builder, const Joint& joint) const;
     void emit_contact(SystemBuilder& builder, const Contact& contact, int index) const;
-    /// Rows `rows` of G for a body: direction · (velocity of the body at `point`).
+    /// Return rows of G for a body: direction · (velocity of the body at `point`).
     [[nodiscard]] std::vector<double> point_rows(int body, const std::vector<Vec>& directions,
                                                  const Vec& point, double factor) const;
 

@@ -15,13 +15,13 @@ namespace {
 constexpr int kHulls = 3, kAttached = 20, kLocked = 4, kCables = 10, kMoorings = 4;
 constexpr int kFirstElement = kHulls + kHulls * kAttached;
 constexpr int kRig = 2;
-constexpr double kApart = 3000.0;  ///< Distance of copies [m].
+constexpr double kSeparation = 3000.0;  ///< Distance of copies [m].
 
-std::array<double, 3> hull_place(int copy, int hull) {
+std::array<double, 3> hull_index(int copy, int hull) {
     constexpr std::array<std::array<double, 3>, 3> place{
         {{-420.0, 60.0, 0.0}, {410.0, -50.0, 0.0}, {0.0, 300.0, 0.0}}};
     std::array<double, 3> p = place[at(hull)];
-    p[1] += kApart * copy;
+    p[1] += kSeparation * copy;
     return p;
 }
 
@@ -72,10 +72,10 @@ int PaperScene::dof(int body) const noexcept {
 void PaperScene::add_copy(int copy) {
     const int base = copy * per_copy();
     Dice dice(options_.seed + 1000 * static_cast<std::uint64_t>(copy));
-    for (int h = 0; h < kHulls; ++h) place_.push_back(hull_place(copy, h));
+    for (int h = 0; h < kHulls; ++h) place_.push_back(hull_index(copy, h));
     for (int h = 0; h < kHulls; ++h)
         for (int i = 0; i < kAttached; ++i) {
-            Vec p = hull_place(copy, h);
+            Vec p = hull_index(copy, h);
             p[0] += dice.uniform(-35.0, 35.0);
             p[1] += dice.uniform(-9.0, 9.0);
             p[2] += dice.uniform(5.0, 15.0);
@@ -110,7 +110,7 @@ void PaperScene::add_cable(int copy, int cable, const CableEnds& ends) {
     }
     if (cable == 0 && copy + 1 < options_.scale) {  // joins this copy to the next one
         to = base + per_copy();
-        stop = hull_place(copy + 1, 0);
+        stop = hull_index(copy + 1, 0);
     }
     auto point = [&](double t) {
         Vec p{};

@@ -94,7 +94,7 @@ double factor_seconds(const factor::Pattern& pattern, const std::vector<std::int
 
 double factor_ms(const PartCase& c, const std::vector<std::int32_t>& order,
                  const FactorCounts& counts) {
-    if (counts.flops > kMostFlops) return std::nan("");
+    if (counts.flops > kMaxFlops) return std::nan("");
     return 1e3 * factor_seconds(c.pattern, order, c.bodies() > 20'000 ? 1 : 5);
 }
 

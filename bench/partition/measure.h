@@ -24,7 +24,7 @@ struct FactorCounts {
 
 /// Number of flops beyond which no factorisation is timed: some seconds each and gigabytes. An
 /// order that eliminates the hub of a large star early leaves a dense matrix.
-constexpr std::int64_t kMostFlops = 100'000'000'000;
+constexpr std::int64_t kMaxFlops = 100'000'000'000;
 
 /// Return the median processor time of f() [s]; at least `least` runs.
 [[nodiscard]] double median_seconds(const std::function<void()>& f, int least);
@@ -35,7 +35,7 @@ constexpr std::int64_t kMostFlops = 100'000'000'000;
                                     const std::vector<std::int32_t>& order, int least);
 
 /// Return factor_seconds() in ms, with a number of runs by the size of the case; NaN if `counts`
-/// exceed kMostFlops.
+/// exceed kMaxFlops.
 [[nodiscard]] double factor_ms(const PartCase& c, const std::vector<std::int32_t>& order,
                                const FactorCounts& counts);
 
@@ -56,7 +56,7 @@ struct PartRow {
     double fill = 1.0;                ///< nnz(L) over that of AMD.
     double flops = 1.0;               ///< Flops over those of AMD.
     double makespan = 1.0;            ///< Largest part and all separators, over AMD's flops.
-    double factor_ms = 0.0;           ///< One thread; NaN: not timed, see kMostFlops.
+    double factor_ms = 0.0;           ///< One thread; NaN: not timed, see kMaxFlops.
     FactorCounts counts;
 };
 [[nodiscard]] PartRow measure_parts(const std::string& method, const PartCase& c,

@@ -146,8 +146,8 @@ void Meter::measure_tension(double t) {
     m_.tension_ripple = std::sqrt(std::max(0.0, sum_t2_ / count_ - mean * mean)) / ref;
 }
 
-/// Amplitude of the first sine mode of the cable from its displacement and velocity, as sqrt(q^2 +
-/// (q'/omega)^2): constant if the mode is undamped.
+/// Measure the amplitude of the first sine mode of the cable: sqrt(q^2 + (q'/omega)^2) of its
+/// displacement and velocity. It is constant if the mode is undamped.
 void Meter::measure_mode(const std::vector<BodyState>& s, double t) {
     if (scene_.cable_first < 0 || t < scene_.duration - 1.0) return;
     const int n = scene_.cable_links;

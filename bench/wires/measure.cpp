@@ -17,7 +17,7 @@ constexpr double kFar = 0.01;  ///< Displacement in a wait beyond which it slips
 /// Displacement in half a wait below which nothing slips [m]: an excess force of 5e-6 gives this
 /// displacement.
 constexpr double kStill = 3e-4;
-constexpr double kApart = 0.05;  ///< Gap at which a chain counts as torn [m].
+constexpr double kSeparation = 0.05;  ///< Gap at which a chain counts as torn [m].
 
 enum class End : std::uint8_t { stands, ran, failed };
 
@@ -67,7 +67,7 @@ class Pulling {
         ms_.push_back(1e3 * cpu);
         const double way = rig_->way(), gap = rig_->gap();
         gap_ = std::max(gap_, gap);
-        if (!good || !std::isfinite(way) || !(gap < kApart))
+        if (!good || !std::isfinite(way) || !(gap < kSeparation))
             end_ = End::failed;
         else if (std::abs(way) > far_)
             end_ = End::ran;
@@ -127,7 +127,7 @@ class Search {
     static std::string describe(End end, const Pulling& p) {
         const double way = p.rig().way();
         if (end == End::failed)
-            return p.gap() >= kApart
+            return p.gap() >= kSeparation
                        ? fmt::format("comes apart: {:.2g} m after {:.2f} s", p.gap(), p.time())
                        : fmt::format("fails after {:.2f} s", p.time());
         return fmt::format("runs: {:.2g} m in {:.2f} s at half of the exponent", way, p.time());

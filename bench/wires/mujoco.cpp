@@ -90,7 +90,7 @@ class MujocoRig : public Rig {
     double start_ = 0.0;
 };
 
-/// Both bodies slide along their legs, on the two sides of half a turn.
+/// Return the model as XML. Both bodies slide along their legs, on the two sides of half a turn.
 std::string tendon_xml(int substeps) {
     const double length = 2.0 * kLeg + kPi * kRadius;
     const double stiffness = kEA / length;

@@ -11,7 +11,7 @@
 namespace market {
 namespace {
 
-constexpr int kMostScalars = 6;  // of a node, hawser/factor.h
+constexpr int kMaxScalars = 6;  // of a node, hawser/factor.h
 
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
@@ -89,7 +89,7 @@ std::vector<std::vector<int>> indistinguishable_columns(const Sparse& lower) {
         for (const int i : rows[at(j)]) {
             if (i >= j) break;
             const auto g = at(group[at(i)]);
-            if (static_cast<int>(groups[g].size()) >= kMostScalars || rows[at(i)] != rows[at(j)] ||
+            if (static_cast<int>(groups[g].size()) >= kMaxScalars || rows[at(i)] != rows[at(j)] ||
                 positive(lower, i) != positive(lower, j))
                 continue;
             group[at(j)] = static_cast<int>(g);
@@ -109,7 +109,7 @@ std::vector<std::vector<int>> read_block_sizes(const std::string& file, int scal
     std::vector<std::vector<int>> groups;
     int size = 0, next = 0;
     while (in >> size) {
-        if (size < 1 || size > kMostScalars)
+        if (size < 1 || size > kMaxScalars)
             throw std::runtime_error(file + ": block sizes are 1 to 6, not " +
                                      std::to_string(size));
         groups.emplace_back();

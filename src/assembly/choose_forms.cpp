@@ -17,9 +17,9 @@ double mobility(const model::Bodies& bodies, const model::Interactions& in, int 
     int width = 0;
     for (int b = 0; b < in.bodies[at(id)]; ++b)
         width += bodies.dof(in.body[at(kMaxInteractionBodies * id + b)]);
-    double room[model::kArmRoom];
+    double buffer[model::kArmBufferSize];
     const double* jac =
-        model::packed_rows(&in.jacobian[at(in.jac_begin[at(id)])], in.arms[at(id)] != 0, room) +
+        model::packed_rows(&in.jacobian[at(in.jac_begin[at(id)])], in.arms[at(id)] != 0, buffer) +
         static_cast<std::ptrdiff_t>(row) * width;
     double sum = 0.0;
     for (int b = 0; b < in.bodies[at(id)]; ++b) {
@@ -53,13 +53,13 @@ void System::evaluate(const model::Bodies& bodies, model::Interactions& interact
         }
 }
 
-void System::share_damping(const model::Bodies& bodies, model::Interactions& in, double h) const {
+void System::split_damping(const model::Bodies& bodies, model::Interactions& in, double h) const {
     for (int i = 0; i < in.count(); ++i)
         for (int r = 0; r < in.rows[at(i)]; ++r) {
             const auto row = at(in.row_begin[at(i)] + r);
             if (rests(i) || !(in.row_flags[row] & model::kRowDamper)) continue;
             in.mobility[row] = mobility(bodies, in, i, r);
-            in.share_damping(row, in.rest_length[at(i)] > 0.0, h);
+            in.split_damping(row, in.rest_length[at(i)] > 0.0, h);
         }
     // Use the mobility of a cut row for all of its bodies.
     for (const Sides& s : sides)
@@ -70,7 +70,7 @@ void System::share_damping(const model::Bodies& bodies, model::Interactions& in,
             for (std::int32_t id = s.first; id < s.first + s.count && whole > 0.0; ++id) {
                 const auto row = at(in.row_begin[at(id)] + r);
                 in.mobility[row] = whole;
-                in.share_damping(row, in.rest_length[at(id)] > 0.0, h);
+                in.split_damping(row, in.rest_length[at(id)] > 0.0, h);
             }
         }
 }
@@ -79,7 +79,7 @@ void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
                           const WorldDef& def) {
     kept_.assign(at(in.count()), 0);
     bounded_mobility.clear();
-    // share_damping() computes the mobility of dampers; for sides of cuts it is the total one.
+    // split_damping() computes the mobility of dampers; for sides of cuts it is the total one.
     auto knows = [&](std::size_t row) {
         return (in.row_flags[row] & model::kRowDamper) != 0 && sides.empty();
     };
@@ -97,8 +97,9 @@ void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
             const auto row = at(in.row_begin[at(i)] + r);
             const double w = knows(row) ? in.mobility[row] : mobility(bodies, in, i, r);
             // A rigid row may be redundant (closed loops). A floor keeps the signs of the pivots.
-            const double needed = in.epsilon[row] == 0.0 ? kRigidShare * w : in.bare_sigma(row, h);
-            const double sigma = std::max({needed, in.least_sigma[row], model::kTinySigma});
+            const double needed =
+                in.epsilon[row] == 0.0 ? kRigidFraction * w : in.bare_sigma(row, h);
+            const double sigma = std::max({needed, in.min_sigma[row], model::kTinySigma});
             in.sigma[row] = sigma;
             // Use the compliance as defined: a restored world with other line lengths must choose
             // the same form as the saved one.
@@ -107,8 +108,8 @@ void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
             if (epsilon > 0.0 && defined != epsilon) ratio = defined / epsilon;
             // Also consider the damping without recoil.
             if (in.row_flags[row] & model::kRowRecoils)
-                ratio /= in.recoil_share(row, in.rest_length[at(i)] > 0.0, h);
-            static_assert(kRigidShare * kSafeRatio > 1.0);
+                ratio /= in.recoil_fraction(row, in.rest_length[at(i)] > 0.0, h);
+            static_assert(kRigidFraction * kSafeRatio > 1.0);
             if (def.form == Form::automatic && w > kSafeRatio * ratio * sigma) keep = true;
         }
         kept_[at(i)] = keep ? 1 : 0;

@@ -28,8 +28,8 @@ void Contacts::drop_links() noexcept {
 }
 
 void Contacts::relink(std::int64_t step) {
-    base::make_room(links, missing_.size());
-    base::make_room(link_used, missing_.size());
+    base::reserve_more(links, missing_.size());
+    base::reserve_more(link_used, missing_.size());
     std::sort(missing_.begin(), missing_.end());
     missing_.erase(std::unique(missing_.begin(), missing_.end()), missing_.end());
     std::size_t kept = 0;

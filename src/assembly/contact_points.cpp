@@ -35,7 +35,7 @@ bool carries(const model::Bodies& b, std::int32_t body) {
     return b.turns(body) && b.kind[at(body)] != BodyKind::fixed;
 }
 
-/// Return the end of a segment that carries(); −1 if both are lumps or fixed.
+/// Return the end of a segment that carries(); −1 if both are point masses or fixed.
 std::int32_t carrier_of(const model::Bodies& b, std::int32_t first, std::int32_t second) {
     return carries(b, first) ? first : carries(b, second) ? second : -1;
 }
@@ -47,8 +47,8 @@ V3 anchor_point(const model::Bodies& b, const ContactMemory& m, int side) {
     if (second >= 0) {
         if (const std::int32_t host = carrier_of(b, first, second); host >= 0)
             local = load9(&b.r[9 * at(host)]) * local;
-        return m.share[side] * body_position(b, first) +
-               (1.0 - m.share[side]) * body_position(b, second) + local;
+        return m.fraction[side] * body_position(b, first) +
+               (1.0 - m.fraction[side]) * body_position(b, second) + local;
     }
     const V3 offset = b.turns(first) ? load9(&b.r[9 * at(first)]) * local : local;
     return body_position(b, first) + offset;
@@ -58,8 +58,8 @@ V3 anchor_point(const model::Bodies& b, const ContactMemory& m, int side) {
 void set_anchor(const model::Bodies& b, ContactMemory& m, int side, const V3& p) {
     const std::int32_t first = m.body[side][0], second = m.body[side][1];
     if (second >= 0) {
-        V3 local = p - m.share[side] * body_position(b, first) -
-                   (1.0 - m.share[side]) * body_position(b, second);
+        V3 local = p - m.fraction[side] * body_position(b, first) -
+                   (1.0 - m.fraction[side]) * body_position(b, second);
         if (const std::int32_t host = carrier_of(b, first, second); host >= 0)
             local = tmul(load9(&b.r[9 * at(host)]), local);
         store3(m.anchor[side], local);
@@ -77,7 +77,7 @@ void take_sides(const ContactRow& row, ContactMemory& m) {
         for (int i = 0; i < row.slots; ++i) {
             const ContactSlot& s = row.slot[i];
             if ((s.weight > 0.0) != (side == 1)) continue;
-            if (found == 0) m.share[side] = std::fabs(s.weight);
+            if (found == 0) m.fraction[side] = std::fabs(s.weight);
             m.body[side][found == 0 ? 0 : 1] = s.body;
             ++found;
         }
@@ -87,9 +87,9 @@ void take_sides(const ContactRow& row, ContactMemory& m) {
 V3 tangential(const V3& v, const V3& n) { return v - dot(v, n) * n; }
 
 /// Return the arm of slot i, from the centre of its body to the point at which its part of a
-/// contact at p acts. For a lump this is its position. A body that shares a side with a lump has
-/// the remainder, so that the resultant of the side acts at p. Momentum and angular momentum are
-/// then those of the force at p.
+/// contact at p acts. For a point mass this is its position. A body that shares a side with a point
+/// mass has the remainder, so that the resultant of the side acts at p. Momentum and angular
+/// momentum are then those of the force at p.
 V3 arm_of(const collide::Contact& in, int i, const model::Bodies& bodies, const V3& p) {
     const std::int32_t body = in.body[i];
     const int begin = i < in.side_0 ? 0 : in.side_0, end = i < in.side_0 ? in.side_0 : in.slots;
@@ -193,7 +193,7 @@ void Contacts::set(std::size_t index, const collide::Contact& in, const collide:
 
     const double upsilon = row_upsilon(surface.damping_time, h);
     const double scale = row_sigma(1.0, upsilon, h);
-    const double least = kLeastSigma * cone.mobility;
+    const double least = kMinSigma * cone.mobility;
     cone.sigma_n = std::max(scale * surface.compliance, least);
     cone.sigma_t = std::max(scale * surface.tangential_compliance, least);
     extra.epsilon_t = cone.sigma_t / scale;

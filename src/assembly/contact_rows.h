@@ -55,7 +55,7 @@ struct ContactTerm {
 /// Minimum of Σ/W. Contacts are condensed; for a smaller Σ the masses of the bodies would be lost
 /// in rounding. At the default stiffness the limit affects grains of less than a milligram. They
 /// sink in by this fraction of their motion under gravity within a step.
-inline constexpr double kLeastSigma = 1e-10;
+inline constexpr double kMinSigma = 1e-10;
 
 /// Doubles of one block: K_ab (6×6, column-major) and K_ba, because K is unsymmetric.
 inline constexpr int kContactBlock = 72;

@@ -41,9 +41,9 @@ inline constexpr std::int64_t kKeepLinks = 120;
 /// State of a contact that is kept between steps. Plain data: part of the state.
 struct ContactMemory {
     std::int32_t body[2][2];  ///< Bodies of each side; second −1: one body only.
-    double share[2];          ///< Weight of the first body of each side at its anchor.
-    /// Anchor of each side. Rigid body: in its frame. Lumps: relative to their weighted mean, in
-    /// world axes. A lump and a turning body: in axes of the body.
+    double fraction[2];       ///< Weight of the first body of each side at its anchor.
+    /// Anchor of each side. Rigid body: in its frame. Point masses: relative to their weighted
+    /// mean, in world axes. A point mass and a turning body: in axes of the body.
     double anchor[2][3];
     /// g_t from the velocities, for use if the point has moved away, world axes.
     double rolled[3];

@@ -45,11 +45,11 @@ void System::add_own_block(std::int32_t block, std::int32_t node) {
     const factor::BlockTarget t = symbolic.target(node, node);
     Op op{};
     OpParts{block, Op::contact, 0, 0, 0, 0, dof, dof, 0}.write(op, t.address, t.step, t.ld);
-    const auto end = std::upper_bound(op_place_.begin(), op_place_.end(), place);
-    auto k = at(std::lower_bound(op_place_.begin(), end, place) - op_place_.begin());
-    while (k < at(end - op_place_.begin()) && ops[k].kind != Op::contact) ++k;
+    const auto end = std::upper_bound(op_slot_.begin(), op_slot_.end(), place);
+    auto k = at(std::lower_bound(op_slot_.begin(), end, place) - op_slot_.begin());
+    while (k < at(end - op_slot_.begin()) && ops[k].kind != Op::contact) ++k;
     ops.insert(ops.begin() + static_cast<std::ptrdiff_t>(k), op);
-    op_place_.insert(op_place_.begin() + static_cast<std::ptrdiff_t>(k), place);
+    op_slot_.insert(op_slot_.begin() + static_cast<std::ptrdiff_t>(k), place);
     shift_pieces(static_cast<std::int64_t>(k), 1);
 }
 
@@ -60,7 +60,7 @@ void System::drop_block(std::int32_t block) {
     if (found == ops.end()) return;  // the body sleeps
     const auto k = found - ops.begin();
     ops.erase(found);
-    op_place_.erase(op_place_.begin() + k);
+    op_slot_.erase(op_slot_.begin() + k);
     shift_pieces(k + 1, -1);
 }
 

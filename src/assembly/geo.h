@@ -42,13 +42,13 @@
 /// against a force that grows within a step. Measured on chains,
 /// tests/stepper/joint_damping_test.cpp.
 ///
-/// *Consistent mass.* Let two lumps have half of the mass m of an element each. Their angular
-/// momentum differs from that of the element. A velocity that changes linearly along the element
-/// has the kinetic energy (m/6)(|v₀|² + v₀·v₁ + |v₁|²). This is the energy of the lumps minus
-/// (m/12)|v₀ − v₁|². Therefore μ = m/6 (View::pair_mass) enters as M̃ −= μ [E −E; −E E], a −= μ [E
-/// −E; −E E] v. M̃ stays positive, because the lumps have m/2 each. A node inserted on the element
-/// then changes neither momentum nor energy. Lines with an end on a turning body keep their mass in
-/// the lump.
+/// *Consistent mass.* Let two point masses have half of the mass m of an element each. Their
+/// angular momentum differs from that of the element. A velocity that changes linearly along the
+/// element has the kinetic energy (m/6)(|v₀|² + v₀·v₁ + |v₁|²). This is the energy of the point
+/// masses minus (m/12)|v₀ − v₁|². Therefore μ = m/6 (View::pair_mass) enters as M̃ −= μ [E −E; −E
+/// E], a −= μ [E −E; −E E] v. M̃ stays positive, because the point masses have m/2 each. A node
+/// inserted on the element then changes neither momentum nor energy. Lines with an end on a turning
+/// body keep their mass in the point mass.
 ///
 /// A line between two rigid bodies always has a = ¼ and d = 0: d would remove angular momentum of
 /// its rotation.
@@ -92,18 +92,18 @@ inline T unresolved(const T& s4) {
 }
 inline constexpr double kMoreStiffness = 0.5, kMoreDamping = 9.0;
 
-/// Coefficients a and d of the text above. @param s  h² T/(l m). @param alert  1 if the wire gained
-/// energy recently, else 0.
+/// Coefficients a and d of the text above. @param s  h² T/(l m). @param flagged  1 if the wire
+/// gained energy recently, else 0.
 template <class T>
-struct AcrossShares {
+struct AcrossFractions {
     T late, ahead;
 };
 template <class T>
-inline AcrossShares<T> across_shares(const T& s, const T& alert) {
+inline AcrossFractions<T> across_fractions(const T& s, const T& flagged) {
     const T s4 = 4.0 * s, unit = one(s);
     const T beyond = positive_part(T(s4 - unit)) * (1.0 / (s4 + unit));
-    return {constant(s, 0.25) + beyond * (constant(s, 0.25) + 0.5 * alert),
-            zero(s) - 0.1 * beyond * (unit + alert)};
+    return {constant(s, 0.25) + beyond * (constant(s, 0.25) + 0.5 * flagged),
+            zero(s) - 0.1 * beyond * (unit + flagged)};
 }
 
 /// Return the fraction of the geometric stiffness that applies to a completed joint: 0 for s ≤ 1, 1
@@ -136,26 +136,26 @@ inline void arm_stiffness(const V3T<T>& f, const T& nf, const V3T<T>& r, const T
 }
 
 /// Terms of a joint between two rigid bodies, from the magnitude nf of its force at arms of lengths
-/// n0, n1. They are the scale of the stiffness of arms, (1 + u) h c, and (1 − u) h c. `swing`:
+/// n0, n1. They are the scale of the stiffness of arms, (1 + u) h c, and (1 − u) h c. `vibration`:
 /// entry 23 of a record.
 template <class T>
 struct JointTerms {
     T stiff, damping, back;
 };
-/// Compute the terms. The swing of a completed joint has a negative sign: its stiffness fades in,
-/// and it has no damping.
+/// Compute the terms. The vibration rate of a completed joint has a negative sign: its stiffness
+/// fades in, and it has no damping.
 template <class T>
 inline JointTerms<T> joint_terms(const assembly::View& view, const T& nf, const T& n0, const T& n1,
-                                 const T& marked_swing) {
+                                 const T& marked_vibration) {
     const T unit = one(nf), none = zero(nf);
-    const T swing = select_greater(none, marked_swing, -marked_swing, marked_swing);
-    const T push = (view.h * view.h) * nf, s4 = 4.0 * push * swing;
+    const T vibration = select_greater(none, marked_vibration, -marked_vibration, marked_vibration);
+    const T push = (view.h * view.h) * nf, s4 = 4.0 * push * vibration;
     const T fast = unresolved(s4);
     const T need = select_greater(unit, s4, T(s4 * s4), T(unit + kMoreDamping * fast));
     const T half =
-        select_greater(none, marked_swing, none,
+        select_greater(none, marked_vibration, none,
                        push * view.rotation_damping * select_greater(n1, n0, n0, n1) * need);
-    const T fade = select_greater(none, marked_swing, completed_stiffness(s4), unit);
+    const T fade = select_greater(none, marked_vibration, completed_stiffness(s4), unit);
     return {
         (0.25 * view.h * view.h * view.geometric_stiffness) * fade * (unit + kMoreStiffness * fast),
         half * (unit + fast), half * (unit - fast)};

@@ -69,9 +69,9 @@ struct Kernels {
     /// step, or 0. @return their number, a multiple of eight.
     std::int32_t (*rigid_energies)(const View&, const std::int32_t* bodies, std::int32_t count,
                                    const double* after, double half, BodyEnergies*) noexcept;
-    /// Return the row of [begin, end) with the largest weighted violation |g| share, if it exceeds
-    /// *most; *most is then set to it. Otherwise return −1.
-    std::int32_t (*widest_row)(const double* g, const double* share, std::int32_t begin,
+    /// Return the row of [begin, end) with the largest weighted violation |g| × fraction, if it
+    /// exceeds *most; *most is then set to it. Otherwise return −1.
+    std::int32_t (*widest_row)(const double* g, const double* fraction, std::int32_t begin,
                                std::int32_t end, double* most) noexcept;
     /// Move bodies by h v₊ and store v₊.
     void (*integrate)(const View&, std::int32_t begin, std::int32_t end) noexcept;

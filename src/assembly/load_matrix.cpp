@@ -11,8 +11,8 @@
 
 namespace hawser::stepper {
 
-/// Most bodies with loads are lumps. Therefore each function is compiled for three rows and for any
-/// number, with the same operations in the same order.
+/// Most bodies with loads are point masses. Therefore each function is compiled for three rows and
+/// for any number, with the same operations in the same order.
 #define HAWSER_ROWS [[gnu::always_inline]] inline
 
 namespace {
@@ -37,7 +37,7 @@ HAWSER_ROWS void add_product_of(const double* s, int n, double factor, const dou
     }
 }
 
-constexpr double kMost = 1e300, kRounding = 1e-14, kAside = 2e-7;  // kAside ≥ √kRounding
+constexpr double kMaximum = 1e300, kRounding = 1e-14, kAside = 2e-7;  // kAside ≥ √kRounding
 constexpr double kUnderflow = 1e-290;  // ≫ smallest normal number/kRounding
 
 HAWSER_ROWS bool semidefinite_of(const double* m, int n) noexcept {
@@ -45,7 +45,7 @@ HAWSER_ROWS bool semidefinite_of(const double* m, int n) noexcept {
     double scale[6], d[6], low[21];
     for (int i = 0; i < n; ++i) {
         const double own = m[triangle(i, i)];
-        if (!(own >= 0.0 && own <= kMost)) return false;
+        if (!(own >= 0.0 && own <= kMaximum)) return false;
         scale[i] = own > 0.0 ? 1.0 / std::sqrt(own) : 0.0;
     }
     for (int j = 0; j < n; ++j) {
@@ -177,7 +177,7 @@ bool semidefinite(const double* m, int n) noexcept {
     if (plainly || !std::all_of(m, m + entries_of(n), [](double x) { return std::isfinite(x); }))
         return plainly;
     for (int i = 0; i < n; ++i)
-        if (!(m[triangle(i, i)] >= 0.0 && m[triangle(i, i)] <= kMost)) return false;
+        if (!(m[triangle(i, i)] >= 0.0 && m[triangle(i, i)] <= kMaximum)) return false;
     return semidefinite_by_pivots(m, n);
 }
 void factor_triangle(double* m, int n) noexcept {

@@ -50,7 +50,7 @@ void LoadStore::prepare(const model::Bodies& bodies) {
     // The following code does not throw.
     for (std::size_t b = 0; b < count; ++b) {
         const auto body = static_cast<std::int32_t>(b);
-        generation_[b] = bodies.places.holds(body) ? bodies.places.generation(body) : -1;
+        generation_[b] = bodies.slots.holds(body) ? bodies.slots.generation(body) : -1;
         freedom_[b] = static_cast<std::uint8_t>(bodies.dof(static_cast<int>(b)));
     }
     entry_of_.resize(count, -1);
@@ -94,7 +94,7 @@ void LoadStore::clear() noexcept {
     any_ = false;
 }
 
-BodyLoad LoadStore::at_place(std::int32_t place, int freedom) noexcept {
+BodyLoad LoadStore::at_slot(std::int32_t place, int freedom) noexcept {
     double* f = &data_[at(place)];
     const int n = entries_of(freedom);
     double* a = f + freedom;
@@ -103,15 +103,15 @@ BodyLoad LoadStore::at_place(std::int32_t place, int freedom) noexcept {
 
 bool LoadStore::add_entry(std::int32_t body, int freedom) noexcept {
     try {
-        base::make_room(entries_, 1);
-        base::make_room(used_, 1);
-        base::make_room(late_, 1);
-        base::make_room(sources_, 1);
-        base::make_room(last_water_, 1);
-        base::make_room(shared_of_, 1);
-        base::make_room(data_, at(size_of(freedom)));
-        base::make_room(woken_, entries_.size() + 1);
-        base::make_room(woken_quiet_, entries_.size() + 1);
+        base::reserve_more(entries_, 1);
+        base::reserve_more(used_, 1);
+        base::reserve_more(late_, 1);
+        base::reserve_more(sources_, 1);
+        base::reserve_more(last_water_, 1);
+        base::reserve_more(shared_of_, 1);
+        base::reserve_more(data_, at(size_of(freedom)));
+        base::reserve_more(woken_, entries_.size() + 1);
+        base::reserve_more(woken_quiet_, entries_.size() + 1);
         fault_.reserve(at(load_chunks(static_cast<int>(entries_.capacity()))));
     } catch (const std::bad_alloc&) {
         out_of_memory_ = true;
@@ -152,7 +152,7 @@ BodyLoad LoadStore::of(BodyId id) noexcept {
         note_source(e);
         used_[e] = system_;
     }
-    return at_place(entries_[e].place, freedom);
+    return at_slot(entries_[e].place, freedom);
 }
 
 void LoadStore::reserve(std::span<const BodyId> bodies) noexcept {
@@ -225,7 +225,7 @@ void LoadStore::finish(model::Bodies& bodies, double h, base::Executor& executor
                                whole[i] += a[i];
                                fast[i] = h * d[i] + 0.25 * h * h * k[i];
                            }
-                           late_[at(e)] = model::late_share(trace_over(whole, fast, n));
+                           late_[at(e)] = model::late_fraction(trace_over(whole, fast, n));
                        }
                        for (int i = 0; i < size; ++i)
                            block[i] = a[i] + h * late_[at(e)] * d[i] + 0.25 * h * h * k[i];
@@ -282,7 +282,7 @@ void LoadStore::add_terms(const assembly::View& view, std::int32_t begin,
         double impulse[6];
         const double* b = nullptr;
         if (!terms_of(body, view.h, view.v + first, impulse, &b)) continue;
-        double* own = view.body_block + assembly::block_place(first);
+        double* own = view.body_block + assembly::block_offset(first);
         for (int i = 0; i < n; ++i) view.a[first + i] += impulse[i];
         for (int part = 0; part < n; part += 3)
             for (int i = 0, k = 0; i < std::min(n, 3); ++i)

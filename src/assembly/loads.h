@@ -174,7 +174,7 @@ class LoadStore {
     [[nodiscard]] bool used(std::int32_t entry) const noexcept {
         return entry >= 0 && used_[static_cast<std::size_t>(entry)] != 0;
     }
-    [[nodiscard]] BodyLoad at_place(std::int32_t place, int freedom) noexcept;
+    [[nodiscard]] BodyLoad at_slot(std::int32_t place, int freedom) noexcept;
     bool add_entry(std::int32_t body, int freedom) noexcept;
 
     std::vector<Works> part_;  ///< One per chunk of bodies.

@@ -49,7 +49,7 @@ void OpHistory::compare_interactions(const OpSources& now) {
     const std::size_t known = std::min(count, traits_.size());
     traits_.resize(count);
     places_.resize(count);
-    place_moved_.resize(count);
+    slot_moved_.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
         Traits t{};
         t.bodies = in.bodies[i];
@@ -62,7 +62,7 @@ void OpHistory::compare_interactions(const OpSources& now) {
             t.dof[b] = now.dof[at(t.body[b])];
         }
         const Place place{in.jac_begin[i], now.geo[i].record};
-        place_moved_[i] = {place.jacobian - places_[i].jacobian, place.record - places_[i].record};
+        slot_moved_[i] = {place.jacobian - places_[i].jacobian, place.record - places_[i].record};
         places_[i] = place;
         if (i < known && t == traits_[i]) continue;
         if (i < known) mark(traits_[i]);
@@ -79,7 +79,7 @@ void OpHistory::compare_bodies(const OpSources& now) {
     for (std::size_t b = 0; b < count; ++b) {
         const std::int32_t begin = now.bodies.dof_begin[b];
         block_moved_[b] =
-            static_cast<std::int32_t>(block_place(begin) - block_place(dof_begin_[b]));
+            static_cast<std::int32_t>(block_offset(begin) - block_offset(dof_begin_[b]));
         dof_begin_[b] = begin;
     }
 }
@@ -195,7 +195,7 @@ void OpHistory::carry(std::int64_t moved, Op& op) const noexcept {
         return;
     }
     const std::int32_t by =
-        op.kind == Op::body_block ? block_moved_[at(op.id)] : place_moved_[at(op.id)].jacobian;
+        op.kind == Op::body_block ? block_moved_[at(op.id)] : slot_moved_[at(op.id)].jacobian;
     op.jac_a += by;
     op.jac_b += by;
 }
@@ -208,7 +208,7 @@ void OpHistory::carry(std::int64_t moved, LaneOp& op) const noexcept {
         if (op.kind == Op::body_block)
             op.from[l] += block_moved_[id];
         else
-            op.from[l] += record ? place_moved_[id].record : place_moved_[id].jacobian;
+            op.from[l] += record ? slot_moved_[id].record : slot_moved_[id].jacobian;
     }
 }
 
@@ -217,7 +217,7 @@ std::size_t OpHistory::bytes() const noexcept {
     std::size_t sum = 0;
     for (const Batches* b : {&batches_, &before_})
         sum += bytes(b->steps) + bytes(b->ranges) + bytes(b->entries);
-    return sum + bytes(traits_) + bytes(places_) + bytes(place_moved_) + bytes(dof_begin_) +
+    return sum + bytes(traits_) + bytes(places_) + bytes(slot_moved_) + bytes(dof_begin_) +
            bytes(block_moved_) + bytes(blocks_) + bytes(block_now_) + bytes(changed_) +
            bytes(step_before_) + bytes(moved_);
 }

@@ -40,7 +40,7 @@ struct OpSources {
     std::span<const std::int32_t> member_of_node;  ///< Body or interaction.
     std::span<const std::int32_t> node_of_interaction;
     std::span<const std::uint8_t> dof, rests;
-    std::span<const GeoPlace> geo;
+    std::span<const GeoSlot> geo;
     std::span<const ContactBlock> blocks;
 };
 
@@ -113,7 +113,7 @@ class OpHistory {
 
     bool known_ = false;
     std::vector<Traits> traits_;
-    std::vector<Place> places_, place_moved_;  ///< Offsets by interaction, and their changes.
+    std::vector<Place> places_, slot_moved_;  ///< Offsets by interaction, and their changes.
     std::vector<std::int32_t> dof_begin_, block_moved_;  ///< By body.
     std::vector<ContactBlock> blocks_;
     std::vector<std::int32_t> block_now_;  ///< New number of each block; empty: unchanged.

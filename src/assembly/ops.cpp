@@ -83,7 +83,7 @@ void System::list_column(std::int32_t node, const model::Bodies& bodies,
                          const model::Interactions& in, Sink&& sink) const {
     const std::int32_t member = member_of_node_[at(node)];
     if (pattern.sign[at(node)] < 0) return list_kept(in, member, sink);
-    const auto block = static_cast<std::int32_t>(block_place(bodies.dof_begin[at(member)]));
+    const auto block = static_cast<std::int32_t>(block_offset(bodies.dof_begin[at(member)]));
     const int dof = dof_[at(member)];
     sink(node, OpParts{member, Op::body_block, 0, 0, block, block, dof, dof, 0});
     for (std::int32_t k = incident_begin_[at(member)]; k < incident_begin_[at(member) + 1]; ++k)
@@ -119,7 +119,7 @@ void System::sort_contacts() {
 /// elimination. Steps of batches come after them, each with the columns of its lanes.
 void System::place_columns() {
     const auto n = static_cast<std::int32_t>(symbolic.order.size());
-    column_place_.clear();
+    column_slot_.clear();
     step_begin_.assign(symbolic.batch_steps.size() + 1, 0);
     const auto step_of = [&](std::int32_t k) {
         return symbolic.batches.empty() ? -1 : symbolic.node_step[at(symbolic.order[at(k)])];
@@ -128,22 +128,22 @@ void System::place_columns() {
         if (const std::int32_t step = step_of(k); step >= 0)
             ++step_begin_[at(step) + 1];
         else
-            column_place_.emplace_back(symbolic.column_address(k), k);
-    step_begin_[0] = static_cast<std::int32_t>(column_place_.size());
+            column_slot_.emplace_back(symbolic.column_address(k), k);
+    step_begin_[0] = static_cast<std::int32_t>(column_slot_.size());
     for (std::size_t i = 1; i < step_begin_.size(); ++i) step_begin_[i] += step_begin_[i - 1];
-    column_place_.resize(at(n));
+    column_slot_.resize(at(n));
     for (std::int32_t k = 0; k < n; ++k)
         if (const std::int32_t step = step_of(k); step >= 0)
-            column_place_[at(step_begin_[at(step)]++)] = {symbolic.batch_steps[at(step)].panel, k};
+            column_slot_[at(step_begin_[at(step)]++)] = {symbolic.batch_steps[at(step)].panel, k};
 }
 
 /// List the ops of the columns of an ordinary front at one address, from `column` on in
-/// column_place_. @return the first column after them.
-std::size_t System::list_place(std::size_t column, const model::Bodies& bodies,
-                               const model::Interactions& in) {
-    const std::int64_t place = column_place_[column].first;
-    for (; column < column_place_.size() && column_place_[column].first == place; ++column) {
-        const std::int32_t node = symbolic.order[at(column_place_[column].second)];
+/// column_slot_. @return the first column after them.
+std::size_t System::list_slot(std::size_t column, const model::Bodies& bodies,
+                              const model::Interactions& in) {
+    const std::int64_t place = column_slot_[column].first;
+    for (; column < column_slot_.size() && column_slot_[column].first == place; ++column) {
+        const std::int32_t node = symbolic.order[at(column_slot_[column].second)];
         const factor::ColumnTargets targets(symbolic, node);
         list_column(node, bodies, in, [&](std::int32_t row, const OpParts& op) {
             const factor::BlockTarget t = targets.of(row);
@@ -157,10 +157,10 @@ std::size_t System::list_place(std::size_t column, const model::Bodies& bodies,
 /// after them.
 std::size_t System::list_step(std::size_t column, const model::Bodies& bodies,
                               const model::Interactions& in) {
-    const std::int64_t place = column_place_[column].first;
+    const std::int64_t place = column_slot_[column].first;
     sharer_.begin(place, lane_ops.size());
-    for (; column < column_place_.size() && column_place_[column].first == place; ++column) {
-        const std::int32_t node = symbolic.order[at(column_place_[column].second)];
+    for (; column < column_slot_.size() && column_slot_[column].first == place; ++column) {
+        const std::int32_t node = symbolic.order[at(column_slot_[column].second)];
         const factor::ColumnTargets targets(symbolic, node);
         list_column(node, bodies, in, [&](std::int32_t row, const OpParts& op) {
             const factor::BlockTarget t = targets.of(row);
@@ -170,7 +170,7 @@ std::size_t System::list_step(std::size_t column, const model::Bodies& bodies,
             }
             const bool record = op.kind == Op::geometric && op.width > 0;
             sharer_.add(op, t.address, t.step, op.kind == Op::body_block ? 0 : in.rows[at(op.id)],
-                        record ? geo_place_[at(op.id)].record : op.jac_a, lane_ops);
+                        record ? geo_slot_[at(op.id)].record : op.jac_a, lane_ops);
         });
     }
     sharer_.end(lane_ops, ops);
@@ -181,22 +181,22 @@ std::size_t System::list_step(std::size_t column, const model::Bodies& bodies,
 /// them.
 std::size_t System::carry_step(std::size_t column, std::int32_t step, std::int32_t before) {
     const OpRange& from = steps_before_[at(before)];
-    const std::int64_t place = column_place_[column].first, moved = history_.moved(step);
+    const std::int64_t place = column_slot_[column].first, moved = history_.moved(step);
     for (std::int64_t k = from.op_begin; k < from.op_end; ++k)
         history_.carry(moved, ops.emplace_back(ops_before_[at(k)]));
     for (std::int64_t k = from.lane_begin; k < from.lane_end; ++k)
         history_.carry(moved, lane_ops.emplace_back(lane_ops_before_[at(k)]));
-    while (column < column_place_.size() && column_place_[column].first == place) ++column;
+    while (column < column_slot_.size() && column_slot_[column].first == place) ++column;
     return column;
 }
 
 /// List the ops of all columns at the address of `column`. @return the first column after them.
 std::size_t System::list_columns_at(std::size_t column, const model::Bodies& bodies,
                                     const model::Interactions& in) {
-    if (symbolic.batches.empty()) return list_place(column, bodies, in);
+    if (symbolic.batches.empty()) return list_slot(column, bodies, in);
     const std::int32_t step =
-        symbolic.node_step[at(symbolic.order[at(column_place_[column].second)])];
-    if (step < 0) return list_place(column, bodies, in);
+        symbolic.node_step[at(symbolic.order[at(column_slot_[column].second)])];
+    if (step < 0) return list_slot(column, bodies, in);
     OpRange& range = step_ops_[at(step)];
     range.op_begin = std::ssize(ops);
     range.lane_begin = std::ssize(lane_ops);
@@ -210,35 +210,34 @@ std::size_t System::list_columns_at(std::size_t column, const model::Bodies& bod
 void System::build_ops(const model::Bodies& bodies, const model::Interactions& in) {
     sort_contacts();
     place_columns();
-    history_.follow({symbolic, bodies, in, column_place_, member_of_node_, node_of_interaction,
-                     dof_, rests_, geo_place_, contacts.blocks});
+    history_.follow({symbolic, bodies, in, column_slot_, member_of_node_, node_of_interaction, dof_,
+                     rests_, geo_slot_, contacts.blocks});
     ops.swap(ops_before_);
     lane_ops.swap(lane_ops_before_);
     step_ops_.swap(steps_before_);
     step_ops_.assign(symbolic.batch_steps.size(), {});
     ops.clear();
     lane_ops.clear();
-    op_place_.clear();
-    lane_place_.clear();
+    op_slot_.clear();
+    lane_slot_.clear();
     const std::vector<factor::Piece>& pieces = numeric.pieces();
     piece_ops_.assign(pieces.size(), {});
-    pieces_by_place_.resize(pieces.size());
-    std::iota(pieces_by_place_.begin(), pieces_by_place_.end(), 0);
-    std::sort(pieces_by_place_.begin(), pieces_by_place_.end(),
-              [&](std::int32_t p, std::int32_t q) {
-                  return pieces[at(p)].panel_begin < pieces[at(q)].panel_begin;
-              });
+    pieces_by_slot_.resize(pieces.size());
+    std::iota(pieces_by_slot_.begin(), pieces_by_slot_.end(), 0);
+    std::sort(pieces_by_slot_.begin(), pieces_by_slot_.end(), [&](std::int32_t p, std::int32_t q) {
+        return pieces[at(p)].panel_begin < pieces[at(q)].panel_begin;
+    });
     std::size_t column = 0;
-    for (const std::int32_t k : pieces_by_place_) {
+    for (const std::int32_t k : pieces_by_slot_) {
         OpRange& range = piece_ops_[at(k)];
         range.op_begin = std::ssize(ops);
         range.lane_begin = std::ssize(lane_ops);
-        while (column < column_place_.size()) {
-            const std::int64_t place = column_place_[column].first;
+        while (column < column_slot_.size()) {
+            const std::int64_t place = column_slot_[column].first;
             if (place >= pieces[at(k)].panel_end) break;
             column = list_columns_at(column, bodies, in);
-            op_place_.resize(ops.size(), place);
-            lane_place_.resize(lane_ops.size(), place);
+            op_slot_.resize(ops.size(), place);
+            lane_slot_.resize(lane_ops.size(), place);
         }
         range.op_end = std::ssize(ops);
         range.lane_end = std::ssize(lane_ops);
@@ -246,7 +245,7 @@ void System::build_ops(const model::Bodies& bodies, const model::Interactions& i
     list_skew_ops();
     history_.done();
     if (contacts.blocks.empty() && report_.replanned) {  // the next time is not soon
-        column_place_ = {};
+        column_slot_ = {};
         ops_before_ = {};
         lane_ops_before_ = {};
         history_ = {};

@@ -54,7 +54,7 @@ void System::place(const model::Bodies& bodies, const model::Interactions& inter
     place_capstans(interactions);
 }
 
-/// Throw LimitError if the panels would exceed most_bytes, before they are allocated: they are most
+/// Throw LimitError if the panels would exceed max_bytes, before they are allocated: they are most
 /// of the memory of a world.
 void System::check_memory(const model::Bodies& bodies, const model::Interactions& interactions,
                           int threads) const {
@@ -62,7 +62,7 @@ void System::check_memory(const model::Bodies& bodies, const model::Interactions
                         static_cast<double>(numeric.bytes());
     const double all = ours + std::max(static_cast<double>(numeric.bytes()),
                                        factor::Numeric::bytes_for(symbolic, threads, may_skew()));
-    if (all > most_bytes) throw LimitError({Bound::memory, all, most_bytes});
+    if (all > max_bytes) throw LimitError({Bound::memory, all, max_bytes});
 }
 
 void System::keep(Kept& out) const {

@@ -12,16 +12,16 @@ namespace {
 
 /// Maximum number of interactions of a body with a row that may be cut. A link of a wire has fewer:
 /// two joints, three bending, two twist.
-constexpr std::int32_t kMostOfLink = 8;
-constexpr double kSpeed = 0.1;       // v₀ [m/s]
-constexpr double kViolation = 0.01;  // g₀ [m]
-constexpr double kMeanShare = 0.01;  // fraction of the mean row force in F
+constexpr std::int32_t kMaxOfLink = 8;
+constexpr double kSpeed = 0.1;          // v₀ [m/s]
+constexpr double kViolation = 0.01;     // g₀ [m]
+constexpr double kMeanFraction = 0.01;  // fraction of the mean row force in F
 
 }  // namespace
 
 std::int32_t thousandths(double weight) noexcept {
-    constexpr double kMost = 1e6;
-    if (!(weight < kMost / 1000.0)) return static_cast<std::int32_t>(kMost);
+    constexpr double kMaximum = 1e6;
+    if (!(weight < kMaximum / 1000.0)) return static_cast<std::int32_t>(kMaximum);
     return weight > 0.0 ? static_cast<std::int32_t>(std::lround(1000.0 * weight)) : 0;
 }
 
@@ -55,7 +55,7 @@ void PartGraph::build(const model::Bodies& bodies, std::int32_t body_count,
         for (std::int32_t k = begin[at(i)]; k < begin[at(i) + 1]; ++k) {
             const std::size_t b = at(members[at(k)]);
             if (size[b] == 0) continue;
-            same &= degree_[b] <= kMostOfLink && (first == 0 || size[b] == first);
+            same &= degree_[b] <= kMaxOfLink && (first == 0 || size[b] == first);
             first = size[b];
         }
         whole_[at(i)] = same ? 0 : 1;
@@ -64,7 +64,7 @@ void PartGraph::build(const model::Bodies& bodies, std::int32_t body_count,
     for (std::size_t e = 0; e < whole_.size(); ++e)
         if (whole_[e]) edge_weight[e] = graph::kNeverCut;
     node_weight.assign(n, 0);
-    mend_weight.assign(whole_.size(), 0);
+    repair_weight.assign(whole_.size(), 0);
     net_force.assign(n, 0.0);
     speed.assign(at(interaction_count), 0.0);
     violation.assign(at(interaction_count), 0.0);
@@ -97,9 +97,9 @@ void PartGraph::weigh(const model::Bodies& bodies, const model::Interactions& in
         }
         if (rests || in.jacobian.empty()) continue;
         double sum = 0.0, off = 0.0;
-        double room[model::kArmRoom];
+        double buffer[model::kArmBufferSize];
         const double* packed =
-            model::packed_rows(&in.jacobian[at(in.jac_begin[at(i)])], in.arms[at(i)] != 0, room);
+            model::packed_rows(&in.jacobian[at(in.jac_begin[at(i)])], in.arms[at(i)] != 0, buffer);
         for (int r = 0; r < in.rows[at(i)]; ++r) {
             const std::size_t row = at(in.row_begin[at(i)] + r);
             const double* jac = packed + static_cast<std::ptrdiff_t>(r) * width;
@@ -121,7 +121,7 @@ void PartGraph::weigh(const model::Bodies& bodies, const model::Interactions& in
         violation[at(i)] = off;
         const bool is_cut = std::binary_search(cut.begin(), cut.end(), i);
         const std::int32_t displaced = thousandths(off / kViolation);
-        if (is_cut) mend_weight[at(i)] = displaced;
+        if (is_cut) repair_weight[at(i)] = displaced;
         if (!whole_[at(i)])
             edge_weight[at(i)] = thousandths(sum / kSpeed) + (is_cut ? 0 : displaced);
     }
@@ -132,7 +132,7 @@ void PartGraph::weigh(const model::Bodies& bodies, const model::Interactions& in
         if (size[b] == 0) continue;
         const double* p = &net_[3 * b];
         net_force[b] = per_h * std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
-        const double usual = bodies.mass[b] * gravity + kMeanShare * mean + 1e-300;
+        const double usual = bodies.mass[b] * gravity + kMeanFraction * mean + 1e-300;
         node_weight[b] = thousandths(net_force[b] / usual);
     }
 }

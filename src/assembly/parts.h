@@ -56,11 +56,11 @@ class PartGraph {
     std::vector<std::int32_t> group;  ///< Part of each body as set by the user; may be empty.
 
     [[nodiscard]] graph::Hypergraph view() const noexcept {
-        return {size, begin, members, edge_weight, node_weight, group, cost, mend_weight};
+        return {size, begin, members, edge_weight, node_weight, group, cost, repair_weight};
     }
 
     std::vector<std::uint8_t> size;
-    std::vector<std::int32_t> begin, members, edge_weight, node_weight, mend_weight;
+    std::vector<std::int32_t> begin, members, edge_weight, node_weight, repair_weight;
     std::vector<double> net_force;  ///< By body [N].
     std::vector<double> speed;      ///< By interaction: Σ|G v| [m/s, rad/s].
     std::vector<double> violation;  ///< By interaction: Σ|g| [m, rad].

@@ -78,7 +78,7 @@ void Resistances::begin(const collide::ContactSet& set, base::Array<ContactRow>&
         a.rolling = surface.rolling;
         const double upsilon = row_upsilon(surface.damping_time, h);
         const double scale = row_sigma(1.0, upsilon, h);
-        a.sigma = std::max(scale * row.epsilon, kLeastSigma * a.mobility);
+        a.sigma = std::max(scale * row.epsilon, kMinSigma * a.mobility);
         row.epsilon = a.sigma / scale;
         rows.push_back(row);
         laws.push_back(a);

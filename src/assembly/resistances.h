@@ -4,11 +4,11 @@
 /// Resistance to rolling and spinning of contacts: rows of relative rotation, condensed with the
 /// contact. Only surfaces with such a resistance have them; nonsmooth/resistance.h has the law.
 ///
-/// Both sides must be bodies with an orientation. Contacts of lumps or segments have no resistance.
-/// Below the bound a spring acts. It is the tangential spring of the contact at the radius of
-/// gyration of the rotating bodies: ε [rad/(N m)] = ε_t W_ω/W_v. W_ω is the mean inverse inertia
-/// and W_v the inverse mass of both sides. The spring acts on rotation like the tangential one on
-/// sliding.
+/// Both sides must be bodies with an orientation. Contacts of point masses or segments have no
+/// resistance. Below the bound a spring acts. It is the tangential spring of the contact at the
+/// radius of gyration of the rotating bodies: ε [rad/(N m)] = ε_t W_ω/W_v. W_ω is the mean inverse
+/// inertia and W_v the inverse mass of both sides. The spring acts on rotation like the tangential
+/// one on sliding.
 ///
 /// Memory: while all components stick, the violation g [rad] is a rotation in the frame of side 0.
 /// It is the rotation of side 1 relative to side 0 since a reference orientation. It depends on

@@ -22,15 +22,16 @@ double arm_rate(const model::Bodies& bodies, const model::Interactions& in, int 
 }
 
 /// Return the larger rate of the two bodies of a joint; 0 unless both turn.
-double swing_rate(const model::Bodies& bodies, const model::Interactions& in, int id) {
+double vibration_rate(const model::Bodies& bodies, const model::Interactions& in, int id) {
     for (int b = 0; b < 2; ++b)
         if (bodies.dof(in.body[at(kMaxInteractionBodies * id + b)]) != 6) return 0.0;
     return std::max(arm_rate(bodies, in, id, 0), arm_rate(bodies, in, id, 1));
 }
 
-/// Return the oscillation rate of a joint or rod, see model::Interactions::swing: about the centres
-/// of mass of its bodies. A rod between lumps also oscillates transversely, with 1/(l m).
-double swing_of(const model::Bodies& bodies, const model::Interactions& in, int id) {
+/// Return the oscillation rate of a joint or rod, see model::Interactions::vibration: about the
+/// centres of mass of its bodies. A rod between point masses also oscillates transversely, with
+/// 1/(l m).
+double vibration_of(const model::Bodies& bodies, const model::Interactions& in, int id) {
     const KindInfo& kind = kind_info(in.kinds[at(id)]);
     // A sliding joint has no fixed arm on which a force acts.
     if (kind.is(kSlides)) return 0.0;
@@ -49,7 +50,7 @@ double swing_of(const model::Bodies& bodies, const model::Interactions& in, int 
 void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in) {
     // Vector loads read up to seven entries past the end.
     constexpr std::size_t kSlack = 8;
-    geo_place_.assign(at(in.count()), {});
+    geo_slot_.assign(at(in.count()), {});
     std::int32_t record = 0, force = 0, jacobian = 0;
     // Compact Jacobians come first, one per cache line.
     for (int i = 0; i < in.count(); ++i) {
@@ -60,7 +61,7 @@ void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in) 
         if (!compact) continue;
         in.jac_begin[at(i)] = jacobian;
         jacobian += model::kArms;
-        geo_place_[at(i)] = {-1, force, 0};
+        geo_slot_[at(i)] = {-1, force, 0};
         force += 6;
     }
     for (int i = 0; i < in.count(); ++i) {
@@ -71,43 +72,44 @@ void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in) 
         if (in.geo[at(i)] < 0 || rests(i)) continue;
         auto is_point = [&](std::int32_t b) { return dof_[at(b)] == 3 || dof_[at(b)] == 1; };
         const bool points = is_point(body[0]) && is_point(body[1]);
-        geo_place_[at(i)] = {record, force, points ? 3 : 6};
+        geo_slot_[at(i)] = {record, force, points ? 3 : 6};
         record += points ? kGeoLine : kGeoSize;
         force += points ? 6 : 24;
     }
-    among_lumps_.assign(at(in.count()), 0);
+    among_nodes_.assign(at(in.count()), 0);
     for (int i = 0; i < in.count(); ++i) {
-        auto is_far_lump = [&](std::int32_t b) {
+        auto is_far_node = [&](std::int32_t b) {
             constexpr int kReach = 3;  // vector loads of x and v end before this many more
             return dof_[at(b)] == 3 && b + kReach <= bodies.count() &&
                    bodies.dof_begin[at(b)] + static_cast<int>(kSlack) <= bodies.dofs;
         };
         const std::int32_t* body = &in.body[at(kMaxInteractionBodies * i)];
-        const bool placed = !in.gone(i) && (in.geo[at(i)] < 0 || geo_place_[at(i)].record >= 0);
-        among_lumps_[at(i)] = placed && std::all_of(body, body + in.bodies[at(i)], is_far_lump);
+        const bool placed = !in.gone(i) && (in.geo[at(i)] < 0 || geo_slot_[at(i)].record >= 0);
+        among_nodes_[at(i)] = placed && std::all_of(body, body + in.bodies[at(i)], is_far_node);
     }
     place_masses(in);
     in.jacobian.assign(at(jacobian) + kSlack, 0.0);
     geo_record_.assign(at(record) + kSlack, 0.0);
     geo_force_.assign(at(force) + kSlack, 0.0);
     for (int i = 0; i < in.count(); ++i) {
-        in.swing[at(i)] = model::may_ever_complete(in, i) ? swing_of(bodies, in, i) : 0.0;
-        const GeoPlace& place = geo_place_[at(i)];
+        in.vibration[at(i)] = model::may_ever_complete(in, i) ? vibration_of(bodies, in, i) : 0.0;
+        const GeoSlot& place = geo_slot_[at(i)];
         if (in.arms[at(i)])
-            in.jacobian[at(in.jac_begin[at(i)] + model::kArmsSwing)] = swing_rate(bodies, in, i);
+            in.jacobian[at(in.jac_begin[at(i)] + model::kArmsVibration)] =
+                vibration_rate(bodies, in, i);
         else if (place.dof == 6 && place.record >= 0)
-            geo_record_[at(place.record + kGeoSwing)] = swing_rate(bodies, in, i);
+            geo_record_[at(place.record + kGeoVibration)] = vibration_rate(bodies, in, i);
     }
 }
 
 /// Find the elements between points with geometric terms. The masses of the other elements stay
-/// with the lumps.
+/// with the point masses.
 void System::place_masses(const model::Interactions& in) {
     pair_mass_.clear();
     if (!consistent_mass) return;
     const auto counts = [&](std::size_t i) {
         const std::int32_t* body = &in.body[kMaxInteractionBodies * i];
-        return in.pair_mass[i] > 0.0 && geo_place_[i].record >= 0 && dof_[at(body[0])] == 3 &&
+        return in.pair_mass[i] > 0.0 && geo_slot_[i].record >= 0 && dof_[at(body[0])] == 3 &&
                dof_[at(body[1])] == 3;
     };
     for (std::size_t i = 0; i < at(in.count()); ++i) {
@@ -133,7 +135,7 @@ void System::build_incidence(const model::Bodies& bodies, const model::Interacti
         std::int32_t column = in.jac_begin[at(i)];
         for (int b = 0; b < in.bodies[at(i)]; ++b) {
             const bool geo = in.geo[at(i)] >= 0 && b < 2;
-            const GeoPlace& place = geo_place_[at(i)];
+            const GeoSlot& place = geo_slot_[at(i)];
             const std::int32_t k = cursor_[at(body[b])]++;
             Incidence& incidence = incident_[at(k)];
             incident_of_[at(k)] = i;
@@ -161,7 +163,7 @@ void System::build_incidence(const model::Bodies& bodies, const model::Interacti
 }
 
 void System::find_links(const model::Bodies& bodies) {
-    constexpr int kMost = 255;
+    constexpr int kMaximum = 255;
     links_.assign(at(bodies.count()), 0);
     auto joint = [&](int body, int k) -> const Incidence& {
         return incident_[at(incident_begin_[at(body)] + k)];
@@ -177,7 +179,7 @@ void System::find_links(const model::Bodies& bodies) {
                              joint(b + 1, 0).row == out.row &&
                              bodies.dof_begin[at(b) + 1] == bodies.dof_begin[at(b)] + 6;
         links_[at(b)] =
-            static_cast<std::uint8_t>(goes_on ? std::min(kMost, links_[at(b) + 1] + 1) : 1);
+            static_cast<std::uint8_t>(goes_on ? std::min(kMaximum, links_[at(b) + 1] + 1) : 1);
     }
 }
 

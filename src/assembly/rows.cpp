@@ -4,8 +4,8 @@
 namespace hawser::stepper {
 
 double row_speed(const assembly::View& v, std::int32_t id) noexcept {
-    double room[model::kArmRoom];
-    const double* jac = packed_rows(v, id, room);
+    double buffer[model::kArmBufferSize];
+    const double* jac = packed_rows(v, id, buffer);
     return along_row(v, id, jac, v.v_new, v.dof_begin);
 }
 

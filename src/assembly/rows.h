@@ -35,11 +35,11 @@ namespace hawser::stepper {
 class KeptRanges {
   public:
     /// Save the flags.
-    /// @param room  Buffer with one value for each interaction that may be inactive. Only one guard
-    /// at a time may use it.
-    KeptRanges(std::span<double> room, double* active,
+    /// @param buffer  Buffer with one value for each interaction that may be inactive. Only one
+    /// guard at a time may use it.
+    KeptRanges(std::span<double> buffer, double* active,
                std::span<const std::int32_t> bounded) noexcept
-        : room_(room), active_(active), bounded_(bounded) {
+        : room_(buffer), active_(active), bounded_(bounded) {
         for (std::size_t i = 0; i < room_.size(); ++i) room_[i] = active_[at(bounded_[i])];
     }
     ~KeptRanges() {

@@ -19,8 +19,8 @@
 namespace hawser::assembly {
 namespace {
 
-constexpr double kBoundaryShare = 0.9;  ///< Fraction of the stability boundary.
-constexpr double kStiff = 0.05;         ///< Minimum W/(W + Σ) of a row that counts.
+constexpr double kBoundaryFraction = 0.9;  ///< Fraction of the stability boundary.
+constexpr double kStiff = 0.05;            ///< Minimum W/(W + Σ) of a row that counts.
 
 double amplification(const std::vector<double>& w, double sigma) {
     double sum = 0.0;
@@ -29,7 +29,7 @@ double amplification(const std::vector<double>& w, double sigma) {
 }
 
 /// Return the smallest Σ with A ≤ `most`. A decreases with Σ.
-double least_sigma(const std::vector<double>& w, double sigma, double most) {
+double min_sigma(const std::vector<double>& w, double sigma, double most) {
     if (amplification(w, sigma) <= most) return 0.0;
     double high = std::max(sigma, *std::max_element(w.begin(), w.end()));
     while (amplification(w, high) > most) high *= 2.0;
@@ -76,10 +76,10 @@ void System::soften_sides(const model::Bodies& bodies, model::Interactions& in, 
                 w.push_back(together * mobility(bodies, in, id, r));
             const auto first = at(in.row_begin[at(s.first)] + r);
             const double most =
-                kBoundaryShare * 2.0 / (1.0 + in.upsilon[first] * (2.0 - in.recall[first]));
-            const double least = s.soften ? least_sigma(w, sigma_of(first), most) : 0.0;
+                kBoundaryFraction * 2.0 / (1.0 + in.upsilon[first] * (2.0 - in.recall[first]));
+            const double least = s.soften ? min_sigma(w, sigma_of(first), most) : 0.0;
             for (std::int32_t id = s.first; id < s.first + s.count; ++id)
-                in.least_sigma[at(in.row_begin[at(id)] + r)] = least;
+                in.min_sigma[at(in.row_begin[at(id)] + r)] = least;
         }
     }
 }

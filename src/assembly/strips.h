@@ -38,7 +38,7 @@ struct PoolRange {
     InteractionKind kind;
 };
 
-class Strips {
+class RowBlocks {
   public:
     /// Build the strips. @param dof  Degrees of freedom by body. @param rests  1 for each
     /// interaction to leave out. @throws std::bad_alloc.
@@ -75,7 +75,7 @@ class Strips {
     void sort_pools(const model::Interactions& interactions, std::int32_t strips);
 
     // Scratch of build(), by interaction and by body, and by bucket.
-    std::vector<std::int32_t> last_, interaction_strip_, work_, strip_of_, own_, group_, cursor_;
+    std::vector<std::int32_t> last_, block_of_interaction_, work_, block_of_, own_, group_, cursor_;
     std::vector<IndexRange> bodies_, interactions_, shared_;
     std::vector<PoolRange> pools_;
     std::vector<std::int32_t> body_begin_{0}, interaction_begin_{0}, pool_begin_{0},

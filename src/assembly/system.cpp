@@ -32,7 +32,7 @@ void System::analyse(const model::Bodies& bodies, model::Interactions& interacti
     interaction_offset_.assign(at(interactions.count()), -1);
     body_offset_.assign(at(bodies.count()), -1);
     evaluate(bodies, interactions, def);
-    share_damping(bodies, interactions, def.step);
+    split_damping(bodies, interactions, def.step);
     soften_sides(bodies, interactions, def.step);
     choose_forms(bodies, interactions, def);
     find_order(bodies, interactions, state);
@@ -44,7 +44,7 @@ void System::find_resting(const model::Bodies& bodies, const model::Interactions
     for (int b = 0; b < bodies.count(); ++b)
         dof_[at(b)] = static_cast<std::uint8_t>(bodies.asleep[at(b)] ? 0 : bodies.dof(b));
     rests_.assign(at(in.count()), 0);
-    for (const std::int32_t id : in.places.vacant()) rests_[at(id)] = 1;
+    for (const std::int32_t id : in.slots.vacant()) rests_[at(id)] = 1;
     for (int i = 0; i < in.count(); ++i)
         for (int b = 0; b < in.bodies[at(i)]; ++b)
             rests_[at(i)] |= bodies.asleep[at(in.body[at(kMaxInteractionBodies * i + b)])];
@@ -137,9 +137,9 @@ void show_interactions(model::Interactions& in, View& v) noexcept {
     v.held = in.held.data();
     v.parted = in.parted.data();
     v.lightness = in.lightness.data();
-    v.alert = in.alert.data();
+    v.flagged = in.flagged.data();
     v.completed = in.completed.data();
-    v.swing = in.swing.data();
+    v.vibration = in.vibration.data();
     v.rest_length = in.rest_length.data();
     v.epsilon = in.epsilon.data();
     v.upsilon = in.upsilon.data();
@@ -167,7 +167,7 @@ void System::show_own(View& v) noexcept {
     v.a = a_.data();
     v.v_new = v_new_.data();
     v.momentum = keeps_momentum ? momentum_.data() : nullptr;
-    v.geo = geo_place_.data();
+    v.geo = geo_slot_.data();
     v.c_next = c_next_.data();
     v.rate = rate_.data();
     v.geo_record = geo_record_.data();
@@ -178,7 +178,7 @@ void System::show_own(View& v) noexcept {
     v.incident_begin = incident_begin_.data();
     v.incident = incident_.data();
     v.links = links_.data();
-    v.among_lumps = among_lumps_.data();
+    v.among_nodes = among_nodes_.data();
     v.pair_mass = pair_mass_.empty() ? nullptr : pair_mass_.data();
     v.body_offset = body_offset_.data();
     v.interaction_offset = interaction_offset_.data();
@@ -200,18 +200,18 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
 
 std::size_t System::bytes() const noexcept {
     using base::bytes;
-    return analysis.bytes() + numeric.bytes() + bytes(ops) + bytes(lane_ops) +
-           bytes(column_place_) + bytes(step_begin_) + bytes(pieces_by_place_) +
-           bytes(member_of_node_) + bytes(contact_begin_) + bytes(contact_order_) +
-           sharer_.bytes() + history_.bytes() + bytes(ops_before_) + bytes(lane_ops_before_) +
-           bytes(step_ops_) + bytes(steps_before_) + bytes(piece_ops_) + bytes(op_place_) +
-           bytes(lane_place_) + bytes(skew_ops_) + bytes(capstans) + bytes(capstan_entries) +
-           bytes(geo_place_) + bytes(incident_) + bytes(incident_of_) + bytes(incident_begin_) +
-           bytes(body_offset_) + bytes(interaction_offset_) + bytes(body_block_) + bytes(a_) +
-           bytes(v_new_) + bytes(momentum_) + bytes(spin_momentum_) + bytes(spin_next_) +
-           bytes(c_next_) + bytes(rate_) + bytes(turning) + bytes(geo_record_) + bytes(geo_force_) +
+    return analysis.bytes() + numeric.bytes() + bytes(ops) + bytes(lane_ops) + bytes(column_slot_) +
+           bytes(step_begin_) + bytes(pieces_by_slot_) + bytes(member_of_node_) +
+           bytes(contact_begin_) + bytes(contact_order_) + sharer_.bytes() + history_.bytes() +
+           bytes(ops_before_) + bytes(lane_ops_before_) + bytes(step_ops_) + bytes(steps_before_) +
+           bytes(piece_ops_) + bytes(op_slot_) + bytes(lane_slot_) + bytes(skew_ops_) +
+           bytes(capstans) + bytes(capstan_entries) + bytes(geo_slot_) + bytes(incident_) +
+           bytes(incident_of_) + bytes(incident_begin_) + bytes(body_offset_) +
+           bytes(interaction_offset_) + bytes(body_block_) + bytes(a_) + bytes(v_new_) +
+           bytes(momentum_) + bytes(spin_momentum_) + bytes(spin_next_) + bytes(c_next_) +
+           bytes(rate_) + bytes(turning) + bytes(geo_record_) + bytes(geo_force_) +
            bytes(solution_) + bytes(rests_) + bytes(dof_) + bytes(kept_) + bytes(links_) +
-           bytes(among_lumps_) + bytes(pair_mass_) + bytes(node_of_body) +
+           bytes(among_nodes_) + bytes(pair_mass_) + bytes(node_of_body) +
            bytes(node_of_interaction) + bytes(body_before_) + bytes(interaction_before_) +
            bytes(old_of_new_) + bytes(cursor_) + bytes(side_mobility_) + bytes(member_begin_) +
            bytes(members_) + island_finder_.bytes() + bytes(islands.label) + edge_dealer_.bytes() +

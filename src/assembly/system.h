@@ -45,7 +45,7 @@ inline constexpr double kSafeRatio = 1e10;
 
 /// Σ of a rigid row, as a fraction of G M⁻¹Gᵀ. With it redundant rows leave the matrix regular.
 /// Twenty links between bodies 100,000 times heavier yield by some thousandths in their first step.
-inline constexpr double kRigidShare = 2e-9;
+inline constexpr double kRigidFraction = 2e-9;
 
 /// Largest fraction of nodes added or removed for a repair; beyond it a new order is computed.
 inline constexpr double kRepairable = 0.125;
@@ -81,13 +81,13 @@ class System {
         std::vector<std::int32_t> node_of_body, node_of_interaction;
         bool ordered = false, updates_kept = false;
     };
-    /// @throws std::bad_alloc.
+    /// Store the analysis. @throws std::bad_alloc
     void keep(Kept& out) const;
     /// Return to kept data. The system is complete only after the next analyse().
     void go_back(Kept& to) noexcept;
     /// Limit of the memory of the factorisation [B]. @throws LimitError from analyse() and relink()
     /// if more is needed.
-    double most_bytes = 1e15;
+    double max_bytes = 1e15;
     /// Elements have consistent mass (View::pair_mass); else lumped mass.
     bool consistent_mass = true;
     /// Return the report of the last update of the order.
@@ -108,7 +108,7 @@ class System {
     factor::Unsymmetric unsymmetric;  ///< Used if something may touch.
     graph::Islands islands;
     std::vector<std::int32_t> node_of_body, node_of_interaction;  ///< −1: no node.
-    Strips strips;
+    RowBlocks strips;
     Contacts contacts;
     base::Array<Op> ops;           ///< By column of the matrix.
     base::Array<LaneOp> lane_ops;  ///< Sorted by address in the panels.
@@ -173,9 +173,9 @@ class System {
     /// Assign addresses of Jacobians and geometric terms.
     void lay_out_rows(const model::Bodies& bodies, model::Interactions& interactions);
     /// Set the mobilities of dampers and the fractions of damping that depend on them.
-    void share_damping(const model::Bodies& bodies, model::Interactions& interactions,
+    void split_damping(const model::Bodies& bodies, model::Interactions& interactions,
                        double h) const;
-    /// Set least_sigma of the rows of sides.
+    /// Set min_sigma of the rows of sides.
     void soften_sides(const model::Bodies& bodies, model::Interactions& interactions, double h);
     void choose_forms(const model::Bodies& bodies, model::Interactions& interactions,
                       const WorldDef& def);
@@ -221,8 +221,8 @@ class System {
     template <class Sink>
     void list_column(std::int32_t node, const model::Bodies& bodies,
                      const model::Interactions& interactions, Sink&& sink) const;
-    [[nodiscard]] std::size_t list_place(std::size_t column, const model::Bodies& bodies,
-                                         const model::Interactions& interactions);
+    [[nodiscard]] std::size_t list_slot(std::size_t column, const model::Bodies& bodies,
+                                        const model::Interactions& interactions);
     [[nodiscard]] std::size_t list_step(std::size_t column, const model::Bodies& bodies,
                                         const model::Interactions& interactions);
     [[nodiscard]] std::size_t carry_step(std::size_t column, std::int32_t step,
@@ -245,8 +245,8 @@ class System {
     std::vector<std::int32_t> member_begin_, members_;  ///< Members of islands.
     std::vector<std::int32_t> cursor_;                  ///< Scratch, by body.
     std::vector<double> side_mobility_;                 ///< Scratch of soften_sides().
-    std::vector<std::pair<std::int64_t, std::int32_t>> column_place_;  ///< Addresses, positions.
-    std::vector<std::int32_t> step_begin_, pieces_by_place_;
+    std::vector<std::pair<std::int64_t, std::int32_t>> column_slot_;  ///< Addresses, positions.
+    std::vector<std::int32_t> step_begin_, pieces_by_slot_;
     std::vector<std::int32_t> member_of_node_;                 ///< Body or interaction.
     std::vector<std::int32_t> contact_begin_, contact_order_;  ///< By node: blocks in its column.
     LaneSharer sharer_;
@@ -254,12 +254,12 @@ class System {
     base::Array<Op> ops_before_;  ///< The last list.
     base::Array<LaneOp> lane_ops_before_;
     OpHistory history_;
-    std::vector<std::int64_t> op_place_, lane_place_;  ///< Address of each op, ascending.
-    std::vector<std::int32_t> skew_ops_;               ///< Ops of contacts, ascending.
-    base::Array<GeoPlace> geo_place_;
+    std::vector<std::int64_t> op_slot_, lane_slot_;  ///< Address of each op, ascending.
+    std::vector<std::int32_t> skew_ops_;             ///< Ops of contacts, ascending.
+    base::Array<GeoSlot> geo_slot_;
     base::Array<std::uint8_t> dof_, kept_, rests_;
     base::Array<std::uint8_t> links_;        ///< View::links.
-    base::Array<std::uint8_t> among_lumps_;  ///< View::among_lumps.
+    base::Array<std::uint8_t> among_nodes_;  ///< View::among_nodes.
     base::Array<double> pair_mass_;          ///< View::pair_mass; empty: none.
     base::Array<std::int32_t> incident_begin_;
     base::Array<Incidence> incident_;

@@ -24,17 +24,17 @@ namespace hawser::assembly {
 /// Doubles of the own block of a body: one symmetric 3×3 matrix per three freedoms. It starts at
 /// twice the offset of its first velocity.
 inline constexpr int kBodyBlock = 12;
-[[nodiscard, gnu::always_inline]] inline constexpr std::int64_t block_place(
+[[nodiscard, gnu::always_inline]] inline constexpr std::int64_t block_offset(
     std::int32_t dof_begin) {
     return std::int64_t{2} * dof_begin;
 }
-inline constexpr int kGeoSize = 24;   ///< Doubles of one geometric-stiffness record, see geo.h.
-inline constexpr int kGeoSwing = 23;  ///< Last entry of a record, which no step writes.
-inline constexpr int kGeoLine = 4;    ///< Entries of a record between bodies without arms.
+inline constexpr int kGeoSize = 24;       ///< Doubles of one geometric-stiffness record, see geo.h.
+inline constexpr int kGeoVibration = 23;  ///< Last entry of a record, which no step writes.
+inline constexpr int kGeoLine = 4;        ///< Entries of a record between bodies without arms.
 
 inline constexpr int kLossChunk = 64;  ///< Interactions per call of row_losses().
 /// Lower bound of View::recall, below which ġ cannot be derived from c.
-inline constexpr double kLeastRecall = 1e-2;
+inline constexpr double kMinRecall = 1e-2;
 
 /// One contribution to one block of the matrix. For a compact joint (model/arms.h) `width` is 0,
 /// the offsets are those of its record, and `condensed` includes the damping.
@@ -100,7 +100,7 @@ struct Incidence {
     /// Offset of the columns of this body in the first row; offset of its arm.
     std::int32_t jacobian;
     std::int32_t row;  ///< First row.
-    /// GeoPlace::slot() of this body; −1: none, or not one of the first two bodies.
+    /// GeoSlot::slot() of this body; −1: none, or not one of the first two bodies.
     std::int32_t geo_force;
     /// Offset of the stiffness of its arm; −1: none (slot 1 has the negative force of slot 0). For
     /// a compact joint: the interaction.
@@ -115,10 +115,11 @@ struct Incidence {
 /// the part of one slot is the negative of the other, only slot 0 is stored. This is the case
 /// between bodies without arms, and for compact joints (model/arms.h), which have three torques of
 /// each.
-struct GeoPlace {
+struct GeoSlot {
     std::int32_t record = -1;  ///< Offset of the record, kGeoSize or kGeoLine doubles; −1: none.
     std::int32_t force = 0;    ///< Offset of slot 0; slot 1, if any, follows.
-    std::int32_t dof = 6;  ///< 3 between bodies without arms (lumps, scalars), 0 compact, else 6.
+    std::int32_t dof =
+        6;  ///< 3 between bodies without arms (point masses, scalars), 0 compact, else 6.
     [[nodiscard]] constexpr std::int32_t slot(int b) const {
         return dof == 6 ? force + 12 * b : force;
     }
@@ -161,7 +162,7 @@ struct View {
     const double* drag_after;
     const double* drag_before;
     const std::uint8_t* weight;
-    double* body_block;  ///< See block_place().
+    double* body_block;  ///< See block_offset().
     double* a;           ///< Packed like v: right-hand side of the momentum rows.
     double* v_new;       ///< Packed like v: the solution v₊.
     double* momentum;    ///< Packed like v: a − M̃ v₊ + Gᵀλ at the latest body_norms(), or null.
@@ -174,21 +175,22 @@ struct View {
     const std::int32_t* row_begin;
     const std::int32_t* jac_begin;
     const std::uint8_t* arms;  ///< model::Interactions::arms.
-    /// By interaction, 1: all its bodies are lumps, and vector loads stay within the arrays.
-    const std::uint8_t* among_lumps;
-    const GeoPlace* geo;
+    /// By interaction, 1: all its bodies are point masses, and vector loads stay within the arrays.
+    const std::uint8_t* among_nodes;
+    const GeoSlot* geo;
     double* active;
     const double* held;  ///< By interaction: impulse of its first row while inactive.
     const std::uint8_t* parted;
     /// By interaction between points: 1/m of the lighter end [1/kg]; 1 if its wire gained energy
     /// recently, else 0 (assembly/geo.h).
     const double* lightness;
-    const double* alert;
+    const double* flagged;
     const std::uint8_t* completed;  ///< By interaction, see model::Interactions.
-    const double* swing;            ///< By interaction, see model::Interactions.
+    const double* vibration;        ///< By interaction, see model::Interactions.
     const double* rest_length;      ///< l₀ of wire elements [m], 0 for others.
-    /// By interaction: one sixth of the mass of an element between lumps that moves as a straight
-    /// piece (assembly/geo.h) [kg]; 0 for others and for broken elements. Null: there are none.
+    /// By interaction: one sixth of the mass of an element between point masses that moves as a
+    /// straight piece (assembly/geo.h) [kg]; 0 for others and for broken elements. Null: there are
+    /// none.
     const double* pair_mass;
     const double* epsilon;
     const double* upsilon;
@@ -205,8 +207,8 @@ struct View {
     double* multiplier;  ///< By row: λ + Σ⁻¹ residual if condensed, 0 if inactive.
     double* force_of_row;
     double* jacobian;
-    double* geo_record;  ///< See GeoPlace.
-    double* geo_force;   ///< See GeoPlace.
+    double* geo_record;  ///< See GeoSlot.
+    double* geo_force;   ///< See GeoSlot.
 
     // Incidence: pairs (interaction, slot) of a body.
     const std::int32_t* incident_begin;
@@ -236,10 +238,10 @@ struct View {
     return view.pair_mass == nullptr || view.parted[id] != 0 ? 0.0 : view.pair_mass[id];
 }
 
-/// Return the packed rows of interaction `id`, in the buffer `room` if it is a compact joint.
+/// Return the packed rows of interaction `id`, in the buffer `buffer` if it is a compact joint.
 [[nodiscard, gnu::always_inline]] inline const double* packed_rows(
-    const View& view, std::int32_t id, double (&room)[model::kArmRoom]) noexcept {
-    return model::packed_rows(view.jacobian + view.jac_begin[id], view.arms[id] != 0, room);
+    const View& view, std::int32_t id, double (&buffer)[model::kArmBufferSize]) noexcept {
+    return model::packed_rows(view.jacobian + view.jac_begin[id], view.arms[id] != 0, buffer);
 }
 
 /// Add a row G v = c without the rest of its interaction to the right-hand side in the vector of

@@ -63,9 +63,9 @@ void System::over_panels(const factor::DirtyParts& part, base::Executor& executo
 void System::write_blocks(const View& view, const factor::DirtyParts& part, double* panel,
                           base::Executor& executor) const noexcept {
     over_panels(part, executor, [&](const factor::PanelRange& r) {
-        const auto [lane_begin, lane_end] = between(lane_place_, r.begin, r.end);
+        const auto [lane_begin, lane_end] = between(lane_slot_, r.begin, r.end);
         kernels().gather_lane_blocks(view, lane_ops.data(), lane_begin, lane_end, panel);
-        const auto [begin, end] = between(op_place_, r.begin, r.end);
+        const auto [begin, end] = between(op_slot_, r.begin, r.end);
         kernels().gather_blocks(view, ops.data(), begin, end, panel);
     });
 }
@@ -73,7 +73,7 @@ void System::write_blocks(const View& view, const factor::DirtyParts& part, doub
 void System::write_skew(const View& view, const factor::DirtyParts& part, double* upper,
                         base::Executor& executor) const noexcept {
     over_panels(part, executor, [&](const factor::PanelRange& r) {
-        const auto [begin, end] = between(op_place_, r.begin, r.end);
+        const auto [begin, end] = between(op_slot_, r.begin, r.end);
         write_skew(view, begin, end, upper);
     });
 }

@@ -10,7 +10,7 @@
 namespace hawser::HAWSER_ISA {
 
 #if defined(__AVX512F__)
-/// Lanes in [begin, end), which may lie outside 0 … 7.
+/// Return the mask of the lanes in [begin, end), limited to 0 … 7.
 HAWSER_INLINE __mmask8 lane_mask(int begin, int end) {
     const __m512i index = _mm512_set_epi64(7, 6, 5, 4, 3, 2, 1, 0);
     return _mm512_cmplt_epi64_mask(index, _mm512_set1_epi64(end)) &
@@ -20,7 +20,7 @@ HAWSER_INLINE __mmask8 first_mask(int n) {
     return static_cast<__mmask8>(n >= kLanes ? 0xff : (1 << n) - 1);
 }
 #elif defined(__AVX2__)
-/// Part k of the mask of the first n lanes; n may be above eight.
+/// Return part k of the mask of the first n lanes; n may exceed eight.
 HAWSER_INLINE __m256i first_mask(int n, int k) {
     return _mm256_cmpgt_epi64(_mm256_set1_epi64x(n - kPartLanes * k),
                               _mm256_set_epi64x(3, 2, 1, 0));
@@ -79,7 +79,7 @@ HAWSER_INLINE void store_lanes(double* p, const V8& v, int begin, int end) {
     for (int i = begin > 0 ? begin : 0; i < kLanes && i < end; ++i) p[i] = lanes[i];
 #endif
 }
-/// p[0..N) = the first N lanes, N constant.
+/// Store the first N lanes at p[0..N), N constant.
 template <int N>
 HAWSER_INLINE void store_first(double* p, const V8& v) {
     static_assert(N >= 1 && N <= kLanes);
@@ -146,7 +146,7 @@ HAWSER_INLINE void add_first(double* to, const double* from, int n) {
     if ((n & 1) != 0) to[i] += from[i];
 #endif
 }
-/// The same with a constant number: no branch depends on it.
+/// Add a constant number of entries, without a branch that depends on it.
 template <int N>
 HAWSER_INLINE void add_first(double* to, const double* from) {
     static_assert(N >= 1 && N <= kLanes);

@@ -46,7 +46,7 @@ using Array = std::vector<T, AlignedAllocator<T>>;
 
 /// Reserve capacity for `more` further entries. Grows geometrically.
 template <class T, class A>
-void make_room(std::vector<T, A>& v, std::size_t more) {
+void reserve_more(std::vector<T, A>& v, std::size_t more) {
     if (v.capacity() - v.size() >= more) return;
     v.reserve(2 * v.capacity() > v.size() + more ? 2 * v.capacity() : v.size() + more);
 }

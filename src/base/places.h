@@ -16,7 +16,7 @@
 
 namespace hawser::base {
 
-class Places {
+class Slots {
   public:
     [[nodiscard]] std::int32_t count() const noexcept {
         return static_cast<std::int32_t>(generation_.size());
@@ -40,8 +40,8 @@ class Places {
     }
 
     /// Reserve capacity so that append() and vacate() do not throw. @throws std::bad_alloc.
-    void make_room() {
-        base::make_room(generation_, 1);
+    void reserve_more() {
+        base::reserve_more(generation_, 1);
         if (vacant_.capacity() <= generation_.size()) vacant_.reserve(generation_.capacity());
     }
     /// Append a slot and return its index.

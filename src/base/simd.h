@@ -51,7 +51,7 @@ HAWSER_INLINE V8 after_lane(const V8& v, int i) {
 }
 HAWSER_INLINE V8 reciprocal(const V8& v) { return 1.0 / v; }
 HAWSER_INLINE V8 positive_part(const V8& v) { return v > 0.0 ? v : V8{}; }
-/// a > b ? x : y, lane by lane.
+/// Return a > b ? x : y, lane by lane.
 HAWSER_INLINE V8 select_greater(const V8& a, const V8& b, const V8& x, const V8& y) {
     return a > b ? x : y;
 }
@@ -72,7 +72,7 @@ HAWSER_INLINE V8 gather_lanes(const double* x, const std::int32_t* index) {
     const __mmask8 used = _mm256_cmp_epi32_mask(i, _mm256_setzero_si256(), _MM_CMPINT_NLT);
     return _mm512_mask_i32gather_pd(_mm512_setzero_pd(), used, i, x, 8);
 }
-/// x[index] = v lane by lane, but for negative indices.
+/// Store x[index] = v, lane by lane, except lanes with a negative index.
 HAWSER_INLINE void scatter_lanes(double* x, const std::int32_t* index, const V8& v) {
     const __m256i i = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(index));
     const __mmask8 used = _mm256_cmp_epi32_mask(i, _mm256_setzero_si256(), _MM_CMPINT_NLT);
@@ -171,7 +171,7 @@ HAWSER_INLINE V8 operator-(const V8& a) {
     for (int i = 0; i < kParts; ++i) o.part[i] = -a.part[i];
     return o;
 }
-/// a > b ? x : y, lane by lane.
+/// Return a > b ? x : y, lane by lane.
 HAWSER_INLINE V8 select_greater(const V8& a, const V8& b, const V8& x, const V8& y) {
     V8 o;
     for (int i = 0; i < kParts; ++i) o.part[i] = a.part[i] > b.part[i] ? x.part[i] : y.part[i];
@@ -258,7 +258,7 @@ HAWSER_INLINE double zero(double) { return 0.0; }
 HAWSER_INLINE double one(double) { return 1.0; }
 HAWSER_INLINE V8 zero(const V8&) { return V8{}; }
 HAWSER_INLINE V8 one(const V8&) { return V8{} + 1.0; }
-/// A constant of the type of the first argument.
+/// Return a constant of the type of the first argument.
 template <class T>
 HAWSER_INLINE T constant(const T& like, double value) {
     return zero(like) + value;
@@ -292,7 +292,7 @@ HAWSER_INLINE double largest(const V8& v) {
     return most;
 #endif
 }
-/// Lane k = sum of the lanes of v[k] for k < N, 0 in the others.
+/// Return a vector whose lane k is the sum of the lanes of v[k], for k < N; other lanes are 0.
 template <int N>
 HAWSER_INLINE V8 sums(const V8* v) {
 #if defined(__AVX512F__)

@@ -144,7 +144,7 @@ HAWSER_INLINE void as_threes(const V8& x, const V8& y, const V8& z, V8 (&out)[3]
 #endif
 }
 
-/// N values of each of eight, N = 1, 2 or 3: v[k] = p[k], p[N + k] …; and back.
+/// Load N values for each of eight lanes, N = 1, 2 or 3: v[k] = p[k], p[N + k] …; and store them.
 template <int N>
 HAWSER_INLINE void load_every(const double* p, V8 (&v)[N]) {
     static_assert(N >= 1 && N <= 3);
@@ -200,8 +200,8 @@ HAWSER_INLINE void store_every(double* p, const V8 (&v)[N]) {
     }
 }
 
-/// v[k] = entries base[from[0] + k] … base[from[7] + k]: eight consecutive entries of eight
-/// records, lane by lane another record.
+/// Load eight consecutive entries of eight records, one record per lane: v[k] = base[from[0] + k] …
+/// base[from[7] + k].
 HAWSER_INLINE void load_lanes(const double* base, const std::int32_t* from, V8 (&v)[kLanes]) {
     for (int i = 0; i < kLanes; ++i) v[i] = load(base + from[i]);
     transpose(v);

@@ -39,9 +39,9 @@ inline void tangent_between_wheels(const V3& d, const V3 (&n)[2], const double (
         q[k] = (1.0 / norm(q[k])) * q[k];
     }
     // Quadratic convergence from a few degrees on: after three iterations only rounding changes.
-    constexpr int kMost = 20;
+    constexpr int kMaximum = 20;
     constexpr double kEnough = 1e-10, kFarthest = 0.5;  // [rad]
-    for (int i = 0; i < kMost; ++i) {
+    for (int i = 0; i < kMaximum; ++i) {
         const V3 t[2] = {cross(n[0], q[0]), cross(n[1], q[1])};
         const V3 S = d + s[1] * q[1] - s[0] * q[0];
         const double f0 = dot(q[0], S), f1 = dot(q[1], S);

@@ -22,8 +22,8 @@ namespace hawser::stepper {
 
 class Coarsening {
   public:
-    static constexpr int kMost = 4;  ///< Levels.
-    static constexpr int kAct = 60;  ///< Steps in which a decreasing mean is awaited.
+    static constexpr int kMaximum = 4;  ///< Levels.
+    static constexpr int kAct = 60;     ///< Steps in which a decreasing mean is awaited.
     /// Maximum ratio of the mean after kAct steps that counts as a decrease.
     static constexpr double kFalls = 0.97;
     static constexpr int kStay = 240;  ///< Minimum steps at a level before the next lower one.
@@ -47,7 +47,7 @@ class Coarsening {
             before_ = mean_;
         }
         const double demanded = level_ == 0 ? rate_.high() : mean_;
-        if (stands && possible && level_ < kMost && demanded > 1.0)
+        if (stands && possible && level_ < kMaximum && demanded > 1.0)
             go_to(level_ + 1);
         else if (level_ > 0 && since_ >= kStay && mean_ < kRoom)
             go_to(level_ - 1);

@@ -28,7 +28,7 @@ void Rate::relax(double least) noexcept {
     deviation_ *= kStep;
 }
 
-void Deadline::refused() noexcept { rate_[kNext].relax(kLeast * rate_[kFirst].high()); }
+void Deadline::refused() noexcept { rate_[kNext].relax(kMinimum * rate_[kFirst].high()); }
 
 void Deadline::learn(const Load& load, const Laps& laps) noexcept {
     if (load.rows <= 0.0 || load.matrix <= 0.0) return;
@@ -59,11 +59,11 @@ double Deadline::predict(const Load& load, int iterations) const noexcept {
 }
 
 int Deadline::iterations_by(double seconds, const Load& load) const noexcept {
-    constexpr int kMost = 1000;  // as in WorldDef::contact_iterations
+    constexpr int kMaximum = 1000;  // as in WorldDef::contact_iterations
     const double one = predict(load, 1), each = predict_next(load);
-    if (!(each > 0.0)) return kMost;
+    if (!(each > 0.0)) return kMaximum;
     const double more = std::floor((seconds - one) / each);
-    return 1 + static_cast<int>(std::clamp(more, 0.0, kMost - 1.0));
+    return 1 + static_cast<int>(std::clamp(more, 0.0, kMaximum - 1.0));
 }
 
 }  // namespace hawser::stepper

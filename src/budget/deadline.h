@@ -99,7 +99,7 @@ class Deadline {
   private:
     enum { kStart, kFirst, kNext, kFinish, kPlain, kStages };
     /// Rate of further iterations relative to the first one: initial value, and minimum.
-    static constexpr double kGuess = 0.5, kLeast = 0.25;
+    static constexpr double kGuess = 0.5, kMinimum = 0.25;
     std::array<Rate, kStages> rate_;
 };
 

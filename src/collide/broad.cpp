@@ -21,7 +21,7 @@ constexpr int kSweepChunk = 128;  ///< Entries of the sweep per task.
 constexpr int kLargeChunk = 256;  ///< Shapes per task that are tested against all large ones.
 constexpr double kLarge = 8.0;  ///< Shapes larger than this multiple of the median size are large.
 constexpr double kStrip = 4.0;  ///< Width of a strip over the median size.
-constexpr int kMostStrips = 1024;
+constexpr int kMaxStrips = 1024;
 constexpr std::size_t kRoom = 512;  ///< Capacity for the pairs of a task before it grows.
 constexpr int kSomeAnyway = 4;      ///< If there are fewer shapes than this, all are large.
 
@@ -129,7 +129,7 @@ void Broad::prepare(const base::Array<Placed>& placed) {
     width_ = by_size.empty() ? 1.0 : std::max(kStrip * *middle, 1e-9);
     first_.resize(placed.size() + 2);
     sorted_.resize(small_.size());
-    strip_begin_.reserve(kMostStrips + 2);
+    strip_begin_.reserve(kMaxStrips + 2);
 }
 
 void Broad::sort(const base::Array<Placed>& placed) {
@@ -165,7 +165,7 @@ void Broad::cut_into_strips() {
         high = std::max(high, s.high[1]);
     }
     const double span = std::max(high - low, 0.0);
-    const int count = static_cast<int>(std::clamp(span / width_, 1.0, double{kMostStrips}));
+    const int count = static_cast<int>(std::clamp(span / width_, 1.0, double{kMaxStrips}));
     const double per_length = span > 0.0 ? count / span : 0.0;
     auto strip = [&](double x) {
         return static_cast<std::int32_t>(std::clamp((x - low) * per_length, 0.0, count - 1.0));
@@ -177,7 +177,7 @@ void Broad::cut_into_strips() {
         for (std::int32_t k = s.first; k <= strip(s.high[1]); ++k) ++strip_begin_[at(k) + 2];
     }
     for (std::size_t k = 2; k < strip_begin_.size(); ++k) strip_begin_[k] += strip_begin_[k - 1];
-    resize_with_room(entries_, at(strip_begin_.back()));
+    resize_with_reserve(entries_, at(strip_begin_.back()));
     for (Sorted& s : sorted_) {
         if (s.low[0] > s.high[0]) continue;
         for (s.strip = s.first; s.strip <= strip(s.high[1]); ++s.strip)
@@ -188,7 +188,7 @@ void Broad::cut_into_strips() {
 /// Number of pairs found by all tasks. Each task adds its pairs in batches of kNowAndThen.
 struct Broad::Count {
     static constexpr std::size_t kNowAndThen = 4096;
-    std::atomic<std::int64_t> told{0};
+    std::atomic<std::int64_t> reported{0};
     const std::int64_t most;
     base::Executor& pool;
     /// Add the pairs of a task. @param found  Pairs found by the task. @param own  Number of these
@@ -197,7 +197,8 @@ struct Broad::Count {
         if (found - own < kNowAndThen) return !pool.stopping();
         const auto more = static_cast<std::int64_t>(found - own);
         own = found;
-        return told.fetch_add(more, std::memory_order_relaxed) + more <= most && !pool.stopping();
+        return reported.fetch_add(more, std::memory_order_relaxed) + more <= most &&
+               !pool.stopping();
     }
 };
 
@@ -205,7 +206,7 @@ void Broad::sweep(int chunk, const Filter& filter, Count& count) {
     base::Array<Pair>& found = found_[at(chunk)];
     found.clear();
     const std::size_t end = std::min(entries_.size(), at((chunk + 1) * kSweepChunk));
-    std::size_t told = 0;
+    std::size_t reported = 0;
     for (std::size_t i = at(chunk * kSweepChunk); i < end; ++i) {
         const Sorted& s = entries_[i];
         const std::size_t stop = at(strip_begin_[at(s.strip) + 1]);
@@ -217,7 +218,7 @@ void Broad::sweep(int chunk, const Filter& filter, Count& count) {
             if (std::max(s.first, o.first) != s.strip || !filter.allows(s.shape, o.shape)) continue;
             found.push_back({std::min(s.shape, o.shape), std::max(s.shape, o.shape)});
         }
-        if (!count.go_on(found.size(), told)) return;
+        if (!count.go_on(found.size(), reported)) return;
     }
 }
 
@@ -227,7 +228,7 @@ void Broad::hold_against_large(int chunk, const base::Array<Placed>& placed, con
     found.clear();
     const auto count = static_cast<std::int32_t>(placed.size());
     const std::int32_t begin = chunk * kLargeChunk, end = std::min(count, begin + kLargeChunk);
-    std::size_t told = 0;
+    std::size_t reported = 0;
     for (const std::int32_t big : large_) {
         const Placed& p = placed[at(big)];
         const bool plane = p.geometry.kind == ShapeKind::plane;
@@ -238,7 +239,7 @@ void Broad::hold_against_large(int chunk, const base::Array<Placed>& placed, con
             if (plane && !o.unbounded && !meets_plane(p, o, h, margin)) continue;
             if (filter.allows(big, s)) found.push_back({std::min(big, s), std::max(big, s)});
         }
-        if (!pairs.go_on(found.size(), told)) return;
+        if (!pairs.go_on(found.size(), reported)) return;
     }
 }
 
@@ -247,7 +248,7 @@ void Broad::gather(int lists, base::Array<Pair>& out) {
     for (int l = 0; l < lists; ++l)
         for (const Pair& p : found_[at(l)]) ++first_[at(p.a) + 2];
     for (std::size_t i = 2; i < first_.size(); ++i) first_[i] += first_[i - 1];
-    resize_with_room(out, at(first_.back()));
+    resize_with_reserve(out, at(first_.back()));
     for (int l = 0; l < lists; ++l)
         for (const Pair& p : found_[at(l)]) out[at(first_[at(p.a) + 1]++)] = p;
     for (std::size_t i = 0; i + 2 < first_.size(); ++i) {
@@ -265,7 +266,7 @@ void Broad::find(const base::Array<Placed>& placed, const Filter& filter, double
     const int others = large_.empty() ? 0 : base::chunks(placed.size(), kLargeChunk);
     const auto tasks = static_cast<std::size_t>(sweeps) + static_cast<std::size_t>(others);
     while (found_.size() < tasks) found_.emplace_back().reserve(kRoom);
-    Count count{.told = 0, .most = most, .pool = pool};
+    Count count{.reported = 0, .most = most, .pool = pool};
     run(pool, sweeps + others, [&](int i) {
         if (i < sweeps)
             sweep(i, filter, count);

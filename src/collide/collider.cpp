@@ -15,11 +15,11 @@
 namespace hawser::collide {
 namespace {
 
-constexpr int kPlaceChunk = 256;  ///< Shapes of one task.
-constexpr int kPairChunk = 32;    ///< Pairs of one task.
+constexpr int kPlacingChunk = 256;  ///< Shapes of one task.
+constexpr int kPairChunk = 32;      ///< Pairs of one task.
 constexpr int kContactChunk = 256;
 
-constexpr std::size_t kChunkRoom = kPairChunk * kMaxManifold;
+constexpr std::size_t kChunkCapacity = kPairChunk * kMaxManifold;
 
 /// Largest distance between points of one friction memory if the feature changes, in margins.
 constexpr double kMatchMargins = 2.0;
@@ -41,7 +41,7 @@ void Collider::prepare(const model::Bodies& bodies, const model::Interactions& i
     if (placed_.size() > shapes_.size()) placed_.resize(shapes_.size());
     while (placed_.size() < shapes_.size()) {
         new_.push_back(static_cast<std::int32_t>(placed_.size()));
-        resize_with_room(placed_, placed_.size() + 1);
+        resize_with_reserve(placed_, placed_.size() + 1);
     }
     for (const std::int32_t s : new_) {
         if (at(s) >= shapes_.size()) continue;
@@ -57,7 +57,7 @@ void Collider::prepare(const model::Bodies& bodies, const model::Interactions& i
 }
 
 void Collider::keep(Kept& out) const {
-    out.places = places;
+    out.slots = slots;
     out.shapes = shapes_;
     out.data = data_;
     out.contacts = kept_;
@@ -65,7 +65,7 @@ void Collider::keep(Kept& out) const {
 }
 
 void Collider::go_back(Kept& to) noexcept {
-    std::swap(places, to.places);
+    std::swap(slots, to.slots);
     shapes_.swap(to.shapes);
     data_.swap(to.data);
     kept_.swap(to.contacts);
@@ -76,28 +76,29 @@ void Collider::go_back(Kept& to) noexcept {
 
 void Collider::place_all(const model::Bodies& bodies, double h, base::Executor& pool) noexcept {
     auto task = [&](int i, int) noexcept {
-        const std::size_t end = std::min(shapes_.size(), at((i + 1) * kPlaceChunk));
-        for (std::size_t s = at(i * kPlaceChunk); s < end; ++s) {
+        const std::size_t end = std::min(shapes_.size(), at((i + 1) * kPlacingChunk));
+        for (std::size_t s = at(i * kPlacingChunk); s < end; ++s) {
             if (shapes_[s].gone()) continue;  // stays nowhere
             place(shapes_[s], bodies, lines_, h, margin, placed_[s]);
             const std::int32_t line = shapes_[s].line;
             if (line >= 0 && lines_->parted[at(line)] != 0) placed_[s].swept = kNowhere;
         }
     };
-    pool.for_each(base::chunks(shapes_.size(), kPlaceChunk), task);
+    pool.for_each(base::chunks(shapes_.size(), kPlacingChunk), task);
 }
 
 /// Allocate for the largest possible number of contacts, since tasks do not allocate.
 void Collider::make_chunks(int tasks) {
     if (static_cast<int>(chunks_.size()) >= tasks) return;
     const auto room = at(tasks + tasks / 2 + 1);
-    const double more = static_cast<double>(room - chunks_.size()) * kChunkRoom * sizeof(Contact);
-    if (const double all = static_cast<double>(bytes()) + more; all > most_bytes)
-        throw LimitError({Bound::memory, all, most_bytes});
+    const double more =
+        static_cast<double>(room - chunks_.size()) * kChunkCapacity * sizeof(Contact);
+    if (const double all = static_cast<double>(bytes()) + more; all > max_bytes)
+        throw LimitError({Bound::memory, all, max_bytes});
     chunk_size_.resize(room, 0);
     chunks_.reserve(room);
     while (chunks_.size() < room)
-        chunks_.push_back(std::make_unique_for_overwrite<Contact[]>(kChunkRoom));
+        chunks_.push_back(std::make_unique_for_overwrite<Contact[]>(kChunkCapacity));
 }
 
 void Collider::narrow(double h, base::Executor& pool) {
@@ -134,10 +135,10 @@ void Collider::put_together(ContactSet& out, base::Executor& pool) {
             throw LimitError({Bound::contacts, static_cast<double>(n), static_cast<double>(most)});
     };
     refuse_beyond(total / 2, at(most_contacts));
-    resize_with_room(out.contacts, total);
+    resize_with_reserve(out.contacts, total);
     auto to = out.contacts.begin();
     for (int i = 0; i < tasks; ++i) to = std::copy_n(chunks_[at(i)].get(), chunk_size_[at(i)], to);
-    resize_with_room(drop_, total);
+    resize_with_reserve(drop_, total);
     auto mark = [&](int i, int) noexcept {
         const std::size_t end = std::min(total, at((i + 1) * kContactChunk));
         for (std::size_t k = at(i * kContactChunk); k < end; ++k)
@@ -152,7 +153,7 @@ void Collider::put_together(ContactSet& out, base::Executor& pool) {
     }
     out.contacts.resize(n);
     refuse_beyond(n, at(most_contacts));
-    resize_with_room(found_, n);
+    resize_with_reserve(found_, n);
     auto keep = [&](int i, int) noexcept {
         const std::size_t end = std::min(n, at((i + 1) * kContactChunk));
         for (std::size_t k = at(i * kContactChunk); k < end; ++k) {
@@ -171,7 +172,7 @@ void Collider::remove(std::int32_t shape) noexcept {
     s = {};
     s.body[0] = s.body[1] = s.owner[0] = s.owner[1] = s.line = s.held = -1;
     data_[at(shape)].reset();
-    places.vacate(shape);
+    slots.vacate(shape);
     new_.push_back(shape);
 }
 
@@ -185,7 +186,7 @@ void Collider::rewire(std::int32_t shape, std::int32_t first, std::int32_t secon
 }
 
 void Collider::truncate(std::int32_t kept) noexcept {
-    places.truncate(kept);
+    slots.truncate(kept);
     shapes_.erase(shapes_.begin() + kept, shapes_.end());
     data_.erase(data_.begin() + kept, data_.end());
 }
@@ -210,8 +211,8 @@ bool Collider::set_aside(ContactSet& out, const base::Array<std::uint8_t>& aslee
     const auto n =
         static_cast<std::size_t>(std::count_if(out.contacts.begin(), out.contacts.end(), rests));
     try {
-        resize_with_room(aside_, n);
-        resize_with_room(aside_kept_, n);
+        resize_with_reserve(aside_, n);
+        resize_with_reserve(aside_kept_, n);
     } catch (const std::bad_alloc&) {
         return false;
     }
@@ -251,7 +252,7 @@ bool Collider::collide(const model::Bodies& bodies, double h, ContactSet& out,
         found_.clear();
         return false;
     };
-    constexpr std::int64_t kPairsOfContact = 8, kMostPairs = 1'000'000'000;  // 32 bits count them
+    constexpr std::int64_t kPairsOfContact = 8, kMaxPairs = 1'000'000'000;  // 32 bits count them
     over_ = {};
     finite_ = true;
     try {
@@ -260,7 +261,7 @@ bool Collider::collide(const model::Bodies& bodies, double h, ContactSet& out,
         finite_ = std::all_of(placed_.begin(), placed_.end(), has_place);
         if (!finite_) return nothing();
         broad_.find(placed_, filter_, h, margin,
-                    std::min(kPairsOfContact * most_contacts, kMostPairs), pool, pairs_);
+                    std::min(kPairsOfContact * most_contacts, kMaxPairs), pool, pairs_);
         narrow(h, pool);
         put_together(out, pool);
     } catch (const std::bad_alloc&) {
@@ -280,7 +281,7 @@ std::size_t Collider::bytes() const noexcept {
                     base::bytes(kept_) + base::bytes(found_) + base::bytes(drop_) +
                     base::bytes(taken_) + base::bytes(aside_) + base::bytes(aside_kept_) +
                     broad_.bytes();
-    return n + chunks_.size() * kChunkRoom * sizeof(Contact);
+    return n + chunks_.size() * kChunkCapacity * sizeof(Contact);
 }
 
 }  // namespace hawser::collide

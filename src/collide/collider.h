@@ -7,7 +7,7 @@
 /// 2. Broad phase: find the pairs of boxes that meet (broad.h), as far as the filter allows
 ///    (filter.h).
 /// 3. Narrow phase: compute the manifold of each pair (geometry.h) and reduce it (touch.h).
-/// 4. Remove duplicates at shared lumps; find each contact in the set of the last step (match.h).
+/// 4. Remove duplicates at shared nodes; find each contact in the set of the last step (match.h).
 ///    Move contacts of bodies asleep to the end (set_aside()).
 ///
 /// Tasks process chunks of pairs of fixed size, and results are merged in the order of their keys.
@@ -48,15 +48,15 @@ class Collider {
     /// Maximum number of contacts of a step. The maximum number of pairs of shapes is eight times
     /// as large.
     std::int32_t most_contacts = 1'000'000'000;
-    double most_bytes = 1e15;  ///< Limit of the memory of the arrays [B].
+    double max_bytes = 1e15;  ///< Limit of the memory of the arrays [B].
 
     /// Add a shape. Its definition has been checked (world/shape_checks.cpp) and its bodies exist.
     /// @return its index. @throws DefError for vertices without volume, std::bad_alloc.
     std::int32_t add(const ShapeDef& def, const model::Bodies& bodies);
     /// Allocate, so that remove() does not throw. @throws std::bad_alloc.
-    void make_room() {
-        places.make_room();
-        base::make_room(new_, shapes_.size() + 2);  // all of them may be removed
+    void reserve_more() {
+        slots.reserve_more();
+        base::reserve_more(new_, shapes_.size() + 2);  // all of them may be removed
     }
     /// Remove a shape that nothing touches. The caller removes the memory of its contacts: see
     /// forget().
@@ -72,7 +72,7 @@ class Collider {
     /// Shape.
     template <class F>
     void each_near(std::int32_t shape, const model::Bodies& bodies, double h, F&& f) const;
-    base::Places places;
+    base::Slots slots;
     [[nodiscard]] int count() const noexcept { return static_cast<int>(shapes_.size()); }
     [[nodiscard]] const std::vector<Shape>& shapes() const noexcept { return shapes_; }
 
@@ -116,13 +116,13 @@ class Collider {
     void surfaces(double h, ContactSet& out) const { materials.surfaces(h, out.surfaces); }
     /// Copy of the shapes and of the memory of their contacts.
     struct Kept {
-        base::Places places;
+        base::Slots slots;
         std::vector<Shape> shapes;
         std::vector<std::shared_ptr<const ShapeData>> data;
         base::Array<KeptContact> contacts;
         std::size_t awake = 0;
     };
-    /// @throws std::bad_alloc.
+    /// Store the state. @throws std::bad_alloc
     void keep(Kept& out) const;
     /// Return to a copy. Call prepare() before the next use.
     void go_back(Kept& to) noexcept;

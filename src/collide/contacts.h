@@ -26,7 +26,7 @@ struct Surface {
 /// bodies of side 1. Bodies without freedom have slots too.
 ///
 /// The velocity of side s at the point is Σ weight (v + ω × (point − x)) over its slots. If the
-/// side has a lump and a body that holds the segment, it is Σ weight v + ω × (point − Σ weight x).
+/// side has a node and a body that holds the segment, it is Σ weight v + ω × (point − Σ weight x).
 struct Contact {
     std::int32_t shape[2];       ///< Shapes of side 0 and side 1; shape[0] < shape[1].
     std::uint32_t feature;       ///< Key within the pair of shapes.

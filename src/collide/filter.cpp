@@ -10,7 +10,7 @@ namespace {
 
 using Beside = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
-/// Find the lumps next to the guides whose elements have segments, sorted by slide.
+/// Find the nodes next to the guides whose elements have segments, sorted by slide.
 void find_beside(const std::vector<Shape>& shapes, const model::Interactions& interactions,
                  Beside& out) {
     out.clear();

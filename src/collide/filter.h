@@ -3,14 +3,14 @@
 /// @file filter.h
 /// Filter of pairs of shapes that may touch.
 ///
-/// Excluded pairs are two shapes of one body (a segment belongs to both its lumps) and shapes
+/// Excluded pairs are two shapes of one body (a segment belongs to both its nodes) and shapes
 /// without freedom. Also excluded are shapes of bodies that a segment or one of these joints holds
 /// together: ball, hinge, prismatic, cylindrical, universal, lock. Such shapes overlap by design.
 /// Along a wire this excludes neighbours and their neighbours. Lines, distances and springs exclude
 /// nothing: two ships joined by a tow line touch.
 ///
 /// A body that holds the end of a wire (Shape::held) does not belong to the wire. Other wires that
-/// end on it touch this one, and so do parts of the body away from the end (touch()). Lumps on
+/// end on it touch this one, and so do parts of the body away from the end (touch()). Nodes on
 /// either side of a guide are neighbours.
 
 #include "collide/placing.h"
@@ -69,7 +69,7 @@ class Filter {
     std::vector<Entry> entries_;
     std::vector<std::int32_t> begin_, joined_;  ///< Bodies joined to each body, ascending.
     std::vector<std::int32_t> cursor_;          ///< Scratch of build().
-    /// Slides of guides, and the lumps whose segments end there. Scratch of build().
+    /// Slides of guides, and the nodes whose segments end there. Scratch of build().
     std::vector<std::pair<std::int32_t, std::int32_t>> beside_;
 };
 

@@ -9,7 +9,7 @@ namespace hawser::collide {
 
 /// Resize an array. If its capacity must grow, reserve half as much again and `spare` more entries.
 template <class V>
-void resize_with_room(V& v, std::size_t size, std::size_t spare = 64) {
+void resize_with_reserve(V& v, std::size_t size, std::size_t spare = 64) {
     if (v.capacity() < size) v.reserve(size + size / 2 + spare);
     v.resize(size);
 }

@@ -9,7 +9,7 @@
 
 namespace hawser::collide {
 
-/// Find the owners of lumps, see is_duplicate(). Bodies that hold a segment may also hold segments
+/// Find the owners of nodes, see is_duplicate(). Bodies that hold a segment may also hold segments
 /// of other wires.
 void Collider::find_owners(int body_count) {
     std::vector<std::int32_t>& owner = of_body_;
@@ -28,7 +28,7 @@ void Collider::find_owners(int body_count) {
 }
 
 /// Find the stretch between the two ends of each segment; of several the one with the lowest id. A
-/// lump may have the same body on both sides. If a body holds the segment, the order of the ends
+/// node may have the same body on both sides. If a body holds the segment, the order of the ends
 /// therefore matters.
 void Collider::find_lines(const model::Interactions& interactions, int body_count) {
     of_body_.assign(at(body_count), -1);  // last line with this lower end

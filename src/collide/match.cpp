@@ -134,7 +134,7 @@ bool is_duplicate(const std::vector<Contact>& contacts, std::size_t i,
 void match(std::vector<Contact>& contacts, const base::Array<KeptContact>& now,
            const base::Array<KeptContact>& last, std::size_t awake, double radius,
            base::Array<std::uint8_t>& taken) {
-    resize_with_room(taken, last.size());
+    resize_with_reserve(taken, last.size());
     std::fill(taken.begin(), taken.end(), std::uint8_t{0});
     const std::size_t ends[2] = {awake, last.size()};
     std::size_t from[2] = {0, awake};

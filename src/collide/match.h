@@ -26,13 +26,13 @@ struct KeptContact {
 void local_point(const Contact& contact, const Shape& side, const Placed& placed,
                  double* out) noexcept;
 
-/// True if contact i is a duplicate at a lump that several segments share.
+/// True if contact i is a duplicate at a node that several segments share.
 ///
-/// Each segment finds the same contact at the end of the wire at its lump. n equal contacts would
-/// have n times the stiffness. Therefore one segment owns the lump (Shape::owner: the one with the
+/// Each segment finds the same contact at the end of the wire at its node. n equal contacts would
+/// have n times the stiffness. Therefore one segment owns the node (Shape::owner: the one with the
 /// lowest index). The contact of another segment is a duplicate if it agrees with a contact of the
 /// owner in all of these:
-/// 1. the single lump on this side;
+/// 1. the single node on this side;
 /// 2. the shape on the other side;
 /// 3. the point, to 1e-6 m;
 /// 4. the normal.

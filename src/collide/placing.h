@@ -17,7 +17,7 @@ struct Shape {
     Geometry geometry;
     Placement local;  ///< Placement in the frame of the body; of a segment only `x`, see `held`.
     std::int32_t body[2];  ///< Bodies; the second is −1 unless the shape is a segment.
-    /// End of a segment that is held at a point of a body, 0 or 1. −1: both ends are lumps or the
+    /// End of a segment that is held at a point of a body, 0 or 1. −1: both ends are nodes or the
     /// centre of a fixed body. The point is where the element there (`line`) leaves the body;
     /// without an element it is `local.x` in the frame of the body.
     std::int32_t held;

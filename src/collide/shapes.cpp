@@ -59,12 +59,12 @@ std::int32_t Collider::add(const ShapeDef& def, const model::Bodies& bodies) {
     std::shared_ptr<const ShapeData> data = make_shape_data(def);
     s.geometry.data = data.get();
     s.thickness = s.segment() ? HUGE_VAL : thickness_of(s.geometry);
-    base::make_room(data_, 1);
-    base::make_room(shapes_, 1);
-    make_room();
-    const std::int32_t place = places.find_vacant([](std::int32_t) { return true; });
+    base::reserve_more(data_, 1);
+    base::reserve_more(shapes_, 1);
+    reserve_more();
+    const std::int32_t place = slots.find_vacant([](std::int32_t) { return true; });
     if (place >= 0) {
-        places.take(place);
+        slots.take(place);
         data_[at(place)] = std::move(data);
         shapes_[at(place)] = s;
         new_.push_back(place);
@@ -72,7 +72,7 @@ std::int32_t Collider::add(const ShapeDef& def, const model::Bodies& bodies) {
     }
     data_.push_back(std::move(data));
     shapes_.push_back(s);
-    new_.push_back(places.append());
+    new_.push_back(slots.append());
     return new_.back();
 }
 

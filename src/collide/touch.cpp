@@ -67,9 +67,9 @@ V3 velocity(const Placed& p, double place, const V3& point) noexcept {
 /// True if a segment is held within the sphere around another shape, or near it.
 bool is_at_hold(const Shape& s, const Placed& p, const Placed& other, double margin) noexcept {
     if (other.unbounded) return true;
-    const V3 apart = load3(p.held) - load3(other.centre);
+    const V3 separation = load3(p.held) - load3(other.centre);
     const double reach = other.radius + s.geometry.radius + margin;
-    return dot(apart, apart) <= reach * reach;
+    return dot(separation, separation) <= reach * reach;
 }
 
 /// Return the distance along a segment from its hold to a position that add_side() returned [m].

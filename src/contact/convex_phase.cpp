@@ -58,7 +58,7 @@ double resistance_slope(const Resistance& r, double normal, const double* from, 
 
 Cone convex_cone(const Cone& cone) noexcept {
     Cone c = cone;
-    c.mobility *= kConvexShare;
+    c.mobility *= kConvexFraction;
     c.coupling = nonsmooth::Coupling::lagged;
     return c;
 }

@@ -48,15 +48,15 @@ namespace hawser::stepper {
 
 /// Return the fraction of the way in (0, 1] at which a non-decreasing slope ψ(t) vanishes.
 template <class Slope>
-[[nodiscard]] double share_without_slope(Slope&& slope) noexcept {
-    constexpr int kMostSweeps = 30;
+[[nodiscard]] double fraction_without_slope(Slope&& slope) noexcept {
+    constexpr int kMaxSweeps = 30;
     constexpr double kSmall = 0.05;
     double low = 0.0, high = 1.0, at_low = slope(low), at_high = slope(high);
     if (!(at_high > 0.0 && at_low < 0.0)) return 1.0;
     const double small = kSmall * std::fabs(at_low);
     double t = 1.0;
     int side = 0;  // end that was moved last: −1 low, 1 high
-    for (int k = 0; k < kMostSweeps; ++k) {
+    for (int k = 0; k < kMaxSweeps; ++k) {
         t = (low * at_high - high * at_low) / (at_high - at_low);
         if (!(t > low && t < high)) t = 0.5 * (low + high);
         const double now = slope(t);

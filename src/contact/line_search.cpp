@@ -6,10 +6,10 @@
 
 namespace hawser::stepper {
 
-Way go(Model& model, const Newton& newton, double share) noexcept {
-    const double merit_there = merit(model, newton, share);
-    if (share < 1.0) shorten(model, newton, share);
-    return {share, merit_there};
+Way go(Model& model, const Newton& newton, double fraction) noexcept {
+    const double merit_there = merit(model, newton, fraction);
+    if (fraction < 1.0) shorten(model, newton, fraction);
+    return {fraction, merit_there};
 }
 
 Way search(Model& model, const Newton& newton, double before, double given) noexcept {

@@ -14,7 +14,7 @@ namespace hawser::stepper {
 
 /// Fraction of the way from an iterate, and the merit there.
 struct Way {
-    double share = 1.0, merit = 0.0;
+    double fraction = 1.0, merit = 0.0;
 };
 
 /// Detects iterates that alternate between two sets of laws, between which the merit does not
@@ -39,7 +39,7 @@ class Cycle {
 };
 
 /// Move a given fraction of the way from the stored iterate.
-Way go(Model& model, const Newton& newton, double share) noexcept;
+Way go(Model& model, const Newton& newton, double fraction) noexcept;
 
 /// Choose the fraction of the way from the stored iterate, whose merit was `before`.
 /// @param given  The fraction, if positive.

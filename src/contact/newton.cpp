@@ -139,11 +139,12 @@ Status move_on(StepContext& ctx, const Course& course, Progress& p) noexcept {
     const double given = p.it > kPatience ? p.cycle.leave(p.before) : 0.0;
     Way way;
     if (newton.convex)
-        way = go(ctx.model, newton,
-                 share_without_slope([&](double t) { return convex_slope(ctx.model, newton, t); }));
+        way = go(ctx.model, newton, fraction_without_slope([&](double t) {
+                     return convex_slope(ctx.model, newton, t);
+                 }));
     else if (p.it > 0)
         way = search(ctx.model, newton, p.before, given);
-    newton.shortened = way.share < 1.0;
+    newton.shortened = way.fraction < 1.0;
     if (course.strayed != nullptr && p.it > 0 && (newton.shortened || way.merit > p.before))
         *course.strayed = true;
     if (!std::isfinite(way.merit)) return Status::not_finite;
@@ -151,7 +152,7 @@ Status move_on(StepContext& ctx, const Course& course, Progress& p) noexcept {
     if (p.it > 0 && way.merit > p.before && p.before < newton.best)
         set_best_aside(newton, p.before);
     keep_iterate(ctx.model, newton);
-    keep_bounds(newton, way.share);
+    keep_bounds(newton, way.fraction);
     note_lap(ctx);
     return Status::ok;
 }
@@ -279,14 +280,14 @@ void begin_lagged(StepContext& ctx) noexcept {
 /// until the pivots are right. Pivots that stay wrong are not due to contacts.
 Status end_softened(StepContext& ctx) noexcept {
     constexpr double kSofter = 1024.0;
-    constexpr int kMost = 3;
+    constexpr int kMaximum = 3;
     const auto soften = [&](double factor) {
         soften_by(ctx.model, factor);
         for (Cone& c : ctx.model.system.contacts.cones) c.sigma_n *= factor;
     };
     Status status = Status::wrong_pivot;
     double softer = 1.0;
-    for (int k = 0; k < kMost && status == Status::wrong_pivot; ++k) {
+    for (int k = 0; k < kMaximum && status == Status::wrong_pivot; ++k) {
         soften(kSofter);  // powers of two: exactly undone
         softer *= kSofter;
         begin_lagged(ctx);
@@ -389,9 +390,9 @@ Status refine_iterate(StepContext& ctx) noexcept {
 /// shortened the last iteration, an iterate may obey these laws before refinement, but not after
 /// it.
 Status certify(StepContext& ctx) noexcept {
-    constexpr int kMost = 8;
+    constexpr int kMaximum = 8;
     const double tolerance = ctx.model.def.contact_tolerance;
-    for (int round = 0; round < kMost; ++round) {
+    for (int round = 0; round < kMaximum; ++round) {
         if (ctx.work.stats.natural_map <= tolerance || ctx.work.stats.cut) break;
         Status status = iterate(ctx, nonsmooth::Coupling::exact, tolerance, {.begun = true});
         const bool met = ctx.work.stats.natural_map <= tolerance;
@@ -407,9 +408,9 @@ Status certify(StepContext& ctx) noexcept {
 /// Repeat iterations until no row requests to switch. A line search may have ended the iterations
 /// when no row requested it yet, before the solution was reached.
 Status settle_rows(StepContext& ctx) noexcept {
-    constexpr int kMost = 8;
+    constexpr int kMaximum = 8;
     const double tolerance = ctx.model.def.contact_tolerance;
-    for (int round = 0; round < kMost && !ctx.model.system.bounded.empty(); ++round) {
+    for (int round = 0; round < kMaximum && !ctx.model.system.bounded.empty(); ++round) {
         if (asking_rows(ctx.model, ctx.work, ctx.model.contact_floor) == 0) return Status::ok;
         (void)switch_bounds(ctx.model, ctx.work, ctx.model.contact_floor, kAnyRows);
         restart(ctx.model, ctx.work, ctx.pool);
@@ -472,7 +473,7 @@ Status solve_newton(StepContext& ctx, bool settled_later) noexcept {
 Status settle_newton(StepContext& ctx) noexcept {
     Status status = Status::ok;
     if (ctx.work.stats.completion_rounds > 0 && !ctx.work.newton.shortened)
-        status = settle_rounds(ctx, false);
+        status = settle_iterations(ctx, false);
     else if (ctx.work.stats.refinements == 0)
         status = refine(ctx);
     if (status != Status::ok) return status;

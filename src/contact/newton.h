@@ -66,9 +66,9 @@ void begin_newton(Model& model, Work& work, runtime::Pool& pool) noexcept;
 /// start_contacts().
 void begin_newton_again(StepContext& ctx) noexcept;
 
-/// Stages 6 and 7; the right-hand side is that of assemble_rows().
-/// @param settled_later  settle_newton() is to come, and rounds of completion before it: a solution
-///     that iterations have found is left to them as it is, neither refined nor measured.
+/// Perform stages 6 and 7, with the right-hand side of assemble_rows().
+/// @param settled_later  True if settle_newton() follows, after iterations of rigid joints. The
+/// solution is then left as it is, neither refined nor measured.
 [[nodiscard]] Status solve_newton(StepContext& ctx, bool settled_later = false) noexcept;
 /// Measure v₊ and λ after end-of-step constraint iterations. Refine them if their residual is above
 /// solution_tolerance or if no iteration has refined them. Iterate again if contacts no longer obey

@@ -20,7 +20,8 @@ namespace {
 using assembly::Contacts;
 using nonsmooth::Cone;
 
-/// Back to the iterate set aside. Its rows hold as those at hand do: to round-off.
+/// Return to the best stored iterate. Its rows are satisfied to rounding, like those of the current
+/// one.
 void take_best(Model& model, Work& work, runtime::Pool& pool) noexcept {
     const assembly::View v = row_view(model);
     const Newton& n = work.newton;

@@ -17,7 +17,7 @@ void end_hastily(Model& model, Work& work, runtime::Pool& pool) noexcept;
 /// Project the impulses of all contacts onto their friction cones; the laws in the matrix follow.
 void project_all(Model& model) noexcept;
 
-/// Velocities and impulses of contacts from where the last step ended.
+/// Set velocities and impulses of contacts to the end of the last step.
 void go_back_to_last(Model& model, base::Array<double>& contact_speed) noexcept;
 
 /// Discard the stored best iterate.

@@ -18,7 +18,7 @@ using nonsmooth::Cone;
 namespace {
 
 /// Changes of status within the iterations of one solve after which the coupling is lagged.
-constexpr int kMostChanges = 6;
+constexpr int kMaxChanges = 6;
 
 }  // namespace
 
@@ -29,7 +29,7 @@ void renew_law(Cone& c, nonsmooth::Law& law, std::uint8_t& changes) noexcept {
     if (c.coupling != nonsmooth::Coupling::exact) return;
     const bool turned = nonsmooth::turned_round(last, law);
     if (turned || c.touch != before) ++changes;
-    if (changes > kMostChanges) {
+    if (changes > kMaxChanges) {
         c.coupling = nonsmooth::Coupling::lagged;
         law = nonsmooth::linearise(c, c.touch);
     } else if (turned) {

@@ -21,7 +21,7 @@ enum class LastLaws : std::uint8_t {
 };
 
 /// Compute linear laws of all contacts about the iterate. With `known`, reversing sliding passes
-/// through sticking (nonsmooth/cone.h). A contact that has changed more than kMostChanges times in
+/// through sticking (nonsmooth/cone.h). A contact that has changed more than kMaxChanges times in
 /// these iterations continues with lagged coupling. In the convex phase the laws are those of
 /// convex_phase.h.
 /// @return the number of contacts whose status changed.

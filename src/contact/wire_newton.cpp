@@ -19,7 +19,7 @@ using assembly::View;
 using nonsmooth::ChainBlock;
 using nonsmooth::Cone;
 
-constexpr int kMostWireIterations = 60;
+constexpr int kMaxWireIterations = 60;
 constexpr int kExactWireIterations = 8;  ///< Before the convex phase.
 constexpr double kUnsettled = 1e-3;      ///< Natural map of a contact whose line is settled.
 constexpr double kWireConvexEnd = 5e-3;  ///< Natural map below which the convex phase ends.
@@ -90,7 +90,7 @@ bool read_elements(const Model& model, Newton& newton, const View& v, std::int32
 }
 
 /// Add the blocks of the nodes; fixed ones keep their velocity.
-void read_lumps(const Newton& newton, WireNewton& wire, const View& v, std::int32_t chain,
+void read_nodes(const Newton& newton, WireNewton& wire, const View& v, std::int32_t chain,
                 const Model& model) noexcept {
     const WireChains& chains = newton.chains;
     const std::int32_t begin = chains.begin[at(chain)];
@@ -107,7 +107,7 @@ void read_lumps(const Newton& newton, WireNewton& wire, const View& v, std::int3
             add_scaled_identity(1.0, block.diagonal);
             continue;
         }
-        const double* own = v.body_block + assembly::block_place(v.dof_begin[body]);
+        const double* own = v.body_block + assembly::block_offset(v.dof_begin[body]);
         constexpr int kPacked[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
         for (int i = 0; i < 9; ++i) block.diagonal[i] += own[kPacked[i]];
     }
@@ -198,9 +198,9 @@ double wire_slope(const WireNewton& wire, std::size_t contacts, double t) noexce
     return sum;
 }
 
-double share_of_way(const WireNewton& wire, std::size_t contacts, double before) noexcept {
+double fraction_of_way(const WireNewton& wire, std::size_t contacts, double before) noexcept {
     if (wire.convex)
-        return share_without_slope([&](double t) { return wire_slope(wire, contacts, t); });
+        return fraction_without_slope([&](double t) { return wire_slope(wire, contacts, t); });
     double now = wire_merit(wire, contacts, 1.0), best = now, best_t = 1.0, t = 1.0;
     for (int k = 0; k < kWireHalvings && !(now <= before * (1.0 - 1e-4 * t)); ++k) {
         t *= 0.5;
@@ -233,7 +233,7 @@ std::int32_t switch_elements(const Model& model, const View& v, WireNewton& wire
     for (std::int32_t k = 0; k + 1 < wire.nodes; ++k) {
         WireElement& e = wire.elements[at(k)];
         if (v.parted[e.id] != 0) continue;
-        const double scale = e.sigma + (wire.convex ? kConvexShare : 1.0) * e.mobility;
+        const double scale = e.sigma + (wire.convex ? kConvexFraction : 1.0) * e.mobility;
         const double wanted = std::min(0.0, (e.active ? e.from.lambda : 0.0) + e.from.r / scale);
         if ((wanted < 0.0) == e.active) continue;
         if (std::fabs(wanted - e.from.lambda) <= model.contact_floor) continue;
@@ -270,10 +270,10 @@ bool iterate_wire(const Model& model, Work& work, const View& v, std::int32_t ch
     const double tolerance = 0.1 * model.def.contact_tolerance;
     wire.convex = false;
     double before = wire_merit(wire, contacts, 0.0);
-    for (int it = 0, exact = 0; it < kMostWireIterations; ++it) {
+    for (int it = 0, exact = 0; it < kMaxWireIterations; ++it) {
         work.solve.step_flops += kFlopsOfNode * wire.nodes;
         if (!solve_wire(model, wire, chain)) return false;
-        keep_wire_iterate(wire, contacts, share_of_way(wire, contacts, before));
+        keep_wire_iterate(wire, contacts, fraction_of_way(wire, contacts, before));
         const double map = worst_of_wire(model, wire, contacts);
         const std::int32_t asking = switch_elements(model, v, wire);
         if (!std::isfinite(map)) return false;
@@ -343,7 +343,7 @@ void settle_wire_contacts(Model& model, Work& work) noexcept {
          ++chain) {
         if (contacts_of(newton.wire, chain) == 0 || !is_unsettled(model, work, v, chain)) continue;
         if (!read_elements(model, newton, v, chain)) continue;
-        read_lumps(newton, newton.wire, v, chain, model);
+        read_nodes(newton, newton.wire, v, chain, model);
         read_contacts(model, newton, chain);
         if (iterate_wire(model, work, v, chain)) adopt_wire(model, work, v, chain);
     }

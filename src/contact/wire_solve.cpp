@@ -51,9 +51,11 @@ void add_contact(const WireContact& c, const assembly::ContactRow& row,
         for (int i = 0; i < 3; ++i)
             node.x[i] += weight * (e[i] * f[0] + e[3 + i] * f[1] + e[6 + i] * f[2]);
         for (int t = 0; t < row.slots; ++t) {
-            const std::int32_t apart = c.node[t] - c.node[s];
-            if (c.node[t] < 0 || apart < -1 || apart > 1) continue;
-            double* block = apart == 0 ? node.diagonal : apart < 0 ? node.before : node.behind;
+            const std::int32_t separation = c.node[t] - c.node[s];
+            if (c.node[t] < 0 || separation < -1 || separation > 1) continue;
+            double* block = separation == 0  ? node.diagonal
+                            : separation < 0 ? node.before
+                                             : node.behind;
             for (int i = 0; i < 9; ++i) block[i] += weight * row.slot[t].weight * ese[i];
         }
     }

@@ -23,7 +23,7 @@ void check_asleep(Model& model, StepStats& stats) noexcept {
         std::uint8_t& flag = model.bodies.asleep[at(b)];
         flag = flag != 0 && moves(model.bodies, b) ? 1 : 0;
         std::int32_t& quiet = model.bodies.quiet[at(b)];
-        quiet = std::clamp(quiet, 0, kMostQuiet);
+        quiet = std::clamp(quiet, 0, kMaxQuiet);
     }
     stats.asleep = static_cast<std::int32_t>(
         std::count(model.bodies.asleep.begin(), model.bodies.asleep.end(), std::uint8_t{1}));

@@ -8,7 +8,7 @@
 namespace hawser::stepper {
 
 /// Upper limit of the number of steps for which a body counts as at rest.
-inline constexpr std::int32_t kMostQuiet = 1'000'000'000;
+inline constexpr std::int32_t kMaxQuiet = 1'000'000'000;
 
 [[nodiscard]] inline bool moves(const model::Bodies& b, std::int32_t body) noexcept {
     return b.dof(body) > 0;

@@ -9,9 +9,9 @@
 namespace hawser::stepper {
 
 /// Offsets of the impulse and the record of a joint.
-struct JointPlace {
+struct JointSlot {
     std::int32_t row;  ///< Its first row; its force is that of three rows, or fewer.
-    /// Offset of the swing constant in the record of a compact joint, else −1.
+    /// Offset of the vibration rate in the record of a compact joint, else −1.
     std::int32_t record;
     std::int32_t rows;  ///< Number of rows of its force.
 };
@@ -19,7 +19,7 @@ struct JointPlace {
 /// Joint data of the analysis, and the choice of the present step.
 struct Completion {
     std::vector<std::int32_t> joints;  ///< Interactions that may be completed, ascending.
-    std::vector<JointPlace> places;    ///< One per joint.
+    std::vector<JointSlot> places;     ///< One per joint.
     std::vector<std::int32_t> rigid;   ///< Rigid joints among these, ascending.
     std::vector<std::int32_t> looped;  ///< Rigid joints in closed loops of rigid joints.
     std::vector<std::uint8_t>

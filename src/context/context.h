@@ -75,7 +75,7 @@ struct State {
     int refine_unasked = 0;
     Ledger ledger;
     LoadStore loads;
-    JudgeData judge;
+    MonitorData monitor;
     EventLog events;
     collide::ContactSet contacts;         ///< Contacts of the current or last step.
     base::Array<double> contact_impulse;  ///< 3 a contact: on side 1, world frame [N s]; or empty.
@@ -84,8 +84,8 @@ struct State {
     base::Array<double> analysed_x, analysed_r;
     Changed changed = Changed::all;
     Edits edits;
-    Mend mend = Mend::nothing;  ///< Before the system may be used.
-    Degradation imposed;        ///< On the next step.
+    PendingRepair repair = PendingRepair::nothing;  ///< Before the system may be used.
+    Degradation imposed;                            ///< On the next step.
 };
 
 /// Stage whose time is counted, see timer.h.
@@ -161,7 +161,7 @@ struct StepContext {
         model.def = d;
         model.collider.margin = d.contact_margin;
         model.collider.most_contacts = d.max_contacts;
-        model.collider.most_bytes = model.system.most_bytes = d.max_memory;
+        model.collider.max_bytes = model.system.max_bytes = d.max_memory;
         // Both couple bodies outside the rows, which a sweep over rows does not treat.
         if (d.nonsmooth == Nonsmooth::pgs)
             model.def.geometric_stiffness = model.def.rotation_damping = 0.0;

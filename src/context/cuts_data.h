@@ -14,13 +14,13 @@ namespace hawser::stepper {
 struct Clique;
 
 /// A ghost body: `body` is the ghost, `of` the original.
-struct Image {
+struct GhostBody {
     std::int32_t body, of;
 };
 
 /// Rows at the original of a ghost body: slot `slot` of interaction `id`.
 struct Pull {
-    std::int32_t image, id, slot;  ///< Ghost body, as index in Cuts::images; interaction and slot.
+    std::int32_t ghost, id, slot;  ///< Ghost body, as index in Cuts::ghosts; interaction and slot.
 };
 
 /// A cut interaction. Its duplicates are the interactions [first, first + sides).
@@ -39,8 +39,8 @@ struct Cuts {
     std::int32_t bodies = -1, interactions = -1;  ///< Counts of the user; −1: there are no cuts.
     bool grouped = false;                         ///< True if there are bodies of several groups.
     std::vector<Cut> list;                        ///< Ascending by id.
-    std::vector<Image> images;                    ///< Ghost bodies, ascending by body.
-    std::vector<Pull> pulls;         ///< Pulls of predictor forces, ascending by image.
+    std::vector<GhostBody> ghosts;                ///< Ghost bodies, ascending by body.
+    std::vector<Pull> pulls;         ///< Pulls of predictor forces, ascending by ghost body.
     std::vector<std::int32_t> of;    ///< Original interaction of each duplicate.
     std::vector<double> touch;       ///< Packed like v: Jᵀλ of contacts in the last step [N s].
     std::vector<std::int32_t> part;  ///< Scratch: union-find over bodies.

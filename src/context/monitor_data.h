@@ -13,7 +13,7 @@
 namespace hawser::stepper {
 
 /// A sum with its decaying extrema.
-struct Tide {
+struct DecayingExtremes {
     double least = 0.0, most = 0.0;
 };
 
@@ -47,12 +47,12 @@ enum WorkBy : std::uint8_t {
 using Works = std::array<double, kWorks>;
 
 /// Part of the state of a world.
-struct JudgeState {
-    /// Energies at the last sample, see JudgePart [J].
+struct MonitorState {
+    /// Energies at the last sample, see MonitorPart [J].
     double kinetic = 0.0, potential = 0.0, elastic = 0.0, by_length = 0.0, by_force = 0.0;
     Works work{};              ///< Works at the last sample.
     ByAccount<double> mean{};  ///< Mean over kMean [J].
-    ByAccount<Tide> now_tide{}, mean_tide{};
+    ByAccount<DecayingExtremes> now_extremes{}, mean_extremes{};
     double posed = 0.0;  ///< Rise of kAtPoses at the last sample [J].
     /// Energy that rows may return, and energy that they returned beyond it [J].
     double held = 0.0, given = 0.0;
@@ -72,15 +72,16 @@ struct JudgeState {
     /// Elements above their strength, and with more than their length wound in, at the last two
     /// steps.
     std::array<double, 2> overlong{}, wound{};
-    std::array<double, 5> beyond{}, deep{};  ///< See JudgePart; at the last samples, newest first.
-    double open_start = 0.0;                 ///< Remaining tolerance for joints that started open.
-    std::int64_t step = 0;                   ///< Step of the last sample.
-    std::int64_t begun = 0;                  ///< 0: the next sample is the first one.
-    std::array<std::uint8_t, 8> told{};      ///< By monitor: 1 if reported and still present.
+    std::array<double, 5> beyond{},
+        deep{};               ///< See MonitorPart; at the last samples, newest first.
+    double open_start = 0.0;  ///< Remaining tolerance for joints that started open.
+    std::int64_t step = 0;    ///< Step of the last sample.
+    std::int64_t begun = 0;   ///< 0: the next sample is the first one.
+    std::array<std::uint8_t, 8> reported{};  ///< By monitor: 1 if reported and still present.
 };
 
 /// Contribution of a chunk of bodies or interactions.
-struct JudgePart {
+struct MonitorPart {
     double kinetic = 0.0, potential = 0.0, elastic = 0.0;
     /// Sum of all three at the poses, with the mean of the velocities before and after.
     double at_pose = 0.0;
@@ -93,8 +94,8 @@ struct JudgePart {
     std::int32_t beyond_row = -1, deep_contact = -1;
 };
 
-struct JudgeData {
-    JudgeState state;
+struct MonitorData {
+    MonitorState state;
     std::vector<double> allowed;        ///< By row: 1 / allowed gap, 0: unlimited.
     std::vector<std::int32_t> elastic;  ///< Interactions with rows that store energy.
     /// By entry of `elastic`, 1: a spring or wire between two points.
@@ -102,7 +103,7 @@ struct JudgeData {
     std::vector<std::int32_t> lines;    ///< Wire elements.
     std::vector<std::int32_t> ranges;   ///< Rows of ranges that are rigid by intention.
     std::vector<double> range_allowed;  ///< By entry of `ranges`: 1 / allowed excess.
-    std::vector<JudgePart> part;        ///< One per chunk.
+    std::vector<MonitorPart> part;      ///< One per chunk.
     double nothing = 0.0;               ///< See limit::kNothingHigher [J].
     std::int32_t every = 1;             ///< Number of steps between samples.
     Verdict verdict;

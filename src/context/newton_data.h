@@ -19,7 +19,7 @@ namespace hawser::stepper {
 
 /// Fraction θ of the mobility W in ρ of contacts and rows during the convex phase of iterations
 /// (contact/convex_phase.h).
-inline constexpr double kConvexShare = 0.1;
+inline constexpr double kConvexFraction = 0.1;
 
 /// First row of an interaction with a bounded force, see bounds.h.
 struct BoundedRow {
@@ -28,10 +28,10 @@ struct BoundedRow {
 
 /// Scratch of the solve for contacts and bounded rows, see newton.h.
 /// Scratch of solve/runs.cpp: a place that a line runs over, and a part between two of them.
-struct RunPlace {
+struct RunPoint {
     double mass, free, hold, sigma;  ///< m, ẇ without forces, and c and Σ of its friction.
     double before, behind;           ///< Entries of the two parts' rows.
-    double low, high, share[2];      ///< Bounds, and weights of the parts' impulses in them.
+    double low, high, fraction[2];   ///< Bounds, and weights of the parts' impulses in them.
     double w0, w1, w2;               ///< w = w0 + w1 λ of the part before + w2 λ of the one behind.
     double speed;                    ///< w.
     std::int32_t side, was;  ///< 0: holds; otherwise the sign of its force. was: in the solution.
@@ -44,7 +44,7 @@ struct RunPart {
 };
 
 /// Pulling elements at one node, as indices in System::bounded.
-struct LumpElements {
+struct NodeElements {
     std::int32_t count = 0;                       ///< Elements.
     std::int32_t attached = 0;                    ///< Interactions of all kinds.
     std::array<std::int32_t, 2> element{-1, -1};  ///< The first two.
@@ -61,7 +61,7 @@ struct WireChains {
     std::vector<std::int32_t> chain_of, node_of;
     std::vector<nonsmooth::ChainRow> rows;     ///< Rows of the chain being solved.
     std::vector<std::array<double, 9>> block;  ///< By body: stiffness of its contacts [kg].
-    std::vector<LumpElements> lumps;           ///< By body, during the search for chains.
+    std::vector<NodeElements> lumps;           ///< By body, during the search for chains.
     std::vector<std::uint8_t> listed;          ///< By bounded row, while chains are found.
 };
 
@@ -99,7 +99,7 @@ struct Newton {
     double bound_time = 0.0;           ///< Time for which bounds of forces act, see bounds.h [s].
     std::vector<std::int32_t> loaded;  ///< Friction whose bound moves with a load, see bounds.h.
     nonsmooth::Anderson follow;        ///< Acceleration of the impulses of `loaded`.
-    std::vector<RunPlace> run_places;
+    std::vector<RunPoint> run_points;
     std::vector<RunPart> run_parts;
     WireChains chains;
     WireNewton wire;

@@ -44,7 +44,7 @@ void each(std::span<const assembly::IndexRange> ranges, F&& f) noexcept {
 /// ctx.work.solve.norms; it equals `strip` in the calls that follow rows().
 template <class Rows, class Own>
 void sweep(const Model& model, runtime::Pool& pool, Rows&& rows, Own&& own) noexcept {
-    const assembly::Strips& strips = model.system.strips;
+    const assembly::RowBlocks& strips = model.system.strips;
     auto strip = [&](int i, int) noexcept {
         rows(i);
         each(strips.bodies(i), [&](std::int32_t a, std::int32_t b) { own(a, b, i); });
@@ -60,7 +60,7 @@ void sweep(const Model& model, runtime::Pool& pool, Rows&& rows, Own&& own) noex
 /// Call f(begin, end) for ranges that cover all interactions except sleeping ones.
 template <class F>
 void over_interactions(const Model& model, runtime::Pool& pool, F&& f) noexcept {
-    const assembly::Strips& strips = model.system.strips;
+    const assembly::RowBlocks& strips = model.system.strips;
     auto strip = [&](int i, int) noexcept { each(strips.interactions(i), f); };
     pool.for_each(strips.count(), strip);
 }

@@ -22,7 +22,7 @@
 namespace hawser::stepper {
 
 /// Pending work before the system may be used.
-enum class Mend : std::uint8_t {
+enum class PendingRepair : std::uint8_t {
     nothing,
     rebuild,  ///< Analyse as before, at the poses of that analysis.
     follow,   ///< Analyse with the bodies awake now, at the poses of the last analysis.
@@ -49,7 +49,7 @@ struct Undo {
         int refine_unasked;
         bool started;
         std::array<std::int64_t, kEventKindCount> event_count;
-        JudgeState judge;
+        MonitorState monitor;
     };
     /// True if the system has been kept since.
     [[nodiscard]] bool holds() const noexcept { return depth >= 0; }
@@ -61,13 +61,13 @@ struct Undo {
     // Motion.
     base::Array<double> v, spin_change, lambda, active;
     base::Array<std::uint8_t> repeats, coarse;
-    std::vector<double> credit;
-    std::vector<std::int32_t> alert, recoil;
+    std::vector<double> energy_allowance;
+    std::vector<std::int32_t> flag_steps, recoil;
     Scalars scalars{};
     std::vector<std::int64_t> link_used;
 
     // System.
-    Mend mend = Mend::nothing;
+    PendingRepair repair = PendingRepair::nothing;
     Changed changed = Changed::nothing;
     assembly::System::Kept system;
     base::Array<double> analysed_x, analysed_r;

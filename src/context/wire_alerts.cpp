@@ -12,7 +12,7 @@ namespace hawser::stepper {
 namespace {
 
 /// Duration for which a flagged wire is damped; the longer of the two applies.
-constexpr double kAlertSteps = 20.0, kAlertSeconds = 1.0;
+constexpr double kFlagSteps = 20.0, kFlagSeconds = 1.0;
 /// Upper limit of the duration of a recoil [s]: the travel time of a wave from end to end of 30 km
 /// of steel wire.
 constexpr double kRecoilSeconds = 10.0;
@@ -39,12 +39,12 @@ std::int32_t recoil_steps(const Model& model, std::int32_t wire) noexcept {
         for (std::int32_t e = p.element_begin; p.wire == wire && e < p.element_end; ++e)
             time += passage(model, w.element[at(e)]);
     const double steps = std::ceil(time / model.def.step) + 1.0;
-    const std::int32_t most = most_recoil(model.def.step);
+    const std::int32_t most = max_recoil(model.def.step);
     return steps < most ? static_cast<std::int32_t>(steps) : most;
 }
 
 /// True if two interactions share a node.
-bool share_lump(const Model& model, std::int32_t a, std::int32_t b) noexcept {
+bool share_node(const Model& model, std::int32_t a, std::int32_t b) noexcept {
     const model::Interactions& in = model.interactions;
     for (int i = 0; i < 2; ++i)
         for (int j = 0; j < 2; ++j) {
@@ -57,7 +57,7 @@ bool share_lump(const Model& model, std::int32_t a, std::int32_t b) noexcept {
 
 }  // namespace
 
-std::int32_t most_recoil(double step) noexcept {
+std::int32_t max_recoil(double step) noexcept {
     return static_cast<std::int32_t>(std::ceil(kRecoilSeconds / step)) + 1;
 }
 
@@ -72,28 +72,29 @@ void begin_recoil(Model& model, std::int32_t id, bool fresh) noexcept {
         begins(w.wire_of[at(id)]);
     } else if (fresh) {  // spooled by a drum: in no wire itself, but next to elements of one
         for (const std::int32_t e : w.element)
-            if (share_lump(model, id, e)) begins(w.wire_of[at(e)]);
+            if (share_node(model, id, e)) begins(w.wire_of[at(e)]);
     }
-    if (fresh && w.stale) follow_alerts(model);
+    if (fresh && w.stale) update_wire_flags(model);
 }
 
-std::int32_t most_alert(double step) noexcept {
+std::int32_t max_flag_steps(double step) noexcept {
     // With the shortest step, 1e-7 s, these are ten million steps.
-    return static_cast<std::int32_t>(std::ceil(std::max(kAlertSteps, kAlertSeconds / step)));
+    return static_cast<std::int32_t>(std::ceil(std::max(kFlagSteps, kFlagSeconds / step)));
 }
 
-void follow_alerts(Model& model) noexcept {
+void update_wire_flags(Model& model) noexcept {
     Wires& w = model.wires;
     for (std::size_t k = 0; k < w.count(); ++k) {
-        if (!(w.credit[k] >= 0.0) || !std::isfinite(w.credit[k])) w.credit[k] = 0.0;
-        w.alert[k] = std::max(0, w.alert[k]);
+        if (!(w.energy_allowance[k] >= 0.0) || !std::isfinite(w.energy_allowance[k]))
+            w.energy_allowance[k] = 0.0;
+        w.flag_steps[k] = std::max(0, w.flag_steps[k]);
         if (w.recoil[k] < 0) w.recoil[k] = recoil_steps(model, static_cast<std::int32_t>(k));
     }
     // Rows of cuts have damping of their own.
     const bool whole = !has_cuts(model);
     for (const std::int32_t id : w.element) {
         const std::int32_t wire = w.wire_of[at(id)];
-        model.interactions.alert[at(id)] = w.alert[at(wire)] > 0 ? 1.0 : 0.0;
+        model.interactions.flagged[at(id)] = w.flag_steps[at(wire)] > 0 ? 1.0 : 0.0;
         model.interactions.recoil(id, whole && w.recoil[at(wire)] > 0, model.def.step);
     }
     w.stale = false;

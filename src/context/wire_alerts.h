@@ -12,10 +12,10 @@
 namespace hawser::stepper {
 
 /// Return the number of steps for which a wire stays damped after it was rejected.
-[[nodiscard]] std::int32_t most_alert(double step) noexcept;
+[[nodiscard]] std::int32_t max_flag_steps(double step) noexcept;
 
 /// Return the largest number of steps for which a broken wire recoils.
-[[nodiscard]] std::int32_t most_recoil(double step) noexcept;
+[[nodiscard]] std::int32_t max_recoil(double step) noexcept;
 
 /// Start the recoil of a wire when an element breaks. It begins with the next step and lasts for
 /// the travel time of a wave from end to end (docs/theory/parting.md). Elements added since the
@@ -31,6 +31,6 @@ void begin_recoil(Model& model, std::int32_t id, bool fresh) noexcept;
 
 /// Copy the flags and recoils of wires to their elements after a restore. Invalid values are
 /// repaired.
-void follow_alerts(Model& model) noexcept;
+void update_wire_flags(Model& model) noexcept;
 
 }  // namespace hawser::stepper

@@ -10,7 +10,7 @@ namespace hawser::stepper {
 
 /// Elements and nodes of one wire that are processed together.
 struct WirePart {
-    std::int32_t wire, element_begin, element_end, lump_begin, lump_end;
+    std::int32_t wire, element_begin, element_end, node_elements_begin, node_elements_end;
 };
 
 /// Energy balance of a wire, or of a part of it, in the step [J].
@@ -32,8 +32,9 @@ struct Wires {
     std::vector<WirePart> parts;        ///< Parts, by wire.
 
     // Data by wire. Part of the state:
-    std::vector<double> credit;  ///< Energy allowance: energy lost recently that may return [J].
-    std::vector<std::int32_t> alert;  ///< Number of coming steps in which the wire is damped.
+    std::vector<double>
+        energy_allowance;  ///< Energy allowance: energy lost recently that may return [J].
+    std::vector<std::int32_t> flag_steps;  ///< Number of coming steps in which the wire is damped.
     /// Number of coming steps in which the wire recoils after a break; kBeginsToRecoil: not
     /// determined yet.
     std::vector<std::int32_t> recoil;
@@ -54,7 +55,7 @@ struct Wires {
     bool measured = false;   ///< True if WireGain of fast wires belongs to the present step.
     bool stale = false;      ///< True if alerts of elements lag behind those of wires.
 
-    [[nodiscard]] std::size_t count() const noexcept { return credit.size(); }
+    [[nodiscard]] std::size_t count() const noexcept { return energy_allowance.size(); }
     [[nodiscard]] bool gives_way(std::int32_t id) const noexcept {
         return replacing && replaced[static_cast<std::size_t>(id)] != 0;
     }

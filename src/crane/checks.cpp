@@ -10,7 +10,7 @@
 namespace hawser::crane {
 namespace {
 
-constexpr int kMostFalls = 64;
+constexpr int kMaxFalls = 64;
 constexpr double kFar = 1e4, kHeavy = 1e12, kStrong = 1e15;
 
 /// Checks of the fields of one part.
@@ -67,7 +67,7 @@ void check_link(const std::string& name, const char* part, const CraneLink& link
 
 void check_tackle(const std::string& name, const char* part, const CraneTackle& t, bool hoist) {
     const Fields f(name, part);
-    if (t.falls < 1 || t.falls > kMostFalls)
+    if (t.falls < 1 || t.falls > kMaxFalls)
         f.fail("falls", std::to_string(t.falls) + "; give 1 to 64");
     f.positive("EA", t.EA, kStrong);
     if (!(t.efficiency > 0.0 && t.efficiency <= 1.0))
@@ -179,7 +179,7 @@ void check_loads(const Takes& takes) {
     for (std::size_t i = 0; i < takes.loads.size(); ++i) {
         const CraneLoad& load = takes.loads[i];
         const Fields f(takes.name, "loads/" + std::to_string(i), takes.kind);
-        if (load.eyes.empty() || load.eyes.size() > kMostEyes) f.fail("eyes", "give 1 to 8");
+        if (load.eyes.empty() || load.eyes.size() > kMaxEyes) f.fail("eyes", "give 1 to 8");
         for (const Vec3& eye : load.eyes) f.point("eyes", eye, false);
         f.positive("sling_length", load.sling_length, kFar)
             .positive("sling_EA", load.sling_EA, kStrong)

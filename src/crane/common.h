@@ -54,7 +54,7 @@ template <class Def>
 void check(const KnuckleCraneDef& def);
 void check(const LatticeCraneDef& def);
 
-inline constexpr std::size_t kMostEyes = 8;
+inline constexpr std::size_t kMaxEyes = 8;
 
 /// Loads of a hook: of a crane's hook, or of a separate one (hawser/hook.h).
 struct Takes {

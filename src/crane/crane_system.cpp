@@ -12,7 +12,7 @@ namespace {
 
 /// Gravity for scaling in a world without gravity [m/s²].
 constexpr double kStandardGravity = 9.80665;
-constexpr double kMostShown = 10.0;  ///< Largest utilisation that is shown.
+constexpr double kMaxShown = 10.0;  ///< Largest utilisation that is shown.
 /// Fraction of the largest rated load below which the load counts as zero.
 constexpr double kNothing = 0.01;
 constexpr double kBack = 0.98;  ///< Fraction of a threshold below which its alarm ends.
@@ -103,7 +103,7 @@ void CraneSystem::holds(HoldTable& table) const {
     }
 }
 
-void CraneSystem::look(const Prestep& now) noexcept {
+void CraneSystem::sample(const Prestep& now) noexcept {
     const World& w = now.world;
     const Pose on = w.pose(parts_.on);
     const Quat turn = on.orientation * parts_.orientation;
@@ -134,9 +134,9 @@ void CraneSystem::weigh(const Prestep& now) noexcept {
     utilisation_ = 0.0;
     if (task_.rating.curve.empty()) return;
     if (rated_ > 0.0)
-        utilisation_ = std::min(kMostShown, load_ / rated_);
+        utilisation_ = std::min(kMaxShown, load_ / rated_);
     else if (load_ > kNothing * task_.rating.curve.front().mass)
-        utilisation_ = kMostShown;
+        utilisation_ = kMaxShown;
 }
 
 /// Update the level of the alarm.
@@ -260,7 +260,7 @@ void CraneSystem::handle_load(Prestep& now) noexcept {
 }
 
 void CraneSystem::prestep(Prestep& now, Loads&) noexcept {
-    look(now);
+    sample(now);
     weigh(now);
     watch(now);
     cut_ = 0.0;

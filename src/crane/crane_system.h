@@ -88,7 +88,7 @@ class CraneSystem final : public System {
         std::int32_t braked = 1;
     };
 
-    void look(const Prestep& now) noexcept;
+    void sample(const Prestep& now) noexcept;
     void weigh(const Prestep& now) noexcept;
     void watch(Prestep& now) noexcept;
     void drive(Prestep& now, int motion) noexcept;

@@ -43,7 +43,7 @@ void check(World& world, const HookDef& def) {
         refuse(def, "latch = " + number(def.latch) +
                         " N is above strength = " + number(def.strength) +
                         " N, at which the hook opens by itself; give a latch below it");
-    for (std::size_t i = 0; i < crane::kMostEyes; ++i)
+    for (std::size_t i = 0; i < crane::kMaxEyes; ++i)
         if (world.find_interaction(crane::leg_name(def.name, i)).valid())
             refuse(def, "the interaction '" + crane::leg_name(def.name, i) +
                             "' is there; one of its legs would be called so");

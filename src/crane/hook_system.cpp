@@ -22,7 +22,7 @@ HookSystem::HookSystem(HookDef def)
 
 void HookSystem::visit_state(StateVisitor& v) {
     for (double* x : {&take_, &shown_, &load_, &leg_, &as_}) v.visit(*x);
-    for (std::int32_t* x : {&held_, &state_, &told_}) v.visit(*x);
+    for (std::int32_t* x : {&held_, &state_, &reported_}) v.visit(*x);
 }
 
 void HookSystem::check_state(const World& world, StateRules& rules) const {
@@ -31,7 +31,7 @@ void HookSystem::check_state(const World& world, StateRules& rules) const {
                   "there is no such load");
     rules.require(state_ >= 0 && state_ <= static_cast<std::int32_t>(HookState::opened),
                   "there is no such state of the hook");
-    rules.flag(told_, "whether a miss was reported is no flag");
+    rules.flag(reported_, "whether a miss was reported is no flag");
 }
 
 void HookSystem::signals(SignalTable& table) {
@@ -102,8 +102,8 @@ void HookSystem::take(Prestep& now) noexcept {
     for (const Vec3& eye : load.eyes)
         farthest = std::max(farthest, (now.world.world_point(load.body, eye) - point).norm());
     if (farthest > load.sling_length + load.reach) {
-        if (told_ == 0) now.tell(EventKind::missed, def_.body, farthest);
-        told_ = 1;
+        if (reported_ == 0) now.tell(EventKind::missed, def_.body, farthest);
+        reported_ = 1;
         return become(HookState::waiting);
     }
     for (std::size_t i = 0; i < load.eyes.size(); ++i) {
@@ -120,13 +120,13 @@ void HookSystem::prestep(Prestep& now, Loads&) noexcept {
     if (held_ < 0 || held_ > static_cast<int>(def_.loads.size())) held_ = 0;
     if (wanted() == 0 && held_ == 0) {
         become(HookState::empty);
-        told_ = 0;
+        reported_ = 0;
     } else if (held_ > 0) {
         hold(now);
     } else if (state_ != static_cast<std::int32_t>(HookState::opened)) {
         take(now);
     }
-    if (held_ > 0) told_ = 0;
+    if (held_ > 0) reported_ = 0;
     shown_ = held_;
     as_ = state_;
 }

@@ -45,7 +45,7 @@ class HookSystem final : public System {
     // State.
     double take_ = 0.0;                  ///< Number of the load to attach, 0: none; input.
     std::int32_t held_ = 0, state_ = 0;  ///< Number of the attached load; HookState.
-    std::int32_t told_ = 0;  ///< 1: the event that the load is out of reach has been reported.
+    std::int32_t reported_ = 0;  ///< 1: the event that the load is out of reach has been reported.
     // Outputs.
     double shown_ = 0.0, load_ = 0.0, leg_ = 0.0, as_ = 0.0;
 };

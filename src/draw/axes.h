@@ -19,9 +19,9 @@ struct Range {
 
 /// Return the smallest range that holds all finite values; {0, 1} if there are none.
 [[nodiscard]] Range range_of(std::span<const double> values);
-/// Return a range widened at both ends by the fraction `share` of its span, and to a span of at
+/// Return a range widened at both ends by the fraction `fraction` of its span, and to a span of at
 /// least `least`.
-[[nodiscard]] Range widened(Range range, double share, double least);
+[[nodiscard]] Range widened(Range range, double fraction, double least);
 
 /// Return ticks at 1, 2 or 5 times a power of ten inside the range, ascending, about `count` of
 /// them.

@@ -14,9 +14,9 @@ namespace hawser::draw {
 
 namespace {
 
-constexpr std::size_t kMost = 6;          // Largest number of marked moments with set inputs.
-constexpr std::size_t kMostDone = 12;     // Largest number of marked moments with other actions.
-constexpr std::size_t kMostInMoment = 8;  // Largest number of changes listed for one moment.
+constexpr std::size_t kMaximum = 6;      // Largest number of marked moments with set inputs.
+constexpr std::size_t kMaxDone = 12;     // Largest number of marked moments with other actions.
+constexpr std::size_t kMaxInMoment = 8;  // Largest number of changes listed for one moment.
 
 struct Moment {
     std::vector<std::string> done, set;
@@ -27,7 +27,7 @@ struct Moment {
     }
     static std::string listed(const std::vector<std::string>& texts) {
         std::string out;
-        for (std::size_t i = 0; i < std::min(kMostInMoment, texts.size()); ++i)
+        for (std::size_t i = 0; i < std::min(kMaxInMoment, texts.size()); ++i)
             out += (i > 0 ? ", " : "") + texts[i];
         return out;
     }
@@ -65,7 +65,7 @@ std::vector<Command> commands_of(const record::Recording& recording) {
     std::vector<Command> out;
     std::size_t set = 0, done = 0, more = 0;
     for (const auto& [step, moment] : moments) {
-        const bool marked = moment.done.empty() ? set++ < kMost : done++ < kMostDone;
+        const bool marked = moment.done.empty() ? set++ < kMaximum : done++ < kMaxDone;
         if (!marked) {
             ++more;
             continue;

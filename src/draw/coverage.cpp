@@ -87,8 +87,8 @@ void add_run(float* row, int x0, int width, double from, double to) {
     const int first = static_cast<int>(from);
     const int last = std::min(width - 1, static_cast<int>(to));
     for (int x = first; x <= last; ++x) {
-        const double share = std::min(to, x + 1.0) - std::max(from, static_cast<double>(x));
-        row[x] += static_cast<float>(share / kSubLines);
+        const double fraction = std::min(to, x + 1.0) - std::max(from, static_cast<double>(x));
+        row[x] += static_cast<float>(fraction / kSubLines);
     }
 }
 
@@ -137,11 +137,11 @@ std::vector<Polyline> cut_dashes(const Polyline& line, const std::vector<double>
     double period = 0.0;
     for (const double d : dash) period += std::max(0.0, d);
     // Limit for very long lines, which would need too many dashes to be visible.
-    constexpr double kMostPeriods = 1e5;
+    constexpr double kMaxPeriods = 1e5;
     double length_all = 0.0;
     for (std::size_t i = 1; i < line.size(); ++i)
         length_all += std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y);
-    if (line.size() < 2 || !(period > 0.0) || !(length_all < kMostPeriods * period)) return {line};
+    if (line.size() < 2 || !(period > 0.0) || !(length_all < kMaxPeriods * period)) return {line};
     std::vector<Polyline> out;
     std::size_t which = 0;
     double left = dash[0];

@@ -20,7 +20,7 @@ constexpr Color kFailureColors[] = {{214, 39, 40, 255},   {255, 127, 14, 255}, {
                                     {44, 160, 44, 255},   {140, 86, 75, 255},  {227, 119, 194, 255},
                                     {127, 127, 127, 255}, {188, 189, 34, 255}};
 
-/// Bow up, clockwise.
+/// Return the point at a radius and direction: the bow is up, angles are clockwise.
 Point polar(double radius, double from) {
     return {kPolarCentre.x + kPolarUnit * radius * std::sin(from),
             kPolarCentre.y - kPolarUnit * radius * std::cos(from)};

@@ -27,8 +27,8 @@ std::optional<std::int32_t> element_of(const record::RecordedCable& cable, std::
 
 }  // namespace
 
-std::vector<PartedElement> parted_elements(const record::Recording& recording, double until) {
-    std::vector<PartedElement> out;
+std::vector<BrokenElement> broken_elements(const record::Recording& recording, double until) {
+    std::vector<BrokenElement> out;
     for (const record::RecordedEvent& event : recording.events) {
         if (event.kind != EventKind::line_break || event.time > until) continue;
         for (std::size_t c = 0; c < recording.cables.size(); ++c)
@@ -39,8 +39,8 @@ std::vector<PartedElement> parted_elements(const record::Recording& recording, d
     return out;
 }
 
-bool is_parted(const std::vector<PartedElement>& parted, std::size_t cable, std::int32_t element) {
-    return std::any_of(parted.begin(), parted.end(), [&](const PartedElement& p) {
+bool is_broken(const std::vector<BrokenElement>& parted, std::size_t cable, std::int32_t element) {
+    return std::any_of(parted.begin(), parted.end(), [&](const BrokenElement& p) {
         return p.cable == cable && p.element == element;
     });
 }

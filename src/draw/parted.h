@@ -12,9 +12,9 @@
 
 namespace hawser::draw {
 
-inline constexpr Color kPartedColor{190, 30, 30, 255};
+inline constexpr Color kBrokenColor{190, 30, 30, 255};
 
-struct PartedElement {
+struct BrokenElement {
     std::size_t cable = 0;     ///< Index in Recording::cables.
     std::int32_t element = 0;  ///< Element index in the cable.
     double time = 0.0;         ///< Time of the break [s].
@@ -23,11 +23,11 @@ struct PartedElement {
 
 /// Return the elements of cables that had broken by a time. Elements that were added with a node
 /// after the start are not included.
-[[nodiscard]] std::vector<PartedElement> parted_elements(const record::Recording& recording,
+[[nodiscard]] std::vector<BrokenElement> broken_elements(const record::Recording& recording,
                                                          double until);
 
 /// True if an element of a cable is in the list.
-[[nodiscard]] bool is_parted(const std::vector<PartedElement>& parted, std::size_t cable,
+[[nodiscard]] bool is_broken(const std::vector<BrokenElement>& parted, std::size_t cable,
                              std::int32_t element);
 
 }  // namespace hawser::draw

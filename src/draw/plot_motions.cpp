@@ -18,7 +18,7 @@ namespace {
 constexpr std::array<const char*, 6> kNames{"Δx", "Δy", "Δz", "Δroll", "Δpitch", "Δyaw"};
 
 // Smallest span of an axis: 0.1 mm and 0.001 degrees. Smaller motions are not visible in a picture.
-constexpr double kLeastMetres = 1e-4, kLeastDegrees = 1e-3;
+constexpr double kMinMetres = 1e-4, kMinDegrees = 1e-3;
 
 std::string label(const record::Recording& recording, const record::BodySeries& s) {
     const std::string& name = recording.bodies[static_cast<std::size_t>(s.body)].name;
@@ -32,7 +32,7 @@ Range value_range(const record::Series& series, int k, double factor) {
         const Range r = range_of(s.value[std::size_t(k)]);
         values.insert(values.end(), {factor * r.low, factor * r.high});
     }
-    return widened(range_of(values), 0.08, factor * (k < 3 ? kLeastMetres : kLeastDegrees));
+    return widened(range_of(values), 0.08, factor * (k < 3 ? kMinMetres : kMinDegrees));
 }
 
 // Use millimetres if no motion exceeds a centimetre.

@@ -117,15 +117,15 @@ void widen_by_paths(const record::Recording& recording, const record::Series& se
 }
 
 // List the broken cables on one line.
-void note_parted(Drawing& drawing, Point at, const record::Recording& recording, double time) {
-    const std::vector<PartedElement> parted = parted_elements(recording, time);
+void note_broken(Drawing& drawing, Point at, const record::Recording& recording, double time) {
+    const std::vector<BrokenElement> parted = broken_elements(recording, time);
     constexpr std::size_t kNamed = 4;
     if (parted.empty()) return;
     std::string text = "Crosses: ";
     for (std::size_t i = 0; i < std::min(kNamed, parted.size()); ++i)
         text += (i > 0 ? "; " : "") + parted[i].text;
     if (parted.size() > kNamed) text += fmt::format(" and {} more", parted.size() - kNamed);
-    drawing.text(at, text + ".", 12.0, Anchor::start, kPartedColor);
+    drawing.text(at, text + ".", 12.0, Anchor::start, kBrokenColor);
 }
 
 /// Arrange one panel as large as the picture allows; both axes have equal scales.
@@ -230,7 +230,7 @@ std::optional<Drawing> plot_views(const record::Recording& recording, const reco
                        {tension.low * unit.factor, tension.high * unit.factor},
                        fmt::format("tension [{}]", unit.name));
     }
-    note_parted(drawing, {28, layout.height - 34}, recording, frame.time);
+    note_broken(drawing, {28, layout.height - 34}, recording, frame.time);
     drawing.text({28, layout.height - 16},
                  fmt::format("Grey: at {:.6g} s. Coloured thin lines: paths of the plotted "
                              "bodies.{}",

@@ -17,7 +17,7 @@ namespace hawser::draw {
 
 namespace {
 
-constexpr std::size_t kMostAlong = 6;  // Largest number of panels.
+constexpr std::size_t kMaxAlong = 6;  // Largest number of panels.
 constexpr double kAlongTop = 112, kAlongLeft = 110, kAlongWidth = 900, kAlongBetween = 64;
 constexpr double kNowWidth = 1.4;
 
@@ -40,13 +40,13 @@ void draw_along(Drawing& drawing, const Axes& axes, const Along& a, double facto
         drawing.add(Path{.points = at(a.elements, a.tensions), .stroke = kInk, .width = kNowWidth});
 }
 
-void mark_parted(Drawing& drawing, const Axes& axes, double s, const std::string& text) {
+void mark_broken(Drawing& drawing, const Axes& axes, double s, const std::string& text) {
     const double x = axes.at(s, axes.y.low).x;
-    drawing.line({x, axes.frame.y}, {x, axes.frame.bottom()}, kPartedColor, 1.2, {5.0, 5.0});
+    drawing.line({x, axes.frame.y}, {x, axes.frame.bottom()}, kBrokenColor, 1.2, {5.0, 5.0});
     drawing.add(Text{.at = {x + 5, axes.frame.y + 16},
                      .text = text,
                      .size = 11.0,
-                     .color = kPartedColor,
+                     .color = kBrokenColor,
                      .halo = true});
 }
 
@@ -69,7 +69,7 @@ Axes along_axes(const Along& a, const record::Unit& unit, double top, double hei
 
 std::optional<Drawing> plot_wires(const record::Recording& recording, const record::Series& series,
                                   std::size_t frame_index) {
-    const std::vector<Along> along = tensions_along(recording, series, kMostAlong, frame_index);
+    const std::vector<Along> along = tensions_along(recording, series, kMaxAlong, frame_index);
     if (along.empty()) return std::nullopt;
     const double height = along.size() == 1 ? 480 : along.size() == 2 ? 300 : 190;
     Drawing drawing{
@@ -77,7 +77,7 @@ std::optional<Drawing> plot_wires(const record::Recording& recording, const reco
         .height = kAlongTop + 40 + static_cast<double>(along.size()) * (height + kAlongBetween)};
     draw_heading(drawing, recording.scene_name + ": tension along the cables",
                  record::parameter_line(recording));
-    const std::vector<PartedElement> parted = parted_elements(recording, HUGE_VAL);
+    const std::vector<BrokenElement> parted = broken_elements(recording, HUGE_VAL);
     for (std::size_t w = 0; w < along.size(); ++w) {
         const Along& a = along[w];
         const double peak = *std::max_element(a.greatest.begin(), a.greatest.end());
@@ -86,10 +86,10 @@ std::optional<Drawing> plot_wires(const record::Recording& recording, const reco
             a, unit, kAlongTop + static_cast<double>(w) * (height + kAlongBetween), height);
         axes.draw(drawing);
         draw_along(drawing, axes, a, unit.factor, curve_color(w));
-        for (const double s : a.parted) mark_parted(drawing, axes, s, "parted");
-        for (const PartedElement& p : parted)
+        for (const double s : a.parted) mark_broken(drawing, axes, s, "parted");
+        for (const BrokenElement& p : parted)
             if (p.cable == a.cable && !a.changes)
-                mark_parted(drawing, axes, a.s[static_cast<std::size_t>(p.element)], p.text);
+                mark_broken(drawing, axes, a.s[static_cast<std::size_t>(p.element)], p.text);
     }
     const bool lies = std::any_of(along.begin(), along.end(), [](auto& a) { return a.changes; });
     drawing.text(

@@ -63,7 +63,7 @@ void draw_dot(Drawing& drawing, Point at, double radius, Color color) {
 void draw_cross(Drawing& drawing, Point at) {
     constexpr double kReach = 5.0;
     for (const double side : {-kReach, kReach})
-        drawing.line({at.x - kReach, at.y - side}, {at.x + kReach, at.y + side}, kPartedColor, 2.2);
+        drawing.line({at.x - kReach, at.y - side}, {at.x + kReach, at.y + side}, kBrokenColor, 2.2);
 }
 
 Vec3 place(const record::Frame& frame, std::int32_t body, const Vec3& point) {
@@ -157,8 +157,8 @@ void draw_wires(Drawing& drawing, const Axes& axes, const View& view, const reco
 void draw_cables(Drawing& drawing, const Axes& axes, const View& view,
                  const record::Recording& recording, const record::Frame& frame,
                  const FrameStyle& style) {
-    const std::vector<PartedElement> parted =
-        style.ghost ? std::vector<PartedElement>{} : parted_elements(recording, frame.time);
+    const std::vector<BrokenElement> parted =
+        style.ghost ? std::vector<BrokenElement>{} : broken_elements(recording, frame.time);
     if (frame.wires != nullptr)
         draw_wires(drawing, axes, view, frame, *frame.wires, frame.pulls, style);
     if (frame.lines != nullptr)
@@ -181,7 +181,7 @@ void draw_cables(Drawing& drawing, const Axes& axes, const View& view,
                 std::min(cable.elements - 1, std::max(0, cable.elements - pieces + i));
             const Point from = points[static_cast<std::size_t>(i)],
                         to = points[static_cast<std::size_t>(i) + 1];
-            if (is_parted(parted, c, element)) {
+            if (is_broken(parted, c, element)) {
                 for (const Point end : {from, to}) draw_cross(drawing, end);
                 continue;
             }

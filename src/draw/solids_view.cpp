@@ -73,8 +73,8 @@ std::vector<std::size_t> painting_order(const std::vector<Solid>& solids, const 
     std::vector<std::vector<std::size_t>> after(n);  // solids to be painted later than each solid
     std::vector<int> before(n, 0);
     // limit for comparing all pairs; larger sets are sorted by depth
-    constexpr std::size_t kMostCompared = 1500;
-    for (std::size_t i = 0; n <= kMostCompared && i < n; ++i)
+    constexpr std::size_t kMaxCompared = 1500;
+    for (std::size_t i = 0; n <= kMaxCompared && i < n; ++i)
         for (std::size_t j = i + 1; j < n; ++j) {
             if (!overlap(solids[i], solids[j])) continue;
             int order = nearer(solids[i], solids[j], camera);

@@ -93,13 +93,13 @@ void Space::draw_frame() {
     if (water_.seabed) note += fmt::format(" Sand: seabed, z = {:.4g} m.", *water_.seabed);
     note += " Dashed: paths of the plotted bodies.";
     drawing_.text({28, drawing_.height - 16}, note, 12.0, Anchor::start, kSoft);
-    const std::vector<PartedElement> parted = parted_elements(recording_, frame_.time);
+    const std::vector<BrokenElement> parted = broken_elements(recording_, frame_.time);
     if (parted.empty()) return;
     std::string text = "Crosses: ";
     for (std::size_t i = 0; i < std::min<std::size_t>(4, parted.size()); ++i)
         text += (i > 0 ? "; " : "") + parted[i].text;
     if (parted.size() > 4) text += fmt::format(" and {} more", parted.size() - 4);
-    drawing_.text({28, drawing_.height - 34}, text + ".", 12.0, Anchor::start, kPartedColor);
+    drawing_.text({28, drawing_.height - 34}, text + ".", 12.0, Anchor::start, kBrokenColor);
 }
 
 }  // namespace hawser::draw

@@ -13,7 +13,7 @@ namespace {
 
 /// Largest number of lines of a grid. Far from the origin the rounding of numbers could make the
 /// loop endless.
-constexpr int kMostLines = 64;
+constexpr int kMaxLines = 64;
 constexpr Color kGroundLine{168, 148, 116, 150}, kRodLine{38, 46, 56, 255};
 
 }  // namespace
@@ -57,7 +57,7 @@ void Space::draw_level(double z, Color fill, Color line, bool numbers) {
     const std::vector<double> round = ticks({0.0, size}, 8);
     const double every = round.size() > 1 ? round[1] - round[0] : size;
     for (int k = 0; k < 2; ++k)
-        for (int i = 0; i < kMostLines; ++i) {
+        for (int i = 0; i < kMaxLines; ++i) {
             const double n = std::ceil(a[k] / every) + i;
             if (!(n * every <= b[k])) break;
             const double t = n * every + 0.0;  // avoids −0
@@ -132,7 +132,7 @@ void Space::draw_cross(const Vec3& end) {
     if (is_hidden(end, solids_, camera_)) return;
     const Point p = at(end);
     for (const double side : {-5.0, 5.0})
-        drawing_.line({p.x - 5, p.y - side}, {p.x + 5, p.y + side}, kPartedColor, 2.2);
+        drawing_.line({p.x - 5, p.y - side}, {p.x + 5, p.y + side}, kBrokenColor, 2.2);
 }
 
 void Space::draw_joints(double level, bool above) {

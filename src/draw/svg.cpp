@@ -15,8 +15,8 @@ namespace {
 // decimals.
 std::string coordinate(double value) {
     if (!std::isfinite(value)) return "0";
-    constexpr double kMost = 1e7;  // Larger coordinates are not visible, and readers use floats.
-    std::string text = fmt::format("{:.2f}", std::clamp(value, -kMost, kMost));
+    constexpr double kMaximum = 1e7;  // Larger coordinates are not visible, and readers use floats.
+    std::string text = fmt::format("{:.2f}", std::clamp(value, -kMaximum, kMaximum));
     while (text.back() == '0') text.pop_back();
     if (text.back() == '.') text.pop_back();
     return text == "-0" ? "0" : text;

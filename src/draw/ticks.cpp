@@ -21,8 +21,8 @@ Range range_of(std::span<const double> values) {
     return r.low <= r.high ? r : Range{};
 }
 
-Range widened(Range range, double share, double least) {
-    const double wanted = std::max(range.span() * (1.0 + 2.0 * share), least);
+Range widened(Range range, double fraction, double least) {
+    const double wanted = std::max(range.span() * (1.0 + 2.0 * fraction), least);
     const double middle = 0.5 * (range.low + range.high);
     return {middle - 0.5 * wanted, middle + 0.5 * wanted};
 }

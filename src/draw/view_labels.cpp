@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kBodySize = 12.0, kCableSize = 11.0;
 constexpr double kNamedSize = 16.0;  // Smallest size of a body with a name [points].
-constexpr std::size_t kMostNames = 400;
+constexpr std::size_t kMaxNames = 400;
 
 bool overlaps(const Box& a, const Box& b) {
     return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
@@ -87,11 +87,11 @@ class Placer {
         const Point a = node(cable, 0), b = node(cable, cable.nodes.size() - 1);
         if (std::hypot(b.x - a.x, b.y - a.y) < w + 20.0) return;  // The name would hide the cable.
         std::optional<Choice> best;
-        for (const double share : {0.5, 0.42, 0.58, 0.33, 0.67, 0.25, 0.75, 0.15, 0.85}) {
-            const Point p =
-                node(cable,
-                     static_cast<std::size_t>(share * static_cast<double>(cable.nodes.size() - 1)));
-            const double off = 20.0 * std::abs(share - 0.5);
+        for (const double fraction : {0.5, 0.42, 0.58, 0.33, 0.67, 0.25, 0.75, 0.15, 0.85}) {
+            const Point p = node(
+                cable,
+                static_cast<std::size_t>(fraction * static_cast<double>(cable.nodes.size() - 1)));
+            const double off = 20.0 * std::abs(fraction - 0.5);
             consider(best, {p.x - 0.5 * w, p.y - 6}, w, kCableSize, off);
             consider(best, {p.x - 0.5 * w, p.y + kCableSize + 5}, w, kCableSize, off + 1.0);
             consider(best, {p.x + 7, p.y + 4}, w, kCableSize, off + 2.0);
@@ -143,7 +143,7 @@ std::vector<std::int32_t> bodies_to_name(const record::Recording& recording,
                                          const std::vector<bool>& visible) {
     std::vector<std::int32_t> bodies = recording.plot_bodies;
     const std::vector<bool> interior = record::cable_interior(recording);
-    for (std::size_t i = 0; i < visible.size() && bodies.size() < kMostNames; ++i)
+    for (std::size_t i = 0; i < visible.size() && bodies.size() < kMaxNames; ++i)
         if (visible[i] && !interior[i] && recording.bodies[i].kind == BodyKind::rigid &&
             std::find(bodies.begin(), bodies.end(), static_cast<std::int32_t>(i)) == bodies.end())
             bodies.push_back(static_cast<std::int32_t>(i));

@@ -16,7 +16,7 @@ Vec3 place_of(const record::Frame& frame, std::int32_t body, const Vec3& point) 
 
 WireReader::WireReader(const record::Recording& recording)
     : recording_(recording),
-      parted_(parted_elements(recording, std::numeric_limits<double>::infinity())) {
+      parted_(broken_elements(recording, std::numeric_limits<double>::infinity())) {
     for (std::size_t c = 0; c < recording.cables.size(); ++c)
         cables_.emplace(recording.cables[c].name, c);
 }
@@ -44,7 +44,7 @@ void WireReader::read_cable(std::size_t index, const record::Frame& frame, WireL
             segment.tension = frame.tensions[static_cast<std::size_t>(cable.first_element) +
                                              static_cast<std::size_t>(element)];
             segment.parted =
-                std::any_of(parted_.begin(), parted_.end(), [&](const PartedElement& p) {
+                std::any_of(parted_.begin(), parted_.end(), [&](const BrokenElement& p) {
                     return p.cable == index && p.element == element && p.time <= frame.time;
                 });
         }

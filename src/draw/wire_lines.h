@@ -43,7 +43,7 @@ class WireReader {
 
     const record::Recording& recording_;
     std::map<std::string, std::size_t, std::less<>> cables_;
-    std::vector<PartedElement> parted_;
+    std::vector<BrokenElement> parted_;
 };
 
 }  // namespace hawser::draw

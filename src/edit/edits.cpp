@@ -41,8 +41,8 @@ double energy_of_line(const StepContext& ctx, std::int32_t id) noexcept {
     const auto row = at(in.row_begin[at(id)]);
     const double rest = in.rest_length[at(id)];
     if (in.parted[at(id)] || !model::holds_energy(in.epsilon[row], rest)) return 0.0;
-    const double apart = norm(end_half_way(ctx, id, 1) - end_half_way(ctx, id, 0));
-    const double longer = apart - (rest > 0.0 ? rest : in.def[at(id)].params[0]);
+    const double separation = norm(end_half_way(ctx, id, 1) - end_half_way(ctx, id, 0));
+    const double longer = separation - (rest > 0.0 ? rest : in.def[at(id)].params[0]);
     if ((in.flags[at(id)] & model::kOneSided) && longer < 0.0) return 0.0;
     return 0.5 * longer * longer / in.epsilon[row];
 }
@@ -97,9 +97,9 @@ void forget_contacts(StepContext& ctx, std::int32_t shape) noexcept {
 }
 
 void reserve_edit(StepContext& ctx) {
-    base::make_room(ctx.state.edits.interactions, 1);
+    base::reserve_more(ctx.state.edits.interactions, 1);
     ctx.work.edits_stay.reserve(ctx.model.collider.kept().size());
-    ctx.model.collider.make_room();
+    ctx.model.collider.reserve_more();
 }
 
 void begin_edit(StepContext& ctx) noexcept {

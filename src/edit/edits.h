@@ -40,11 +40,11 @@ void begin_shape_edit(StepContext& ctx) noexcept;
 /// Return the elastic energy of an interaction half a step before the poses [J].
 [[nodiscard]] double energy_of_interaction(const StepContext& ctx, std::int32_t id) noexcept;
 
-/// Return the excess of the kinetic energy of two end lumps over that of an element that moves as a
-/// straight piece [J]. If the element breaks, the lumps move independently.
+/// Return the excess of the kinetic energy of two end nodes over that of an element that moves as a
+/// straight piece [J]. If the element breaks, the nodes move independently.
 [[nodiscard]] double piece_energy(const StepContext& ctx, std::int32_t id) noexcept;
 /// Return the elastic energy of an element of a wire, and the reduction of the kinetic energy of
-/// its lumps by its mass.
+/// its nodes by its mass.
 [[nodiscard]] inline Edited energy_of_element(const StepContext& ctx, std::int32_t id) noexcept {
     return {-piece_energy(ctx, id), energy_of_interaction(ctx, id)};
 }

@@ -24,7 +24,7 @@ NodeChain::Piece piece_of(const StepContext& ctx, std::int32_t id) noexcept {
     return p;
 }
 
-NodeChain::Lump lump_at(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
+NodeChain::Lump node_at(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
     NodeChain::Lump l;
     l.body = end_of(ctx, id, slot);
     l.point = is_lump(ctx, l.body);
@@ -41,15 +41,15 @@ bool is_here(const NodeChain& chain, std::int32_t id) noexcept {
 
 }  // namespace
 
-NodeChain chain_about(const StepContext& ctx, const NodePlace& place) noexcept {
+NodeChain chain_about(const StepContext& ctx, const NodeSurroundings& place) noexcept {
     NodeChain out;
     out.half = 0.5 * ctx.model.def.step;
     std::size_t pieces = 0;
     const auto add = [&](std::int32_t id) {
         if (id < 0) return;
-        if (pieces == 0) out.lump[0] = lump_at(ctx, id, 0);
+        if (pieces == 0) out.lump[0] = node_at(ctx, id, 0);
         out.piece[pieces++] = piece_of(ctx, id);
-        out.lump[pieces] = lump_at(ctx, id, 1);
+        out.lump[pieces] = node_at(ctx, id, 1);
     };
     for (std::size_t k = kNodeReach; k-- > 0;) add(place.before[k]);
     add(place.first);
@@ -58,7 +58,7 @@ NodeChain chain_about(const StepContext& ctx, const NodePlace& place) noexcept {
     for (const std::int32_t id : place.after) add(id);
     out.count = pieces + 1;
     for (std::size_t k = 0; k < pieces; ++k)
-        out.piece[k].rate = out.apart(k).normalized().dot(out.lump[k + 1].v - out.lump[k].v);
+        out.piece[k].rate = out.separation(k).normalized().dot(out.lump[k + 1].v - out.lump[k].v);
     const auto fits = [&](std::int32_t id) {
         return id < 0 || (is_here(out, id) && is_of_material(ctx, id));
     };
@@ -107,7 +107,7 @@ double stretch_energy_of(const NodeChain& chain) noexcept {
     double sum = 0.0;
     for (std::size_t k = 0; k + 1 < chain.count; ++k) {
         const NodeChain::Piece& p = chain.piece[k];
-        const double longer = chain.apart(k).norm() - p.rest;
+        const double longer = chain.separation(k).norm() - p.rest;
         if (longer > 0.0 || !p.one_sided) sum += 0.5 * p.EA / p.rest * longer * longer;
     }
     return sum;
@@ -122,7 +122,7 @@ NodeMomentum momentum_of(const NodeChain& chain, const Vec3& about) noexcept {
     }
     for (std::size_t k = 0; k + 1 < chain.count; ++k)
         sum.angular -=
-            chain.piece[k].pair * chain.apart(k).cross(chain.lump[k + 1].v - chain.lump[k].v);
+            chain.piece[k].pair * chain.separation(k).cross(chain.lump[k + 1].v - chain.lump[k].v);
     return sum;
 }
 

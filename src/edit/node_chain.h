@@ -19,10 +19,10 @@ struct StepContext;
 
 /// Bodies along the wire, and the elements between neighbours.
 struct NodeChain {
-    static constexpr std::size_t kMost = 2 * kNodeReach + 3;
+    static constexpr std::size_t kMaximum = 2 * kNodeReach + 3;
     struct Lump {
         std::int32_t body = -1;
-        bool point = false;  ///< True for a lump.
+        bool point = false;  ///< True for a node.
         bool moves = false;  ///< True if it is free, and all its interactions are included here.
         /// Mass [kg]; for another body: material that it takes over from the node.
         double mass = 0.0;
@@ -39,21 +39,21 @@ struct NodeChain {
         double pull = 0.0;  ///< Force of its law at the poses [N].
         double rate = 0.0;  ///< Rate of its length [m/s].
     };
-    std::array<Lump, kMost> lump{};
-    std::array<Piece, kMost - 1> piece{};
-    std::size_t count = 0;   ///< Number of lumps; there is one piece less.
-    std::size_t middle = 0;  ///< Index of the node; after its removal, of the next lump.
+    std::array<Lump, kMaximum> lump{};
+    std::array<Piece, kMaximum - 1> piece{};
+    std::size_t count = 0;   ///< Number of nodes; there is one piece less.
+    std::size_t middle = 0;  ///< Index of the node; after its removal, of the next node.
     double half = 0.0;       ///< h/2 [s]
 
-    [[nodiscard]] Vec3 apart(std::size_t k) const { return lump[k + 1].y - lump[k].y; }
+    [[nodiscard]] Vec3 separation(std::size_t k) const { return lump[k + 1].y - lump[k].y; }
     [[nodiscard]] Vec3 apart_at_pose(std::size_t k) const {
-        return apart(k) + half * (lump[k + 1].v - lump[k].v);
+        return separation(k) + half * (lump[k + 1].v - lump[k].v);
     }
 };
 
-[[nodiscard]] NodeChain chain_about(const StepContext& ctx, const NodePlace& place) noexcept;
+[[nodiscard]] NodeChain chain_about(const StepContext& ctx, const NodeSurroundings& place) noexcept;
 
-/// Return the same material without the node: the piece before it extends to the next lump.
+/// Return the same material without the node: the piece before it extends to the next node.
 [[nodiscard]] NodeChain without_node(const NodeChain& chain) noexcept;
 
 /// Return kinetic and elastic energy [J].
@@ -68,7 +68,7 @@ struct NodeMomentum {
 /// Compute the momenta. @param about  Reference point of angular momentum [m].
 [[nodiscard]] NodeMomentum momentum_of(const NodeChain& chain, const Vec3& about) noexcept;
 
-/// Set the rest lengths with which the pieces near free lumps keep their forces at the poses.
+/// Set the rest lengths with which the pieces near free nodes keep their forces at the poses.
 void fit_lengths(NodeChain& chain) noexcept;
 
 }  // namespace hawser::stepper

@@ -12,7 +12,7 @@
 /// change. The energy of the motion of n across the chord goes into the foundation of the drum, and
 /// counts as driven.
 ///
-/// The node before a free end stays, because the lump at the end has only its half of f. If a drum
+/// The node before a free end stays, because the node at the end has only its half of f. If a drum
 /// or a guide also loads the next element, b keeps 1 % of that half: a body needs some own mass.
 
 #include "edit/nodes.h"
@@ -24,7 +24,7 @@
 
 namespace hawser::stepper {
 
-bool release_drum_node(StepContext& ctx, const NodePlace& place, double bend) noexcept {
+bool release_drum_node(StepContext& ctx, const NodeSurroundings& place, double bend) noexcept {
     model::Interactions& in = ctx.model.interactions;
     model::Bodies& bodies = ctx.model.bodies;
     const bool at_first = is_wound(ctx, place.first);
@@ -62,7 +62,7 @@ bool release_drum_node(StepContext& ctx, const NodePlace& place, double bend) no
     }
     const std::int32_t next = at_first ? place.after[0] : place.before[0];
     set_bend(ctx, beyond, e, next);
-    NodePlace after = place;
+    NodeSurroundings after = place;
     after.first = e;
     after.second = after.node = after.bend[1] = -1;
     follow_masses(ctx, after);

@@ -124,7 +124,7 @@ double beyond_straight(const StepContext& ctx, std::int32_t id) noexcept {
     if (!is_routed(ctx, id)) return 1.0;
     return length_of(ctx, id) / (point_of(ctx, id, 1) - point_of(ctx, id, 0)).norm();
 }
-double straight_share(const StepContext& ctx, std::int32_t id, double share) noexcept {
+double straight_fraction(const StepContext& ctx, std::int32_t id, double share) noexcept {
     if (!is_routed(ctx, id)) return share;
     const double more = beyond_straight(ctx, id);
     // Counted from the end that is not at a drum or guide.
@@ -194,8 +194,8 @@ double rest_for(const StepContext& ctx, std::int32_t id, double force, double st
     const double length = length_of(ctx, id);
     const double damped = damping_time_of(ctx, id) * rate_of(ctx, id);
     // A rate that would move by about the length of the element is not a strain.
-    constexpr double kMost = 0.1;
-    return (length + std::clamp(damped, -kMost * length, kMost * length)) /
+    constexpr double kMaximum = 0.1;
+    return (length + std::clamp(damped, -kMaximum * length, kMaximum * length)) /
            (1.0 + force / stiffness);
 }
 
@@ -220,9 +220,9 @@ Vec3 sag_of(const Vec3& chord, double share, const Vec3& weight, double tension)
     if (!(tension > 0.0) || !(length > 0.0)) return Vec3::Zero();
     const Vec3 along = chord / length, across = weight - weight.dot(along) * along;
     // Far from taut the equilibrium is that of a chain instead of a small sag.
-    constexpr double kMostSag = 0.1;
+    constexpr double kMaxSag = 0.1;
     const double sag = length * share * (1.0 - share) / tension;
-    const double most = kMostSag * length * std::min(share, 1.0 - share);
+    const double most = kMaxSag * length * std::min(share, 1.0 - share);
     return across * std::min(sag, most / std::max(across.norm(), 1e-300));
 }
 
@@ -273,7 +273,7 @@ void set_bend(StepContext& ctx, std::int32_t id, std::int32_t one, std::int32_t 
     in.refresh(id, ctx.model.bodies, ctx.model.def.step);
 }
 
-void follow_masses(StepContext& ctx, const NodePlace& place) noexcept {
+void follow_masses(StepContext& ctx, const NodeSurroundings& place) noexcept {
     model::Interactions& in = ctx.model.interactions;
     // Ends of the elements at the node; gear may hold them as well.
     std::int32_t lumps[4] = {-1, -1, -1, -1};

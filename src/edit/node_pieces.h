@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file node_pieces.h
-/// Elements and lumps near a node (nodes.h): their properties and changes.
+/// Elements and nodes near a node (nodes.h): their properties and changes.
 
 #include "base/memory.h"
 #include "context/context.h"
@@ -34,7 +34,7 @@ struct NodeLinks {
 /// True if its compliance follows from its length, and is neither given nor determined by a drum.
 [[nodiscard]] bool is_of_material(const StepContext& ctx, std::int32_t element) noexcept;
 
-/// True if a drum pays the element out; drum_side() is then its end at the fairlead, which no lump
+/// True if a drum pays the element out; drum_side() is then its end at the fairlead, which no node
 /// holds.
 [[nodiscard]] bool is_wound(const StepContext& ctx, std::int32_t element) noexcept;
 [[nodiscard]] std::size_t drum_side(const StepContext& ctx, std::int32_t element) noexcept;
@@ -53,7 +53,8 @@ struct NodeLinks {
 [[nodiscard]] double length_of(const StepContext& ctx, std::int32_t id) noexcept;
 [[nodiscard]] double beyond_straight(const StepContext& ctx, std::int32_t id) noexcept;
 /// Return the fraction of the straight part at which a fraction of an element ends.
-[[nodiscard]] double straight_share(const StepContext& ctx, std::int32_t id, double share) noexcept;
+[[nodiscard]] double straight_fraction(const StepContext& ctx, std::int32_t id,
+                                       double share) noexcept;
 /// Return the attachment point of an element in the frame of its body [m].
 [[nodiscard]] Vec3 held_at(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept;
 
@@ -71,10 +72,10 @@ struct NodeLinks {
 [[nodiscard]] double rest_for(const StepContext& ctx, std::int32_t id, double force,
                               double stiffness) noexcept;
 
-/// Return the weight of a lump of the given mass on an element [N]. Includes forces on lumps at its
+/// Return the weight of a node of the given mass on an element [N]. Includes forces on nodes at its
 /// ends in proportion to mass (buoyancy).
 [[nodiscard]] Vec3 weight_of(const StepContext& ctx, std::int32_t id, double mass) noexcept;
-/// Return the distance below the chord of an element at which a lump at its fraction σ is in
+/// Return the distance below the chord of an element at which a node at its fraction σ is in
 /// equilibrium [m].
 [[nodiscard]] Vec3 sag_of(const Vec3& chord, double share, const Vec3& weight,
                           double tension) noexcept;
@@ -84,7 +85,7 @@ struct NodeLinks {
 void set_element(StepContext& ctx, std::int32_t id, double rest, double mass,
                  double tension) noexcept;
 
-/// Add mass and drag of a changed element to a lump.
+/// Add mass and drag of a changed element to a node.
 void add_mass(StepContext& ctx, std::int32_t body, double more, const Vec3& damping) noexcept;
 [[nodiscard]] Vec3 damping_of(const StepContext& ctx, std::int32_t body) noexcept;
 
@@ -95,6 +96,6 @@ void add_mass(StepContext& ctx, std::int32_t body, double more, const Vec3& damp
 void set_bend(StepContext& ctx, std::int32_t id, std::int32_t one, std::int32_t other) noexcept;
 
 /// Update the data of elements near a node that depend on the masses at their ends.
-void follow_masses(StepContext& ctx, const NodePlace& place) noexcept;
+void follow_masses(StepContext& ctx, const NodeSurroundings& place) noexcept;
 
 }  // namespace hawser::stepper

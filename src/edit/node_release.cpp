@@ -2,7 +2,7 @@
 /// Removal of nodes, see nodes.h.
 ///
 /// The wire near the node loses the deviation from the chord a–b: δ of the position of n and w of
-/// its velocity. The lumps within reach, up to four on a side, take it over.
+/// its velocity. The nodes within reach, up to four on a side, take it over.
 ///
 /// Positions. All of them move by the same d so that the first moment of mass is preserved. This
 /// preserves the angular momentum x × p of the moving piece for any p, which would be by far the
@@ -10,7 +10,7 @@
 /// this amount when inserted (nodes.h); raising it again is driven. All pieces concerned get the
 /// rest lengths that keep their tensions; e has the mean of the two, weighted by length.
 ///
-/// Momentum. Let v be the velocities of these lumps, and C the map to momentum and angular momentum
+/// Momentum. Let v be the velocities of these nodes, and C the map to momentum and angular momentum
 /// (consistent masses included). Let r be the missing momentum, and m the missing rates of lengths.
 /// ```
 ///     v₁ = v + δv     δv = argmin ½ δvᵀ M̃ δv + Σ ½ (h²/4) k (u·δw − m)²     C δv = r
@@ -59,7 +59,7 @@ Mat3 cross_matrix(const Vec3& r) {
     return m;
 }
 
-/// Velocities of moving lumps, and their contributions to momenta.
+/// Velocities of moving nodes, and their contributions to momenta.
 class Patch {
   public:
     explicit Patch(const NodeChain& chain) : chain_(chain), origin_(chain.lump[chain.middle].y) {
@@ -91,9 +91,9 @@ class Patch {
     [[nodiscard]] Packed change(const NodeMomentum& m) const {
         Kept r;
         r << m.linear, m.angular / reach_;
-        return least_change(r);
+        return min_change(r);
     }
-    /// Return d for the present velocities of the chain, and t* in `far`. Returns 0 if no lump
+    /// Return d for the present velocities of the chain, and t* in `far`. Returns 0 if no node
     /// moves.
     [[nodiscard]] Packed descent(const NodeChain& chain, double& far) const {
         far = 0.0;
@@ -108,7 +108,7 @@ class Patch {
             slope.segment<3>(place_[k]) = g;
         }
         const Packed down = solver_.solve(slope);
-        const Packed d = down - least_change(shares_ * down);
+        const Packed d = down - min_change(shares_ * down);
         const double curved = d.dot(mass_ * d);
         far = curved > 0.0 ? std::max(0.0, slope.dot(d) / curved) : 0.0;
         return d;
@@ -128,14 +128,14 @@ class Patch {
     }
     void add_piece(std::size_t k, Square& stiff) {
         const NodeChain::Piece& p = chain_.piece[k];
-        const Vec3 apart = chain_.apart(k), u = apart.normalized();
+        const Vec3 separation = chain_.separation(k), u = separation.normalized();
         const double weight = p.pull != 0.0 ? chain_.half * chain_.half * p.EA / p.rest : 0.0;
         const double rate = u.dot(chain_.lump[k + 1].v - chain_.lump[k].v);
         for (std::size_t one = 0; one < 2; ++one) {
             const int row = place_[k + one];
             if (row < 0) continue;
             const double sign = one == 0 ? -1.0 : 1.0;
-            shares_.block<3, 3>(3, row) -= sign * p.pair / reach_ * cross_matrix(apart);
+            shares_.block<3, 3>(3, row) -= sign * p.pair / reach_ * cross_matrix(separation);
             missing_.segment<3>(row) += sign * weight * (p.rate - rate) * u;
             for (std::size_t other = 0; other < 2; ++other) {
                 const int column = place_[k + other];
@@ -146,9 +146,9 @@ class Patch {
             }
         }
     }
-    [[nodiscard]] Packed least_change(const Kept& r) const {
+    [[nodiscard]] Packed min_change(const Kept& r) const {
         Kept y = eigen_.vectors.transpose() * scale_.cwiseProduct(r);
-        constexpr double kNothing = 1e-12;  // for the rotation about a line of lumps
+        constexpr double kNothing = 1e-12;  // for the rotation about a line of nodes
         for (int i = 0; i < kKept; ++i)
             y[i] = eigen_.values[i] > kNothing ? y[i] / eigen_.values[i] : 0.0;
         return across_ * scale_.cwiseProduct(eigen_.vectors * y);
@@ -158,7 +158,7 @@ class Patch {
     Vec3 origin_;
     int size_ = 0;
     double reach_ = 1e-9;
-    std::array<int, NodeChain::kMost> place_{};
+    std::array<int, NodeChain::kMaximum> place_{};
     Square mass_;
     Shares shares_;
     Packed missing_;
@@ -168,7 +168,7 @@ class Patch {
     base::SymmetricEigen<kKept> eigen_;
 };
 
-/// Move the free lumps so that the first moment of mass is preserved.
+/// Move the free nodes so that the first moment of mass is preserved.
 void shift(NodeChain& now, const NodeChain& was) noexcept {
     Vec3 moment = Vec3::Zero();
     double mass = 0.0;
@@ -187,7 +187,7 @@ void shift(NodeChain& now, const NodeChain& was) noexcept {
 void keep_momenta(NodeChain& now, const Patch& patch, const NodeMomentum& had) noexcept {
     if (patch.size() == 0) return;
     patch.add(now, patch.change_of_rates(), 1.0);
-    // Lumps nearly on a line have almost no moment of inertia about it: repeat to remove the
+    // Nodes nearly on a line have almost no moment of inertia about it: repeat to remove the
     // rounding error.
     constexpr int kTimes = 3;
     for (int i = 0; i < kTimes; ++i) {
@@ -201,32 +201,32 @@ bool keep_energy(NodeChain& now, const Patch& patch, double energy, bool any) no
     double far = 0.0;
     const Packed down = patch.descent(now, far);
     NodeChain tried = now;
-    const auto at_share = [&](double t) {
+    const auto at_fraction = [&](double t) {
         tried = now;
         patch.add(tried, down, -t);
         fit_lengths(tried);
         return energy_of(tried) <= energy;
     };
-    constexpr double kGivenBack = 0.05, kMostLost = 0.01;
+    constexpr double kGivenBack = 0.05, kMaxLost = 0.01;
     double low = -kGivenBack * far, high = far;
-    if (at_share(low)) {
+    if (at_fraction(low)) {
         const double lost = energy - energy_of(tried);
-        if (!any && lost > kMostLost * stretch_energy_of(tried)) return false;
+        if (!any && lost > kMaxLost * stretch_energy_of(tried)) return false;
         now = tried;
         return true;
     }
-    if (!at_share(high)) return false;
+    if (!at_fraction(high)) return false;
     constexpr int kHalvings = 60;
     for (int i = 0; i < kHalvings; ++i) {
         const double t = 0.5 * (low + high);
-        (at_share(t) ? high : low) = t;
+        (at_fraction(t) ? high : low) = t;
     }
-    (void)at_share(high);
+    (void)at_fraction(high);
     now = tried;
     return true;
 }
 
-void write_lumps(StepContext& ctx, const NodeChain& now) noexcept {
+void write_nodes(StepContext& ctx, const NodeChain& now) noexcept {
     model::Bodies& b = ctx.model.bodies;
     for (std::size_t k = 0; k < now.count; ++k) {
         const NodeChain::Lump& l = now.lump[k];
@@ -244,11 +244,11 @@ void write_lumps(StepContext& ctx, const NodeChain& now) noexcept {
 
 }  // namespace
 
-bool release_node(StepContext& ctx, const NodePlace& place, double bend) noexcept {
+bool release_node(StepContext& ctx, const NodeSurroundings& place, double bend) noexcept {
     model::Interactions& in = ctx.model.interactions;
     NodeChain was = chain_about(ctx, place);
     const std::size_t n = was.middle;
-    const Vec3 first = was.apart(n - 1), second = was.apart(n);
+    const Vec3 first = was.separation(n - 1), second = was.separation(n);
     if (std::atan2(first.cross(second).norm(), first.dot(second)) > bend) return false;
     const double energy = energy_of(was);
     NodeChain now = without_node(was);
@@ -259,7 +259,7 @@ bool release_node(StepContext& ctx, const NodePlace& place, double bend) noexcep
     const Patch patch(now);
     keep_momenta(now, patch, momentum_of(was, patch.origin()));
     if (!keep_energy(now, patch, energy, bend >= kAnyBend)) return false;
-    write_lumps(ctx, now);
+    write_nodes(ctx, now);
 
     const std::int32_t e = place.first, f = place.second;
     const std::int32_t a = end_of(ctx, e, 0), b = end_of(ctx, f, 1);
@@ -275,7 +275,7 @@ bool release_node(StepContext& ctx, const NodePlace& place, double bend) noexcep
         if (now.lump[k].moves || now.lump[k + 1].moves || p.id == e)
             set_element(ctx, p.id, p.rest, p.mass, p.pull);
     }
-    NodePlace after = place;
+    NodeSurroundings after = place;
     after.second = after.node = after.bend[1] = -1;
     if (place.bend[0] >= 0) in.rewire(place.bend[0], 2, ctx.model.bodies.id(b), ctx.model.bodies);
     if (place.bend[2] >= 0) in.rewire(place.bend[2], 0, ctx.model.bodies.id(a), ctx.model.bodies);

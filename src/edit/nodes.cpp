@@ -21,7 +21,7 @@ struct About {
     std::size_t elements = 0, lumps = 0;
 };
 
-About about(const StepContext& ctx, const NodePlace& place) noexcept {
+About about(const StepContext& ctx, const NodeSurroundings& place) noexcept {
     About out;
     const auto add_lump = [&](std::int32_t body) {
         const auto end = out.lump.begin() + static_cast<std::ptrdiff_t>(out.lumps);
@@ -41,7 +41,7 @@ About about(const StepContext& ctx, const NodePlace& place) noexcept {
 }
 
 /// Return the kinetic, gravity and elastic energy near a node [J].
-Edited energy_about(const StepContext& ctx, const NodePlace& place) noexcept {
+Edited energy_about(const StepContext& ctx, const NodeSurroundings& place) noexcept {
     const About all = about(ctx, place);
     Edited sum;
     for (std::size_t k = 0; k < all.lumps; ++k) sum.given += energy_of_body(ctx, all.lump[k]);
@@ -54,7 +54,7 @@ Edited energy_about(const StepContext& ctx, const NodePlace& place) noexcept {
 
 }  // namespace
 
-bool find_place(const StepContext& ctx, NodePlace& place) noexcept {
+bool find_place(const StepContext& ctx, NodeSurroundings& place) noexcept {
     if (place.first < 0) {
         const NodeLinks links = links_of(ctx, place.node);
         place.first = links.before;
@@ -93,7 +93,7 @@ NodeDef node_on(const StepContext& ctx, std::int32_t element, double share, doub
     const std::size_t drum = wound ? drum_side(ctx, element) : 0;
     // fraction of the piece that a drum gives away
     const double own = drum == 0 ? 1.0 - share : share;
-    const double where = straight_share(ctx, element, share);
+    const double where = straight_fraction(ctx, element, share);
     out.mass = 0.5 * mass * (wound ? own : 1.0);
     out.velocity = (1.0 - where) * speed_of(ctx, element, 0, ctx.model.bodies.v) +
                    where * speed_of(ctx, element, 1, ctx.model.bodies.v);
@@ -111,17 +111,18 @@ NodeDef node_on(const StepContext& ctx, std::int32_t element, double share, doub
     return out;
 }
 
-NodeLedger begin_node_edit(const StepContext& ctx, const NodePlace& place) noexcept {
+NodeLedger begin_node_edit(const StepContext& ctx, const NodeSurroundings& place) noexcept {
     return {energy_about(ctx, place), ctx.state.ledger.edited};
 }
 
-void end_node_edit(StepContext& ctx, const NodePlace& place, const NodeLedger& was) noexcept {
+void end_node_edit(StepContext& ctx, const NodeSurroundings& place,
+                   const NodeLedger& was) noexcept {
     ctx.state.ledger.edited = was.edited + energy_about(ctx, place) - was.local;
     const About all = about(ctx, place);
     for (std::size_t k = 0; k < all.lumps; ++k) disturb(ctx.model, all.lump[k]);
 }
 
-void settle_node(StepContext& ctx, const NodePlace& place, std::int32_t old, double share,
+void settle_node(StepContext& ctx, const NodeSurroundings& place, std::int32_t old, double share,
                  double mass) noexcept {
     model::Interactions& in = ctx.model.interactions;
     model::Bodies& bodies = ctx.model.bodies;
@@ -141,7 +142,7 @@ void settle_node(StepContext& ctx, const NodePlace& place, std::int32_t old, dou
             wound ? 0.5 * mass * own_of_piece : -0.5 * mass * (slot == 0 ? 1.0 - share : share);
         add_mass(ctx, body, more, more / bodies.mass[at(body)] * damping_of(ctx, body));
     }
-    const double where = straight_share(ctx, old, share);
+    const double where = straight_fraction(ctx, old, share);
     Vec3 ahead = (1.0 - where) * speed_of(ctx, old, 0, bodies.v_start) +
                  where * speed_of(ctx, old, 1, bodies.v_start);
     if (wound) ahead += inflow_of(ctx, old, own_of_piece, bodies.v_start);
@@ -161,7 +162,7 @@ void settle_node(StepContext& ctx, const NodePlace& place, std::int32_t old, dou
     }
     const std::int32_t other = old == e ? f : e;
     in.active[at(other)] = in.active[at(old)];
-    in.alert[at(other)] = in.alert[at(old)];
+    in.flagged[at(other)] = in.flagged[at(old)];
     if (place.bend[0] >= 0) in.rewire(place.bend[0], 2, bodies.id(n), bodies);
     if (place.bend[2] >= 0) in.rewire(place.bend[2], 0, bodies.id(n), bodies);
     set_bend(ctx, place.bend[0], place.before[0], e);

@@ -18,9 +18,9 @@
 /// Removal. e then spans the chord a–b: node_release.cpp.
 ///
 /// At a drum. The element that a drum pays out (WinchStretch) has the material M [kg], which its
-/// winch stores. No lump contains it. The winch loads both ends with half (winch.h). A node
+/// winch stores. No node contains it. The winch loads both ends with half (winch.h). A node
 /// separates a piece f from the far end, at the fraction σ of M from the fairlead. Node n and the
-/// lump beyond have half of f. Material enters at the fairlead with the speed rω. The position of n
+/// node beyond have half of f. Material enters at the fairlead with the speed rω. The position of n
 /// therefore moves with the velocity (1 − σ)(v_a + rω (b − a)/l) + σ v_b, l the rest length. The
 /// strain rates of both parts equal that of the whole. Removal: node_drum.cpp.
 ///
@@ -44,13 +44,13 @@ namespace hawser::stepper {
 
 struct StepContext;
 
-/// Properties of a lump to insert on an element.
+/// Properties of a node to insert on an element.
 struct NodeDef {
     double mass = 0.0;          ///< Mass [kg].
     Vec3 position{0, 0, 0};     ///< Position [m].
     Vec3 velocity{0, 0, 0};     ///< Velocity [m/s].
     Vec3 damping{0, 0, 0};      ///< Drag that it takes over from both ends [N s/m].
-    double of_end[2] = {0, 0};  ///< Fraction of the loads on the end lumps that it takes over.
+    double of_end[2] = {0, 0};  ///< Fraction of the loads on the end nodes that it takes over.
 };
 
 /// Energies before an edit [J].
@@ -58,10 +58,10 @@ struct NodeLedger {
     Edited local, edited;
 };
 
-/// Complete the surroundings of an element (`first`) or, if that is −1, of a lump (`node`). @return
-/// false if the lump has other interactions, or is not between two elements of which the second
+/// Complete the surroundings of an element (`first`) or, if that is −1, of a node (`node`). @return
+/// false if the node has other interactions, or is not between two elements of which the second
 /// begins at the end of the first.
-[[nodiscard]] bool find_place(const StepContext& ctx, NodePlace& place) noexcept;
+[[nodiscard]] bool find_place(const StepContext& ctx, NodeSurroundings& place) noexcept;
 
 /// Compute the properties of a node on an element. @param share  σ of e. @param mass  Mass of the
 /// element [kg].
@@ -69,31 +69,33 @@ struct NodeLedger {
                               double mass) noexcept;
 
 /// Store the energies near a node before an edit.
-[[nodiscard]] NodeLedger begin_node_edit(const StepContext& ctx, const NodePlace& place) noexcept;
+[[nodiscard]] NodeLedger begin_node_edit(const StepContext& ctx,
+                                         const NodeSurroundings& place) noexcept;
 
 /// Finish the insertion of n, the other element and the bend at n. `old` ends at n, and all have
 /// their masses, lengths and forces. @param old  The earlier element, e or f. @param mass  Its
 /// earlier mass [kg].
-void settle_node(StepContext& ctx, const NodePlace& place, std::int32_t old, double share,
+void settle_node(StepContext& ctx, const NodeSurroundings& place, std::int32_t old, double share,
                  double mass) noexcept;
 
 /// Extend e to b, and set the motion near n to that of the wire without it. The caller removes f, n
 /// and the bend at n. @param bend  Maximum angle between e and f [rad]. @return false if the angle
 /// is larger or energy would grow; the state is then unchanged.
-[[nodiscard]] bool release_node(StepContext& ctx, const NodePlace& place, double bend) noexcept;
-/// Fraction of half an element that a lump between two elements loaded by drums or guides keeps.
+[[nodiscard]] bool release_node(StepContext& ctx, const NodeSurroundings& place,
+                                double bend) noexcept;
+/// Fraction of half an element that a node between two elements loaded by drums or guides keeps.
 inline constexpr double kKeptMass = 1e-2;
-/// True if a lump that gives away half an element has mass beyond it, apart from rounding. @param
+/// True if a node that gives away half an element has mass beyond it, apart from rounding. @param
 /// has, half  [kg].
 [[nodiscard]] constexpr bool has_more_than(double has, double half) noexcept {
     return has > (1.0 + 1e-3) * half;
 }
 /// Apply release_node() if the remaining element lies on a drum.
-[[nodiscard]] bool release_drum_node(StepContext& ctx, const NodePlace& place,
+[[nodiscard]] bool release_drum_node(StepContext& ctx, const NodeSurroundings& place,
                                      double bend) noexcept;
 
 /// Book the change of the edit as edited (Energy::edited). @param place  Surroundings after the
 /// edit.
-void end_node_edit(StepContext& ctx, const NodePlace& place, const NodeLedger& was) noexcept;
+void end_node_edit(StepContext& ctx, const NodeSurroundings& place, const NodeLedger& was) noexcept;
 
 }  // namespace hawser::stepper

@@ -32,10 +32,10 @@ double* velocity_of(base::Array<double>& packed, const StepContext& ctx,
 
 }  // namespace
 
-LumpShare share_of(const StepContext& ctx, std::int32_t lump, std::int32_t first,
-                   std::int32_t second) noexcept {
+NodeFraction fraction_of(const StepContext& ctx, std::int32_t lump, std::int32_t first,
+                         std::int32_t second) noexcept {
     const double whole = ctx.model.bodies.mass[at(lump)];
-    LumpShare out;
+    NodeFraction out;
     const double left = whole - (first >= 0 ? 0.5 * mass_of_element(ctx, first) : 0.0);
     out.mass = 0.5 * mass_of_element(ctx, second);
     if (!(out.mass > 0.0) && left > 0.0 && left < whole) {
@@ -49,8 +49,8 @@ LumpShare share_of(const StepContext& ctx, std::int32_t lump, std::int32_t first
     return out;
 }
 
-void split_lump(StepContext& ctx, std::int32_t from, std::int32_t to,
-                const LumpShare& share) noexcept {
+void split_node(StepContext& ctx, std::int32_t from, std::int32_t to,
+                const NodeFraction& share) noexcept {
     model::Bodies& b = ctx.model.bodies;
     for (std::size_t k = 0; k < 3; ++k) {
         b.x[3 * at(to) + k] = b.x[3 * at(from) + k];
@@ -76,16 +76,16 @@ Edited splice_energy(const StepContext& ctx, std::int32_t a, std::int32_t b, std
     return sum;
 }
 
-void merge_lumps(StepContext& ctx, std::int32_t a, std::int32_t b, std::int32_t ea,
+void merge_nodes(StepContext& ctx, std::int32_t a, std::int32_t b, std::int32_t ea,
                  std::int32_t eb) noexcept {
     model::Bodies& bodies = ctx.model.bodies;
     const double pull[2] = {tension_of(ctx, ea), tension_of(ctx, eb)};
     const double ma = bodies.mass[at(a)], mb = bodies.mass[at(b)], share = mb / (ma + mb);
     bool moved = false;
     for (std::size_t k = 0; k < 3; ++k) {
-        const double apart = bodies.x[3 * at(b) + k] - bodies.x[3 * at(a) + k];
-        moved = moved || apart != 0.0;
-        bodies.x[3 * at(a) + k] += share * apart;
+        const double separation = bodies.x[3 * at(b) + k] - bodies.x[3 * at(a) + k];
+        moved = moved || separation != 0.0;
+        bodies.x[3 * at(a) + k] += share * separation;
         for (base::Array<double>* v : {&bodies.v, &bodies.v_start}) {
             double& to = velocity_of(*v, ctx, a)[k];
             to += share * (velocity_of(*v, ctx, b)[k] - to);
@@ -122,7 +122,7 @@ void move_end(StepContext& ctx, std::int32_t id, std::size_t slot, std::int32_t 
     if ((before & kWorks) != 0 && (flags & kWorks) == 0) base::erase_sorted(in.working, id);
 }
 
-void follow_lump(StepContext& ctx, std::int32_t lump) noexcept {
+void follow_node(StepContext& ctx, std::int32_t lump) noexcept {
     model::Interactions& in = ctx.model.interactions;
     in.for_each_holder(lump, ctx.model.bodies, [&](std::int32_t id, std::size_t slot) {
         if (kind_info(in.kinds[at(id)]).is(kAlongLine))

@@ -6,17 +6,17 @@
 /// ```
 ///     ── e ── n ── f ──        ── e ── n   m ── f ──
 /// ```
-/// Cut. The lump n becomes two at the same position with the same velocity. Lump m gets the part of
+/// Cut. The node n becomes two at the same position with the same velocity. Node m gets the part of
 /// f in n, half the mass of its material. If elements have no material, it gets a fraction of n by
 /// lengths. Drag and load are divided in the same ratio. Masses, momenta and energy are preserved
 /// to rounding, and initially also tensions.
 ///
-/// Splice. The reverse. If the lumps are at different positions, they meet at their centre of mass
+/// Splice. The reverse. If the nodes are at different positions, they meet at their centre of mass
 /// with the momentum of both. Elements there get the rest lengths that keep their tensions, as for
 /// the removal of nodes (nodes.h). The remaining difference of energy is driven.
 ///
-/// Free end. No lump carries the half element at a body. A released end gets it: half the mass of
-/// its material, or the part of this element in the next lump.
+/// Free end. No node carries the half element at a body. A released end gets it: half the mass of
+/// its material, or the part of this element in the next node.
 
 #include <hawser/math.h>
 
@@ -30,26 +30,26 @@ namespace hawser::stepper {
 
 struct StepContext;
 
-/// Part of one lump in another: masses, drags and loads are divided in the same ratio.
-struct LumpShare {
+/// Part of one node in another: masses, drags and loads are divided in the same ratio.
+struct NodeFraction {
     double mass = 0.0;   ///< [kg]
-    double share = 0.0;  ///< Fraction of the mass of the other lump [1].
+    double share = 0.0;  ///< Fraction of the mass of the other node [1].
 };
 
-/// Return the part of the second element in a lump between two elements. @param first  −1: none.
-[[nodiscard]] LumpShare share_of(const StepContext& ctx, std::int32_t lump, std::int32_t first,
-                                 std::int32_t second) noexcept;
+/// Return the part of the second element in a node between two elements. @param first  −1: none.
+[[nodiscard]] NodeFraction fraction_of(const StepContext& ctx, std::int32_t lump,
+                                       std::int32_t first, std::int32_t second) noexcept;
 
-/// Set an added lump to the position and velocity of another one, and transfer its part.
-void split_lump(StepContext& ctx, std::int32_t from, std::int32_t to,
-                const LumpShare& share) noexcept;
+/// Set an added node to the position and velocity of another one, and transfer its part.
+void split_node(StepContext& ctx, std::int32_t from, std::int32_t to,
+                const NodeFraction& share) noexcept;
 
 /// Return the energies near the ends of two elements before a splice [J].
 [[nodiscard]] Edited splice_energy(const StepContext& ctx, std::int32_t a, std::int32_t b,
                                    std::int32_t ea, std::int32_t eb) noexcept;
-/// Merge the lump b, at the end of element eb, into the lump a; eb then ends at a. The caller
+/// Merge the node b, at the end of element eb, into the node a; eb then ends at a. The caller
 /// removes b, corrects bends and books energies.
-void merge_lumps(StepContext& ctx, std::int32_t a, std::int32_t b, std::int32_t ea,
+void merge_nodes(StepContext& ctx, std::int32_t a, std::int32_t b, std::int32_t ea,
                  std::int32_t eb) noexcept;
 
 /// Reverse the order of the ends of an element or bend.
@@ -58,10 +58,10 @@ void turn_round(StepContext& ctx, std::int32_t id) noexcept;
 /// Move an end of an element to another body, and update flags that depend on it.
 void move_end(StepContext& ctx, std::int32_t id, std::size_t slot, std::int32_t to) noexcept;
 
-/// Update elements of a lump after a change of its mass.
-void follow_lump(StepContext& ctx, std::int32_t lump) noexcept;
+/// Update elements of a node after a change of its mass.
+void follow_node(StepContext& ctx, std::int32_t lump) noexcept;
 
-/// Return the chain of elements from `element` on, away from its end `slot`, while the lumps
+/// Return the chain of elements from `element` on, away from its end `slot`, while the nodes
 /// between have no other interaction. @throws std::bad_alloc.
 [[nodiscard]] std::vector<std::int32_t> chain_from(const StepContext& ctx, std::int32_t element,
                                                    std::size_t slot);

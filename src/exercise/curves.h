@@ -12,7 +12,7 @@ namespace hawser::exercise {
 
 /// Largest number of samples. When it is reached, every second sample is removed and the sampling
 /// interval doubles.
-inline constexpr std::size_t kMostSamples = 8192;
+inline constexpr std::size_t kMaxSamples = 8192;
 
 /// Add a sample if the sampling interval has passed.
 /// @param every   Sampling interval of the curves [steps]; in and out.
@@ -24,7 +24,7 @@ inline void add_sample(Curves& curves, std::size_t& every, std::size_t& seen, do
     curves.time.push_back(time);
     for (std::size_t k = 0; k < curves.values.size(); ++k)
         curves.values[k].push_back(k < values.size() ? values[k] : kDefault);
-    if (curves.time.size() < kMostSamples) return;
+    if (curves.time.size() < kMaxSamples) return;
     const auto thin = [](std::vector<double>& list) {
         for (std::size_t i = 0; 2 * i < list.size(); ++i) list[i] = list[2 * i];
         list.resize((list.size() + 1) / 2);

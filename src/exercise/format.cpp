@@ -16,13 +16,13 @@ using scene::ShapePtr;
 
 constexpr const char* kFaults[] = {"line_parts",  "motor_loses_force", "brake_slips",
                                    "input_stuck", "input_late",        "output_frozen"};
-constexpr double kMostTime = 1e6, kMostPoints = 1e6;
-constexpr std::size_t kMostConditions = 16;
+constexpr double kMaxTime = 1e6, kMostPoints = 1e6;
+constexpr std::size_t kMaxConditions = 16;
 
 ShapePtr some(std::string what, ShapePtr item) {
     return list(std::move(what), std::move(item), 0, kMostEntries);
 }
-ShapePtr time_shape() { return number("a time", 0.0, kMostTime); }
+ShapePtr time_shape() { return number("a time", 0.0, kMaxTime); }
 ShapePtr points_shape() { return number("points", 0.0, kMostPoints); }
 
 Field text_field() {
@@ -40,7 +40,7 @@ std::vector<Field> triggered(const char* which) {
                 {"below", number("a number", -1e30, 1e30), false, "inf", "", "Largest value."}});
     return {{"name", name("a name"), true, "", "", which},
             text_field(),
-            {"when", list("a list of conditions", condition, 1, kMostConditions), false, "", "",
+            {"when", list("a list of conditions", condition, 1, kMaxConditions), false, "", "",
              "All of them hold …"},
             {"hold", time_shape(), false, "0", "s", "… for so long without a break; or …"},
             {"event", word("a kind of event", event_words()), false, "", "",
@@ -158,7 +158,7 @@ ShapePtr make_shape() {
          "Scene, relative to this file and not above the folder that its folder is in."},
         {"set", list("a list of changes", text("path=value"), 0, 64), false, "none", "",
          "Changes to the scene, as --set."},
-        {"duration", number("a time", 1e-3, kMostTime), true, "", "s", "It ends then."},
+        {"duration", number("a time", 1e-3, kMaxTime), true, "", "s", "It ends then."},
         {"until_done", boolean("true or false"), false, "true", "",
          "It also ends once all goals have been reached, or are too late."},
         {"pass", points_shape(), false, "0", "", "Points that are needed."},

@@ -13,7 +13,7 @@ namespace {
 /// Tolerance of times, which are multiples of the step up to rounding [s].
 constexpr double kLeverRounding = 1e-9;
 /// Largest number of delayed values; older ones are dropped.
-constexpr std::size_t kMostLate = 4096;
+constexpr std::size_t kMaxLate = 4096;
 
 bool same(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
@@ -21,37 +21,37 @@ bool same(double a, double b) {
 
 }  // namespace
 
-Levers::Lever& Levers::lever(const Session& session, const std::string& input) {
-    const auto [at, fresh] = levers_.try_emplace(input);
+Controls::Control& Controls::control(const Session& session, const std::string& input) {
+    const auto [at, fresh] = controls_.try_emplace(input);
     if (fresh) at->second.start = present_value(session.world(), input);
     return at->second;
 }
 
-double Levers::asked(const std::string& input) const noexcept {
-    const auto at = levers_.find(input);
-    return at == levers_.end() ? kDefault : at->second.asked;
+double Controls::asked(const std::string& input) const noexcept {
+    const auto at = controls_.find(input);
+    return at == controls_.end() ? kDefault : at->second.asked;
 }
 
-void Levers::ask(const Session& session, const std::string& input, double value) {
-    Lever& l = lever(session, input);
+void Controls::ask(const Session& session, const std::string& input, double value) {
+    Control& l = control(session, input);
     for (const Fault* f : l.faults)
         if (f->kind == FaultKind::input_late) {
             if (std::isnan(l.passed)) l.passed = std::isnan(l.asked) ? l.start : l.asked;
-            if (l.late.size() == kMostLate) l.late.pop_front();
+            if (l.late.size() == kMaxLate) l.late.pop_front();
             l.late.emplace_back(session.time() + f->delay, value);
             break;
         }
     l.asked = value;
 }
 
-void Levers::begin(const Session& session, const Fault& fault) {
+void Controls::begin(const Session& session, const Fault& fault) {
     std::vector<Bent> inputs;
     if (fault.kind == FaultKind::input_stuck || fault.kind == FaultKind::input_late)
         inputs.push_back({resolved(session.scene(), fault.target, 0.0).first, false});
     else if (fault.kind == FaultKind::motor_loses_force || fault.kind == FaultKind::brake_slips)
         inputs = bent_inputs(fault, session.world());
     for (const auto& [input, mode] : inputs) {
-        Lever& l = lever(session, input);
+        Control& l = control(session, input);
         l.mode = l.mode || mode;
         l.faults.push_back(&fault);
         if (fault.kind == FaultKind::input_stuck)
@@ -61,8 +61,8 @@ void Levers::begin(const Session& session, const Fault& fault) {
     }
 }
 
-void Levers::end(const Fault& fault) {
-    for (auto& [name, l] : levers_) {
+void Controls::end(const Fault& fault) {
+    for (auto& [name, l] : controls_) {
         std::erase(l.faults, &fault);
         l.stuck.erase(&fault);
         const bool late = std::any_of(l.faults.begin(), l.faults.end(), [](const Fault* f) {
@@ -75,7 +75,7 @@ void Levers::end(const Fault& fault) {
 }
 
 /// Apply the faults to a requested value: first delays, then scaled values, last stuck inputs.
-double Levers::let_through(Lever& l, double now) {
+double Controls::let_through(Control& l, double now) {
     double value = std::isnan(l.asked) ? l.start : l.asked;
     while (!l.late.empty() && l.late.front().first <= now + kLeverRounding) {
         l.passed = l.late.front().second;
@@ -96,8 +96,8 @@ double Levers::let_through(Lever& l, double now) {
     return value;
 }
 
-void Levers::apply(Session& session) {
-    for (auto& [name, l] : levers_) {
+void Controls::apply(Session& session) {
+    for (auto& [name, l] : controls_) {
         const bool touched = !std::isnan(l.asked) || !l.faults.empty() || !std::isnan(l.applied);
         if (!touched) continue;
         const double value = let_through(l, session.time());
@@ -107,8 +107,8 @@ void Levers::apply(Session& session) {
     }
 }
 
-void Levers::forget_applied() {
-    for (auto& [name, l] : levers_) l.applied = kDefault;
+void Controls::forget_applied() {
+    for (auto& [name, l] : controls_) l.applied = kDefault;
 }
 
 }  // namespace hawser::exercise

@@ -15,7 +15,7 @@
 namespace hawser::exercise {
 
 /// Controls of an exercise. A copy is a state that can be restored.
-class Levers {
+class Controls {
   public:
     /// Request a value of an input. @param input  Name from resolved().
     void ask(const Session& session, const std::string& input, double value);
@@ -31,7 +31,7 @@ class Levers {
     void forget_applied();
 
   private:
-    struct Lever {
+    struct Control {
         double asked = kDefault;    ///< Requested value; NaN: none, `start` applies.
         double start = 0.0;         ///< Value before the first request.
         double applied = kDefault;  ///< Value last set; NaN: unknown.
@@ -41,10 +41,10 @@ class Levers {
         bool mode = false;                           ///< True for the mode of a winch.
         std::map<const Fault*, double> stuck;        ///< Value at which each fault holds the input.
     };
-    Lever& lever(const Session& session, const std::string& input);
-    static double let_through(Lever& lever, double now);
+    Control& control(const Session& session, const std::string& input);
+    static double let_through(Control& control, double now);
 
-    std::map<std::string, Lever, std::less<>> levers_;
+    std::map<std::string, Control, std::less<>> controls_;
 };
 
 }  // namespace hawser::exercise

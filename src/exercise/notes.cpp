@@ -127,7 +127,7 @@ void read_channels(const std::vector<Channel>& channels, const std::vector<bool>
             for (const Event& e : events)
                 if (e.kind == c.event &&
                     (c.of.empty() ||
-                     record::place_label(world, e.interaction, e.body).starts_with(c.of)))
+                     record::position_label(world, e.interaction, e.body).starts_with(c.of)))
                     out[i] += 1.0;
         }
     }

@@ -20,7 +20,7 @@ namespace {
 
 /// Tolerance of times, which are multiples of the step [steps].
 constexpr double kStepRounding = 1e-6;
-constexpr std::size_t kMostMarks = 1024;
+constexpr std::size_t kMaxMarks = 1024;
 
 }  // namespace
 
@@ -32,7 +32,7 @@ struct Run::Impl {
     };
     /// State that marks save and restore.
     struct State {
-        Levers levers;
+        Controls levers;
         std::vector<Standing> faults;
         Scorer scorer;
         /// Index of the first operation of the timeline that is not applied yet.
@@ -264,8 +264,8 @@ const Result& Run::result() const noexcept { return impl_->state.scorer.result()
 const Curves& Run::curves() const noexcept { return impl_->state.curves; }
 
 int Run::mark() {
-    if (impl_->marks.size() == kMostMarks)
-        throw DefError(fmt::format("an exercise has at most {} marks", kMostMarks));
+    if (impl_->marks.size() == kMaxMarks)
+        throw DefError(fmt::format("an exercise has at most {} marks", kMaxMarks));
     impl_->marks.push_back(impl_->state);
     const int number = static_cast<int>(impl_->marks.size()) - 1;
     impl_->notes.number(NoteKind::mark, number);

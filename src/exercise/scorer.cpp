@@ -82,8 +82,8 @@ double Scorer::frozen(std::string_view output) const noexcept {
     return at == frozen_.end() ? std::numeric_limits<double>::quiet_NaN() : at->second;
 }
 
-double Scorer::look(const Trigger& trigger, Watch& watch, std::span<const double> values,
-                    bool shown) {
+double Scorer::sample(const Trigger& trigger, Watch& watch, std::span<const double> values,
+                      bool shown) {
     if (trigger.conditions.empty()) {
         const double count = values[watch.channels[0]];
         watch.active = count > 0.0;
@@ -104,7 +104,7 @@ double Scorer::look(const Trigger& trigger, Watch& watch, std::span<const double
 }
 
 void Scorer::log(Entry entry) {
-    if (result_.entries.size() < kMostLogged || entry.kind == EntryKind::end)
+    if (result_.entries.size() < kMaxLogged || entry.kind == EntryKind::end)
         result_.entries.push_back(std::move(entry));
 }
 
@@ -113,7 +113,7 @@ void Scorer::alarms(double time, std::span<const double> values) {
         const Alarm& alarm = exercise_->alarms[i];
         Tally& tally = result_.alarms[i];
         const bool before = alarm_[i].active;
-        const double now = look(alarm.when, alarm_[i], values, true);
+        const double now = sample(alarm.when, alarm_[i], values, true);
         tally.active = now > 0.0;
         if (tally.active) tally.seconds += step_;
         if (tally.active && !before) {
@@ -130,7 +130,7 @@ void Scorer::penalties(double time, std::span<const double> values) {
         const Penalty& penalty = exercise_->penalties[i];
         Tally& tally = result_.penalties[i];
         const bool before = penalty_[i].active && !penalty.when.conditions.empty();
-        const double now = look(penalty.when, penalty_[i], values, false);
+        const double now = sample(penalty.when, penalty_[i], values, false);
         tally.active = now > 0.0;
         if (!tally.active) continue;
         const double times = before ? 0.0 : now;
@@ -157,7 +157,7 @@ void Scorer::goals(double time, std::span<const double> values) {
             goal.after.empty() ||
             result_.goals[static_cast<std::size_t>(first - exercise_->goals.begin())].reached;
         if (tally.reached || !due) continue;
-        const bool reached = look(goal.when, goal_[i], values, false) > 0.0;
+        const bool reached = sample(goal.when, goal_[i], values, false) > 0.0;
         if (!reached || (goal.by && time > *goal.by + kTimeRounding)) continue;
         tally.reached = true;
         tally.time = time;
@@ -171,7 +171,7 @@ void Scorer::goals(double time, std::span<const double> values) {
 void Scorer::ends(double time, std::span<const double> values) {
     for (std::size_t i = 0; i < end_.size(); ++i) {
         const End& one = exercise_->ends[i];
-        if (look(one.when, end_[i], values, false) > 0.0)
+        if (sample(one.when, end_[i], values, false) > 0.0)
             return end(time, one.text.empty() ? one.name : one.text, one.failed);
     }
     const auto decided = [&](std::size_t i) {

@@ -46,7 +46,7 @@ class Scorer {
     void freeze(const std::string& output, double value) { frozen_[output] = value; }
 
     /// Largest number of entries in a result; later ones are counted in tallies only.
-    static constexpr std::size_t kMostLogged = 4096;
+    static constexpr std::size_t kMaxLogged = 4096;
 
   private:
     /// State of a trigger.
@@ -60,7 +60,7 @@ class Scorer {
     [[nodiscard]] std::vector<Watch> watches(const auto& list) const;
     /// Return 1 if the trigger is active, else 0; for events their number. @param shown  Use the
     /// values on displays, which may be frozen.
-    double look(const Trigger& trigger, Watch& watch, std::span<const double> values, bool shown);
+    double sample(const Trigger& trigger, Watch& watch, std::span<const double> values, bool shown);
     void alarms(double time, std::span<const double> values);
     void penalties(double time, std::span<const double> values);
     void goals(double time, std::span<const double> values);

@@ -31,7 +31,7 @@ nlohmann::json material(const char* name, double r, double g, double b, bool bot
 
 /// Select the material of a body. A body counts as a hull if it is long and not thin, unlike a boom
 /// or a crate.
-int look_of(const record::RecordedBody& body) {
+int material_of(const record::RecordedBody& body) {
     const double reach = body.half_size.maxCoeff();
     if (reach > 8.0 && body.half_size.sum() - reach > 5.0) return kHull;
     return reach > 0.0 ? kStructure : kPlain;
@@ -147,7 +147,7 @@ void GltfDocument::put_bodies() {
             b.surfaces.push_back(record::outline_surface(
                 {.radius = 0.003 * layout_.size, .points = {Vec3::Zero()}}));
         for (const record::Triangles& surface : b.surfaces)
-            parts.push_back(put_triangles(surface, look_of(body)));
+            parts.push_back(put_triangles(surface, material_of(body)));
         if (!parts.empty()) node["mesh"] = parts[0];
         root_["nodes"].push_back(std::move(node));
         for (std::size_t k = 1; k < parts.size(); ++k) {
@@ -161,16 +161,16 @@ void GltfDocument::put_bodies() {
 
 /// Add three ribbons to each segment between joints, one along each axis. The joints carry their
 /// corners. From any direction at least two ribbons appear wide.
-/// @param share  Value of each segment on the colour scale, 0 to 1.
+/// @param fraction  Value of each segment on the colour scale, 0 to 1.
 int GltfDocument::put_ribbons(const std::vector<std::pair<std::size_t, std::size_t>>& segments,
-                              double radius, const std::vector<float>& share) {
+                              double radius, const std::vector<float>& fraction) {
     std::vector<Vec3> points;
     std::vector<std::uint16_t> owners;
     std::vector<float> weights;
     std::vector<std::uint8_t> colors;
     std::vector<std::uint32_t> indices;
     for (std::size_t i = 0; i < segments.size(); ++i) {
-        const draw::Color color = draw::scale_color(share[i]);
+        const draw::Color color = draw::scale_color(fraction[i]);
         for (int axis = 0; axis < 3; ++axis) {
             const auto first = static_cast<std::uint32_t>(points.size());
             for (const std::size_t joint : {segments[i].first, segments[i].second})
@@ -205,9 +205,9 @@ void GltfDocument::put_rods() {
     if (layout_.rods.empty()) return;
     std::vector<std::pair<std::size_t, std::size_t>> segments;
     Json joints = Json::array();
-    constexpr std::size_t kMostJoints = 60'000;
+    constexpr std::size_t kMaxJoints = 60'000;
     for (const Rod& rod : layout_.rods) {
-        if (joints.size() >= kMostJoints) break;
+        if (joints.size() >= kMaxJoints) break;
         segments.emplace_back(joints.size(), joints.size() + 1);
         for (int k = 0; k < 2; ++k) {
             joints.push_back(root_["nodes"].size());
@@ -227,16 +227,16 @@ void GltfDocument::put_rods() {
 
 void GltfDocument::put_wire(WireNodes& wire) {
     // Joint indices of a skin have 16 bits.
-    constexpr std::size_t kMostJoints = 65'000;
-    if (wire.segments == 0 || wire.joints() > kMostJoints) {
+    constexpr std::size_t kMaxJoints = 65'000;
+    if (wire.segments == 0 || wire.joints() > kMaxJoints) {
         wire.segments = 0;
         return;
     }
     std::vector<std::pair<std::size_t, std::size_t>> segments;
-    std::vector<float> share;
+    std::vector<float> fraction;
     for (std::size_t i = 0; i < wire.segments; ++i) {
         segments.emplace_back(wire.joint(i, 0), wire.joint(i, 1));
-        share.push_back(wire.peak[i] / layout_.most_tension);
+        fraction.push_back(wire.peak[i] / layout_.max_tension);
     }
     Json joints = Json::array();
     wire.node = size_of(root_["nodes"]);
@@ -245,7 +245,7 @@ void GltfDocument::put_wire(WireNodes& wire) {
         children_.push_back(root_["nodes"].size());
         root_["nodes"].push_back({{"name", wire.name + "@" + std::to_string(j)}});
     }
-    const int mesh = put_ribbons(segments, 0.0006 * layout_.size, share);
+    const int mesh = put_ribbons(segments, 0.0006 * layout_.size, fraction);
     root_["skins"].push_back({{"name", wire.name}, {"joints", std::move(joints)}});
     scene_nodes_.push_back(root_["nodes"].size());
     root_["nodes"].push_back(

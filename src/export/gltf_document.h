@@ -33,7 +33,7 @@ class GltfDocument {
     void put_rods();
     void put_wire(WireNodes& wire);
     int put_ribbons(const std::vector<std::pair<std::size_t, std::size_t>>& segments, double radius,
-                    const std::vector<float>& share);
+                    const std::vector<float>& fraction);
     void put_times();
     void put_channels();
     int put_channel_data(std::size_t& place, std::size_t width);

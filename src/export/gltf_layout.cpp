@@ -90,7 +90,7 @@ Layout lay_out(const record::Recording& recording, const Frames& frames) {
         for (const WirePiece& s : line.segments) bounds.add(s.from);
     if (!bounds.empty()) out.size = std::max(1e-3, (bounds.high - bounds.low).norm());
     for (const WireNodes& wire : out.wires)
-        for (const float t : wire.peak) out.most_tension = std::max(out.most_tension, t);
+        for (const float t : wire.peak) out.max_tension = std::max(out.max_tension, t);
     return out;
 }
 

@@ -58,8 +58,8 @@ struct Layout {
     std::vector<BodyNode> bodies;
     std::vector<WireNodes> wires;
     std::vector<Rod> rods;
-    double size = 1.0;          ///< Size of the whole scene [m].
-    float most_tension = 1.0F;  ///< Largest tension of all wires [N].
+    double size = 1.0;         ///< Size of the whole scene [m].
+    float max_tension = 1.0F;  ///< Largest tension of all wires [N].
 };
 
 /// Build the layout in one pass over the frames.

@@ -42,7 +42,7 @@ struct Batch {
     std::int32_t step_begin = 0, step_end = 0;
     std::int32_t body = 0;                ///< Scalars of a body: 3 or 6.
     std::int32_t window = 0;              ///< Reach × body.
-    std::int32_t most_p = 0, most_q = 0;  ///< Maxima over its steps.
+    std::int32_t max_p = 0, max_q = 0;    ///< Maxima over its steps.
     std::int32_t front[kLaneCount] = {};  ///< Front of each lane, −1: lane unused.
     std::int64_t unused = 0;              ///< Padding pivots in all lanes.
     std::int64_t flops = 0;               ///< Flops of the lanes in use, padding included.
@@ -53,9 +53,9 @@ struct Batch {
 /// [doubles]. An unsymmetric batch needs twice as many. The scratch of a substitution lies behind
 /// them.
 [[nodiscard]] constexpr std::int64_t batch_windows(const Batch& b) {
-    const std::int64_t tiles = b.most_q / kTile;
+    const std::int64_t tiles = b.max_q / kTile;
     return kLaneCount * (tiles * (tiles + 1) * kTile * kTile +
-                         static_cast<std::int64_t>(b.most_p + b.most_q) * b.most_p);
+                         static_cast<std::int64_t>(b.max_p + b.max_q) * b.max_p);
 }
 
 }  // namespace hawser::factor

@@ -58,9 +58,9 @@ struct FactorView {
 /// `rows` is set. At most one row sets it.
 struct NodeWeights {
     /// Number of sizes other than the least: blocks have 1 to 6 scalars.
-    static constexpr int kMost = 5;
+    static constexpr int kMaximum = 5;
     std::int32_t least = 1, count = 0;
-    std::int32_t more[kMost] = {};
+    std::int32_t more[kMaximum] = {};
     const std::uint64_t* rows = nullptr;
 };
 

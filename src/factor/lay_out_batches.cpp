@@ -76,9 +76,8 @@ void BatchBuilder::run(const Pattern& pattern, const Chains& chains,
     }
     s.panel_size += 64;
     for (const Batch& b : s.batches)
-        s.batch_scratch =
-            std::max(s.batch_scratch,
-                     batch_windows(b) + kLaneCount * std::int64_t{2} * (b.most_p + b.most_q));
+        s.batch_scratch = std::max(
+            s.batch_scratch, batch_windows(b) + kLaneCount * std::int64_t{2} * (b.max_p + b.max_q));
 }
 
 void BatchBuilder::add_batch(const Job& job, std::span<const Alike> members) {
@@ -180,8 +179,8 @@ void BatchBuilder::add_step(const Job& job, Batch& batch, std::int32_t q,
     for (std::int32_t i = 0; i < step.p; ++i)
         s.slot_sign.push_back(i < batch.body ? std::int8_t{1} : std::int8_t{-1});
     s.slot_index.resize(kLaneCount * s.slot_sign.size(), -1);
-    batch.most_p = std::max(batch.most_p, step.p);
-    batch.most_q = std::max(batch.most_q, step.q);
+    batch.max_p = std::max(batch.max_p, step.p);
+    batch.max_q = std::max(batch.max_q, step.q);
     batch.unused += static_cast<std::int64_t>(kLaneCount) * step.p;
     s.batch_steps.push_back(step);
 }

@@ -32,7 +32,7 @@ namespace hawser::factor {
 class MinimumDegree {
   public:
     /// Number of nodes above which lists take less time than rows.
-    static constexpr std::int32_t kMost = 2048;
+    static constexpr std::int32_t kMaximum = 2048;
 
     /// Order the nodes of a pattern.
     /// @param order  order[k] = node eliminated k-th.

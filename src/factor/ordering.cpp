@@ -17,7 +17,7 @@ namespace hawser::factor {
 
 void Orderer::order(const Pattern& pattern, std::vector<std::int32_t>& order) {
     const auto& size = pattern.size;
-    if (pattern.nodes() <= MinimumDegree::kMost)
+    if (pattern.nodes() <= MinimumDegree::kMaximum)
         small_.run(pattern, order);
     else if (std::adjacent_find(size.begin(), size.end(), std::not_equal_to<>()) != size.end())
         large_.run(pattern, order);

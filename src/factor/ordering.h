@@ -4,7 +4,7 @@
 /// The order of elimination.
 ///
 /// Minimum degree on the graph of blocks, which is 4-6 times smaller than the graph of scalars.
-/// Degrees count scalars. They are exact up to MinimumDegree::kMost nodes (minimum_degree.h).
+/// Degrees count scalars. They are exact up to MinimumDegree::kMaximum nodes (minimum_degree.h).
 /// Above, they are bounds (approximate_degree.h; the AMD library if all nodes have one size).
 ///
 /// A repair for stability follows: a negative node (constraint rows) comes after at least one of

@@ -80,7 +80,7 @@ RepairReport Analysis::update(const Pattern& next, std::span<const std::int32_t>
     const bool same_numbers = compare(next, old_of_new);
     const double nodes = next.nodes(), changes = static_cast<double>(changes_.size());
     RepairReport report;
-    if (!planner_ && !order_given_ && next.nodes() <= MinimumDegree::kMost &&
+    if (!planner_ && !order_given_ && next.nodes() <= MinimumDegree::kMaximum &&
         changes > kEdited * nodes) {
         report.replanned = true;
     } else {

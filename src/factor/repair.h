@@ -48,7 +48,7 @@ inline constexpr double kReplan = 1.2;
 
 /// Fraction of new or changed nodes above which update() makes a plan at once. A plan takes about
 /// as long as the repairs and the later plan that it replaces, and its order is a new one. Above
-/// MinimumDegree::kMost nodes, ordering takes most of the time, so repairs pay for more changes.
+/// MinimumDegree::kMaximum nodes, ordering takes most of the time, so repairs pay for more changes.
 inline constexpr double kEdited = 0.125;
 
 /// Result of a repair.

@@ -10,7 +10,7 @@ namespace {
 /// Divisor of n_b² s³ in the flops of a node; fitted, see docs/partition.md.
 constexpr std::int64_t kStarPart = 8;  // n_b² has weight 1/8
 /// Limits of the edges and loops counted at a hub: its neighbours are eliminated before the hub.
-constexpr std::int32_t kMostEdges = 16, kMostLoops = 8;
+constexpr std::int32_t kMaxEdges = 16, kMaxLoops = 8;
 
 }  // namespace
 
@@ -146,8 +146,8 @@ void Cost::build(const Hypergraph& graph, const Neighbours& neighbours) {
     }
     node.assign(graph.size.size(), 0);
     for (const std::int32_t v : order) {
-        const std::int64_t edges = std::min(neighbours.edges[at(v)], kMostEdges);
-        const std::int64_t through = std::min(loops[at(v)], kMostLoops), s = graph.size[at(v)];
+        const std::int64_t edges = std::min(neighbours.edges[at(v)], kMaxEdges);
+        const std::int64_t through = std::min(loops[at(v)], kMaxLoops), s = graph.size[at(v)];
         node[at(v)] = s * s * s * (7 + 12 * through + 3 * edges * edges / kStarPart) / 3;
     }
 }

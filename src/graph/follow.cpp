@@ -17,18 +17,18 @@ void Follower::start(const Hypergraph& graph, std::span<const std::int64_t> node
     head_.assign(graph.size.size(), -1);
     stays_.assign(graph.size.size(), 0);
     count_.assign(edges, 0);
-    member_.assign(kMostMembers * edges, -1);
-    next_.assign(kMostMembers * edges, -1);
-    previous_.assign(kMostMembers * edges, -1);
+    member_.assign(kMaxMembers * edges, -1);
+    next_.assign(kMaxMembers * edges, -1);
+    previous_.assign(kMaxMembers * edges, -1);
     for (std::int32_t e = 0; e < graph.edges(); ++e) {
         const auto members = graph.edge(e);
-        if (members.size() > kMostMembers) {
+        if (members.size() > kMaxMembers) {
             for (const std::int32_t v : members) stays_[at(v)] = 1;
             continue;
         }
         count_[at(e)] = static_cast<std::uint8_t>(members.size());
         for (std::size_t i = 0; i < members.size(); ++i) {
-            const std::int32_t slot = kMostMembers * e + static_cast<std::int32_t>(i);
+            const std::int32_t slot = kMaxMembers * e + static_cast<std::int32_t>(i);
             member_[at(slot)] = members[i];
             link(slot);
         }
@@ -59,7 +59,7 @@ void Follower::set_part(std::int32_t node, std::int32_t part) noexcept {
 /// Turn nodes of the edge into separators until its other nodes belong to one part. The part with
 /// most scalars in the edge stays; if two are equal, the one with the lower index.
 void Follower::keep_apart(std::int32_t e) noexcept {
-    const std::int32_t first = kMostMembers * e;
+    const std::int32_t first = kMaxMembers * e;
     std::int32_t stays = -1, most = -1;
     for (std::int32_t i = 0; i < count_[at(e)]; ++i) {
         const std::int32_t part = part_[at(member_[at(first + i)])];
@@ -83,9 +83,9 @@ void Follower::rejoin(std::int32_t node) noexcept {
     if (stays_[at(node)] != 0) return;
     std::int32_t only = -1;
     for (std::int32_t slot = head_[at(node)]; slot >= 0; slot = next_[at(slot)]) {
-        const std::int32_t e = slot / kMostMembers;
+        const std::int32_t e = slot / kMaxMembers;
         for (std::int32_t i = 0; i < count_[at(e)]; ++i) {
-            const std::int32_t part = part_[at(member_[at(kMostMembers * e + i)])];
+            const std::int32_t part = part_[at(member_[at(kMaxMembers * e + i)])];
             if (part < 0 || part == only) continue;
             if (only >= 0) return;
             only = part;
@@ -95,14 +95,14 @@ void Follower::rejoin(std::int32_t node) noexcept {
 }
 
 void Follower::change(std::int32_t e, std::span<const std::int32_t> members) noexcept {
-    const std::int32_t first = kMostMembers * e;
-    std::int32_t old[kMostMembers];
+    const std::int32_t first = kMaxMembers * e;
+    std::int32_t old[kMaxMembers];
     const std::int32_t before = count_[at(e)];
     for (std::int32_t i = 0; i < before; ++i) {
         old[i] = member_[at(first + i)];
         unlink(first + i);
     }
-    const auto now = static_cast<std::int32_t>(std::min<std::size_t>(members.size(), kMostMembers));
+    const auto now = static_cast<std::int32_t>(std::min<std::size_t>(members.size(), kMaxMembers));
     count_[at(e)] = static_cast<std::uint8_t>(now);
     for (std::int32_t i = 0; i < now; ++i) {
         member_[at(first + i)] = members[static_cast<std::size_t>(i)];

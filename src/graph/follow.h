@@ -23,10 +23,10 @@ namespace hawser::graph {
 
 class Follower {
   public:
-    static constexpr std::int32_t kMostMembers = 4;  ///< Most members of an edge that is followed.
+    static constexpr std::int32_t kMaxMembers = 4;  ///< Most members of an edge that is followed.
     static constexpr double kWorn = 1.15;
 
-    /// Start from a partition with separators. Edges with more than kMostMembers members must not
+    /// Start from a partition with separators. Edges with more than kMaxMembers members must not
     /// change; separators among their nodes stay.
     /// @param node_cost  Cost of each node [flops].
     /// @throws std::bad_alloc.
@@ -52,7 +52,7 @@ class Follower {
     /// Return the cost of the largest part plus the cost of all separators [flops].
     [[nodiscard]] std::int64_t makespan() const noexcept;
 
-    /// By slot; each edge has kMostMembers slots.
+    /// By slot; each edge has kMaxMembers slots.
     std::vector<std::int32_t> member_, next_, previous_;
     std::vector<std::int32_t> head_;  ///< First slot in the list of each node, −1: none.
     std::vector<std::uint8_t> count_, size_;

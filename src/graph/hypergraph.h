@@ -36,7 +36,7 @@ struct Hypergraph {
     std::span<const std::int64_t>
         cost{};  ///< Cost of the pivots of each node [flops], ≥ 0, sum below 2⁶²; optional.
     /// Price of repairing each cut edge, ≥ 0, for Splitter::follow(); optional.
-    std::span<const std::int32_t> mend_weight{};
+    std::span<const std::int32_t> repair_weight{};
 
     [[nodiscard]] std::int32_t nodes() const noexcept {
         return static_cast<std::int32_t>(size.size());

@@ -17,8 +17,8 @@ double Partition::imbalance() const noexcept {
                    : 1.0;
 }
 
-void share_out(std::span<const std::int64_t> cost, std::span<std::int32_t> lane,
-               std::span<std::int64_t> load, std::vector<std::int32_t>& order) {
+void distribute(std::span<const std::int64_t> cost, std::span<std::int32_t> lane,
+                std::span<std::int64_t> load, std::vector<std::int32_t>& order) {
     order.resize(cost.size());
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {

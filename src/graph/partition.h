@@ -33,7 +33,7 @@ namespace hawser::graph {
 
 struct PartitionOptions {
     /// Number of parts, ≥ 1. Some stay empty if there are few nodes. With separators an island is
-    /// divided into at most a quarter of its nodes (kLeastNodes). With cuts each node of a wire may
+    /// divided into at most a quarter of its nodes (kMinNodes). With cuts each node of a wire may
     /// be a part. The two nodes at each end are excepted: they stay with the body that holds them.
     std::int32_t parts = 4;
 };
@@ -58,8 +58,8 @@ struct Partition {
 /// @param lane   Out: lane of each item.
 /// @param load   In and out: load of each lane; may start above 0.
 /// @param order  Scratch.
-void share_out(std::span<const std::int64_t> cost, std::span<std::int32_t> lane,
-               std::span<std::int64_t> load, std::vector<std::int32_t>& order);
+void distribute(std::span<const std::int64_t> cost, std::span<std::int32_t> lane,
+                std::span<std::int64_t> load, std::vector<std::int32_t>& order);
 
 /// Maker of partitions. Its buffers are reused: a second graph of equal size needs no allocation.
 class Partitioner {
@@ -70,7 +70,7 @@ class Partitioner {
     /// Compute parts and the separators between them.
     void separate(const PartitionOptions& asked, Partition& out);
     /// Least number of nodes for each part of a divided island.
-    static constexpr std::int32_t kLeastNodes = 4;
+    static constexpr std::int32_t kMinNodes = 4;
 
     Hypergraph graph;
     Neighbours neighbours;
@@ -87,7 +87,7 @@ class Partitioner {
             return hubs + (ahead < behind ? ahead : behind);
         }
     };
-    [[nodiscard]] std::int32_t most_parts() const noexcept;
+    [[nodiscard]] std::int32_t max_parts() const noexcept;
     void place_islands(const PartitionOptions& options, Partition& out);
     void find_profile();
     void find_reach();

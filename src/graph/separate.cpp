@@ -46,7 +46,7 @@ void Partitioner::place_islands(const PartitionOptions& options, Partition& out)
         line_.insert(line_.end(), lineup.order.begin() + lineup.island_begin[at(i)],
                      lineup.order.begin() + lineup.island_begin[at(i) + 1]);
     }
-    share_out(small_cost_, island_lane_, load_, order_);
+    distribute(small_cost_, island_lane_, load_, order_);
     out.parts = options.parts;
     out.part.assign(graph.size.size(), kNoPart);
     for (std::int32_t i = 0; i < islands; ++i)
@@ -93,20 +93,20 @@ void Partitioner::find_reach() {
 void Partitioner::find_profile() {
     profile_.assign(line_.size() + 2, {0, 0, 0});
     find_reach();
-    Profile* at_place = profile_.data();
+    Profile* at_slot = profile_.data();
     const auto end = static_cast<std::int32_t>(line_.size());
     for (std::int32_t k = 0; k < end; ++k) {
         const std::int32_t v = line_[at(k)], size = graph.size[at(v)];
         const std::int32_t low = low_[at(k)], high = high_[at(k)];
         if (units.hub[at(v)] != 0) {
-            at_place[low + 1].hubs += size;
-            at_place[high + 1].hubs -= size;
+            at_slot[low + 1].hubs += size;
+            at_slot[high + 1].hubs -= size;
             continue;
         }
-        at_place[low + 1].behind += size;
-        at_place[k + 1].behind -= size;
-        at_place[k + 1].ahead += size;
-        at_place[high + 1].ahead -= size;
+        at_slot[low + 1].behind += size;
+        at_slot[k + 1].behind -= size;
+        at_slot[k + 1].ahead += size;
+        at_slot[high + 1].ahead -= size;
     }
     Profile sum{0, 0, 0};
     for (Profile& p : profile_) {
@@ -126,12 +126,12 @@ void Partitioner::choose_places(const PartitionOptions& options) {
     for (const std::int64_t l : load_) all += static_cast<double>(l);
     const double share = all / options.parts;
     lane_of_.clear();
-    double rooms = 0.0;
+    double capacities = 0.0;
     for (std::int32_t l = 0; l < options.parts; ++l) {
         const double room = share - static_cast<double>(load_[at(l)]);
         if (room < (kSlack - 1.0) * share) continue;
         lane_of_.push_back(l);
-        rooms += room;
+        capacities += room;
     }
     // No lane has capacity left if small islands fill all of them evenly.
     if (lane_of_.empty())
@@ -142,7 +142,7 @@ void Partitioner::choose_places(const PartitionOptions& options) {
     std::int32_t from = 0;
     const auto end = static_cast<std::int32_t>(line_.size());
     for (std::size_t j = 0; j + 1 < lane_of_.size(); ++j) {
-        target += total * (share - static_cast<double>(load_[at(lane_of_[j])])) / rooms;
+        target += total * (share - static_cast<double>(load_[at(lane_of_[j])])) / capacities;
         const auto low = static_cast<std::int64_t>(target - kWindow * share);
         const auto high = static_cast<std::int64_t>(target + kWindow * share);
         auto place = static_cast<std::int32_t>(
@@ -242,17 +242,17 @@ void Partitioner::write(Partition& out) {
         out.cost[p] += sum_[p + static_cast<std::size_t>(-kSeparator)];
 }
 
-/// Return the largest useful number of parts. Each part of an island needs kLeastNodes nodes. With
+/// Return the largest useful number of parts. Each part of an island needs kMinNodes nodes. With
 /// fewer nodes most would become separators, which rejoin the only part next to them.
-std::int32_t Partitioner::most_parts() const noexcept {
+std::int32_t Partitioner::max_parts() const noexcept {
     std::int32_t most = 0;
     for (std::int32_t i = 0; i < cost.islands(); ++i)
-        most += std::max(1, (cost.begin[at(i) + 1] - cost.begin[at(i)]) / kLeastNodes);
+        most += std::max(1, (cost.begin[at(i) + 1] - cost.begin[at(i)]) / kMinNodes);
     return std::max(1, most);
 }
 
 void Partitioner::separate(const PartitionOptions& asked, Partition& out) {
-    const PartitionOptions options{std::min(asked.parts, most_parts())};
+    const PartitionOptions options{std::min(asked.parts, max_parts())};
     place_islands(options, out);
     out.cut.clear();
     between_.clear();

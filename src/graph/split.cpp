@@ -97,7 +97,7 @@ void Splitter::build_quotient() {
 /// of the nodes on both sides.
 void Splitter::weigh_places() {
     weight_.assign(units_.nodes.size(), 0);
-    mend_.assign(units_.nodes.size(), 0);
+    repair_.assign(units_.nodes.size(), 0);
     wire_place_.assign(at(clusters), -1);
     const std::int32_t in_wires = units_.begin[at(units_.wires)];
     for (std::int32_t k = 0; k < in_wires; ++k) wire_place_[at(units_.nodes[at(k)])] = k;
@@ -114,7 +114,7 @@ void Splitter::weigh_places() {
         }
         for (std::int32_t p = low; p >= 0 && p < high; ++p) {
             weight_[at(p)] += graph_.edge_weight[at(e)];
-            if (!graph_.mend_weight.empty()) mend_[at(p)] += graph_.mend_weight[at(e)];
+            if (!graph_.repair_weight.empty()) repair_[at(p)] += graph_.repair_weight[at(e)];
         }
     }
     for (std::size_t v = 0; !graph_.node_weight.empty() && v < cluster_.size(); ++v) {

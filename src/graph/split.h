@@ -62,7 +62,7 @@ class Splitter {
     void place_clusters(bool together);
     void place_wires();
     void level();
-    bool move_sand(std::int32_t from, std::int32_t to, std::int64_t amount);
+    bool move_filler(std::int32_t from, std::int32_t to, std::int64_t amount);
     void slide();
     [[nodiscard]] std::int32_t slide_to(std::int32_t wire, std::int32_t left) const noexcept;
     void cut_behind(std::int32_t old_left, std::int32_t left) noexcept;
@@ -85,7 +85,7 @@ class Splitter {
     std::int64_t share_ = 0;
     std::vector<std::int64_t> weight_;  ///< Weight of a cut behind each index of units_.nodes.
     /// Price of repairing an existing cut behind each index of units_.nodes.
-    std::vector<std::int64_t> mend_;
+    std::vector<std::int64_t> repair_;
     std::vector<std::int32_t> wire_place_;
     /// Part of each cluster: chosen, newly computed, of the other variant.
     std::vector<std::int32_t> part_, fresh_part_, other_part_;

@@ -120,10 +120,10 @@ void Splitter::place_clusters(bool together) {
         const std::int64_t x = node_cost_[at(a)], y = node_cost_[at(b)];
         return x != y ? x > y : a < b;
     });
-    std::int64_t rooms = 0;
+    std::int64_t capacities = 0;
     room_.resize(load_.size());
     for (std::size_t p = 0; p < load_.size(); ++p)
-        rooms += room_[p] = std::max<std::int64_t>(0, share_ - load_[p]);
+        capacities += room_[p] = std::max<std::int64_t>(0, share_ - load_[p]);
     for (const std::int32_t c : order_) {
         // Packed: use the fullest part with enough capacity, or the emptiest part if there is none.
         std::int32_t best = -1, emptiest = 0;
@@ -150,7 +150,7 @@ void Splitter::place_clusters(bool together) {
         // Use the part that the cluster's fraction of the total capacity falls into.
         const double wanted = static_cast<double>(middle) /
                               static_cast<double>(std::max<std::int64_t>(1, left)) *
-                              static_cast<double>(rooms);
+                              static_cast<double>(capacities);
         double sum = 0.0;
         std::int32_t part = 0;
         for (std::size_t p = 0; p < room_.size(); ++p) {
@@ -181,10 +181,12 @@ void Splitter::place_wires() {
         if (b < 0) b = a;
         std::int64_t sum = 0;
         for (const std::int32_t c : nodes) sum += part_[at(c)] < 0 ? node_cost_[at(c)] : 0;
-        const double room_a = static_cast<double>(std::max<std::int64_t>(1, share_ - load_[at(a)]));
-        const double room_b = static_cast<double>(std::max<std::int64_t>(1, share_ - load_[at(b)]));
-        const auto first =
-            static_cast<std::int64_t>(static_cast<double>(sum) * room_a / (room_a + room_b));
+        const double capacity_a =
+            static_cast<double>(std::max<std::int64_t>(1, share_ - load_[at(a)]));
+        const double capacity_b =
+            static_cast<double>(std::max<std::int64_t>(1, share_ - load_[at(b)]));
+        const auto first = static_cast<std::int64_t>(static_cast<double>(sum) * capacity_a /
+                                                     (capacity_a + capacity_b));
         std::int64_t passed = 0;
         for (const std::int32_t c : nodes) {
             if (part_[at(c)] >= 0) continue;
@@ -209,13 +211,13 @@ void Splitter::level() {
             stuck_[at(from)] = 1;
             continue;
         }
-        if (!move_sand(from, to, amount)) stuck_[at(from)] = 1;
+        if (!move_filler(from, to, amount)) stuck_[at(from)] = 1;
     }
 }
 
 /// Move nodes of a wire from one part to another. The preferred position is next to a cut between
 /// the two parts, then a free end, then the middle.
-bool Splitter::move_sand(std::int32_t from, std::int32_t to, std::int64_t amount) {
+bool Splitter::move_filler(std::int32_t from, std::int32_t to, std::int64_t amount) {
     struct Choice {
         int kind = 0;
         std::int64_t cost = 0, weight = 0;

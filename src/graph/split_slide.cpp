@@ -13,7 +13,7 @@ constexpr double kSlide = 0.10;
 constexpr double kWorth = 0.8;
 /// Least gain for which a cut moves, in thousandths. Smaller gains are noise that would move cuts
 /// in every step.
-constexpr std::int64_t kLeastGain = 100;
+constexpr std::int64_t kMinGain = 100;
 
 }  // namespace
 
@@ -65,13 +65,13 @@ void Splitter::slide() {
 /// Move the one cut with the largest gain, if the gain is large enough.
 void Splitter::move_one() {
     std::int32_t from = -1, to = -1;
-    std::int64_t gain = kLeastGain - 1;
+    std::int64_t gain = kMinGain - 1;
     for (std::int32_t w = 0; w < units_.wires; ++w)
         for (std::int32_t k = units_.begin[at(w)]; k + 1 < units_.begin[at(w) + 1]; ++k) {
             if (part_[at(units_.nodes[at(k)])] == part_[at(units_.nodes[at(k + 1)])]) continue;
             const std::int32_t best = slide_to(w, k);
             const std::int64_t old = weight_[at(k)], now = weight_[at(best)];
-            const std::int64_t gained = old - now - mend_[at(k)];
+            const std::int64_t gained = old - now - repair_[at(k)];
             if (static_cast<double>(now) > kWorth * static_cast<double>(old) || gained <= gain)
                 continue;
             gain = gained;

@@ -136,21 +136,21 @@ void Units::keep_whole(const Neighbours& neighbours) {
         }
     }
     apart_.assign(place_.size(), 0);
-    std::int32_t *apart = apart_.data(), *place = place_.data(), *walk = walk_.data();
+    std::int32_t *separation = apart_.data(), *place = place_.data(), *walk = walk_.data();
     // Loop without branches; position 0 is for nodes in no sequence.
     for_each_pair(neighbours.pairs(), [=](Pair p) {
         const std::int32_t a = place[p.a], b = place[p.b];
         const auto off = static_cast<std::uint32_t>(a - b + kReach);
         const int other = static_cast<int>(walk[a] != walk[b]) | static_cast<int>(off > 2 * kReach);
         const int parts = other & static_cast<int>(a != 0) & static_cast<int>(b != 0);
-        apart[p.a] |= parts;
-        apart[p.b] |= parts;
+        separation[p.a] |= parts;
+        separation[p.b] |= parts;
     });
     for (std::size_t w = 0; w + 1 < from_.size(); ++w) {
         if (from_[w + 1] - from_[w] < kShortestWire) continue;
-        base::make_room(begin, at(from_[w + 1] - from_[w]) + 1);  // close() does not throw
+        base::reserve_more(begin, at(from_[w + 1] - from_[w]) + 1);  // close() does not throw
         for (std::int32_t k = from_[w]; k < from_[w + 1]; ++k) {
-            if (apart[walked_[at(k)]] == 0)
+            if (separation[walked_[at(k)]] == 0)
                 nodes.push_back(walked_[at(k)]);
             else
                 close();

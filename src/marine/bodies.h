@@ -10,12 +10,13 @@
 
 namespace hawser::marine {
 
-/// From its lowest to its highest point; by default that of a ball of its volume [m].
+/// Return the height of a body from its lowest to its highest point [m]; by default the diameter of
+/// a ball of its volume.
 [[nodiscard]] inline double height_of(const WaterBody& body) noexcept {
     return body.height > 0.0 ? body.height : std::cbrt(6.0 * body.volume / std::numbers::pi);
 }
 
-/// With the volume that it has by default.
+/// Return the coefficients with the default volume filled in: the area of the cross-section.
 [[nodiscard]] inline LineWater with_volume(LineWater water) noexcept {
     water.volume = water.area();
     return water;

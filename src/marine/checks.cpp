@@ -6,10 +6,10 @@
 namespace hawser::marine {
 namespace {
 
-constexpr double kTurns = 1e3;  ///< Most of a direction or phase [rad].
+constexpr double kTurns = 1e3;  ///< Limit of a direction or phase [rad].
 
-/// A wave that would have broken: H > 0.142 λ tanh kd (R. Miche, "Mouvements ondulatoires de la
-/// mer en profondeur constante ou décroissante", 1944).
+/// Reject a wave steep enough to break: H > 0.142 λ tanh kd (R. Miche, "Mouvements ondulatoires de
+/// la mer en profondeur constante ou décroissante", 1944).
 void check_steepness(const std::string& at, const WaveDef& wave, double depth, double gravity) {
     const double k = wave_number(kTwoPi / wave.period, depth, gravity);
     const double highest = 0.142 * kTwoPi / k * std::tanh(k * depth);

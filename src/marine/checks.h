@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file checks.h
-/// Refusals of a sea's definition, by its field.
+/// Check the definition of a sea. Errors name the field.
 
 #include <hawser/sea.h>
 
@@ -12,13 +12,14 @@
 
 namespace hawser::marine {
 
-/// "lines/3" and the like.
+/// Return the name of an entry of a list, such as "lines/3".
 [[nodiscard]] inline std::string entry(const char* list, std::size_t i) {
     return std::string(list) + "/" + std::to_string(i);
 }
 
-/// @throws SeaError for a number below the least one, at it where it has to be above, above the
-/// most, or none.
+/// Check the range of a number.
+/// @throws SeaError if the value is NaN, below `least` (or equal to it, if `above` is set) or above
+/// `most`.
 inline void check_range(const std::string& field, double value, double least, double most,
                         bool above, const char* unit) {
     if ((value > least || (!above && value == least)) && value <= most) return;
@@ -27,13 +28,16 @@ inline void check_range(const std::string& field, double value, double least, do
                               number(most));
 }
 
-/// Depth, level, waves, current, wind. @throws SeaError
+/// Check depth, level, waves, current and wind.
+/// @throws SeaError
 void check_sea(const SeaDef& def, double gravity);
 
-/// Coefficients of lines and rods, with their volume. @throws SeaError
+/// Check the coefficients of lines and rods, including their volume.
+/// @throws SeaError
 void check_line_water(const std::string& at, const LineWater& water);
 
-/// Coefficients, memory, strips and linear statics of a hull. @throws SeaError
+/// Check coefficients, memory, strips and linear statics of a hull.
+/// @throws SeaError
 void check_coefficients(const World& world, const WaterHull& hull, const std::string& at);
 
 }  // namespace hawser::marine

@@ -58,8 +58,8 @@ void set_design_draughts(const World& world, SeaDef& def, double level) {
         }
         double draught = level - lowest;
         if (free && mass > 0.0) {
-            const double share = mesh_volume(hull.mesh) / volume;
-            const Flotation at = float_hull(hull.mesh, share * mass, def.density, 0.0, false);
+            const double fraction = mesh_volume(hull.mesh) / volume;
+            const Flotation at = float_hull(hull.mesh, fraction * mass, def.density, 0.0, false);
             if (at.floats) draught = at.draught;
         }
         const double height = high - low;

@@ -8,7 +8,7 @@
 namespace hawser::marine {
 namespace {
 
-/// Displaced volume at a share: buoyancy, and its stiffness where the surface cuts it.
+/// Add the buoyancy of the wetted fraction `wet`, and its stiffness if the surface cuts the piece.
 void add_buoyancy(double weight, double wet, double spread, PointLoad& out) noexcept {
     out.force.z() += weight * wet;
     if (wet > 0.0 && wet < 1.0) out.stiffness.m[5] += weight / spread;
@@ -16,7 +16,7 @@ void add_buoyancy(double weight, double wet, double spread, PointLoad& out) noex
 
 }  // namespace
 
-double wet_share(double surface, double low, double spread) noexcept {
+double wet_fraction(double surface, double low, double spread) noexcept {
     const double depth = surface - low;
     return depth >= spread ? 1.0 : std::clamp(depth / spread, 0.0, 1.0);
 }
@@ -46,7 +46,7 @@ void add_half_element(const HalfElement& half, const PointMotion& lump, const Wa
     const LineWater& of = *half.of;
     const double z = lump.position.z(), spread = std::abs(half.middle.z() - z) + of.diameter;
     const double low = std::min(z, half.middle.z()) - 0.5 * of.diameter;
-    const double wet = wet_share(water.elevation, low, spread);
+    const double wet = wet_fraction(water.elevation, low, spread);
     if (!(wet > 0.0) || !(half.length > 0.0)) return;
     out.any = true;
     const Vec3& t = half.along;
@@ -93,7 +93,7 @@ void add_body_drag(const Mat3& axes, const Vec3& areas, double half_density, con
 void add_body_water(const WaterBody& body, double height, const Mat3& axes,
                     const PointMotion& motion, const WaterPoint& water, const Vec3& wind,
                     double air, const WaterLaw& law, PointLoad& out) noexcept {
-    const double wet = wet_share(water.elevation, motion.position.z() - 0.5 * height, height);
+    const double wet = wet_fraction(water.elevation, motion.position.z() - 0.5 * height, height);
     const Vec3 no_area = Vec3::Zero();
     if (wet < 1.0 && body.wind_area != no_area) {
         out.any = true;

@@ -22,10 +22,10 @@
 
 namespace hawser::marine {
 
-/// Components of a group: one vector of AVX-512, two of AVX2.
+/// Number of components of a group: one vector of AVX-512, two of AVX2.
 inline constexpr int kFastGroup = 16;
-/// Groups of the most components, padded to a vector of AVX-512.
-inline constexpr int kMostFastGroups = 32;
+/// Number of groups of the largest sea, padded to a vector of AVX-512.
+inline constexpr int kMaxFastGroups = 32;
 
 /// Rows of the table in single precision, each of `padded` entries; padding is 0.
 enum FastRow : int {
@@ -33,7 +33,7 @@ enum FastRow : int {
     kFastTurnsY,
     kFastAmplitude,  ///< a [m].
     kFastDecay,      ///< −k log₂e [1/m].
-    kFastOffset,     ///< −(k − that of its group's middle) [1/m].
+    kFastOffset,     ///< −(k − k of the middle of its group) [1/m].
     kFastBottom,     ///< e^(−2kd).
     kFastSpeedX,     ///< a ω k_x/k / (1 − e^(−2kd)) [m/s].
     kFastSpeedY,
@@ -48,41 +48,43 @@ enum FastRow : int {
 /// Rows in double precision, for references.
 enum FastReferenceRow : int { kReferenceX, kReferenceY, kReferencePhase, kReferenceRows };
 
-/// Numbers of first groups at a depth.
+/// Numbers of leading groups to sum at a depth.
 struct FastExtent {
     int groups = 0;      ///< That kinematics take.
-    int bottom = 0;      ///< Of these, groups that the bottom changes.
-    int stretching = 0;  ///< That the elevation takes, of points under water; at least `groups`.
+    int bottom = 0;      ///< Number of leading groups that the bottom changes.
+    int stretching = 0;  ///< Groups for the elevation of points under water; at least `groups`.
 };
 
 /// Table in single precision.
 struct FastTable {
     const float* rows;    ///< kFastRows of `padded`.
-    const float* middle;  ///< −k log₂e of the middle of each group, kMostFastGroups [1/m].
-    const float* width;   ///< Largest |k − that of the middle| of each group [1/m].
+    const float* middle;  ///< −k log₂e of the middle of each group, kMaxFastGroups [1/m].
+    const float* width;   ///< Largest |k − k of the middle| of each group [1/m].
     int padded;
 
     [[nodiscard]] const float* row(FastRow r) const noexcept { return rows + r * padded; }
 };
 
 struct FastWaveKernels {
-    /// Turns of the first groups at (x, y), reduced. @param rows  kReferenceRows of `padded`.
+    /// Compute the phases of the leading groups at (x, y), in turns reduced to [−½, ½]. @param rows
+    /// kReferenceRows rows of `padded` entries.
     void (*refer)(const double* rows, int padded, int groups, double x, double y,
                   float* turns) noexcept;
-    /// Σ a cos θ of the first groups at kWavePoints points. @param dx, dy  From the reference [m].
-    /// @param circle  Written: h, then f of each component, 2 padded entries a point.
+    /// Compute Σ a cos θ of the leading groups at kWavePoints points. @param dx, dy  Distances from
+    /// the reference [m]. @param circle  Output: h, then f of each component, 2 × padded entries
+    /// per point.
     void (*surface)(const FastTable& table, int groups, const float* turns, const float* dx,
                     const float* dy, float* circle, double* sum) noexcept;
-    /// Velocity and acceleration at 1 to kWavePoints points. @param circle  Of surface().
-    /// @param depth  −z' ≥ 0 of each. The pressures of `out` are set to 0.
+    /// Compute velocity and acceleration at 1 to kWavePoints points. @param circle  Output of
+    /// surface(). @param depth  −z' ≥ 0 of each point. The pressures of `out` are set to 0.
     void (*sums)(const FastTable& table, const FastExtent* of, const float* circle,
                  const double* depth, int count, WaveSums* out) noexcept;
-    /// Dynamic pressure over density at 1 to kWavePoints points.
+    /// Compute dynamic pressure over density at 1 to kWavePoints points.
     void (*pressure)(const FastTable& table, const FastExtent* of, const float* circle,
                      const double* depth, int count, double* out) noexcept;
 };
 
-/// For the instruction set in use.
+/// Return the kernels for the instruction set in use.
 [[nodiscard]] const FastWaveKernels& fast_wave_kernels() noexcept;
 
 }  // namespace hawser::marine

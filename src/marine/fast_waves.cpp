@@ -12,9 +12,10 @@
 namespace hawser::marine {
 namespace {
 
-constexpr double kLeftOut = kKinematicTolerance / 8.0;       ///< Of components left out.
-constexpr double kPhaseShare = 0.375 * kKinematicTolerance;  ///< Of rounded phases.
-constexpr double kSingle = 0x1p-24;                          ///< Unit of rounding.
+constexpr double kLeftOut =
+    kKinematicTolerance / 8.0;  ///< Error of the components that are left out.
+constexpr double kPhaseFraction = 0.375 * kKinematicTolerance;  ///< Error of rounded phases.
+constexpr double kSingle = 0x1p-24;                             ///< Unit of rounding.
 constexpr double kNoBottom = 16.0;  ///< Where e^(−2kd + kζ) is below 1.2e-7 it is left out.
 
 /// Amplitudes at still water of one component.
@@ -27,7 +28,7 @@ Motion motion_of(const WaveComponent& w, double depth) noexcept {
     return {w.amplitude, speed, speed * w.frequency, speed * w.frequency / w.wave_number};
 }
 
-/// Twice the root of half the sum of squares.
+/// Return the significant amplitude: twice the root of half the sum of squares.
 template <class Amplitude>
 double significant_of(std::span<const WaveComponent> waves, const Amplitude& amplitude) {
     double sum = 0.0;
@@ -35,7 +36,8 @@ double significant_of(std::span<const WaveComponent> waves, const Amplitude& amp
     return std::sqrt(2.0 * sum);
 }
 
-/// Depth in [0, deepest] from which a function that falls is at most `limit`; infinite: nowhere.
+/// Return the depth in [0, deepest] beyond which a decreasing function is at most `limit`; infinite
+/// if there is none.
 template <class Falling>
 double depth_of(const Falling& falling, double deepest, double limit) {
     if (falling(0.0) <= limit) return 0.0;
@@ -87,8 +89,8 @@ void FastWaves::fill_tables() {
     const auto padded = static_cast<std::size_t>(padded_);
     table_.assign(kFastRows * padded, 0.0F);
     reference_.assign(kReferenceRows * padded, 0.0);
-    middle_.assign(kMostFastGroups, 0.0F);
-    width_.assign(kMostFastGroups, 0.0F);
+    middle_.assign(kMaxFastGroups, 0.0F);
+    width_.assign(kMaxFastGroups, 0.0F);
     const auto middle_of = [&](std::size_t group) {
         const std::size_t last = std::min((group + 1) * kFastGroup, waves_.size()) - 1;
         return 0.5 * (waves_[group * kFastGroup].wave_number + waves_[last].wave_number);
@@ -155,8 +157,8 @@ void FastWaves::find_depths() {
     }
 }
 
-/// A row holds for depths from its own to that of the next one: groups fall with the depth, and
-/// those that the bottom changes rise.
+/// Fill the table of extents. A row applies from its depth to that of the next row. Contributions
+/// decrease with depth, except those that the bottom changes, which increase.
 void FastWaves::list_extents() {
     const auto count = [&](const auto& holds) {
         int n = 0;
@@ -169,7 +171,7 @@ void FastWaves::list_extents() {
         const double high = low + 1.0 / rows_per_metre_;
         FastExtent row;
         row.groups = count([&](std::size_t g) { return low < below_[g]; });
-        // Kinematics use the phases that the elevation computes.
+        // Kinematics use the phases of the elevation, so at least as many groups are needed.
         row.stretching =
             std::max(row.groups, count([&](std::size_t g) { return low < stretch_below_[g]; }));
         row.bottom = std::min(row.groups, count([&](std::size_t g) {
@@ -179,8 +181,10 @@ void FastWaves::list_extents() {
     }
 }
 
-/// Phases are off by at most 2π 2^−24 (3/2 + 1.13 k r), as |k_x x| + |k_y y| ≤ √2 k r; rounding
-/// is independent from component to component, and its standard deviation 1/√3 of the largest one.
+/// Return the largest distance from the reference at which the phase error stays within its
+/// fraction of the tolerance. A phase is off by at most 2π 2^−24 (3/2 + 1.13 k r), as |k_x x| +
+/// |k_y y| ≤ √2 k r. Rounding is independent for each component, with a standard deviation of 1/√3
+/// of the largest error.
 double FastWaves::reach_of(std::size_t components) const {
     const auto error = [&](double r) {
         double worst = 0.0;
@@ -201,11 +205,11 @@ double FastWaves::reach_of(std::size_t components) const {
         add(&Motion::pressure);
         return worst;
     };
-    if (!(error(0.0) < kPhaseShare)) return 0.0;
+    if (!(error(0.0) < kPhaseFraction)) return 0.0;
     double low = 0.0, high = 1e6;
     for (int i = 0; i < 60; ++i) {
         const double middle = 0.5 * (low + high);
-        (error(middle) <= kPhaseShare ? low : high) = middle;
+        (error(middle) <= kPhaseFraction ? low : high) = middle;
     }
     return low;
 }

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file fast_waves.h
-/// Tables and error bounds of the sums in single precision (fast_wave_sums.h); derivation in
-/// docs/theory/waves.md.
+/// Build tables and error bounds of the sums in single precision (fast_wave_sums.h).
+/// docs/theory/waves.md has the derivation.
 ///
-/// Errors are relative to significant amplitudes: twice the standard deviation of elevation,
-/// velocity, acceleration and pressure at still water. Each of three parts has its share of
-/// kKinematicTolerance:
+/// Errors are relative to significant amplitudes at still water: twice the standard deviation of
+/// elevation, velocity, acceleration and pressure. Three sources have a fraction of
+/// kKinematicTolerance each:
 ///
-/// 1. **Components left out.** Groups from G on are left out at a depth ζ where
-///    Σ A_n (e^(−k_n ζ) + e^(−k_n (2d − ζ))) of all their components is at most 1/8 of the
-///    tolerance. A point that is certainly under water may also leave groups out of the elevation
-///    that stretches its column, where the change of z' by that has the same bound.
-/// 2. **Phases.** A cluster of points is at most as wide as six standard deviations of the rounding
-///    of phases allow for 3/8 of the tolerance.
-/// 3. **Polynomials, products and sums** take the rest.
+/// 1. **Components left out.** At a depth ζ, groups from G on are left out if Σ A_n (e^(−k_n ζ) +
+///   e^(−k_n (2d − ζ))) of all their components is at most 1/8 of the tolerance. For a point that
+///   is certainly under water, groups may also be left out of the elevation that stretches its
+///   column. The change of z' then has the same bound.
+/// 2. **Phases.** The width of a cluster of points is limited: six standard deviations of the
+///   rounding of phases are at most 3/8 of the tolerance.
+/// 3. **Polynomials, products and sums** have the remainder.
 
 #include <hawser/sea.h>
 
@@ -26,7 +26,7 @@
 
 namespace hawser::marine {
 
-/// Error of kinematics in a step, over the significant amplitude.
+/// Error of velocity and acceleration in a step, relative to the significant amplitude.
 inline constexpr double kKinematicTolerance = 1e-5;
 
 /// Significant amplitudes at still water.
@@ -39,14 +39,14 @@ struct SignificantMotion {
 
 class FastWaves {
   public:
-    /// Components up to which double precision costs less.
+    /// Number of components up to which double precision costs less.
     static constexpr int kFewComponents = 16;
 
     FastWaves(std::span<const WaveComponent> waves, double depth);
 
-    /// False: use sums in double precision.
+    /// True if sums in single precision are in use.
     [[nodiscard]] bool on() const noexcept { return padded_ > 0; }
-    /// Phases of a moment, by component of the sea.
+    /// Set the phases at the time of the step, by component of the sea.
     void begin(std::span<const double> phase) noexcept;
     [[nodiscard]] int padded() const noexcept { return padded_; }
     [[nodiscard]] int groups() const noexcept { return padded_ / kFastGroup; }
@@ -54,19 +54,21 @@ class FastWaves {
         return {table_.data(), middle_.data(), width_.data(), padded_};
     }
     [[nodiscard]] const double* reference() const noexcept { return reference_.data(); }
-    /// Largest distance of a point from its reference, of points that take some first groups [m].
+    /// Return the largest distance of a point from its reference if it uses `first` leading groups
+    /// [m].
     [[nodiscard]] double reach(int first) const noexcept {
         return reach_[static_cast<std::size_t>(first)];
     }
     [[nodiscard]] double reach() const noexcept { return on() ? reach_.back() : 0.0; }
-    /// Σ a: no surface is further from still water [m].
+    /// Return Σ a, a bound of the elevation [m].
     [[nodiscard]] double highest() const noexcept { return highest_; }
-    /// Groups that kinematics take at z' = −depth.
+    /// Return the groups to sum for velocity and acceleration at z' = −depth.
     [[nodiscard]] const FastExtent& extent(double depth) const noexcept {
         const double row = depth * rows_per_metre_;
         return extents_[row < kExtents - 1 ? static_cast<std::size_t>(row) : kExtents - 1];
     }
-    /// Groups that stretch a column, for points at z' = −depth and below that are under water.
+    /// Return the number of groups of the elevation, for points under water at z' = −depth or
+    /// deeper.
     [[nodiscard]] int stretching_groups(double depth) const noexcept {
         return extent(depth).stretching;
     }
@@ -87,12 +89,13 @@ class FastWaves {
     const FastWaveKernels* kernels_;
     double rows_per_metre_ = 0.0;
     double highest_ = 0.0;
-    std::vector<double> reach_;         ///< By number of groups.
+    std::vector<double> reach_;  ///< Largest distance from the reference by number of groups [m].
     std::vector<std::size_t> order_;    ///< Components by ascending wave number.
     std::vector<WaveComponent> waves_;  ///< In this order.
     base::Array<float> table_, middle_, width_;
     base::Array<double> reference_;
-    /// By group: depth from which it and all behind it are left out, and lowest wave number.
+    /// Depth below which a group and all later groups are left out, and their lowest wave number,
+    /// by group.
     std::vector<double> below_, stretch_below_, lowest_;
     std::vector<FastExtent> extents_;  ///< By depth: valid from one row to the next.
     SignificantMotion significant_;

@@ -12,7 +12,7 @@ namespace {
 /// Cosines and sines of the components at the points of a batch, in double or single precision.
 constexpr int kCircle = 2 * kMaxWaveComponents * kWavePoints;
 static_assert(kMaxWaveComponents % kFastGroup == 0 &&
-              kMaxWaveComponents <= kFastGroup * kMostFastGroups);
+              kMaxWaveComponents <= kFastGroup * kMaxFastGroups);
 
 }  // namespace
 
@@ -62,14 +62,15 @@ double WaterField::still_depth(double z, double surface) const noexcept {
     return -stretched(sea_->depth(), z, surface);
 }
 
-/// All, where a wave can uncover what is at the point.
+/// Return the number of groups for the elevation at a point: all if a wave can uncover the point.
 int WaterField::surface_groups(const FieldPoint& point) const noexcept {
     const double lowest = now_->level - now_->waves * fast_.highest();
     if (!stretch_by_few_ || !(point.top < lowest)) return fast_.groups();
     return fast_.stretching_groups(still_depth(point.z, lowest));
 }
 
-/// Points from `first` on, a batch at a time, while they are within reach of their middle.
+/// Form a cluster of points from `first` on: append batches while they are within reach of the
+/// cluster's middle.
 void WaterField::refer(const FieldPoint* points, int first, int count, bool exact_surface,
                        Cluster& to) const noexcept {
     to.end = std::min(first + kWavePoints, count);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file field.h
-/// Water at many points of one moment, for lines and hulls. Seas of more than
-/// FastWaves::kFewComponents components are summed in single precision, within
-/// kKinematicTolerance (fast_waves.h); others in double precision.
+/// Compute the water at many points at one time, for lines and hulls. Seas of more than
+/// FastWaves::kFewComponents components are summed in single precision, within kKinematicTolerance
+/// (fast_waves.h); others in double precision.
 
 #include <hawser/sea.h>
 
@@ -18,7 +18,7 @@
 
 namespace hawser::marine {
 
-/// Wheeler's z' of a point z of a column under a surface; 0 at the surface and above.
+/// Return Wheeler's stretched z' of a point z below a surface; 0 at the surface and above.
 [[nodiscard]] inline double stretched(double depth, double z, double elevation) noexcept {
     if (!(z < elevation)) return 0.0;
     const double column = depth + elevation;
@@ -26,13 +26,14 @@ namespace hawser::marine {
     return depth * (z + depth) / column - depth;
 }
 
-/// What flows at one depth of a profile.
+/// Return the current at one depth of a profile, times a factor [m/s].
 [[nodiscard]] inline Vec3 flow_of(const SeaCurrent& c, double factor) noexcept {
     const double speed = factor * c.speed;
     return {speed * std::cos(c.direction), speed * std::sin(c.direction), 0.0};
 }
 
-/// A profile at a depth below the level: its flows, `flow` of place i, linearly between them.
+/// Interpolate a profile linearly at a depth below the level. @param flow  flow(i): current of
+/// entry i.
 template <class Flow>
 [[nodiscard]] Vec3 profile_at(const std::vector<SeaCurrent>& profile, double depth,
                               const Flow& flow) noexcept {
@@ -43,11 +44,11 @@ template <class Flow>
     if (i == 0) return flow(0);
     if (i == profile.size()) return flow(i - 1);
     const SeaCurrent &a = profile[i - 1], &b = profile[i];
-    const double share = (depth - a.depth) / (b.depth - a.depth);
-    return (1.0 - share) * flow(i - 1) + share * flow(i);
+    const double fraction = (depth - a.depth) / (b.depth - a.depth);
+    return (1.0 - fraction) * flow(i - 1) + fraction * flow(i);
 }
 
-/// What sums of waves do at a point, all amplitudes by the factor of the moment.
+/// Add the sums of waves to the water at a point, with all amplitudes times the factor of the time.
 inline void add_waves(const WaveSums& s, const SeaMoment& now, double density,
                       WaterPoint& out) noexcept {
     for (int k = 0; k < 3; ++k) {
@@ -60,7 +61,7 @@ inline void add_waves(const WaveSums& s, const SeaMoment& now, double density,
 /// A point at which water is computed.
 struct FieldPoint {
     double x = 0.0, y = 0.0, z = 0.0;  ///< [m].
-    double top = 0.0;                  ///< z of the highest part of what is there [m].
+    double top = 0.0;                  ///< z of the highest part of the object at the point [m].
 
     FieldPoint() = default;
     FieldPoint(const Vec3& at, double highest) noexcept
@@ -69,26 +70,26 @@ struct FieldPoint {
 
 class WaterField {
   public:
-    static constexpr int kMostPoints = 64;  ///< Points of one call.
+    static constexpr int kMostPoints = 64;  ///< Maximum number of points of one call.
 
-    /// @param sea, current  Must outlive the field; the current of the same definition.
+    /// @param sea, current  Must outlive the field. `current` belongs to the same definition.
     WaterField(const Sea& sea, const std::vector<SeaCurrent>& current);
-    /// Begins a moment, which stays where it is until the next one.
+    /// Set the time of the water. `now` must outlive the following calls.
     void begin(const SeaMoment& now) noexcept;
 
     [[nodiscard]] const Sea& sea() const noexcept { return *sea_; }
     [[nodiscard]] const SeaMoment& now() const noexcept { return *now_; }
     [[nodiscard]] const FastWaves& fast() const noexcept { return fast_; }
 
-    /// Elevation, velocity and acceleration as of Sea::water(), without pressures.
-    /// The elevation is approximate where no wave can uncover FieldPoint::top. @param count  0 to
+    /// Compute elevation, velocity and acceleration like Sea::water(), without pressures. The
+    /// elevation is approximate if no wave can uncover FieldPoint::top. @param count  0 to
     /// kMostPoints.
     void water(const FieldPoint* points, int count, WaterPoint* out) const noexcept;
-    /// Elevation of the surface, and the dynamic pressure of points below it. @param waves
-    /// False: the surface is that of still water. @param rise  Null: not required.
+    /// Compute the elevation of the surface, and the dynamic pressure of points below it. @param
+    /// waves  False: the surface is still water. @param rise  Null: not required.
     void press(const FieldPoint* points, int count, bool waves, double* surface,
                double* rise) const noexcept;
-    /// As Sea::current().
+    /// Return the current, like Sea::current().
     [[nodiscard]] Vec3 current(double z) const noexcept;
 
   private:
@@ -109,7 +110,7 @@ class WaterField {
     const SeaMoment* now_ = nullptr;
     base::Array<double> table_;  ///< wave_table() of the sea.
     int padded_ = 0;
-    base::Array<double> phase_;  ///< Of the moment, aligned.
+    base::Array<double> phase_;  ///< Phases at the time of the step, aligned.
     FastWaves fast_;
     bool stretch_by_few_ = false;  ///< FastWaves::stretching_groups() is valid at this moment.
     const std::vector<SeaCurrent>* current_;

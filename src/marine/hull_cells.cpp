@@ -8,10 +8,10 @@
 namespace hawser {
 namespace {
 
-constexpr double kCells = 200.0;  ///< Of the mesh's box.
-constexpr int kMostAlong = 64;    ///< Cells along an axis.
+constexpr double kCells = 200.0;  ///< Number of cells along the longest side of the mesh's box.
+constexpr int kMaxAlong = 64;     ///< Cells along an axis.
 
-/// Heights at which the vertical line through (x, y) passes the mesh, ascending.
+/// List the heights at which the vertical line through (x, y) crosses the mesh, ascending.
 void crossings(const HullMesh& mesh, double x, double y, std::vector<double>& out) {
     out.clear();
     for (const auto& t : mesh.triangles) {
@@ -45,7 +45,7 @@ std::vector<HullCell> hull_cells(const HullMesh& mesh) {
     Vec3 size = Vec3::Zero();
     for (int k = 0; k < 3; ++k) {
         const double n = edge > 0.0 ? std::round(box[k] / edge) : 1.0;
-        count[static_cast<std::size_t>(k)] = std::clamp(static_cast<int>(n), 1, kMostAlong);
+        count[static_cast<std::size_t>(k)] = std::clamp(static_cast<int>(n), 1, kMaxAlong);
         size[k] = box[k] / count[static_cast<std::size_t>(k)];
     }
     std::vector<double> at;

@@ -27,19 +27,19 @@ constexpr std::size_t kMostTriangles = 2'000'000;
     throw DefError("hull '" + file + "': " + what);
 }
 
-/// Gathers corners: those at the same place, to the bit, are one.
+/// Collect vertices; vertices at bitwise equal positions are merged.
 class MeshMaker {
   public:
     explicit MeshMaker(const std::string& file) : file_(file) {}
     std::int32_t vertex(const Vec3& x) {
-        // + 0.0: −0 is 0.
+        // Adding 0.0 turns −0 into 0.
         const std::array<double, 3> key{x.x() + 0.0, x.y() + 0.0, x.z() + 0.0};
         const auto [there, first] =
             known_.try_emplace(key, static_cast<std::int32_t>(mesh.vertices.size()));
         if (first) mesh.vertices.push_back(x);
         return there->second;
     }
-    /// Triangles that have two corners at one place are left out.
+    /// Add a triangle unless two of its vertices are the same.
     void triangle(std::int32_t a, std::int32_t b, std::int32_t c) {
         if (a == b || b == c || c == a) return;
         if (mesh.triangles.size() >= kMostTriangles)
@@ -147,7 +147,7 @@ HullMesh read_stl_bytes(const std::string& bytes, const std::string& file) {
     return std::move(make.mesh);
 }
 
-/// Words of a text with the lines they stand in.
+/// Split a text into words and count their lines.
 class Words {
   public:
     Words(const std::string& text, const std::string& file) : in_(text), file_(file) {}
@@ -176,7 +176,7 @@ class Words {
     std::size_t line_ = 1;
 };
 
-/// A panel of four corners, of which two may be one, and its mirror images.
+/// Add a panel of four corners, two of which may coincide, and its mirror images.
 void add_panel(MeshMaker& make, const std::array<Vec3, 4>& corner, bool mirror_x, bool mirror_y) {
     for (const bool x : {false, true})
         for (const bool y : {false, true}) {
@@ -216,7 +216,8 @@ HullMesh read_gdf(const std::string& text, const std::string& file) {
     return std::move(make.mesh);
 }
 
-/// "2 symmetry", lines "number x y z" to one of number 0, panels of four numbers to one of zeros.
+/// Read a mesh of NEMOH: a line "2 symmetry", lines "number x y z" up to number 0, and panels of
+/// four numbers up to zeros.
 HullMesh read_nemoh(const std::string& text, const std::string& file) {
     Words words(text, file);
     if (words.number("2") != 2.0) refuse_hull(file, "line 1: a mesh of NEMOH begins with 2");
@@ -273,7 +274,7 @@ HullMesh read_hull(const std::string& file) {
     } else if (ends_with(file, ".stl")) {
         std::uint32_t count = 0;
         if (bytes.size() >= 84) std::memcpy(&count, bytes.data() + 80, sizeof count);
-        // Binary files may begin with "solid", too: their length tells.
+        // Binary files may begin with "solid", too. Their length distinguishes them.
         const bool exact = bytes.size() >= 84 && bytes.size() == 84 + 50 * std::size_t{count};
         if (!exact && bytes.size() < 84 && !bytes.starts_with("solid"))
             refuse_hull(file, "it is no STL file: too short");

@@ -13,7 +13,7 @@
 namespace hawser {
 namespace {
 
-/// Sinks a hull whose orientation is known. @return whether it floats.
+/// Find the sinkage of a hull with a given orientation. @return true if it floats.
 bool sink(const HullMesh& mesh, double wanted, Flotation& out) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const Vec3& v : mesh.vertices) {
@@ -21,8 +21,8 @@ bool sink(const HullMesh& mesh, double wanted, Flotation& out) {
         low = std::min(low, z);
         high = std::max(high, z);
     }
-    // The volume grows from 0 to all of it as the origin sinks from −low to −high: Newton's method,
-    // by halves where it would leave what encloses the solution.
+    // The volume grows from 0 to its total as the origin sinks from −low to −high. Use Newton's
+    // method, and bisection if an iterate leaves the bracket.
     double above = -low, below = -high, z = 0.5 * (above + below);
     const auto volume = [&](double at) {
         out.pose.position = {0.0, 0.0, at};
@@ -45,7 +45,7 @@ bool sink(const HullMesh& mesh, double wanted, Flotation& out) {
 Quat heeled(double heel) { return Quat(std::cos(0.5 * heel), std::sin(0.5 * heel), 0.0, 0.0); }
 Quat trimmed(double trim) { return Quat(std::cos(0.5 * trim), 0.0, std::sin(0.5 * trim), 0.0); }
 
-/// Edges that belong to one triangle, from their first to their second vertex.
+/// Return the edges that belong to one triangle only, from their first to their second vertex.
 std::map<std::int32_t, std::int32_t> open_edges(const HullMesh& mesh) {
     std::map<std::pair<std::int32_t, std::int32_t>, int> edges;
     for (const auto& t : mesh.triangles)
@@ -67,7 +67,7 @@ Flotation float_hull(const HullMesh& mesh, double mass, double density, double h
     out.pose.orientation = heeled(heel);
     out.floats = sink(mesh, wanted, out);
     if (!out.floats) return out;
-    // B forward of G turns the bow up: by the lever over the longitudinal metacentric height.
+    // If B is forward of G, the bow rises by the lever over the longitudinal metacentric height.
     for (int i = 0; trims && i < 60; ++i) {
         const HullStatics& s = out.statics;
         const double lever = s.buoyancy.x();
@@ -138,7 +138,7 @@ void close_hull(HullMesh& mesh, double top) {
         }
         middle.z() = walls ? top : edge;
         const std::int32_t centre = add(middle);
-        // The edge belongs to a triangle in its direction: what closes it has the other one.
+        // The triangle has the edge in this direction. The closing triangle needs the opposite one.
         for (std::size_t i = 0; i < loop.size(); ++i) {
             const std::size_t j = (i + 1) % loop.size();
             if (walls) {

@@ -11,7 +11,7 @@
 namespace hawser::marine {
 namespace {
 
-/// Wet share from which a cell counts in full for the area along z.
+/// Wetted fraction from which a cell counts in full for the area along z.
 constexpr double kWholeGround = 0.1;
 
 double lowest_of(const HullMesh& mesh) {
@@ -53,8 +53,8 @@ HullFlow::HullFlow(const WaterHull& def) : small_(def.linear.on) {
     }
     const double surface = lowest_of(def.mesh) + def.design_draught;
     for (std::size_t c = 0; c < cells_.size(); ++c)
-        samples_[c].wet = marine::wet_share(surface, cells_[c].at.z() - 0.5 * cells_[c].size.z(),
-                                            cells_[c].size.z());
+        samples_[c].wet = marine::wet_fraction(surface, cells_[c].at.z() - 0.5 * cells_[c].size.z(),
+                                               cells_[c].size.z());
     design_ = project();
 }
 
@@ -75,7 +75,7 @@ void HullFlow::sample(const WaterField& field, bool convective, bool still, cons
         const double spread = axes.row(2).cwiseAbs().dot(cell.size);
         Sample& out = samples_[begin + static_cast<std::size_t>(i)];
         const double surface = still ? field.now().level : water[i].elevation;
-        out.wet = marine::wet_share(surface, place.z() - 0.5 * spread, spread);
+        out.wet = marine::wet_fraction(surface, place.z() - 0.5 * spread, spread);
         out.arm = place - pose.position;
         out.velocity = water[i].velocity;
         out.acceleration = water[i].acceleration;
@@ -124,8 +124,8 @@ void HullFlow::finish(const Mat3& axes, const WaterPoint& at_centre) noexcept {
     if (cells_.empty()) return;
     const ProjectedAreas now = project();
     for (int k = 0; k < 3 && !small_; ++k) {
-        wet_share[k] = design_.wet[k] > 0.0 ? now.wet[k] / design_.wet[k] : 1.0;
-        dry_share[k] = design_.dry[k] > 0.0 ? now.dry[k] / design_.dry[k] : 0.0;
+        wet_fraction[k] = design_.wet[k] > 0.0 ? now.wet[k] / design_.wet[k] : 1.0;
+        dry_fraction[k] = design_.dry[k] > 0.0 ? now.dry[k] / design_.dry[k] : 0.0;
     }
     double volume = 0.0;
     Vec3 flow = Vec3::Zero(), rate = Vec3::Zero(), middle = Vec3::Zero();

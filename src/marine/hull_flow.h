@@ -18,14 +18,15 @@ struct ProjectedAreas {
 
 class HullFlow {
   public:
-    /// @param def  With a design draught. Stays where it is.
+    /// @param def  Must have a design draught, and outlive this object.
     explicit HullFlow(const WaterHull& def);
-    /// Number of points at which water is sampled.
+    /// Return the number of points at which water is sampled.
     [[nodiscard]] std::size_t count() const noexcept { return cells_.size(); }
     /// Sample the water at cells [begin, end). @param still  The surface is that of still water.
     void sample(const WaterField& field, bool convective, bool still, const Pose& pose,
                 const Mat3& axes, std::size_t begin, std::size_t end) noexcept;
-    /// Largest error of a sampled velocity [m/s]. @param points  Counts samples.
+    /// Return the largest error of a sampled velocity [m/s]. @param points  Increased by the number
+    /// of samples.
     [[nodiscard]] double velocity_error(const WaterField& field, const Pose& pose,
                                         std::int64_t& points) const;
     /// Sum up the samples. @param at_centre  Water at the centre of mass, for a hull without wet
@@ -34,14 +35,14 @@ class HullFlow {
 
     Vec3 velocity{0.0, 0.0, 0.0}, acceleration{0.0, 0.0, 0.0};  ///< Means [m/s, m/s²].
     Vec3 turn{0.0, 0.0, 0.0}, turn_rate{0.0, 0.0, 0.0};         ///< ω, α, world axes [rad/s, …].
-    /// Projected areas over those at the design draught, along the body's axes.
-    Vec3 wet_share{1.0, 1.0, 1.0}, dry_share{1.0, 1.0, 1.0};
+    /// Ratio of projected areas to their values at the design draught, along the body's axes.
+    Vec3 wet_fraction{1.0, 1.0, 1.0}, dry_fraction{1.0, 1.0, 1.0};
 
   private:
     struct Sample {
-        Vec3 arm{0.0, 0.0, 0.0};  ///< From the centre of mass, world axes [m].
+        Vec3 arm{0.0, 0.0, 0.0};  ///< Arm from the centre of mass, world axes [m].
         Vec3 velocity{0.0, 0.0, 0.0}, acceleration{0.0, 0.0, 0.0};
-        double wet = 0.0;  ///< Share.
+        double wet = 0.0;  ///< Wetted fraction.
     };
     [[nodiscard]] ProjectedAreas project() noexcept;
 
@@ -50,9 +51,10 @@ class HullFlow {
     /// Row of each cell along x, y and z, and the largest wet and dry extents of rows.
     std::vector<std::array<std::int32_t, 3>> row_;
     std::array<std::vector<double>, 3> wet_row_, dry_row_;
-    std::array<std::vector<double>, 3> width_;  ///< Of rows: across, or ground area along z.
+    std::array<std::vector<double>, 3>
+        width_;  ///< Width of each row across, or its ground area along z.
     ProjectedAreas design_;
-    bool small_ = false;  ///< Small motions about rest: areas are those of the design draught.
+    bool small_ = false;  ///< True for small motions about rest: areas have their design values.
 };
 
 }  // namespace hawser::marine

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file hull_kernels.h
-/// Sums of hull_sums.h over the triangles that are wet as a whole, several at a time, compiled once
-/// for each instruction set. Most of a hull is such: what the surface cuts is left to
-/// HullSums::add_triangle().
+/// Sum the integrals of hull_sums.h over completely wet triangles, several at a time, compiled once
+/// for each instruction set. Most triangles of a hull are completely wet. Triangles cut by the
+/// surface are left to HullSums::add_triangle().
 
 #include <cstdint>
 
 namespace hawser::marine {
 
-/// Where HullSums' members stand in what a kernel adds up.
+/// Offsets of the members of HullSums in the sums of a kernel.
 enum HullSum : int {
     kForce,
     kTorque = 3,
@@ -24,17 +24,18 @@ enum HullSum : int {
     kHullSums
 };
 
-/// Triangles of one call at most.
+/// Maximum number of triangles of one call.
 inline constexpr int kHullBlock = 64;
 
 struct HullKernels {
-    /// @param corners  x, y, z, depth, pressure of each. @param triangles  Corners, three each.
-    /// @param cut  Takes the numbers of the triangles that are wet in part. @param sums  Written.
-    /// @return how many are cut.
+    /// Sum the wet triangles. @param corners  x, y, z, depth, pressure of each. @param triangles
+    /// Corners, three each. @param cut  Output: numbers of the partly wet triangles. @param sums
+    /// Output.
+    /// @return number of partly wet triangles.
     int (*wet)(const double* corners, const std::int32_t* triangles, int count, int* cut,
                double* sums) noexcept;
 };
-/// For the instruction set in use.
+/// Return the kernels for the instruction set in use.
 [[nodiscard]] const HullKernels& hull_kernels() noexcept;
 
 }  // namespace hawser::marine

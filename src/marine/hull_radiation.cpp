@@ -35,15 +35,15 @@ Mat3 about_z(double angle) noexcept {
     return out;
 }
 
-/// Of a symmetric matrix of heave, roll and pitch, what is positive semi-definite in its diagonal
-/// and couplings: unstable motions are left to the force.
+/// Keep the positive semi-definite part of heave, roll and pitch of a symmetric matrix. Unstable
+/// motions remain in the force only.
 void stable_part(Matrix6& m) noexcept {
     for (int i = 0; i < 6; ++i) {
         if (i >= 2 && i <= 4 && m(i, i) > 0.0) continue;
         m.row(i).setZero();
         m.col(i).setZero();
     }
-    // Diagonally dominant enough: couplings are cut to what the diagonal bears.
+    // Reduce couplings until the matrix is diagonally dominant.
     for (int i = 0; i < 6; ++i)
         for (int j = 0; j < i; ++j) {
             const double most = 0.5 * std::sqrt(m(i, i) * m(j, j));
@@ -70,7 +70,7 @@ void HullWater::add_force(const Vec3& push, const Vec3& moment) noexcept {
     }
 }
 
-/// A force and moment at the reference.
+/// Add a force and moment at the reference point.
 void HullWater::add_at_reference(const Vec6& f) noexcept {
     const Vec3 push = frame_ * f.head<3>();
     const Vec3 arm = frame_ * def_->coefficients->reference;
@@ -119,7 +119,8 @@ void HullWater::add_coefficients(const Sea& sea, const SeaMoment& now) noexcept 
               frame_ * (same.tail<3>() - turn.cross(p.tail<3>()) - past.cross(p.head<3>())));
 }
 
-/// Small motions about rest: weight of the displaced water less C (x − x₀).
+/// Add the linear statics of small motions about rest: weight of the displaced water minus C (x −
+/// x₀).
 void HullWater::add_linear(const Sea&, const SeaMoment& now) noexcept {
     const Mat3 level = waves_.any() ? frame_ : about_z(heading_of(pose_.orientation));
     const Mat3 tilt = level.transpose() * axes_;
@@ -157,8 +158,8 @@ void HullWater::add_strips(const Sea& sea) noexcept {
         s << n, arm.cross(n);
         v << twist_.linear, twist_.angular;
         const double past = n.dot(flows_[k]) - s.dot(v);
-        const double share = strip.axis.cwiseProduct(strip.axis).dot(flow_.wet_share);
-        const double c = 0.5 * sea.density() * strip.drag_area * share * std::abs(past);
+        const double fraction = strip.axis.cwiseProduct(strip.axis).dot(flow_.wet_fraction);
+        const double c = 0.5 * sea.density() * strip.drag_area * fraction * std::abs(past);
         const double push = c * past + 2.0 * c * s.dot(v);
         for (int i = 0; i < 6; ++i) {
             force[static_cast<std::size_t>(i)] += push * s[i];

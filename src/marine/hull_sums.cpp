@@ -26,7 +26,7 @@ void HullSums::add_wet(const HullCorner& a, const HullCorner& b, const HullCorne
     const Vec3 arm = (p + a.pressure) * a.x + (p + b.pressure) * b.x + (p + c.pressure) * c.x;
     torque -= arm.cross(normal) / 12.0;
     const HullCorner* const corner[] = {&a, &b, &c, &a};
-    const double third = -normal.z() / 3.0;  // of the columns' ground
+    const double third = -normal.z() / 3.0;  // third of the area of its columns' ground
     for (int k = 0; k < 3; ++k) {
         const Vec3 m = 0.5 * (corner[k]->x + corner[k + 1]->x);
         const double s = 0.5 * (corner[k]->depth + corner[k + 1]->depth), v = third * s;
@@ -51,27 +51,27 @@ void HullSums::add_triangle(const HullCorner& a, const HullCorner& b,
         const bool wet = from.depth > 0.0;
         if (wet) part[count++] = from;
         if (wet == (to.depth > 0.0)) continue;
-        // From the wet corner, whichever it is, so that both triangles of a side cut it alike.
+        // Start from the wet corner, so that both triangles of a side are cut at the same point.
         const HullCorner &low = wet ? from : to, &high = wet ? to : from;
-        const double share = low.depth / (low.depth - high.depth);
-        part[count++].x = low.x + share * (high.x - low.x);
+        const double fraction = low.depth / (low.depth - high.depth);
+        part[count++].x = low.x + fraction * (high.x - low.x);
     }
     for (int k = 2; k < count; ++k) add_wet(part[0], part[k - 1], part[k]);
 }
 
 void plane_stiffness(const HullSums& s, double (&out)[6]) noexcept {
     std::fill(std::begin(out), std::end(out), 0.0);
-    // What is under water has one of rounding.
+    // A waterplane of rounding size counts as none.
     const double size = std::cbrt(std::max(s.volume, 0.0));
     if (!(s.plane > 1e-9 * size * size)) return;
     const double x = s.x / s.plane, y = s.y / s.plane;
-    // About the centre, where nothing may be below zero …
+    // Moments about the centre of the waterplane, which must not be negative,
     const double ixx = std::max(s.xx - s.plane * x * x, 0.0);
     const double iyy = std::max(s.yy - s.plane * y * y, 0.0);
-    constexpr double kMost = 1.0 - 1e-12;
-    const double most = kMost * std::sqrt(ixx * iyy);
+    constexpr double kMaximum = 1.0 - 1e-12;
+    const double most = kMaximum * std::sqrt(ixx * iyy);
     const double ixy = std::clamp(s.xy - s.plane * x * y, -most, most);
-    // … and at it.
+    // and then about the reference.
     out[0] = s.plane;
     out[1] = s.plane * y;
     out[2] = s.plane * y * y + iyy;

@@ -16,7 +16,7 @@
 
 namespace hawser::marine {
 
-/// What a corner of a hull is: where, how deep, how pressed.
+/// Position, depth and pressure of a corner of a hull.
 struct HullCorner {
     Vec3 x{0.0, 0.0, 0.0};  ///< [m].
     double depth = 0.0;     ///< s, above 0 wet [m].
@@ -24,23 +24,23 @@ struct HullCorner {
 };
 
 struct HullSums {
-    Vec3 force{0.0, 0.0, 0.0};                              ///< [N].
-    Vec3 torque{0.0, 0.0, 0.0};                             ///< About the origin of corners [N m].
-    double volume = 0.0;                                    ///< [m³].
-    Vec3 moment{0.0, 0.0, 0.0};                             ///< ∫ x dV [m⁴].
-    double plane = 0.0;                                     ///< Waterplane [m²].
+    Vec3 force{0.0, 0.0, 0.0};   ///< [N].
+    Vec3 torque{0.0, 0.0, 0.0};  ///< Moment about the origin of corners [N m].
+    double volume = 0.0;         ///< [m³].
+    Vec3 moment{0.0, 0.0, 0.0};  ///< ∫ x dV [m⁴].
+    double plane = 0.0;          ///< Waterplane [m²].
     double x = 0.0, y = 0.0, xx = 0.0, yy = 0.0, xy = 0.0;  ///< Its moments [m³, m⁴].
 
     void add(const HullSums& other) noexcept;
-    /// The wet part of a triangle.
+    /// Add the wet part of a triangle.
     void add_triangle(const HullCorner& a, const HullCorner& b, const HullCorner& c) noexcept;
 
   private:
     void add_wet(const HullCorner& a, const HullCorner& b, const HullCorner& c) noexcept;
 };
 
-/// ∫ r rᵀ dA of heave, and turns about x and y, with r = (1, y, −x): the entries (0,0), (1,0),
-/// (1,1), (2,0), (2,1), (2,2), positive semi-definite whatever rounding did.
+/// Compute ∫ r rᵀ dA over the waterplane for heave, roll and pitch, with r = (1, y, −x). Entries:
+/// (0,0), (1,0), (1,1), (2,0), (2,1), (2,2). The result is positive semi-definite despite rounding.
 void plane_stiffness(const HullSums& sums, double (&out)[6]) noexcept;
 
 }  // namespace hawser::marine

@@ -18,7 +18,7 @@ int chunks_of(std::size_t count) noexcept {
     return (static_cast<int>(count) + HullWater::kChunk - 1) / HullWater::kChunk;
 }
 
-/// The triangle of `to` takes Σ c_k a_k a_kᵀ at rows from `first` on.
+/// Add Σ c_k a_k a_kᵀ to the triangle `to` at rows from `first` on.
 void add_axes(const Mat3& axes, const double* c, int first, std::array<double, 21>& to) noexcept {
     Sym3 sum;
     for (int k = 0; k < 3; ++k) sum.add(c[k], axes.col(k));
@@ -38,8 +38,9 @@ double volume_of(const HullMesh& mesh) noexcept {
     return sum;
 }
 
-/// Corners by squares of the waterplane whose diagonals are less than a cluster's diameter, along a
-/// row and back along the next one; in the order of the mesh without clusters.
+/// Return an order of corners such that consecutive ones are near each other. Squares of the
+/// waterplane, with diagonals shorter than a cluster, are visited along a row and back along the
+/// next one. Without clusters it is the order of the mesh.
 std::vector<std::int32_t> corner_order(const HullMesh& mesh, double reach) {
     std::vector<std::int32_t> out(mesh.vertices.size());
     std::iota(out.begin(), out.end(), 0);
@@ -102,7 +103,7 @@ void HullWater::begin(const World& world, bool convective) noexcept {
 }
 
 void HullWater::press(const WaterField& field, int chunk) noexcept {
-    // Where coefficients have all that waves do, the water is still.
+    // If the coefficients contain all effects of waves, the mesh is in still water.
     const bool waves = def_->excitation != ExcitationKind::full;
     const double weight = field.sea().density() * field.sea().gravity(), level = field.now().level;
     const int first = chunk * kChunk;
@@ -193,8 +194,8 @@ void HullWater::add_pressure(const Sea& sea, const HullSums& all) noexcept {
     for (int i = 0, n = 0; i < 3; ++i)  // heave, turns about x and y are rows 2, 3, 4
         for (int j = 0; j <= i; ++j, ++n)
             stiffness[static_cast<std::size_t>(triangle(2 + i, 2 + j))] += weight * plane[n];
-    // At least the secant to where it is out of the water: a light hull below the surface is
-    // not thrown out by a step in which its buoyancy would have ended.
+    // Use at least the secant to the position out of the water. Otherwise a step could throw out a
+    // light hull below the surface.
     double deepest = 0.0;
     for (const HullCorner& c : corners_) deepest = std::max(deepest, c.depth);
     double& heave = stiffness[static_cast<std::size_t>(triangle(2, 2))];
@@ -210,7 +211,7 @@ void HullWater::flow_over(const WaterField& field, int chunk) noexcept {
                  std::min(first + kChunk, flow_.count()));
 }
 
-/// Added mass and linear damping past the mean motion of the water, and drag.
+/// Add added mass and linear damping relative to the mean motion of the water, and drag.
 void HullWater::add_motion(const Sea& sea, const SeaMoment& now, double wet, double air) noexcept {
     Vec3 push = Vec3::Zero(), moment = Vec3::Zero();
     Sym3 drag;
@@ -228,11 +229,11 @@ void HullWater::add_motion(const Sea& sea, const SeaMoment& now, double wet, dou
             moment +=
                 (m[3 + i] * axis.dot(flow_.turn_rate) + d[3 + i] * axis.dot(flow_.turn)) * axis;
         }
-        add_body_drag(axes_, def_->drag_area.cwiseProduct(flow_.wet_share), 0.5 * sea.density(),
+        add_body_drag(axes_, def_->drag_area.cwiseProduct(flow_.wet_fraction), 0.5 * sea.density(),
                       flow_.velocity, twist_.linear, push, drag);
     }
     if (wet < 1.0)
-        add_body_drag(axes_, def_->wind_area.cwiseProduct(flow_.dry_share), 0.5 * air,
+        add_body_drag(axes_, def_->wind_area.cwiseProduct(flow_.dry_fraction), 0.5 * air,
                       sea.wind(now, std::max(pose_.position.z(), now.level + 10.0)), twist_.linear,
                       push, drag);
     add_force(push, moment);

@@ -15,10 +15,10 @@
 namespace hawser {
 namespace {
 
-constexpr std::size_t kMostFrequencies = 100'000, kMostEntries = 20'000'000;
+constexpr std::size_t kMaxFrequencies = 100'000, kMostEntries = 20'000'000;
 
-/// Lowest eigenvalue of a matrix with its diagonal scaled to ones; what has no diagonal counts by
-/// what it has beside it.
+/// Return the lowest eigenvalue of a matrix with its diagonal scaled to ones. A row without a
+/// diagonal is scaled by its other entries.
 double lowest_scaled(const Matrix6& m, const Matrix6& size) {
     Matrix6 s = 0.5 * (m + m.transpose());
     double largest = 0.0;
@@ -33,11 +33,11 @@ double lowest_scaled(const Matrix6& m, const Matrix6& size) {
     return base::symmetric_eigenvalues(s)(0);
 }
 
-/// Programs give damping to three digits, and noise at frequencies at which their equations are
-/// near singular: 5 % of the largest of each motion.
+/// Tolerated negative damping: 5 % of the largest of each motion. Programs write three digits, and
+/// have noise at irregular frequencies.
 constexpr double kNoise = -0.05;
 
-/// The nearest matrix without negative eigenvalues, scaled as lowest_scaled().
+/// Return the nearest matrix without negative eigenvalues, scaled as in lowest_scaled().
 Matrix6 without_negative_of(const Matrix6& m, const Matrix6& size) {
     double largest = 0.0;
     for (int i = 0; i < 6; ++i) largest = std::max(largest, std::abs(size(i, i)));
@@ -54,7 +54,7 @@ Matrix6 without_negative_of(const Matrix6& m, const Matrix6& size) {
 
 std::string sizes_fault(const WaveCoefficients& c) {
     const std::size_t n = c.frequency.size(), table = c.heading.size() * n * 6;
-    if (n > kMostFrequencies || c.heading.size() > kMostFrequencies || table > kMostEntries)
+    if (n > kMaxFrequencies || c.heading.size() > kMaxFrequencies || table > kMostEntries)
         return "more than " + std::to_string(kMostEntries) + " entries";
     if (!c.added_mass.empty() && c.added_mass.size() != n)
         return "added_mass: " + std::to_string(c.added_mass.size()) + " matrices for " +
@@ -111,7 +111,7 @@ std::string finite_fault(const WaveCoefficients& c) {
     return {};
 }
 
-/// The damping that most of the range has, motion by motion.
+/// Return the largest damping of each motion over all frequencies.
 Matrix6 largest_diagonal(const std::vector<Matrix6>& all) {
     Matrix6 out = Matrix6::Zero();
     for (const Matrix6& m : all)
@@ -119,23 +119,24 @@ Matrix6 largest_diagonal(const std::vector<Matrix6>& all) {
     return out;
 }
 
-/// A(0) − A(∞) = ∫ t K dt…: which of two added masses is the one that A(ω) tends to.
+/// Check that A(0) and A(∞) are not exchanged, by A(0) − A(∞) = ∫ t K dt. @return the fault; "" if
+/// none.
 std::string swapped_fault(const WaveCoefficients& c) {
     if (!c.has_infinite || !c.has_zero || c.frequency.size() < 4) return {};
-    const Matrix6 told = infinite_added_mass(c);
-    double as_is = 0.0, swapped = 0.0, apart = 0.0;
+    const Matrix6 reported = infinite_added_mass(c);
+    double as_is = 0.0, swapped = 0.0, separation = 0.0;
     for (int i = 0; i < 6; ++i) {
         const double size = std::max(std::abs(c.infinite(i, i)), std::abs(c.zero(i, i)));
         if (!(size > 0.0)) continue;
-        as_is += std::abs(told(i, i) - c.infinite(i, i)) / size;
-        swapped += std::abs(told(i, i) - c.zero(i, i)) / size;
-        apart += std::abs(c.zero(i, i) - c.infinite(i, i)) / size;
+        as_is += std::abs(reported(i, i) - c.infinite(i, i)) / size;
+        swapped += std::abs(reported(i, i) - c.zero(i, i)) / size;
+        separation += std::abs(c.zero(i, i) - c.infinite(i, i)) / size;
     }
-    if (apart < 0.05 || swapped >= 0.5 * as_is) return {};
+    if (separation < 0.05 || swapped >= 0.5 * as_is) return {};
     return "A(inf) and A(0) are swapped: by A(w) and B(w) the former is nearer to what is given "
            "as A(0), as for heave " +
-           number(told(2, 2)) + " kg where A(inf) is " + number(c.infinite(2, 2)) + " and A(0) " +
-           number(c.zero(2, 2));
+           number(reported(2, 2)) + " kg where A(inf) is " + number(c.infinite(2, 2)) +
+           " and A(0) " + number(c.zero(2, 2));
 }
 
 }  // namespace
@@ -209,7 +210,7 @@ MemoryEnd memory_end(const WaveCoefficients& c, double memory, double limit) {
         out.ratio = std::max(out.ratio, largest(t));
     if (out.ratio <= limit) return out;
     out.enough = std::numeric_limits<double>::quiet_NaN();
-    double last = 0.8 * memory;  // after which all of K is within the limit, so far
+    double last = 0.8 * memory;  // end of the samples that exceed the limit
     for (double t = last; t <= 20.0 * memory; t += step) {
         if (largest(t) > 0.98 * limit) last = t + step;
         if (t > last / 0.8) {

@@ -68,13 +68,13 @@ LineTable line_table(const World& world, const SeaDef& def) {
     return out;
 }
 
-void LineLumps::find_sorts(const Wire& wire) noexcept {
+void LineNodes::find_sorts(const Wire& wire) noexcept {
     int* const sorts = sorts_.data() + wire.first;
     int last = -1;
     std::size_t unknown = 0;
     for (std::size_t e = 0; e < wire.elements.size(); ++e) {
         const int sort = table_.sort_of(wire.elements[e]);
-        if (sort >= 0 && last < 0)  // those before the first known one are of its sort
+        if (sort >= 0 && last < 0)  // elements before the first known one have its sort
             for (std::size_t i = 0; i < unknown; ++i) sorts[i] = sort;
         if (sort >= 0) last = sort;
         if (last < 0) ++unknown;
@@ -82,8 +82,8 @@ void LineLumps::find_sorts(const Wire& wire) noexcept {
     }
 }
 
-/// Elements of a wire, once for both of their nodes.
-void LineLumps::find_spans(const World& world, const Wire& wire) noexcept {
+/// Compute each element of a wire once for both of its nodes.
+void LineNodes::find_spans(const World& world, const Wire& wire) noexcept {
     for (std::size_t e = 0; e < wire.elements.size(); ++e) {
         Span& span = spans_[wire.first + e];
         const InteractionId id = wire.elements[e];
@@ -105,8 +105,9 @@ void LineLumps::find_spans(const World& world, const Wire& wire) noexcept {
     }
 }
 
-/// @param side  1: the element begins at the node; −1: it ends there.
-void LineLumps::add_half(const Span& span, double side, Lump& lump) noexcept {
+/// Add the half of an element next to a node. @param side  1: the element begins at the node; −1:
+/// it ends there.
+void LineNodes::add_half(const Span& span, double side, Lump& lump) noexcept {
     if (span.of == nullptr) return;
     HalfElement& half = lump.half[lump.halves++];
     half.of = span.of;
@@ -115,7 +116,7 @@ void LineLumps::add_half(const Span& span, double side, Lump& lump) noexcept {
     half.along = side * span.along;
 }
 
-void LineLumps::list(const World& world) {
+void LineNodes::list(const World& world) {
     wires_.clear();
     std::size_t nodes = 0;
     if (!table_.sorts.empty())
@@ -131,7 +132,7 @@ void LineLumps::list(const World& world) {
     loads_.resize(nodes);
 }
 
-void LineLumps::find(const World& world, int number) noexcept {
+void LineNodes::find(const World& world, int number) noexcept {
     const Wire& wire = wires_[at(number)];
     const auto& [nodes, elements, first] = wire;
     find_sorts(wire);
@@ -161,14 +162,14 @@ void LineLumps::find(const World& world, int number) noexcept {
         lump.motion = {places_[first + i], world.velocity(body).linear};
         if (i > 0) add_half(spans_[first + i - 1], -1.0, lump);
         if (i < elements.size()) add_half(spans_[first + i], 1.0, lump);
-        // What has parted hangs as the rest of the line does.
+        // A broken element has the direction of its neighbour.
         if (lump.halves == 2)
             for (int k = 0; k < 2; ++k)
                 if (lump.half[k].along.isZero(0.0)) lump.half[k].along = lump.half[1 - k].along;
     }
 }
 
-void LineLumps::load(const WaterField& field, bool convective, int begin, int end) noexcept {
+void LineNodes::load(const WaterField& field, bool convective, int begin, int end) noexcept {
     FieldPoint where[kChunk];
     WaterPoint water[kChunk];
     int wet[kChunk];
@@ -188,7 +189,7 @@ void LineLumps::load(const WaterField& field, bool convective, int begin, int en
     }
 }
 
-double LineLumps::velocity_error(const WaterField& field, std::int64_t& compared) const {
+double LineNodes::velocity_error(const WaterField& field, std::int64_t& compared) const {
     double worst = 0.0;
     for (int begin = 0; begin < count(); begin += kChunk) {
         FieldPoint where[kChunk];
@@ -206,7 +207,7 @@ double LineLumps::velocity_error(const WaterField& field, std::int64_t& compared
     return worst;
 }
 
-int LineLumps::points(int begin, int end, FieldPoint* out, int* wet) const noexcept {
+int LineNodes::points(int begin, int end, FieldPoint* out, int* wet) const noexcept {
     int count = 0;
     for (int i = begin; i < end; ++i) {
         const Lump& lump = lumps_[at(i)];

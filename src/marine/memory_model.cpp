@@ -20,8 +20,8 @@ namespace {
 
 using Eigen::MatrixXd;
 
-constexpr int kSamples = 400;    ///< Of K, for C and the fit's error.
-constexpr int kBlockRows = 240;  ///< Most rows of H.
+constexpr int kSamples = 400;    ///< Number of samples of K, for C and the error of the fit.
+constexpr int kBlockRows = 240;  ///< Maximum number of rows of H.
 
 /// Motions that radiate, and K between them, scaled to ones at 0.
 class Scaled {
@@ -45,7 +45,7 @@ class Scaled {
             }
         return out;
     }
-    /// Where K has become small.
+    /// Return the time after which K is small.
     [[nodiscard]] double end() const {
         const double all = (*this)(0.0).norm();
         double last = memory_ / kSamples;
@@ -63,7 +63,7 @@ class Scaled {
     double memory_;
 };
 
-/// e^{At} B of the blocks, a row a state.
+/// Return e^{At} B of the blocks, one row per state.
 MatrixXd run(const std::vector<MemoryModel::Block>& blocks, const MatrixXd& b, double t) {
     MatrixXd out(b.rows(), b.cols());
     Eigen::Index s = 0;
@@ -82,7 +82,7 @@ MatrixXd run(const std::vector<MemoryModel::Block>& blocks, const MatrixXd& b, d
     return out;
 }
 
-/// Blocks and B of H's first `order` singular values.
+/// Compute blocks and B from the first `order` singular values of H.
 void realise(const Scaled& k, double end, int order, std::vector<MemoryModel::Block>& blocks,
              MatrixXd& b) {
     const auto n = static_cast<Eigen::Index>(k.motions.size());
@@ -118,7 +118,7 @@ void realise(const Scaled& k, double end, int order, std::vector<MemoryModel::Bl
     MatrixXd basis(r, r);
     for (Eigen::Index i = 0; i < r; ++i) {
         const std::complex<double> at = eigen.values(i);
-        // What grows, decays as fast.
+        // Reflect growing poles: they decay at the same rate.
         double size = std::clamp(std::abs(at), 1e-12, 1e12);
         if (size > 1.0) size = 1.0 / size;
         const double decay = std::min(std::log(size) / delta, -1e-3 / end);
@@ -134,8 +134,8 @@ void realise(const Scaled& k, double end, int order, std::vector<MemoryModel::Bl
     b = base::least_squares(basis, s.leftCols(n));
 }
 
-/// Largest lack of passivity of C (iω − A)⁻¹ B over frequencies, entries scaled. The Hermitian part
-/// P + iQ has the eigenvalues of the symmetric (P, −Q; Q, P), each twice.
+/// Return the largest deficit of passivity of C (iω − A)⁻¹ B over frequencies, with scaled entries.
+/// The Hermitian part P + iQ has the eigenvalues of the symmetric (P, −Q; Q, P), each twice.
 double lack_of(const std::vector<MemoryModel::Block>& blocks, const MatrixXd& b, const MatrixXd& c,
                double top) {
     using std::complex;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file memory_sums.h
-/// Sums over the past of a hull (radiation.h), compiled once for each instruction set.
+/// Sum over the past motion of a hull (radiation.h), compiled once for each instruction set.
 
 ///
-/// h K lies as it is read, once a step: blocks of eight samples, of each block all pairs, so that
-/// one stream comes out of the second cache instead of 21. Past velocities are a ring: a block of
-/// it may begin anywhere and goes on behind the ring's end, where the first seven samples stand
-/// again.
+/// h K is stored in the order in which a step reads it: blocks of eight samples, with all pairs in
+/// each block. One stream is then read from the second-level cache instead of 21. Past velocities
+/// are a ring buffer. Its first seven samples are repeated behind its end, so that a block may
+/// begin at any sample.
 
 #include <cstdint>
 
@@ -15,20 +15,21 @@ namespace hawser::marine {
 
 inline constexpr std::int64_t kMemoryBlock = 8;  ///< Samples.
 
-/// Samples with room for whole blocks.
+/// Return the number of samples, rounded up to whole blocks.
 [[nodiscard]] constexpr std::int64_t memory_padded(std::int64_t count) noexcept {
     return (count + kMemoryBlock - 1) / kMemoryBlock * kMemoryBlock;
 }
-/// Entries of a motion's ring: what stands behind its end counts.
+/// Return the stride of the rings of motions: samples, and the repeated samples behind the end.
 [[nodiscard]] constexpr std::int64_t memory_stride(std::int64_t count) noexcept {
     return count + kMemoryBlock;
 }
 
-/// Σ over samples, by instruction set.
+/// Sums over samples, by instruction set.
 struct MemoryKernels {
-    /// out[i] += Σ_m k[m] v_j[m], out[j] += Σ_m k[m] v_i[m] (once for i = j) of samples [0, count).
-    /// @param k  By block, pair, sample; 0 from `count` on. @param v  Of each motion a ring,
-    /// memory_stride() apart. @param newest  Place of sample 0 in it. @param pairs  i, j of each.
+    /// Compute out[i] += Σ_m k[m] v_j[m] and out[j] += Σ_m k[m] v_i[m] (once for i = j) over the
+    /// samples [0, count). @param k  By block, pair, sample; 0 from `count` on. @param v  Ring of
+    /// each motion, memory_stride() entries each. @param newest  Index of sample 0 in the ring.
+    /// @param pairs  i and j of each pair.
     void (*sums)(const double* k, const double* v, std::int64_t count, std::int64_t newest,
                  const int* pairs, int pair_count, double* out) noexcept;
 };

@@ -14,7 +14,7 @@ constexpr double kPi = std::numbers::pi;
 
 Matrix6 symmetric(const Matrix6& m) { return 0.5 * (m + m.transpose()); }
 
-/// sin(x)/x, by its series near 0.
+/// Return sin(x)/x, by its series near 0.
 double sinc(double x) noexcept { return std::abs(x) < 1e-4 ? 1.0 - x * x / 6.0 : std::sin(x) / x; }
 
 }  // namespace
@@ -29,7 +29,7 @@ Matrix6 without_negative(const Matrix6& m) {
         scale.cwiseInverse().asDiagonal() * s * scale.cwiseInverse().asDiagonal();
     const auto eigen = base::symmetric_eigen(scaled);
     if (eigen.values(0) >= 0.0) return s;
-    // Above rounding, so that sums and turns of it have no negative pivot, either.
+    // Keep eigenvalues above rounding, so that sums and rotations have no negative pivot.
     const Vec6 kept = eigen.values.cwiseMax(1e-12);
     const Matrix6 back = eigen.vectors * kept.asDiagonal() * eigen.vectors.transpose();
     return symmetric(scale.asDiagonal() * back * scale.asDiagonal());
@@ -40,8 +40,8 @@ Matrix6 linear_at(const std::vector<double>& w, const std::vector<Matrix6>& m, d
     if (after == w.begin()) return m.front();
     if (after == w.end()) return m.back();
     const auto i = static_cast<std::size_t>(after - w.begin());
-    const double share = (omega - w[i - 1]) / (w[i] - w[i - 1]);
-    return (1.0 - share) * m[i - 1] + share * m[i];
+    const double fraction = (omega - w[i - 1]) / (w[i] - w[i - 1]);
+    return (1.0 - fraction) * m[i - 1] + fraction * m[i];
 }
 
 WaveCoefficients without_noise(const WaveCoefficients& c) {
@@ -77,8 +77,8 @@ DampingNodes damping_nodes(const WaveCoefficients& c) {
 }
 
 Matrix6 retardation_of(const DampingNodes& nodes, double t) {
-    // ∫ of a linear piece by parts: its ends' B sin ωt/t cancel, as B is continuous and 0 at both
-    // ends of all; what is left is slope × (cos ω₁t − cos ω₀t)/t².
+    // Integrate linear pieces by parts. The boundary terms B sin ωt/t cancel, because B is
+    // continuous and 0 at both ends. The remainder of a piece is slope × (cos ω₁t − cos ω₀t)/t².
     Matrix6 sum = Matrix6::Zero();
     for (std::size_t i = 1; i < nodes.frequency.size(); ++i) {
         const double wide = nodes.frequency[i] - nodes.frequency[i - 1];
@@ -104,7 +104,8 @@ Vec6 memory_scale(const Matrix6& first) noexcept {
 
 namespace {
 
-/// What damping of a frequency lacks to be positive semi-definite, at most, entries scaled.
+/// Return the amount by which a damping matrix fails to be positive semi-definite, with scaled
+/// entries.
 double deficit(const Matrix6& damping, const Vec6& scale) {
     Matrix6 m = symmetric(damping);
     for (int i = 0; i < 6; ++i)
@@ -131,7 +132,7 @@ Retardation sampled_retardation(const WaveCoefficients& c, double step, double m
         const double t = static_cast<double>(m) * step;
         out.later.push_back(memory_window(t, memory) * retardation_of(nodes, t));
     }
-    // Its damping at frequencies as fine as the memory tells apart, by a turning phasor.
+    // Sample the damping at frequencies as fine as the memory resolves, by a rotating phasor.
     const Vec6 scale = memory_scale(out.first);
     const double top = std::min(kPi / step, nodes.frequency.back());
     const int points = std::clamp(static_cast<int>(2.0 * top * memory / kPi), 32, 400);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file radiation.h
-/// The memory of what a hull radiates (hawser/hydro.h): K(t), its sums over the past, and its
-/// states.
+/// Compute the memory of radiated waves of a hull (hawser/hydro.h): K(t), its sums over the past,
+/// and its state-space form.
 
 #include <hawser/hydro.h>
 #include <hawser/system.h>
@@ -19,30 +19,30 @@ namespace hawser::marine {
 
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 
-/// Coefficients whose A(∞), A and B are positive semi-definite to rounding: programs give them with
-/// some noise, which coefficients_fault() bounds.
+/// Return coefficients whose A(∞), A and B are positive semi-definite to rounding. Files have some
+/// noise, which coefficients_fault() bounds.
 [[nodiscard]] WaveCoefficients without_noise(const WaveCoefficients& c);
 
-/// Linear between frequencies, constant beyond them.
+/// Interpolate linearly between frequencies; the value is constant beyond the ends.
 [[nodiscard]] Matrix6 linear_at(const std::vector<double>& frequency,
                                 const std::vector<Matrix6>& matrix, double omega);
-/// The nearest matrix without negative eigenvalues, with the diagonal scaled to ones.
+/// Return the nearest matrix without negative eigenvalues, with the diagonal scaled to ones.
 [[nodiscard]] Matrix6 without_negative(const Matrix6& m);
 
-/// Nodes of B(ω), linear between them, from 0 on, to where it ends.
+/// Nodes of the piecewise linear B(ω), from 0 to its end.
 struct DampingNodes {
     std::vector<double> frequency;  ///< [rad/s].
     std::vector<Matrix6> damping;
 };
 [[nodiscard]] DampingNodes damping_nodes(const WaveCoefficients& c);
 
-/// (2/π) ∫ B cos ωt dω of nodes.
+/// Return K(t) = (2/π) ∫ B cos ωt dω from the nodes.
 [[nodiscard]] Matrix6 retardation_of(const DampingNodes& nodes, double t);
 
-/// How much of K is left at t: 1, from 0.8 T to T down to 0 as cos².
+/// Return the window of K at time t: 1 up to 0.8 T, then decreasing to 0 at T as cos².
 [[nodiscard]] double memory_window(double t, double memory) noexcept;
 
-/// Samples of K at h, 2h, … with the window, the same of 0, and what passivity needs.
+/// Samples of K at h, 2h, … with the window, K(0), and the damping that passivity requires.
 struct Retardation {
     double step = 0.0;
     Matrix6 first = Matrix6::Zero();  ///< K(0).
@@ -58,17 +58,18 @@ struct MemoryModel {
         double decay = 0.0, turn = 0.0;  ///< σ [1/s], ω [rad/s]; ω = 0: one state.
     };
     std::vector<Block> blocks;
-    std::vector<std::array<double, 6>> b;  ///< A row of B a state.
-    std::vector<std::array<double, 6>> c;  ///< A column of C a state.
+    std::vector<std::array<double, 6>> b;  ///< Rows of B, one per state.
+    std::vector<std::array<double, 6>> c;  ///< Columns of C, one per state.
     Matrix6 first = Matrix6::Zero();       ///< (C B + (C B)ᵀ)/2.
     Matrix6 added = Matrix6::Zero();
     double fit_error = 0.0;
     [[nodiscard]] Matrix6 at(double t) const;
 };
-/// @param order  Most states. @throws DefError where nothing of this order is stable.
+/// Fit a state-space model to the memory. @param order  Maximum number of states.
+/// @throws DefError if no stable model of this order exists.
 [[nodiscard]] MemoryModel memory_model(const WaveCoefficients& c, int order, double memory);
 
-/// Size of each motion's memory, √K_ii(0); 1 where there is none.
+/// Return the scale of each motion's memory, √K_ii(0); 1 if it is 0.
 [[nodiscard]] Vec6 memory_scale(const Matrix6& first) noexcept;
 
 /// The memory of one hull.
@@ -77,21 +78,21 @@ class HullMemorySums {
     HullMemorySums() = default;
     HullMemorySums(const WaterHull& def, double step);
 
-    /// Takes the velocity after the last step. @param velocity  ν at the reference, body's axes.
+    /// Store the velocity after the last step. @param velocity  ν at the reference, body axes.
     void push(const Vec6& velocity) noexcept;
-    /// ν half a step on, in the middle of what is to come, by the last two; before push().
+    /// Extrapolate ν by half a step from the last two velocities. Call before push().
     [[nodiscard]] Vec6 ahead(const Vec6& velocity) const noexcept {
         return begun_ != 0 ? Vec6(1.5 * velocity - 0.5 * last_) : velocity;
     }
-    /// What the past does now; the implicit part is damping().
+    /// Return the force of the past motion; damping() is the implicit part.
     [[nodiscard]] Vec6 force() const noexcept;
-    /// ½ h K(0) and what passivity needs.
+    /// Return ½ h K(0) plus the damping that passivity requires.
     [[nodiscard]] const Matrix6& damping() const noexcept { return damping_; }
     void visit_state(StateVisitor& v);
     void check_state(StateRules& rules) const;
     void tell(HullMemory& out) const;
     [[nodiscard]] bool any() const noexcept { return kind_ != RadiationKind::none; }
-    /// push() is to be called: there is a memory, or ahead() is asked for.
+    /// True if push() must be called: a memory exists, or ahead() is in use.
     [[nodiscard]] bool follows() const noexcept { return any() || follows_; }
 
   private:
@@ -102,10 +103,10 @@ class HullMemorySums {
     [[nodiscard]] std::size_t place(int motion, std::int64_t sample) const noexcept {
         return static_cast<std::size_t>(motion * memory_stride(count_) + sample);
     }
-    /// The ring's first samples stand behind its end again.
+    /// Repeat the first samples of the ring behind its end.
     void go_on_behind() noexcept;
 
-    // Convolution: h K of pairs (i ≥ j) that are not 0, as memory_sums.h has them.
+    // Convolution: h K of the pairs (i ≥ j) that are not 0, in the format of memory_sums.h.
     struct Pair {
         int i = 0, j = 0;
     };

@@ -13,7 +13,8 @@ namespace {
 
 static_assert(RodWater::kChunk <= WaterField::kMostPoints);
 
-/// += c b bᵀ for b = (n, p × n): what one direction at a point is of all six.
+/// Add c b bᵀ for b = (n, p × n): the contribution of the direction n at the point p to the six
+/// motions.
 void add_at(double c, const Vec3& n, const Vec3& arm, std::array<double, 21>& to) noexcept {
     const Vec3 turn = arm.cross(n);
     const double b[6] = {n.x(), n.y(), n.z(), turn.x(), turn.y(), turn.z()};
@@ -23,7 +24,7 @@ void add_at(double c, const Vec3& n, const Vec3& arm, std::array<double, 21>& to
     }
 }
 
-/// += c r rᵀ for r = (1, y, −x).
+/// Add c r rᵀ for r = (1, y, −x).
 void add_rise(double c, const Vec3& arm, std::array<double, 6>& to) noexcept {
     const double r[3] = {1.0, arm.y(), -arm.x()};
     for (int i = 0, k = 0; i < 3; ++i)
@@ -57,7 +58,7 @@ void RodWater::begin(const World& world) noexcept {
     t_ = axes_ * along_;
     n_[0] = axes_ * side_;
     n_[1] = axes_ * other_;
-    // √(1 − t_z²) without what is left of 1 − 1.
+    // √(1 − t_z²), computed without cancellation.
     reach_ = length_ * std::abs(t_.z()) + def_.water.diameter * std::hypot(t_.x(), t_.y());
 }
 
@@ -70,14 +71,14 @@ void RodWater::load(const WaterField& field, bool convective, int chunk) noexcep
     FieldPoint points[kChunk];
     WaterPoint water[kChunk];
     for (int i = 0; i < count; ++i) {
-        const double share = (first + i + 0.5) / def_.segments;
-        const Vec3 place = position_ + axes_ * (def_.from + share * (def_.to - def_.from));
+        const double fraction = (first + i + 0.5) / def_.segments;
+        const Vec3 place = position_ + axes_ * (def_.from + fraction * (def_.to - def_.from));
         points[i] = {place, place.z() + 0.5 * reach_};
     }
     field.water(points, count, water);
     for (int i = 0; i < count; ++i) {
-        const double share = (first + i + 0.5) / def_.segments;
-        const Vec3 arm = axes_ * (def_.from + share * (def_.to - def_.from));
+        const double fraction = (first + i + 0.5) / def_.segments;
+        const Vec3 arm = axes_ * (def_.from + fraction * (def_.to - def_.from));
         if (convective) water[i].acceleration += sea.convection(field.now(), position_ + arm);
         add_segment(arm, water[i], law, out);
     }
@@ -87,7 +88,7 @@ void RodWater::add_segment(const Vec3& arm, const WaterPoint& water, const Water
                            Part& out) const noexcept {
     const LineWater& of = def_.water;
     const double depth = water.elevation - (position_.z() + arm.z() - 0.5 * reach_);
-    const double wet = wet_share(depth, 0.0, reach_);
+    const double wet = wet_fraction(depth, 0.0, reach_);
     if (!(wet > 0.0)) return;
     out.wet = true;
     out.deepest = std::max(out.deepest, depth);
@@ -106,7 +107,7 @@ void RodWater::add_segment(const Vec3& arm, const WaterPoint& water, const Water
     }
     add_at(2.0 * p.ct * p.slide, t_, arm, out.damping);
     add_at(p.mass * of.ca_tangential, t_, arm, out.mass);
-    // What of the point's acceleration is none of the body's velocity's.
+    // Part of the point's acceleration that does not come from the change of the body's velocity.
     const Vec3 inward = twist_.angular.cross(turning), inward_along = t_ * t_.dot(inward);
     push -= p.mass * (of.ca_normal * (inward - inward_along) + of.ca_tangential * inward_along);
     const double weight = p.displaced * law.gravity;

@@ -171,8 +171,7 @@ WaterPoint Sea::water(const SeaMoment& now, const Vec3& point) const noexcept {
 }
 
 Vec3 Sea::convection(const SeaMoment& now, const Vec3& point) const noexcept {
-    // By components: ∂u/∂x, ∂u/∂y, ∂u/∂z of the stretched column; no kernel, it is asked for
-    // seldom.
+    // Sum by components: ∂u/∂x, ∂u/∂y, ∂u/∂z of the stretched column. Too rare to need a kernel.
     Vec3 u = Vec3::Zero();
     Mat3 gradient = Mat3::Zero();
     const double z = stretched(point.z(), elevation(now, point.x(), point.y()));

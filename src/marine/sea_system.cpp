@@ -14,13 +14,13 @@
 namespace hawser::marine {
 namespace {
 
-constexpr int kLumpChunk = LineLumps::kChunk;
-static_assert(kLumpChunk <= WaterField::kMostPoints &&
+constexpr int kNodeChunk = LineNodes::kChunk;
+static_assert(kNodeChunk <= WaterField::kMostPoints &&
               HullWater::kChunk <= WaterField::kMostPoints);
 
 std::size_t slot(int i) noexcept { return static_cast<std::size_t>(i); }
 
-/// What a triangle of three rows is in one of any size, from row `first` on.
+/// Add a 3×3 triangle to a larger one, from row `first` on.
 template <class To>
 void add_sym(const Sym3& from, To& to) noexcept {
     for (int n = 0; n < 6; ++n) to[n] += from.m[n];
@@ -34,7 +34,7 @@ void add_point(const PointLoad& from, const BodyLoad& to) noexcept {
     add_sym(from.stiffness, to.stiffness);
 }
 
-/// A hull or a rod.
+/// Add the loads of a hull or a rod.
 template <class Water>
 void add_hull(const Water& from, const BodyLoad& to) noexcept {
     if (to.freedom < 6) return;
@@ -133,7 +133,7 @@ void SeaSystem::signals(SignalTable& table) {
     table.input("current", "1", in_.current, -10.0, 10.0);
     table.input("wind", "m/s", in_.wind, 0.0, 100.0);
     table.input("wind_direction", "rad", in_.wind_direction, -1e3, 1e3);
-    // A hundredth of the water at the lowest tide stays: there is no sea below the bottom.
+    // Keep a hundredth of the depth at the lowest tide: the sea must not fall below the bottom.
     double lowest = def_.level.empty() ? 0.0 : def_.level.front().level;
     for (const SeaLevel& l : def_.level) lowest = std::min(lowest, l.level);
     table.input("level", "m", in_.level, std::max(-100.0, -0.99 * (def_.depth + lowest)), 100.0);
@@ -161,7 +161,7 @@ void SeaSystem::prestep(Prestep& now, Loads& loads) noexcept {
     }
     elevation_ = sea_.elevation(moment_, def_.gauge[0], def_.gauge[1]);
     gust_ = moment_.wind - moment_.mean_wind;
-    tide_ = sea_.tide(now.time);  // without in_.level, which is an input of its own
+    tide_ = sea_.tide(now.time);  // without in_.level, which is a separate input
     if (!compute(now)) return now.set_input(InputId{}, std::nan(""));
     acted_ = true;
     give(loads);
@@ -194,14 +194,14 @@ void SeaSystem::do_work(const Work& w) noexcept {
 bool SeaSystem::compute(Prestep& now) noexcept {
     for (HullWater& hull : hulls_) hull.begin(now.world, def_.convective);
     for (RodWater& rod : rods_) rod.begin(now.world);
-    // Threads meet four times, however many hulls there are.
+    // Threads synchronise four times, for any number of hulls.
     now.for_each(lines_.wires(), [&](int i) noexcept { lines_.find(now.world, i); });
     const int works = static_cast<int>(points_.size());
-    const int lumps = lines_.count(), chunks = (lumps + kLumpChunk - 1) / kLumpChunk;
+    const int lumps = lines_.count(), chunks = (lumps + kNodeChunk - 1) / kNodeChunk;
     now.for_each(works + chunks + static_cast<int>(bodies_.size()), [&](int i) noexcept {
         if (i < works) return do_work(points_[slot(i)]);
         if (i >= works + chunks) return load_body(now.world, i - works - chunks);
-        const int first = (i - works) * kLumpChunk, end = std::min(first + kLumpChunk, lumps);
+        const int first = (i - works) * kNodeChunk, end = std::min(first + kNodeChunk, lumps);
         lines_.load(field_, def_.convective, first, end);
     });
     for (const HullWater& hull : hulls_)
@@ -217,7 +217,7 @@ bool SeaSystem::compute(Prestep& now) noexcept {
     return true;
 }
 
-/// In the order of lumps, bodies, hulls and rods, whoever computed them.
+/// Add all loads in the order of nodes, bodies, hulls and rods, independent of threads.
 void SeaSystem::give(Loads& loads) const noexcept {
     for (int i = 0; i < lines_.count(); ++i)
         if (lines_.of(i).any) add_point(lines_.of(i), loads.of(lines_.body(i)));

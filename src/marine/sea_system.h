@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file sea_system.h
-/// What the sea does at the beginning of each step (hawser/sea.h).
+/// Apply the sea at the beginning of each step (hawser/sea.h).
 ///
-/// Lumps of lines, bodies, corners of hulls and segments of rods are looked up in the order of the
-/// definition and of the wires' nodes; what the water does to each is computed by several threads,
-/// each with entries of its own; then loads are added in that order. No sum depends on threads.
+/// Nodes of lines, bodies, corners of hulls and segments of rods are listed in the order of the
+/// definition and of the wires' nodes. Several threads compute their loads, each into separate
+/// entries. Loads are then added in that order, so that no sum depends on threads.
 ///
-/// *Lines.* An element is of the sort that its definition says for the elements there were then.
-/// Elements that came since are of the sort of the one before them on their wire, at the beginning
-/// of it of the first known one behind; a wire that was cut off another one finds its own elements
-/// again. Halves at bodies that held the line's ends at the definition have no water.
+/// *Lines.* The definition gives each element of that time a sort (its coefficients). A later
+/// element has the sort of the element before it on its wire, or of the first known one behind it
+/// at the beginning of a wire. A wire that was cut off keeps its own elements. If a body held an
+/// end of the line at the definition, the half element at the body has no water.
 
 #include <hawser/sea.h>
 #include <hawser/sea_accuracy.h>
@@ -33,43 +33,44 @@
 
 namespace hawser::marine {
 
-/// Sorts of elements, and who holds lines: what a system knows of the wires that it was made of.
+/// Sorts of elements, and the bodies that hold lines, at the time of the definition.
 struct LineTable {
     struct Known {
         std::int32_t generation = -1, sort = -1;
     };
     std::vector<LineWater> sorts;      ///< With their volumes.
-    std::vector<Known> of_element;     ///< By place of the interaction.
+    std::vector<Known> of_element;     ///< Sort by index of the interaction.
     std::vector<BodyId> holders;       ///< Ascending.
     std::array<int, 64> length_param;  ///< By kind, −1: none.
 
     [[nodiscard]] int sort_of(InteractionId id) const noexcept;
     [[nodiscard]] bool holds(BodyId id) const noexcept;
 };
-/// @throws SeaError
+/// List the sorts of the lines of a sea. @throws SeaError
 [[nodiscard]] LineTable line_table(const World& world, const SeaDef& def);
 
-/// Lumps of lines in the water.
-class LineLumps {
+/// Nodes of lines in the water.
+class LineNodes {
   public:
     struct Lump {
         BodyId body{};
         PointMotion motion{Vec3::Zero(), Vec3::Zero()};
         HalfElement half[2]{};
-        int halves = 0;  ///< 0: no lump, or not in the water.
+        int halves = 0;  ///< Number of half elements; 0: no node, or not in the water.
     };
-    explicit LineLumps(LineTable table) : table_(std::move(table)) {}
-    /// Wires as they are now. @throws std::bad_alloc
+    explicit LineNodes(LineTable table) : table_(std::move(table)) {}
+    /// List the present wires. @throws std::bad_alloc
     void list(const World& world);
     [[nodiscard]] int wires() const noexcept { return static_cast<int>(wires_.size()); }
-    /// Lumps of one of them as they are now.
+    /// List the present nodes of one wire.
     void find(const World& world, int wire) noexcept;
-    static constexpr int kChunk = 16;  ///< Lumps of one task.
-    /// Loads on lumps [begin, end), at most kChunk.
+    static constexpr int kChunk = 16;  ///< Number of nodes of one task.
+    /// Compute the loads on the nodes [begin, end), at most kChunk.
     void load(const WaterField& field, bool convective, int begin, int end) noexcept;
-    /// Largest error of a velocity of the last load() [m/s]. @param points  Counts nodes.
+    /// Return the largest error of a velocity of the last load() [m/s]. @param points  Increased by
+    /// the number of nodes.
     [[nodiscard]] double velocity_error(const WaterField& field, std::int64_t& points) const;
-    /// Nodes of all wires.
+    /// Return the number of nodes of all wires.
     [[nodiscard]] int count() const noexcept { return static_cast<int>(lumps_.size()); }
     [[nodiscard]] BodyId body(int i) const noexcept { return lumps_[at(i)].body; }
     [[nodiscard]] const PointLoad& of(int i) const noexcept { return loads_[at(i)]; }
@@ -77,16 +78,16 @@ class LineLumps {
 
   private:
     static std::size_t at(int i) noexcept { return static_cast<std::size_t>(i); }
-    /// Nodes of lines among [begin, end), and where they are. @return their number.
+    /// List the nodes in the water among [begin, end), with their positions. @return their number.
     int points(int begin, int end, FieldPoint* out, int* lump) const noexcept;
     struct Wire {
         std::span<const BodyId> nodes;
         std::span<const InteractionId> elements;
-        std::size_t first;  ///< Place of its first node.
+        std::size_t first;  ///< Index of its first node.
     };
     void find_sorts(const Wire& wire) noexcept;
     enum class NodeState : std::uint8_t { gone, lump, other };
-    /// An element in the water.
+    /// Element in the water.
     struct Span {
         const LineWater* of = nullptr;  ///< Null: no element, or not in the water.
         Vec3 chord{0.0, 0.0, 0.0};      ///< From its first to its last node; 0: parted [m].
@@ -98,7 +99,7 @@ class LineLumps {
 
     LineTable table_;
     std::vector<Wire> wires_;
-    // By node of all wires; an element has the place of the node before it.
+    // By node of all wires; an element has the index of the node before it.
     std::vector<int> sorts_;
     std::vector<Vec3> places_;
     std::vector<NodeState> nodes_;
@@ -107,16 +108,16 @@ class LineLumps {
     std::vector<PointLoad> loads_;
 };
 
-/// A hull in the water.
+/// Hull in the water.
 class HullWater {
   public:
-    static constexpr int kChunk = 64;  ///< Corners or triangles of one task.
+    static constexpr int kChunk = 64;  ///< Number of corners or triangles of one task.
 
-    /// @param heading  Of the body, at first.
+    /// @param heading  Initial heading of the body [rad].
     /// @param reach  Radius of a cluster of points in single precision [m]; 0: none.
     HullWater(const WaterHull& def, const Sea& sea, double step, double heading, double reach);
     void begin(const World& world, bool convective) noexcept;
-    /// Memory and waves by coefficients; hulls by several threads.
+    /// Update the memory and the wave forces by coefficients. Several threads process hulls.
     void remember(const Sea& sea, const SeaMoment& now) noexcept;
     [[nodiscard]] int corner_chunks() const noexcept;
     [[nodiscard]] int strip_chunks() const noexcept;
@@ -125,19 +126,20 @@ class HullWater {
     [[nodiscard]] int cell_chunks() const noexcept;
     /// Sample the water at the hull's cells.
     void flow_over(const WaterField& field, int chunk) noexcept;
-    /// Largest error of a velocity at a cell in the last step [m/s]. @param points  Counts cells.
+    /// Return the largest error of a velocity at a cell in the last step [m/s]. @param points
+    /// Increased by the number of cells.
     [[nodiscard]] double velocity_error(const WaterField& field, std::int64_t& points) const {
         return flow_.velocity_error(field, pose_, points);
     }
     /// Take the water's velocity at the hull's strips.
     void flow_past(const WaterField& field, int chunk) noexcept;
-    /// Triangles, once all corners are pressed.
+    /// Sum the triangles of a task. All corners must have their pressures.
     void sum(int chunk) noexcept;
-    /// Adds the parts up and the forces at the centre of mass.
+    /// Sum the parts of the tasks, and add the forces at the centre of mass.
     void finish(const WaterField& field, double air) noexcept;
     [[nodiscard]] BodyId body() const noexcept { return def_->body; }
     [[nodiscard]] bool any() const noexcept { return any_; }
-    /// A wave has a direction that the coefficients lack.
+    /// True if a wave has a direction that the coefficients lack.
     [[nodiscard]] bool lost() const noexcept { return lost_; }
     void visit_state(StateVisitor& v);
     void check_state(StateRules& rules) const;
@@ -153,44 +155,45 @@ class HullWater {
     void add_coefficients(const Sea& sea, const SeaMoment& now) noexcept;
     void add_strips(const Sea& sea) noexcept;
     static void add_matrix(const Mat3& axes, const Matrix6& m, std::array<double, 21>& to) noexcept;
-    /// @param moment  About the centre of mass.
+    /// Add a force and a moment. @param moment  About the centre of mass.
     void add_force(const Vec3& push, const Vec3& moment) noexcept;
     void add_at_reference(const Vec6& f) noexcept;
 
     const WaterHull* def_;
-    double volume_ = 0.0;  ///< Of all of it [m³].
+    double volume_ = 0.0;  ///< Volume of the whole mesh [m³].
     Pose pose_{};
     Twist twist_{};
     Mat3 axes_ = Mat3::Identity();
-    /// Of coefficients: the body's axes; where waves act by them, level ones at the slow heading,
-    /// in which they are linear, so that their means are those of the drift's table alone.
+    /// Frame of the coefficients: the body's axes. If wave forces come from coefficients, it is
+    /// level and has the slow heading. The coefficients are linear in this frame, so that their
+    /// mean comes from the drift table alone.
     Mat3 frame_ = Mat3::Identity();
-    std::vector<HullCorner> corners_;  ///< About the centre of mass, in world axes.
-    std::vector<std::int32_t> order_;  ///< Corners as clusters take them.
+    std::vector<HullCorner> corners_;  ///< Positions relative to the centre of mass, in world axes.
+    std::vector<std::int32_t> order_;  ///< Corners in the order of the clusters.
     std::vector<HullSums> parts_;
-    std::vector<Vec3> flows_;  ///< Of the water at strips.
+    std::vector<Vec3> flows_;  ///< Velocities of the water at strips [m/s].
     HullFlow flow_;
     bool any_ = false, lost_ = false, convective_ = false;
-    // By coefficients; matrices at the centre of mass, along the body's axes.
+    // From coefficients; matrices at the centre of mass, along the body's axes.
     Matrix6 added_ = Matrix6::Zero(), constant_ = Matrix6::Zero(), statics_ = Matrix6::Zero();
-    double weight_ = 0.0;  ///< Of displaced water at rest [N].
+    double weight_ = 0.0;  ///< Weight of the displaced water at rest [N].
     HullMemorySums memory_;
     WaveForce waves_;
     Vec6 remembered_ = Vec6::Zero(), pushed_ = Vec6::Zero();
     Vec6 ahead_ = Vec6::Zero();  ///< ν at the reference half a step on, along frame_.
 };
 
-/// Of motions at the centre of mass to those at a point from it.
+/// Return the matrix that maps motions at the centre of mass to motions at `point`, relative to it.
 [[nodiscard]] Matrix6 motion_at(const Vec3& point) noexcept;
-/// Of a quaternion, about z [rad].
+/// Return the rotation of a quaternion about z [rad].
 [[nodiscard]] double heading_of(const Quat& q) noexcept;
 
 class SeaSystem final : public System {
   public:
-    /// What a system is made of beside the definition: so much of the world as it was then.
+    /// Data of the world at the definition, from which the system was made.
     struct Start {
         double step = 0.0;
-        std::vector<double> heading, weight;  ///< Of hulls' bodies [rad], [N].
+        std::vector<double> heading, weight;  ///< Heading [rad] and weight [N] of each hull's body.
     };
     SeaSystem(const SeaDef& def, double gravity, LineTable lines, Start start);
 
@@ -203,24 +206,25 @@ class SeaSystem final : public System {
     [[nodiscard]] bool is_water() const noexcept override { return true; }
     [[nodiscard]] std::unique_ptr<System> clone() const override;
     [[nodiscard]] const SeaDef& def() const noexcept { return def_; }
-    /// z of it at a time, with the level that was set [m].
+    /// Return z of still water at a time, with the level that was set [m].
     [[nodiscard]] double still_water(double time) const noexcept {
         return sea_.tide(time) + in_.level;
     }
-    /// @throws std::bad_alloc
+    /// Return the sums of loads by body, for readers. @throws std::bad_alloc
     [[nodiscard]] std::vector<LoadView> loads() const;
     [[nodiscard]] HullMemory memory(std::size_t hull) const;
     [[nodiscard]] SeaAccuracy accuracy() const;
 
   private:
-    /// Pieces of work on hulls and rods, in their order.
+    /// Tasks on hulls and rods, in their order.
     enum class Piece : std::uint8_t { corners, strips, cells, memory, triangles, segments };
     struct Work {
         Piece piece;
-        int hull, chunk;  ///< Of segments: `hull` is the rod.
+        int hull, chunk;  ///< For segments, `hull` is the index of the rod.
     };
 
-    /// What the water does to all of them. @return whether coefficients have all directions.
+    /// Compute the loads of the water on all objects. @return false if coefficients lack a
+    /// direction.
     [[nodiscard]] bool compute(Prestep& now) noexcept;
     void load_body(const World& world, int i) noexcept;
     void do_work(const Work& work) noexcept;
@@ -233,15 +237,16 @@ class SeaSystem final : public System {
     SeaInputs in_;
     SeaMoment moment_;
     WaterField field_;
-    LineLumps lines_;
+    LineNodes lines_;
     std::vector<PointLoad> bodies_;
     std::vector<HullWater> hulls_;
     std::vector<RodWater> rods_;
-    std::vector<Work> points_, sums_;  ///< What needs poses alone, and what needs pressures.
-    // Outputs.
+    std::vector<Work> points_,
+        sums_;  ///< Tasks that need poses only, and tasks that need pressures.
+    // Output signals.
     double elevation_ = 0.0, gust_ = 0.0, tide_ = 0.0;
     bool acted_ = false;
-    /// Σ of all of them by body, for readers.
+    /// Sum of all loads on a body, for readers.
     struct Total {
         BodyId body{};
         int freedom = 3;

@@ -8,7 +8,8 @@
 namespace hawser {
 
 double wave_number(double omega, double depth, double gravity) noexcept {
-    // With x = k d and y = ω² d/g: x tanh x = y, by Newton's method from above, where it is convex.
+    // With x = k d and y = ω² d/g, solve x tanh x = y by Newton's method from above, where the
+    // function is convex.
     const double y = omega * omega * depth / gravity;
     if (!(y > 0.0)) return 0.0;
     double x = y > 1.0 ? y : std::sqrt(y) * (1.0 + y / 6.0 + 11.0 * y * y / 360.0);
@@ -42,7 +43,8 @@ double gust_spectrum(double speed, double frequency) noexcept {
 namespace marine {
 namespace {
 
-/// Direction θ with ∫_{−π}^{θ} cos^2s(φ/2) dφ = share of the whole, by bisection of a table.
+/// Find the direction θ with ∫_{−π}^{θ} cos^2s(φ/2) dφ = fraction of the whole, by bisection of a
+/// table.
 class Spreading {
   public:
     explicit Spreading(double s) : sum_(kCells + 1, 0.0) {
@@ -52,8 +54,8 @@ class Spreading {
                 sum_[static_cast<std::size_t>(i)] +
                 integral(density, angle_of(i), angle_of(i + 1), 1);
     }
-    [[nodiscard]] double angle(double share) const {
-        const double wanted = share * sum_.back();
+    [[nodiscard]] double angle(double fraction) const {
+        const double wanted = fraction * sum_.back();
         const auto above = std::upper_bound(sum_.begin() + 1, sum_.end() - 1, wanted);
         const auto cell = static_cast<int>(above - sum_.begin()) - 1;
         const double low = *(above - 1), high = *above;
@@ -66,7 +68,7 @@ class Spreading {
     std::vector<double> sum_;
 };
 
-/// Each of `count` equal shares of the directions once, in an order at random.
+/// Draw one direction from each of `count` equal fractions of the distribution, in random order.
 std::vector<double> directions(const WaveDef& def, Draw& draw) {
     const auto count = static_cast<std::size_t>(def.components);
     std::vector<double> out(count, def.direction);
@@ -99,10 +101,10 @@ void add_components(const WaveDef& def, double depth, double gravity,
     double energy = 0.0;
     for (int i = 0; i < def.components; ++i) {
         const double begin = low + i * bin, omega = begin + draw() * bin;
-        const double share =
+        const double fraction =
             integral([&](double w) { return wave_spectrum(def, w); }, begin, begin + bin, 4);
-        energy += share;
-        out.push_back({std::sqrt(2.0 * share), omega, wave_number(omega, depth, gravity),
+        energy += fraction;
+        out.push_back({std::sqrt(2.0 * fraction), omega, wave_number(omega, depth, gravity),
                        towards[static_cast<std::size_t>(i)], kTwoPi * draw()});
     }
     const double scale = energy > 0.0 ? 0.25 * def.height / std::sqrt(energy) : 0.0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file spectra.h
-/// From what a sea is asked for to its components (hawser/sea.h).
+/// Compute the components of a sea from its definition (hawser/sea.h).
 
 #include <hawser/sea.h>
 
@@ -16,8 +16,8 @@ namespace hawser::marine {
 
 inline constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
-/// Numbers in [0, 1) from a seed, the same on every machine: SplitMix64 (G. L. Steele, D. Lea,
-/// C. H. Flood, "Fast splittable pseudorandom number generators", 2014).
+/// Draw numbers in [0, 1) from a seed, equal on every machine: SplitMix64 (G. L. Steele, D. Lea, C.
+/// H. Flood, "Fast splittable pseudorandom number generators", 2014).
 class Draw {
   public:
     explicit Draw(std::uint64_t seed) noexcept : state_(seed) {}
@@ -33,12 +33,13 @@ class Draw {
     std::uint64_t state_;
 };
 
-/// Components of one definition, which is sound, appended.
+/// Append the components of one valid definition.
 void add_components(const WaveDef& def, double depth, double gravity,
                     std::vector<WaveComponent>& out);
-/// Bins of equal ratio from 1/600 to 0.5 Hz with a frequency at random in each.
+/// Return the gust components: bins of equal ratio from 1/600 to 0.5 Hz, with a random frequency in
+/// each.
 [[nodiscard]] std::vector<GustComponent> gust_components(const WindDef& def);
-/// ∫ of f over [a, b] by Simpson's rule in `pieces` double pieces.
+/// Integrate f over [a, b] by Simpson's rule in `pieces` double pieces.
 template <class F>
 double integral(const F& f, double a, double b, int pieces) noexcept {
     const double h = (b - a) / (2 * pieces);
@@ -47,7 +48,7 @@ double integral(const F& f, double a, double b, int pieces) noexcept {
     return sum * h / 3.0;
 }
 
-/// The table of wave_sums.h of these components, of a multiple of eight columns.
+/// Build the table of wave_sums.h for these components, padded to a multiple of eight columns.
 [[nodiscard]] base::Array<double> wave_table(std::span<const WaveComponent> waves, double depth);
 
 }  // namespace hawser::marine

@@ -12,13 +12,13 @@
 namespace hawser::marine {
 namespace {
 
-/// Directions this far beyond the ends of a table are those of its ends [rad].
+/// Tolerance of directions beyond the ends of a table; they use the end's values [rad].
 constexpr double kBeyond = 5.0 * std::numbers::pi / 180.0;
 
 double wrapped(double angle) noexcept { return angle - kTwoPi * std::nearbyint(angle / kTwoPi); }
 
-/// A table's column at ω, linear between frequencies. Below the first one what is there; above the
-/// last one `above` times what is there.
+/// Interpolate a column of a table linearly at ω. Below the first frequency its value applies;
+/// above the last one, `above` times its value.
 template <class T>
 std::array<T, 6> column_at(const WaveCoefficients& c, const std::vector<T>& table, std::size_t head,
                            double omega, double above) {
@@ -28,15 +28,15 @@ std::array<T, 6> column_at(const WaveCoefficients& c, const std::vector<T>& tabl
     const bool low = after == w.begin(), high = after == w.end();
     const std::size_t i = low ? 0 : static_cast<std::size_t>(after - w.begin()) - 1;
     const std::size_t j = low || high ? i : i + 1;
-    const double share = i == j ? 0.0 : (omega - w[i]) / (w[j] - w[i]);
+    const double fraction = i == j ? 0.0 : (omega - w[i]) / (w[j] - w[i]);
     const double scale = high && omega > w.back() * (1.0 + 1e-9) ? above : 1.0;
     for (int k = 0; k < 6; ++k)
-        out[static_cast<std::size_t>(k)] = scale * ((1.0 - share) * table[c.index(head, i, k)] +
-                                                    share * table[c.index(head, j, k)]);
+        out[static_cast<std::size_t>(k)] = scale * ((1.0 - fraction) * table[c.index(head, i, k)] +
+                                                    fraction * table[c.index(head, j, k)]);
     return out;
 }
 
-/// A body alike on both sides: nothing sways, rolls or yaws in waves from ahead and astern.
+/// True for a symmetric body: sway, roll and yaw vanish in waves from ahead and astern.
 bool alike(const WaveCoefficients& c, const std::vector<std::complex<double>>& table) {
     if (c.heading.size() < 2 || std::abs(c.heading.front()) > 1e-3 ||
         std::abs(c.heading.back() - std::numbers::pi) > 1e-3)
@@ -111,7 +111,7 @@ void WaveForce::fill(const WaterHull& def, const Sea& sea) {
             }
             if (drift_) {
                 const auto d = column_at(c, c.drift, column.of, w.frequency, 1.0);
-                // Long waves pass by: to 0 below the first frequency.
+                // Drift forces of long waves decrease to 0 below the first frequency.
                 const double low = std::min(1.0, w.frequency / c.frequency.front());
                 entry.drift = {low * d[0], low * sign(1) * d[1], low * sign(5) * d[5]};
             }
@@ -133,7 +133,7 @@ WaveForce::Spot WaveForce::find(double direction) const noexcept {
     out.high = out.low;
     if (after == heading_.end()) return out;
     out.high = out.low + 1;
-    out.share = (d - heading_[out.low]) / (heading_[out.high] - heading_[out.low]);
+    out.fraction = (d - heading_[out.low]) / (heading_[out.high] - heading_[out.low]);
     return out;
 }
 
@@ -176,7 +176,7 @@ bool WaveForce::act(const Sea& sea, const SeaMoment& now, Vec6& out) const noexc
         const Entry& p = table_[n * directions + spot.low];
         const Entry& q = table_[n * directions + spot.high];
         const auto mix = [&](double first, double second) {
-            return first + spot.share * (second - first);
+            return first + spot.fraction * (second - first);
         };
         if (force_)
             for (std::size_t k = 0; k < 6; ++k)
@@ -206,12 +206,14 @@ void WaveForce::visit_state(StateVisitor& v) {
 
 void WaveForce::check_state(StateRules& rules) const {
     if (!any()) return;
-    constexpr double kMostPlace = 1e15, kMostTurn = 1e9;  // [m], [rad]
+    constexpr double kMaxCoordinate = 1e15, kMaxTurn = 1e9;  // [m], [rad]
     rules.require(begun_ == 0 || begun_ == 1, "whether a hull's lags have begun is no flag");
     for (const auto& lag : lag_) {
-        rules.range(lag[0], -kMostPlace, kMostPlace, "the slow place of a hull is out of range");
-        rules.range(lag[1], -kMostPlace, kMostPlace, "the slow place of a hull is out of range");
-        rules.range(lag[2], -kMostTurn, kMostTurn, "the slow heading of a hull is out of range");
+        rules.range(lag[0], -kMaxCoordinate, kMaxCoordinate,
+                    "the slow place of a hull is out of range");
+        rules.range(lag[1], -kMaxCoordinate, kMaxCoordinate,
+                    "the slow place of a hull is out of range");
+        rules.range(lag[2], -kMaxTurn, kMaxTurn, "the slow heading of a hull is out of range");
     }
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file wave_force.h
-/// Force of waves on a hull by coefficients, mean and slow drift, and the slow place where they act
-/// (hawser/water_hull.h, hawser/hydro.h).
+/// Compute wave forces on a hull from coefficients: first order, mean and slow drift, and the slow
+/// position at which they act (hawser/water_hull.h, hawser/hydro.h).
 
 #include <hawser/sea.h>
 
@@ -18,16 +18,17 @@ namespace hawser::marine {
 class WaveForce {
   public:
     WaveForce() = default;
-    /// @throws DefError where the table lacks a direction that waves have at this heading.
+    /// @throws DefError if the table lacks a direction of the waves at this heading.
     WaveForce(const WaterHull& def, const Sea& sea, double step, double heading);
 
     [[nodiscard]] bool any() const noexcept { return force_ || drift_; }
-    /// Follows the hull. @param x, y  Of the reference. @param heading  Of the body.
+    /// Filter the position of the hull. @param x, y  Position of the reference [m]. @param heading
+    /// Heading of the body [rad].
     void follow(double x, double y, double heading) noexcept;
-    /// Along and about axes of the slow heading, at the reference; false: a wave has a direction
-    /// that the table lacks.
+    /// Compute the force at the reference in axes of the slow heading. @return false if the table
+    /// lacks a direction of a wave.
     [[nodiscard]] bool act(const Sea& sea, const SeaMoment& now, Vec6& out) const noexcept;
-    /// Heading of the body without its oscillation in the waves [rad].
+    /// Return the heading of the body without its oscillation in waves [rad].
     [[nodiscard]] double heading() const noexcept { return slow(2); }
     void visit_state(StateVisitor& v);
     void check_state(StateRules& rules) const;
@@ -40,7 +41,7 @@ class WaveForce {
     };
     struct Spot {
         std::size_t low = 0, high = 0;
-        double share = 0.0;
+        double fraction = 0.0;
         bool known = false;
     };
     [[nodiscard]] Spot find(double direction) const noexcept;
@@ -50,9 +51,10 @@ class WaveForce {
     void fill(const WaterHull& def, const Sea& sea);
 
     bool force_ = false, drift_ = false;
-    double follow_ = 1.0;          ///< 1 − e^(−h/τ).
-    std::vector<double> heading_;  ///< Of the table, with mirror images and what closes the circle.
-    std::vector<Entry> table_;     ///< By component, then direction.
+    double follow_ = 1.0;  ///< 1 − e^(−h/τ).
+    std::vector<double>
+        heading_;  ///< Headings of the table, with mirror images and one more to close the circle.
+    std::vector<Entry> table_;  ///< By component, then direction.
     std::array<std::array<double, 3>, 4> lag_{};
     std::int64_t begun_ = 0;
 };

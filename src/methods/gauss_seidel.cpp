@@ -76,7 +76,7 @@ void reserve_gauss_seidel(const Model& model, Newton& newton, std::size_t contac
 
 bool invert_masses(const Model& model, Newton& newton, const assembly::View& v) noexcept {
     for (std::int32_t b = 0; b < v.body_count; ++b) {
-        const double* block = v.body_block + assembly::block_place(v.dof_begin[b]);
+        const double* block = v.body_block + assembly::block_offset(v.dof_begin[b]);
         double* out = &newton.inverse_mass[at(b) * assembly::kBodyBlock];
         bool good = true;
         if (v.dof[b] == 1) out[0] = 1.0 / block[0];

@@ -117,9 +117,9 @@ void take_residuals(Model& model, const Newton& newton, const View& v) noexcept 
         model.interactions.held[static_cast<std::size_t>(id)] = v.active[id] == 0.0 ? first : 0.0;
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
-            const double idle = r == 0 ? (1.0 - v.active[id]) * v.held[id] : 0.0;
+            const double inactive = r == 0 ? (1.0 - v.active[id]) * v.held[id] : 0.0;
             v.residual[row] = v.active[id] * (v.c[row] - row_speed(v, id, r)) -
-                              v.sigma[row] * (v.lambda[row] - idle);
+                              v.sigma[row] * (v.lambda[row] - inactive);
         }
     }
 }

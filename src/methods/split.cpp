@@ -27,7 +27,7 @@ using nonsmooth::Cone;
 using nonsmooth::Touch;
 
 /// Most iterations of the active set; one to three are usual.
-constexpr int kMostSplitRounds = 20;
+constexpr int kMaxSplitRounds = 20;
 
 /// Include the normal row in the matrix or not; the tangential impulses are constants.
 void make_law(Model& model, Newton& newton, std::size_t k, bool bears) noexcept {
@@ -73,7 +73,7 @@ Status solve_normals(StepContext& ctx, bool first) noexcept {
             make_law(ctx.model, ctx.work.newton, k, now);
         }
         ctx.work.stats.flips_left = flips;
-        if ((flips == 0 && !again) || round + 1 >= kMostSplitRounds) return Status::ok;
+        if ((flips == 0 && !again) || round + 1 >= kMaxSplitRounds) return Status::ok;
         // A switched row changes the matrix even if no contact changes.
         adopt_laws(ctx.model, ctx.work.newton, ctx.pool, again);
     }

@@ -21,9 +21,9 @@ inline constexpr int kArms = 8;  ///< Number of doubles of an arms record.
 /// Values of Interactions::arms: the Jacobian is compact; the Jacobian is compact and the rows are
 /// condensed.
 inline constexpr unsigned char kCompactJacobian = 1, kCompactCondensed = 3;
-inline constexpr int kArmsDamping = 6, kArmsSwing = 7;
+inline constexpr int kArmsDamping = 6, kArmsVibration = 7;
 /// Number and width of the packed rows; buffer size in doubles with slack for vector loads.
-inline constexpr int kArmRows = 3, kArmWidth = 12, kArmRoom = kArmRows * kArmWidth + 8;
+inline constexpr int kArmRows = 3, kArmWidth = 12, kArmBufferSize = kArmRows * kArmWidth + 8;
 
 /// Write row i, twelve wide, to `out`: for both bodies ∓(e_i, r × e_i). Always inline, because it
 /// is also used in code compiled per instruction set (base/small.h).
@@ -39,19 +39,19 @@ inline constexpr int kArmRows = 3, kArmWidth = 12, kArmRoom = kArmRows * kArmWid
     }
 }
 
-/// Write the three rows to `out`, which holds kArmRoom doubles; the rest is set to zero.
+/// Write the three rows to `out`, which holds kArmBufferSize doubles; the rest is set to zero.
 [[gnu::always_inline]] inline void unpack_arms(const double* record, double* out) noexcept {
     for (int i = 0; i < kArmRows; ++i) unpack_arm_row(record, i, out + kArmWidth * i);
-    for (int k = kArmRows * kArmWidth; k < kArmRoom; ++k) out[k] = 0.0;
+    for (int k = kArmRows * kArmWidth; k < kArmBufferSize; ++k) out[k] = 0.0;
 }
 
 /// Return the packed rows of an interaction whose Jacobian begins at `jacobian`. A compact Jacobian
-/// is unpacked to `room`.
+/// is unpacked to `buffer`.
 [[nodiscard, gnu::always_inline]] inline const double* packed_rows(
-    const double* jacobian, bool arms, double (&room)[kArmRoom]) noexcept {
+    const double* jacobian, bool arms, double (&buffer)[kArmBufferSize]) noexcept {
     if (!arms) return jacobian;
-    unpack_arms(jacobian, room);
-    return room;
+    unpack_arms(jacobian, buffer);
+    return buffer;
 }
 
 }  // namespace hawser::model

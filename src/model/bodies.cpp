@@ -19,21 +19,22 @@ void put3(base::Array<double>& to, std::size_t begin, const Vec3& v) noexcept {
 
 }  // namespace
 
-void Bodies::make_room() {
-    places.make_room();
-    base::make_room(kind, 1);
-    for (base::Array<std::int32_t>* a : {&dof_begin, &quiet, &first_holder}) base::make_room(*a, 1);
-    for (std::vector<std::int32_t>* a : {&moving, &rigid, &driven}) base::make_room(*a, 1);
-    for (base::Array<std::uint8_t>* a : {&weight, &asleep, &room}) base::make_room(*a, 1);
+void Bodies::reserve_more() {
+    slots.reserve_more();
+    base::reserve_more(kind, 1);
+    for (base::Array<std::int32_t>* a : {&dof_begin, &quiet, &first_holder})
+        base::reserve_more(*a, 1);
+    for (std::vector<std::int32_t>* a : {&moving, &rigid, &driven}) base::reserve_more(*a, 1);
+    for (base::Array<std::uint8_t>* a : {&weight, &asleep, &room}) base::reserve_more(*a, 1);
     for (base::Array<double>* a : {&x, &q, &r, &v, &v_start, &v_fixed, &spin_free, &spin_change,
                                    &mass, &inertia, &inv_inertia, &principal, &force, &damping})
-        base::make_room(*a, 9);
+        base::reserve_more(*a, 9);
 }
 
 int Bodies::add(const BodyDef& def) {
     const int place = place_for(def.kind);
     if (place < 0) return append(def);
-    places.take(place);
+    slots.take(place);
     kind[at(place)] = def.kind;
     write(place, def);
     enlist(place);
@@ -41,8 +42,8 @@ int Bodies::add(const BodyDef& def) {
 }
 
 int Bodies::append(const BodyDef& def) {
-    for (std::vector<std::int32_t>* list : {&moving, &rigid, &driven}) base::make_room(*list, 1);
-    const int id = places.append();
+    for (std::vector<std::int32_t>* list : {&moving, &rigid, &driven}) base::reserve_more(*list, 1);
+    const int id = slots.append();
     const auto n = at(id) + 1;
     const int d = dof_of(def.kind);
     kind.push_back(def.kind);
@@ -114,10 +115,10 @@ void Bodies::remove(int body) noexcept {
     std::fill_n(v_start.data() + dof_begin[at(body)], room[at(body)], 0.0);
     kind[at(body)] = BodyKind::fixed;
     write(body, {.kind = BodyKind::fixed, .gravity = false});
-    places.vacate(body);
+    slots.vacate(body);
 }
 
-void Bodies::share_drag(double h) {
+void Bodies::split_drag(double h) {
     drag_after.resize(damping.size());
     drag_before.resize(damping.size());
     for (std::size_t b = 0; b < kind.size(); ++b)
@@ -126,7 +127,7 @@ void Bodies::share_drag(double h) {
             double late = 0.5;
             if (d > 0.0 && dof(static_cast<int>(b)) > 0) {
                 const double mobility = i < 3 ? 1.0 / mass[b] : inv_inertia[9 * b + 4 * (i - 3)];
-                late = late_share(h * d * mobility);
+                late = late_fraction(h * d * mobility);
             }
             drag_after[6 * b + i] = late * d;
             drag_before[6 * b + i] = d - late * d;
@@ -137,7 +138,7 @@ void Bodies::truncate(int kept) {
     const auto n = static_cast<std::size_t>(kept);
     v_before.clear();
     if (kept >= count()) return;
-    places.truncate(kept);
+    slots.truncate(kept);
     dofs = dof_begin[n];
     for (base::Array<double>* a : {&v, &v_start}) a->resize(at(dofs));
     for (std::vector<std::int32_t>* list : {&moving, &rigid, &driven})
@@ -181,7 +182,7 @@ void Bodies::refresh_rotation(int body) noexcept {
 
 std::size_t Bodies::bytes() const noexcept {
     using base::bytes;
-    return places.bytes() + bytes(kind) + bytes(room) + bytes(dof_begin) + bytes(moving) +
+    return slots.bytes() + bytes(kind) + bytes(room) + bytes(dof_begin) + bytes(moving) +
            bytes(rigid) + bytes(driven) + bytes(x) + bytes(q) + bytes(r) + bytes(v) +
            bytes(v_start) + bytes(v_fixed) + bytes(spin_free) + bytes(spin_change) + bytes(mass) +
            bytes(inertia) + bytes(inv_inertia) + bytes(principal) + bytes(force) + bytes(damping) +

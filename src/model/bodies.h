@@ -32,7 +32,7 @@ namespace hawser::model {
 }
 
 struct Bodies {
-    base::Places places;  ///< Slots; a removed body leaves a fixed one without a name.
+    base::Slots slots;  ///< Slots; a removed body leaves a fixed one without a name.
     base::Array<BodyKind> kind;
     /// Number of entries of v reserved at dof_begin, independent of the present body.
     base::Array<std::uint8_t> room;
@@ -91,12 +91,12 @@ struct Bodies {
         const BodyKind k = kind[static_cast<std::size_t>(body)];
         return k != BodyKind::lump && k != BodyKind::scalar;
     }
-    [[nodiscard]] BodyId id(int body) const noexcept { return places.id<BodyId>(body); }
+    [[nodiscard]] BodyId id(int body) const noexcept { return slots.id<BodyId>(body); }
     /// Reserve memory so that add(), append() and remove() do not throw. @throws std::bad_alloc.
-    void make_room();
+    void reserve_more();
     /// Return the first empty slot with as many degrees of freedom, −1: none.
     [[nodiscard]] int place_for(BodyKind of) const noexcept {
-        return places.find_vacant(
+        return slots.find_vacant(
             [&](std::int32_t p) { return room[static_cast<std::size_t>(p)] == dof_of(of); });
     }
     /// Add a body at the first empty slot with as many degrees of freedom, else at the end. The
@@ -107,7 +107,7 @@ struct Bodies {
     /// Remove a body. Its slot keeps a fixed body without mass, interactions or contacts.
     void remove(int body) noexcept;
     /// Set drag_after and drag_before for the step h [s].
-    void share_drag(double h);
+    void split_drag(double h);
     /// Remove all slots from `kept` on, with their bodies.
     void truncate(int kept);
     /// Move a body by time t at constant velocity [m/s]. With ω [rad/s, world frame] also rotate it

@@ -16,14 +16,15 @@ namespace hawser::model {
 namespace {
 
 auto by_interaction(Interactions& in) noexcept {
-    return std::to_array<base::Array<double>*>(
-        {&in.active, &in.held, &in.low, &in.high, &in.anchor, &in.power, &in.breaking,
-         &in.rest_length, &in.defined_radius, &in.pair_mass, &in.lightness, &in.alert, &in.swing});
+    return std::to_array<base::Array<double>*>({&in.active, &in.held, &in.low, &in.high, &in.anchor,
+                                                &in.power, &in.breaking, &in.rest_length,
+                                                &in.defined_radius, &in.pair_mass, &in.lightness,
+                                                &in.flagged, &in.vibration});
 }
 
 auto by_row(Interactions& in) noexcept {
     return std::to_array<base::Array<double>*>({&in.defined, &in.epsilon, &in.tau, &in.mobility,
-                                                &in.upsilon, &in.recall, &in.sigma, &in.least_sigma,
+                                                &in.upsilon, &in.recall, &in.sigma, &in.min_sigma,
                                                 &in.inv_sigma, &in.g, &in.c, &in.residual,
                                                 &in.lambda, &in.multiplier, &in.force});
 }
@@ -46,46 +47,47 @@ std::uint8_t flags_of(const InteractionDef& d, const generic::RowSpec& first,
 
 }  // namespace
 
-void Interactions::make_room(InteractionKind kind) {
-    places.make_room();
-    base::make_room(def, 1);
+void Interactions::reserve_more(InteractionKind kind) {
+    slots.reserve_more();
+    base::reserve_more(def, 1);
     Pool& p = pool[static_cast<std::size_t>(kind)];
-    base::make_room(p.ids, 1);
-    generic::with_kind(kind, [&]<class K>() { base::make_room(p.data, sizeof(typename K::Data)); });
+    base::reserve_more(p.ids, 1);
+    generic::with_kind(kind,
+                       [&]<class K>() { base::reserve_more(p.data, sizeof(typename K::Data)); });
     for (std::vector<std::int32_t>* a :
          {&pool_index, &geo, &load_begin, &working, &motors, &frictions, &winches, &spans})
-        base::make_room(*a, 1);
-    base::make_room(saturated, 1);
-    base::make_room(loads, kMaxFrictionLoads);
+        base::reserve_more(*a, 1);
+    base::reserve_more(saturated, 1);
+    base::reserve_more(loads, kMaxFrictionLoads);
     for (base::Array<std::int32_t>* a : {&body, &next_holder, &row_begin, &jac_begin})
-        base::make_room(*a, kMaxInteractionBodies);
+        base::reserve_more(*a, kMaxInteractionBodies);
     for (base::Array<std::uint8_t>* a :
          {&bodies, &rows, &flags, &arms, &parted, &coarse, &repeats, &completed})
-        base::make_room(*a, 1);
-    for (base::Array<double>* a : by_interaction(*this)) base::make_room(*a, 1);
-    for (base::Array<double>* a : by_row(*this)) base::make_room(*a, kMaxInteractionRows);
-    base::make_room(row_flags, kMaxInteractionRows);
-    base::make_room(kinds, 1);
+        base::reserve_more(*a, 1);
+    for (base::Array<double>* a : by_interaction(*this)) base::reserve_more(*a, 1);
+    for (base::Array<double>* a : by_row(*this)) base::reserve_more(*a, kMaxInteractionRows);
+    base::reserve_more(row_flags, kMaxInteractionRows);
+    base::reserve_more(kinds, 1);
 }
 
 int Interactions::add(InteractionDef filled, Bodies& bodies_in, double h) {
     const InteractionKind kind = filled.kind;
-    const int place = places.find_vacant([&](std::int32_t p) { return def[at(p)].kind == kind; });
+    const int place = slots.find_vacant([&](std::int32_t p) { return def[at(p)].kind == kind; });
     if (place < 0) return append(std::move(filled), bodies_in, h);
-    places.take(place);
+    slots.take(place);
     write(place, std::move(filled), bodies_in, h);
     return place;
 }
 
 int Interactions::append(InteractionDef filled, Bodies& bodies_in, double h) {
-    const int id = places.append();
+    const int id = slots.append();
     grow(filled.kind);
     write(id, std::move(filled), bodies_in, h);
     return id;
 }
 
 void Interactions::append_empty(InteractionKind kind) {
-    const auto i = at(places.append());
+    const auto i = at(slots.append());
     grow(kind);
     def[i].kind = kind;
 }
@@ -141,7 +143,8 @@ void Interactions::write(int id, InteractionDef filled, Bodies& bodies_in, doubl
     active[i] = 1.0;
     for (base::Array<std::uint8_t>* a : {&arms, &parted, &coarse, &repeats, &completed})
         (*a)[i] = 0;
-    for (base::Array<double>* a : {&held, &anchor, &rest_length, &alert, &swing}) (*a)[i] = 0.0;
+    for (base::Array<double>* a : {&held, &anchor, &rest_length, &flagged, &vibration})
+        (*a)[i] = 0.0;
     write_rows(id, bodies_in, h);
     enlist(id, bodies_in);
 }
@@ -169,17 +172,17 @@ void Interactions::write_rows(int id, const Bodies& bodies_in, double h) {
         const std::size_t row = at(row_begin[at(id)]) + r;
         d.compliance[r] = spec[r].compliance;
         // The time of the scheme is not written to the definition, so that a copy has no damper.
-        if (!spec[r].calmed) d.damping_time[r] = spec[r].damping_time;
+        if (!spec[r].damped_by_scheme) d.damping_time[r] = spec[r].damping_time;
         defined[row] = epsilon[row] = spec[r].compliance;
         tau[row] = spec[r].damping_time;
-        const bool damper = !spec[r].velocity && !spec[r].calmed;
+        const bool damper = !spec[r].velocity && !spec[r].damped_by_scheme;
         row_flags[row] = static_cast<std::uint8_t>(
             (spec[r].velocity ? kRowVelocity : 0) | (spec[r].gap ? kRowGap : 0) |
             (damper ? kRowDamper : 0) | (spec[r].turns ? kRowTurns : 0));
-        for (base::Array<double>* a : {&mobility, &upsilon, &recall, &inv_sigma, &least_sigma, &g,
-                                       &c, &residual, &lambda, &multiplier, &force})
+        for (base::Array<double>* a : {&mobility, &upsilon, &recall, &inv_sigma, &min_sigma, &g, &c,
+                                       &residual, &lambda, &multiplier, &force})
             (*a)[row] = 0.0;
-        share_damping(row, wire, h);
+        split_damping(row, wire, h);
         sigma[row] = bare_sigma(row, h);
     }
     if (wire) follow_length(id, bodies_in, h);
@@ -247,7 +250,7 @@ void Interactions::remove(int id, Bodies& bodies_in) noexcept {
          {&bodies, &rows, &flags, &arms, &parted, &coarse, &repeats, &completed})
         (*a)[i] = 0;
     for (base::Array<double>* a : by_interaction(*this)) (*a)[i] = 0.0;
-    places.vacate(id);
+    slots.vacate(id);
 }
 
 void Interactions::write_loads(int id) {
@@ -275,7 +278,7 @@ void Interactions::truncate(int kept, Bodies& bodies_in) {
     if (kept >= count()) return;
     for (std::size_t place = body.size(); place-- > kMaxInteractionBodies * n;)
         unlink(place, bodies_in);
-    places.truncate(kept);
+    slots.truncate(kept);
     row_count = row_begin[n];
     for (Pool& p : pool) {
         while (!p.ids.empty() && p.ids.back() >= kept) p.ids.pop_back();

@@ -255,12 +255,12 @@ double Interactions::elastic(int id, const Bodies& b, double h) const noexcept {
 std::size_t Interactions::bytes() const noexcept {
     using base::bytes;
     std::size_t total =
-        places.bytes() + bytes(def) + bytes(kinds) + bytes(pool_index) + bytes(body) +
+        slots.bytes() + bytes(def) + bytes(kinds) + bytes(pool_index) + bytes(body) +
         bytes(next_holder) + bytes(bodies) + bytes(rows) + bytes(flags) + bytes(row_begin) +
         bytes(jac_begin) + bytes(arms) + bytes(geo) + bytes(active) + bytes(held) + bytes(low) +
         bytes(high) + bytes(anchor) + bytes(load_begin) + bytes(loads) + bytes(parted) +
-        bytes(coarse) + bytes(repeats) + bytes(completed) + bytes(swing) + bytes(lightness) +
-        bytes(pair_mass) + bytes(alert) + bytes(rest_length) + bytes(power) + bytes(breaking) +
+        bytes(coarse) + bytes(repeats) + bytes(completed) + bytes(vibration) + bytes(lightness) +
+        bytes(pair_mass) + bytes(flagged) + bytes(rest_length) + bytes(power) + bytes(breaking) +
         bytes(defined) + bytes(epsilon) + bytes(tau) + bytes(mobility) + bytes(upsilon) +
         bytes(recall) + bytes(sigma) + bytes(inv_sigma) + bytes(g) + bytes(c) + bytes(residual) +
         bytes(lambda) + bytes(multiplier) + bytes(force) + bytes(row_flags) + bytes(jacobian);

@@ -103,7 +103,7 @@ struct Coordinate {
 
 struct Interactions {
     /// Slots; a removed interaction leaves one of its kind without bodies and rows.
-    base::Places places;
+    base::Slots slots;
     std::vector<InteractionDef> def;  ///< Definitions as added, with defaults filled in.
     std::array<Pool, kInteractionKindCount> pool;
     std::vector<std::int32_t> pool_index;  ///< Index of each interaction in its pool.
@@ -135,9 +135,9 @@ struct Interactions {
     std::vector<std::int32_t> load_begin;
     std::vector<Load> loads;
     base::Array<std::uint8_t> parted;  ///< 1 if the line is broken.
-    /// `lightness`: 1/m of the lighter end of a line between points [1/kg]. `alert`: 1 while its
+    /// `lightness`: 1/m of the lighter end of a line between points [1/kg]. `flagged`: 1 while its
     /// wire is flagged and damped (solve/wires.h); derived from the state.
-    base::Array<double> lightness, alert;
+    base::Array<double> lightness, flagged;
     // Rigid joints only, see step/completion.h; 0 for all others.
     base::Array<std::uint8_t> coarse;   ///< Number of coming steps with one linearisation.
     base::Array<std::uint8_t> repeats;  ///< 1: in a loop with redundant rows.
@@ -145,7 +145,7 @@ struct Interactions {
     base::Array<std::uint8_t> completed;
     /// Constant max |arm|/I; its product with h² and the force is (hω)² of the oscillation about
     /// the joint.
-    base::Array<double> swing;
+    base::Array<double> vibration;
     base::Array<double> power;        ///< Largest driving power of a motor [W]; kUnbounded: none.
     base::Array<double> breaking;     ///< Breaking load [N], if kBreakable is set.
     base::Array<double> rest_length;  ///< Rest length l₀ of wire elements [m], 0 for others.
@@ -171,9 +171,9 @@ struct Interactions {
     base::Array<double> upsilon;   ///< Υ, see hawser/row_constants.h; 0 for velocity rows.
     /// Factor 1 − 4τ(1 − θ)/h of ġ in c/Υ. For τ of the scheme: θ = 1.
     base::Array<double> recall;
-    base::Array<double> sigma;  ///< Σ, at least bare_sigma() and least_sigma.
+    base::Array<double> sigma;  ///< Σ, at least bare_sigma() and min_sigma.
     /// Lower bound of Σ of a cut row, see soften_sides(); else 0.
-    base::Array<double> least_sigma;
+    base::Array<double> min_sigma;
     base::Array<double> inv_sigma;       ///< 1/Σ if condensed, else 0.
     base::Array<double> g, c, residual;  ///< Violation, right-hand side, residual c − G v − Σλ.
     base::Array<double> lambda;          ///< Impulse λ [N s or N m s].
@@ -186,7 +186,7 @@ struct Interactions {
 
     [[nodiscard]] int count() const noexcept { return static_cast<int>(def.size()); }
     [[nodiscard]] InteractionId id(int index) const noexcept {
-        return places.id<InteractionId>(index);
+        return slots.id<InteractionId>(index);
     }
     /// True if a slot is empty.
     [[nodiscard]] bool gone(int id) const noexcept {
@@ -194,10 +194,10 @@ struct Interactions {
     }
     /// Reserve memory so that add(), append() and remove() of an interaction of this kind do not
     /// throw, if the definition is an rvalue. @throws std::bad_alloc.
-    void make_room(InteractionKind kind);
+    void reserve_more(InteractionKind kind);
     /// Return the first empty slot of a kind, −1: none.
     [[nodiscard]] int place_for(InteractionKind kind) const noexcept {
-        return places.find_vacant(
+        return slots.find_vacant(
             [&](std::int32_t p) { return def[static_cast<std::size_t>(p)].kind == kind; });
     }
     /// Add an interaction at the first empty slot of its kind, else at the end. `filled` is checked
@@ -217,16 +217,16 @@ struct Interactions {
     void truncate(int kept, Bodies& bodies_in);
     /// Compute Υ and recall of a row after its compliance or mobility changed. Update its Σ
     /// afterwards.
-    void share_damping(std::size_t row, bool wire, double h) noexcept;
+    void split_damping(std::size_t row, bool wire, double h) noexcept;
     /// Return Σ from ε and Υ alone (hawser/row_constants.h), without the lower bounds that an
     /// analysis adds.
     [[nodiscard]] double bare_sigma(std::size_t row, double h) const noexcept;
     /// Return the ratio of Σ of a row to its Σ without recoil, which is the ratio of the Υ.
-    [[nodiscard]] double recoil_share(std::size_t row, bool wire, double h) const noexcept;
-    /// Start or end the recoil of the rows of a wire element (share_damping()).
+    [[nodiscard]] double recoil_fraction(std::size_t row, bool wire, double h) const noexcept;
+    /// Start or end the recoil of the rows of a wire element (split_damping()).
     void recoil(int id, bool recoils, double h) noexcept;
     /// Update Υ, recall, Σ and 1/Σ of a row with a violation, after its nonzero compliance changed
-    /// since the analysis. The new Σ is at least `least_sigma`; a kept row stays kept. @param wire
+    /// since the analysis. The new Σ is at least `min_sigma`; a kept row stays kept. @param wire
     /// True for a wire element.
     void follow_compliance(std::size_t row, bool wire, double h) noexcept;
     /// Copy the parameters of an interaction to its copy.

@@ -29,8 +29,8 @@ Shares shares_of(const Interactions& in, std::size_t row, bool wire, double h) n
     double t = in.tau[row], late = 1.0, recall = 1.0;
     if ((in.row_flags[row] & kRowDamper) && w > 0.0 && e > 0.0) {
         const double spring = 0.25 * h * h * w / e;
-        if (wire) t = std::max(t, (late_share(spring) - 0.5) * h);
-        late = late_share(h * t * w / e + spring);
+        if (wire) t = std::max(t, (late_fraction(spring) - 0.5) * h);
+        late = late_fraction(h * t * w / e + spring);
         recall = 1.0 - 4.0 * t * (1.0 - late) / h;
     }
     return {row_upsilon(t, h, late), recall};
@@ -38,7 +38,7 @@ Shares shares_of(const Interactions& in, std::size_t row, bool wire, double h) n
 
 }  // namespace
 
-void Interactions::share_damping(std::size_t row, bool wire, double h) noexcept {
+void Interactions::split_damping(std::size_t row, bool wire, double h) noexcept {
     recall[row] = 1.0;
     if (row_flags[row] & kRowVelocity) return;
     const Shares s = row_flags[row] & kRowRecoils ? kRecoil : shares_of(*this, row, wire, h);
@@ -46,7 +46,7 @@ void Interactions::share_damping(std::size_t row, bool wire, double h) noexcept 
     recall[row] = s.recall;
 }
 
-double Interactions::recoil_share(std::size_t row, bool wire, double h) const noexcept {
+double Interactions::recoil_fraction(std::size_t row, bool wire, double h) const noexcept {
     if (!(row_flags[row] & kRowRecoils)) return 1.0;
     return upsilon[row] / shares_of(*this, row, wire, h).upsilon;
 }
@@ -66,8 +66,8 @@ double Interactions::bare_sigma(std::size_t row, double h) const noexcept {
 }
 
 void Interactions::follow_compliance(std::size_t row, bool wire, double h) noexcept {
-    share_damping(row, wire, h);
-    sigma[row] = std::max(row_sigma(epsilon[row], upsilon[row], h), least_sigma[row]);
+    split_damping(row, wire, h);
+    sigma[row] = std::max(row_sigma(epsilon[row], upsilon[row], h), min_sigma[row]);
     if (inv_sigma[row] != 0.0) inv_sigma[row] = 1.0 / sigma[row];
 }
 

@@ -10,7 +10,7 @@
 
 namespace hawser::stepper {
 
-Finding strain_finding(Model& model, const State& state, JudgeState& memory) noexcept {
+Finding strain_finding(Model& model, const State& state, MonitorState& memory) noexcept {
     constexpr double kLonger = 1.25;  // Includes the motion of half a step, and damping.
     const assembly::View v = row_view(model);
     Finding out{.value = 0.0,
@@ -29,9 +29,9 @@ Finding strain_finding(Model& model, const State& state, JudgeState& memory) noe
         const double stretched = v.g[row] / length, pulled = -soft * v.lambda[row] / v.h;
         longest = std::max(longest, stretched / (kLonger * bears));
         const double most = std::max(stretched, pulled);
-        const double share = most / std::max(limit::kMostStrain, limit::kMostBreaking * bears);
-        if (share <= out.wrong) continue;
-        out.wrong = share;
+        const double fraction = most / std::max(limit::kMostStrain, limit::kMostBreaking * bears);
+        if (fraction <= out.wrong) continue;
+        out.wrong = fraction;
         out.value = -most;
         out.interaction = model.interactions.id(id);
     }
@@ -41,7 +41,7 @@ Finding strain_finding(Model& model, const State& state, JudgeState& memory) noe
     return out;
 }
 
-Finding wound_finding(const Model& model, const State& state, JudgeState& memory) noexcept {
+Finding wound_finding(const Model& model, const State& state, MonitorState& memory) noexcept {
     // Fraction of the element length up to which its law continues.
     constexpr double kSlack = 0.01;
     Finding out{.value = 0.0,
@@ -55,9 +55,9 @@ Finding wound_finding(const Model& model, const State& state, JudgeState& memory
         const InteractionDef& d = in.def[at(id)];
         if (in.parted[at(id)] != 0) continue;
         const double length = in.wound_length(id, model.bodies);
-        const double share = -length / (kSlack * d.params[0]);
-        if (share <= out.wrong) continue;
-        out.wrong = share;
+        const double fraction = -length / (kSlack * d.params[0]);
+        if (fraction <= out.wrong) continue;
+        out.wrong = fraction;
         out.value = length;
         out.interaction = in.id(id);
     }

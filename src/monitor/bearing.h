@@ -13,12 +13,13 @@ namespace hawser::stepper {
 /// at its start. Failed: beyond kMostStrain and beyond kMostBreaking times the strain at the
 /// breaking load. Suspect: for three steps 25 % longer than at the breaking load without breaking.
 /// Finding::value is minus the strain.
-[[nodiscard]] Finding strain_finding(Model& model, const State& state, JudgeState& memory) noexcept;
+[[nodiscard]] Finding strain_finding(Model& model, const State& state,
+                                     MonitorState& memory) noexcept;
 
 /// Check for wound elements of negative length for three steps: a slide wound in more than there
 /// is. The element of a drum does not reach this state (kLeastOfDrumElement). Finding::value is the
 /// length [m].
 [[nodiscard]] Finding wound_finding(const Model& model, const State& state,
-                                    JudgeState& memory) noexcept;
+                                    MonitorState& memory) noexcept;
 
 }  // namespace hawser::stepper

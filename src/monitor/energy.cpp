@@ -78,8 +78,8 @@ Energy energy(StepContext& ctx) noexcept {
                 e.elastic += held_by_element(v, id);
             continue;
         }
-        double room[model::kArmRoom];
-        const double* jac = packed_rows(v, id, room);
+        double buffer[model::kArmBufferSize];
+        const double* jac = packed_rows(v, id, buffer);
         const bool rests = ctx.model.system.rests(id);  // not evaluated in this case
         const model::RowState s =
             rests ? ctx.model.interactions.row_state(id, b) : model::RowState{};

@@ -11,7 +11,7 @@ namespace hawser::stepper {
 namespace {
 
 /// Return the unexplained energy of each balance [J].
-ByAccount<double> unexplained(const JudgePart& p, const Works& w, double given) noexcept {
+ByAccount<double> unexplained(const MonitorPart& p, const Works& w, double given) noexcept {
     const double left = p.kinetic + p.potential + p.elastic - w[kForces] - w[kDrives] + w[kDrag] +
                         w[kFriction] + w[kContacts] + w[kRows] - w[kGiven] - w[kStrained];
     const double moving = p.kinetic + p.potential + p.elastic;
@@ -20,15 +20,15 @@ ByAccount<double> unexplained(const JudgePart& p, const Works& w, double given) 
             between - p.elastic + p.by_force};
 }
 
-Swing follow(Tide& tide, double now, double forgotten) noexcept {
+Swing follow(DecayingExtremes& tide, double now, double forgotten) noexcept {
     tide.least = std::min(now, tide.least + forgotten * (now - tide.least));
     tide.most = std::max(now, tide.most + forgotten * (now - tide.most));
     return {now - tide.least, tide.most - now};
 }
 
-void set(JudgeState& state, std::size_t i, double now) noexcept {
+void set(MonitorState& state, std::size_t i, double now) noexcept {
     state.mean[i] = now;
-    state.now_tide[i] = state.mean_tide[i] = {now, now};
+    state.now_extremes[i] = state.mean_extremes[i] = {now, now};
 }
 
 /// Time for which rows may store absorbed energy, in an overlap or in an element that tightens [s].
@@ -36,14 +36,14 @@ constexpr double kHeldFor = 1.0;
 
 /// Count the energy that rows returned beyond their recent losses, which they may store for a
 /// while.
-void count_given(double taken, double time, JudgeState& state) noexcept {
+void count_given(double taken, double time, MonitorState& state) noexcept {
     state.held = (state.held + std::max(0.0, taken)) * std::exp(-time / kHeldFor);
     const double back = std::min(state.held, std::max(0.0, -taken));
     state.held -= back;
     state.given += std::max(0.0, -taken) - back;
 }
 
-void keep(const JudgePart& p, const Works& w, JudgeState& state) noexcept {
+void keep(const MonitorPart& p, const Works& w, MonitorState& state) noexcept {
     state.kinetic = p.kinetic;
     state.potential = p.potential;
     state.elastic = p.elastic;
@@ -54,7 +54,7 @@ void keep(const JudgePart& p, const Works& w, JudgeState& state) noexcept {
 
 }  // namespace
 
-void begin_energy(const JudgePart& p, const Works& w, JudgeState& state) noexcept {
+void begin_energy(const MonitorPart& p, const Works& w, MonitorState& state) noexcept {
     const ByAccount<double> now = unexplained(p, w, state.given);
     for (std::size_t i = 0; i < now.size(); ++i) set(state, i, now[i]);
     state.exchanged = state.counted = state.age = 0.0;
@@ -62,8 +62,8 @@ void begin_energy(const JudgePart& p, const Works& w, JudgeState& state) noexcep
     keep(p, w, state);
 }
 
-Unexplained follow_energy(const JudgePart& p, const Works& w, double time,
-                          JudgeState& state) noexcept {
+Unexplained follow_energy(const MonitorPart& p, const Works& w, double time,
+                          MonitorState& state) noexcept {
     if (state.begun == 0) begin_energy(p, w, state);
     count_given(w[kRows] - state.work[kRows], time, state);
     double moved = std::fabs(p.kinetic - state.kinetic) + std::fabs(p.potential - state.potential);
@@ -97,9 +97,9 @@ Unexplained follow_energy(const JudgePart& p, const Works& w, double time,
         constexpr std::int64_t kClosing = 3;  // steps
         if (i >= kBetween && state.open_start > 1.0 && state.begun <= kClosing + 1) continue;
         state.mean[i] += (1.0 - std::exp(-time / limit::kMean)) * (now[i] - state.mean[i]);
-        out.now[i] = follow(state.now_tide[i], now[i], forgotten);
-        out.mean[i] = follow(state.mean_tide[i], state.mean[i], forgotten);
-        const Tide& level = state.mean_tide[i];
+        out.now[i] = follow(state.now_extremes[i], now[i], forgotten);
+        out.mean[i] = follow(state.mean_extremes[i], state.mean[i], forgotten);
+        const DecayingExtremes& level = state.mean_extremes[i];
         out.lasting[i] = {std::max(0.0, now[i] - level.least), std::max(0.0, level.most - now[i])};
     }
     // The first sample has no earlier value.

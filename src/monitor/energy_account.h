@@ -19,14 +19,14 @@ struct Unexplained {
     /// Momentary value relative to the extrema of the mean: a short extremum counts by its fraction
     /// of kMean.
     ByAccount<Swing> lasting{};
-    double posed = 0.0;  ///< Earlier value of JudgeState::posed [J].
+    double posed = 0.0;  ///< Earlier value of MonitorState::posed [J].
 };
 
 /// Begin the sums with the energy at the start.
-void begin_energy(const JudgePart& p, const Works& works, JudgeState& state) noexcept;
+void begin_energy(const MonitorPart& p, const Works& works, MonitorState& state) noexcept;
 
 /// Update `state` to this sample. @param time  Time since the last sample [s].
-[[nodiscard]] Unexplained follow_energy(const JudgePart& p, const Works& works, double time,
-                                        JudgeState& state) noexcept;
+[[nodiscard]] Unexplained follow_energy(const MonitorPart& p, const Works& works, double time,
+                                        MonitorState& state) noexcept;
 
 }  // namespace hawser::stepper

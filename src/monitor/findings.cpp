@@ -53,7 +53,7 @@ double lasting(double now, std::array<double, N>& before) noexcept {
 }
 
 /// Return the minimum rise of this interval and the two complete ones before: over 0.2 to 0.3 s.
-double held_rise(double now, double time, JudgeState& memory) noexcept {
+double held_rise(double now, double time, MonitorState& memory) noexcept {
     constexpr double kSpan = 0.1;
     std::array<double, 3>& least = memory.held_rise;
     memory.held_time += time;
@@ -78,11 +78,12 @@ Works works(const State& state) noexcept {
             state.ledger.edited.strained};
 }
 
-Finding energy_finding(const Model& model, const State& state, const JudgePart& p,
-                       JudgeState& memory, double time) noexcept {
+Finding energy_finding(const Model& model, const State& state, const MonitorPart& p,
+                       MonitorState& memory, double time) noexcept {
     const Unexplained u = follow_energy(p, works(state), time, memory);
-    const double nothing = std::max(limit::kNothing * (p.kinetic + p.elastic), state.judge.nothing);
-    const auto share = [nothing](double energy, double of) {
+    const double nothing =
+        std::max(limit::kNothing * (p.kinetic + p.elastic), state.monitor.nothing);
+    const auto fraction = [nothing](double energy, double of) {
         return energy <= nothing ? 0.0 : energy / of;
     };
     const double exchanged = p.kinetic + memory.exchanged, counted = p.kinetic + memory.counted;
@@ -105,22 +106,23 @@ Finding energy_finding(const Model& model, const State& state, const JudgePart& 
     // Use a level that lasted: the energy of an element by its length disappears after some steps.
     const double lost = std::min(now[kUnexplained].fall, u.lasting[kUnexplained].fall);
     Finding out;
-    const double by_created = share(stays, exchanged) / limit::kCreated.doubtful,
-                 by_held = share(by_length, exchanged) / limit::kHeld.doubtful,
-                 by_hidden = share(hidden, counted) / limit::kHidden.doubtful,
+    const double by_created = fraction(stays, exchanged) / limit::kCreated.doubtful,
+                 by_held = fraction(by_length, exchanged) / limit::kHeld.doubtful,
+                 by_hidden = fraction(hidden, counted) / limit::kHidden.doubtful,
                  gained = std::max({by_created, by_held, by_hidden});
-    const double fell = share(lost, counted) / limit::kLost.doubtful;
+    const double fell = fraction(lost, counted) / limit::kLost.doubtful;
     // Report the balance that is nearest to its limit.
     out.value = gained < fell         ? -lost
                 : by_hidden == gained ? hidden
                 : by_held == gained   ? by_length
                                       : created;
     out.doubtful = std::max(gained, fell);
-    out.wrong = std::max({share(lasting, exchanged) / limit::kCreated.wrong,
-                          share(by_length, exchanged) / limit::kHeld.wrong,
-                          share(std::max(mean[kUnexplained].rise, mean[kWithGiven].rise), counted) /
-                              limit::kHidden.wrong,
-                          share(mean[kUnexplained].fall, counted) / limit::kLost.wrong});
+    out.wrong =
+        std::max({fraction(lasting, exchanged) / limit::kCreated.wrong,
+                  fraction(by_length, exchanged) / limit::kHeld.wrong,
+                  fraction(std::max(mean[kUnexplained].rise, mean[kWithGiven].rise), counted) /
+                      limit::kHidden.wrong,
+                  fraction(mean[kUnexplained].fall, counted) / limit::kLost.wrong});
     // A split is approximate by choice; its errors of momentum and forces are reported separately.
     if (has_cuts(model)) out.wrong = 0.0;
     if (!std::isfinite(now[kUnexplained].rise)) out.doubtful = out.wrong = HUGE_VAL;
@@ -128,8 +130,8 @@ Finding energy_finding(const Model& model, const State& state, const JudgePart& 
     return out;
 }
 
-Finding open_finding(const Model& model, const State& state, const JudgePart& p, JudgeState& memory,
-                     double time) noexcept {
+Finding open_finding(const Model& model, const State& state, const MonitorPart& p,
+                     MonitorState& memory, double time) noexcept {
     memory.open_start *= std::exp(-time / (limit::kSettled * model.def.step));
     Finding out = finding(p.open * limit::kOpen.doubtful, limit::kOpen, state.time);
     // A joint that the scene opened may close without a failure; that it was open is reported.
@@ -139,16 +141,16 @@ Finding open_finding(const Model& model, const State& state, const JudgePart& p,
     return out;
 }
 
-Finding range_finding(const Model& model, const State& state, const JudgePart& p,
-                      JudgeState& memory) noexcept {
+Finding range_finding(const Model& model, const State& state, const MonitorPart& p,
+                      MonitorState& memory) noexcept {
     Finding out =
         finding(lasting(p.beyond, memory.beyond) * limit::kOpen.doubtful, limit::kOpen, state.time);
     name_row(model, p.beyond_row, out);
     return out;
 }
 
-Finding depth_finding(const Model& model, const State& state, const JudgePart& p,
-                      JudgeState& memory) noexcept {
+Finding depth_finding(const Model& model, const State& state, const MonitorPart& p,
+                      MonitorState& memory) noexcept {
     Finding out = finding(lasting(p.deep, memory.deep), limit::kDeep, state.time);
     if (p.deep_contact < 0) return out;
     const collide::Contact& c = state.contacts.contacts[at(p.deep_contact)];
@@ -159,21 +161,21 @@ Finding depth_finding(const Model& model, const State& state, const JudgePart& p
     return out;
 }
 
-Finding solved_finding(const StepContext& ctx, JudgeState& state, double time) noexcept {
+Finding solved_finding(const StepContext& ctx, MonitorState& state, double time) noexcept {
     const double residual = certificate(ctx.model, ctx.work.stats);
     state.unsolved = residual > limit::kCertificate.doubtful ? state.unsolved + time : 0.0;
     const bool counts = state.unsolved >= limit::kSustained;
     return finding(counts ? residual : 0.0, limit::kCertificate, ctx.state.time);
 }
 
-Finding stretch_finding(const Model& model, const State& state, const JudgePart& p,
-                        JudgeState& memory) noexcept {
+Finding stretch_finding(const Model& model, const State& state, const MonitorPart& p,
+                        MonitorState& memory) noexcept {
     Finding out = finding(lasting(p.stretch, memory.stretched), limit::kCable, state.time);
     out.interaction = model.interactions.id(p.stretch_id);
     return out;
 }
 
-Finding turn_finding(const Model& model, const State& state, const JudgePart& p) noexcept {
+Finding turn_finding(const Model& model, const State& state, const MonitorPart& p) noexcept {
     Finding out =
         finding(model.def.step * std::sqrt(std::max(p.turn, p.twist)), limit::kTurn, state.time);
     if (p.turn >= p.twist)

@@ -19,7 +19,7 @@ namespace {
 
 using assembly::View;
 
-void look_at_body(const Model& model, std::int32_t body, const double* after, double half,
+void measure_body(const Model& model, std::int32_t body, const double* after, double half,
                   assembly::BodyEnergies& e) noexcept {
     const model::Bodies& b = model.bodies;
     const auto i = at(body);
@@ -43,8 +43,8 @@ void look_at_body(const Model& model, std::int32_t body, const double* after, do
 }
 
 /// Sample moving bodies [begin, end).
-void look_at_bodies(const Model& model, const View& v, std::int32_t begin, std::int32_t end,
-                    const double* after, double half, JudgePart& p) noexcept {
+void measure_bodies(const Model& model, const View& v, std::int32_t begin, std::int32_t end,
+                    const double* after, double half, MonitorPart& p) noexcept {
     const std::vector<std::int32_t>& moving = model.bodies.moving;
     assembly::BodyEnergies e;
     for (std::int32_t i = begin; i < end;) {
@@ -54,7 +54,7 @@ void look_at_bodies(const Model& model, const View& v, std::int32_t begin, std::
             i += done;
             if (done > 0) continue;
         }
-        look_at_body(model, moving[at(i++)], after, half, e);
+        measure_body(model, moving[at(i++)], after, half, e);
     }
     p.kinetic += e.before;
     p.potential += e.half_way;
@@ -63,18 +63,18 @@ void look_at_bodies(const Model& model, const View& v, std::int32_t begin, std::
     p.turn_body = e.turn_body;
 }
 
-void look_at_rows(const State& state, const View& v, std::int32_t begin, std::int32_t end,
-                  JudgePart& p) noexcept {
+void measure_rows(const State& state, const View& v, std::int32_t begin, std::int32_t end,
+                  MonitorPart& p) noexcept {
     const std::int32_t row =
-        assembly::kernels().widest_row(v.g, state.judge.allowed.data(), begin, end, &p.open);
+        assembly::kernels().widest_row(v.g, state.monitor.allowed.data(), begin, end, &p.open);
     if (row >= 0) p.open_row = row;
 }
 
 /// Sample ranges: a row has a violation outside of its range only.
-void look_at_ranges(const State& state, const View& v, JudgePart& p) noexcept {
-    for (std::size_t i = 0; i < state.judge.ranges.size(); ++i) {
-        const std::int32_t row = state.judge.ranges[i];
-        const double beyond = std::fabs(v.g[row]) * state.judge.range_allowed[i];
+void measure_ranges(const State& state, const View& v, MonitorPart& p) noexcept {
+    for (std::size_t i = 0; i < state.monitor.ranges.size(); ++i) {
+        const std::int32_t row = state.monitor.ranges[i];
+        const double beyond = std::fabs(v.g[row]) * state.monitor.range_allowed[i];
         if (beyond <= p.beyond) continue;
         p.beyond = beyond;
         p.beyond_row = row;
@@ -82,7 +82,7 @@ void look_at_ranges(const State& state, const View& v, JudgePart& p) noexcept {
 }
 
 /// Sample the depth of contacts of the step, relative to the thickness of the thinner shape.
-void look_at_contacts(const Model& model, const State& state, JudgePart& p) noexcept {
+void measure_contacts(const Model& model, const State& state, MonitorPart& p) noexcept {
     const std::vector<collide::Shape>& shapes = model.collider.shapes();
     for (std::size_t i = 0; i < state.contacts.awake; ++i) {
         const collide::Contact& c = state.contacts.contacts[i];
@@ -100,8 +100,8 @@ double held_by_force(const View& v, std::int32_t row) noexcept {
 }
 
 /// Sample ½ g²/ε half a step before the poses, as in energy().
-void look_at_elastic(Model& model, const View& v, std::int32_t id, bool between_points, double half,
-                     JudgePart& p) noexcept {
+void measure_elastic(Model& model, const View& v, std::int32_t id, bool between_points, double half,
+                     MonitorPart& p) noexcept {
     // For a wire use its true length, as the guard does.
     if (half > 0.0 && model.wires.wire_of[at(id)] >= 0 && !model.system.rests(id) &&
         !v.parted[id] && (v.flags[id] & model::kCarried) == 0) {
@@ -122,8 +122,8 @@ void look_at_elastic(Model& model, const View& v, std::int32_t id, bool between_
     const bool state = rests || (v.flags[id] & model::kCarried) != 0;
     const model::RowState s =
         state ? model.interactions.row_state(id, model.bodies) : model::RowState{};
-    double room[model::kArmRoom];
-    const double* jac = rests ? nullptr : packed_rows(v, id, room);
+    double buffer[model::kArmBufferSize];
+    const double* jac = rests ? nullptr : packed_rows(v, id, buffer);
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;
         double speed = state ? s.carried[r] + (rests ? s.rate[r] : 0.0) : 0.0;
@@ -141,28 +141,28 @@ void look_at_elastic(Model& model, const View& v, std::int32_t id, bool between_
     }
 }
 
-/// Subtract the kinetic energy by which the end lumps exceed an element that moves as a straight
+/// Subtract the kinetic energy by which the end nodes exceed an element that moves as a straight
 /// piece.
-void look_at_piece(const View& v, std::int32_t id, const double* after, JudgePart& p) noexcept {
+void measure_piece(const View& v, std::int32_t id, const double* after, MonitorPart& p) noexcept {
     const double before = pair_energy(v, id, v.v);
     p.kinetic -= before;
     p.at_pose -= 0.5 * (before + pair_energy(v, id, after));
 }
 
 /// Sample the cable law and the rotation of an element.
-void look_at_line(const Model& model, const View& v, std::int32_t id, JudgePart& p) noexcept {
+void measure_line(const Model& model, const View& v, std::int32_t id, MonitorPart& p) noexcept {
     if (v.parted[id] || model.system.rests(id)) return;
     const std::int32_t row = v.row_begin[id];
     const double length = v.rest_length[id];
     const std::int32_t* body = v.body + kMaxInteractionBodies * id;
     // An end on a body with arms moves with it; the rotation of the body is checked instead.
     if (v.dof[body[0]] == 3 && v.dof[body[1]] == 3) {
-        double apart = 0.0;
+        double separation = 0.0;
         for (int k = 0; k < 3; ++k) {
             const double d = v.v[v.dof_begin[body[1]] + k] - v.v[v.dof_begin[body[0]] + k];
-            apart += d * d;
+            separation += d * d;
         }
-        const double twist = apart / (length * length);
+        const double twist = separation / (length * length);
         if (!(twist <= p.twist)) {
             p.twist = twist;
             p.twist_id = id;
@@ -173,8 +173,8 @@ void look_at_line(const Model& model, const View& v, std::int32_t id, JudgePart&
     // to the end of the step.
     if ((v.flags[id] & model::kOneSided) && v.g[row] < 0.0) return;
     // The force of its damper at this speed, and the motion of half a step, are part of the law.
-    double room[model::kArmRoom];
-    const double* jac = packed_rows(v, id, room);
+    double buffer[model::kArmBufferSize];
+    const double* jac = packed_rows(v, id, buffer);
     const double speed = along_row(v, id, jac, v.v, v.dof_begin);
     const double late = 0.25 * v.h * (1.0 / v.upsilon[row] - 1.0) + 0.5 * v.h;
     const double off = std::fabs(v.g[row] + v.epsilon[row] * v.lambda[row] / v.h);
@@ -194,9 +194,9 @@ void take_worse(double value, std::int32_t which, double& most, std::int32_t& wh
 }  // namespace
 
 // Chunks are merged in order, so that the result does not depend on threads.
-JudgePart look(Model& model, State& state, runtime::Pool& pool, At when) noexcept {
+MonitorPart sample(Model& model, State& state, runtime::Pool& pool, At when) noexcept {
     const View v = row_view(model);
-    JudgeData& data = state.judge;
+    MonitorData& data = state.monitor;
     const double half = when == At::pose ? 0.0 : 0.5 * model.def.step;
     const double* after = when == At::half_step ? v.v_new : v.v;
     const auto count_of = [](const auto& list) { return static_cast<std::int32_t>(list.size()); };
@@ -204,22 +204,22 @@ JudgePart look(Model& model, State& state, runtime::Pool& pool, At when) noexcep
                        elastic = count_of(data.elastic), lines = count_of(data.lines);
     const std::int32_t most = std::max({bodies, rows, elastic, lines});
     over(pool, most, [&](std::int32_t a, std::int32_t b) {
-        JudgePart p;
-        look_at_bodies(model, v, a, std::min(b, bodies), after, half, p);
-        look_at_rows(state, v, a, std::min(b, rows), p);
+        MonitorPart p;
+        measure_bodies(model, v, a, std::min(b, bodies), after, half, p);
+        measure_rows(state, v, a, std::min(b, rows), p);
         for (std::int32_t i = a; i < std::min(b, elastic); ++i)
-            look_at_elastic(model, v, data.elastic[at(i)], data.line[at(i)] != 0, half, p);
+            measure_elastic(model, v, data.elastic[at(i)], data.line[at(i)] != 0, half, p);
         for (std::int32_t i = a; v.pair_mass != nullptr && i < std::min(b, elastic); ++i)
-            look_at_piece(v, data.elastic[at(i)], after, p);
+            measure_piece(v, data.elastic[at(i)], after, p);
         for (std::int32_t i = a; i < std::min(b, lines); ++i)
-            look_at_line(model, v, data.lines[at(i)], p);
+            measure_line(model, v, data.lines[at(i)], p);
         data.part[at(a / StepContext::kChunk)] = p;
     });
-    JudgePart sum;
-    look_at_ranges(state, v, sum);
-    if (when == At::half_step) look_at_contacts(model, state, sum);  // no contacts at the start
+    MonitorPart sum;
+    measure_ranges(state, v, sum);
+    if (when == At::half_step) measure_contacts(model, state, sum);  // no contacts at the start
     for (int i = 0; i < StepContext::chunks(most); ++i) {
-        const JudgePart& p = data.part[at(i)];
+        const MonitorPart& p = data.part[at(i)];
         sum.kinetic += p.kinetic;
         sum.potential += p.potential;
         sum.elastic += p.elastic;
@@ -250,7 +250,7 @@ namespace {
 /// Call f(row, true if a line, violation, its rate) for the active rows of springs.
 template <class F>
 void each_spring(const Model& model, const State& state, const View& v, F&& f) noexcept {
-    for (const std::int32_t id : state.judge.elastic) {
+    for (const std::int32_t id : state.monitor.elastic) {
         const bool line = (v.flags[id] & model::kOneSided) != 0;
         if (line ? v.parted[id] != 0 : v.active[id] == 0.0) continue;
         const model::RowState now = model.interactions.row_state(id, model.bodies);

@@ -13,7 +13,7 @@ enum class At { pose, half_step };
 
 /// Sample energies and extrema of the state, whose rows have been evaluated. The result does not
 /// depend on threads.
-[[nodiscard]] JudgePart look(Model& model, State& state, runtime::Pool& pool, At when) noexcept;
+[[nodiscard]] MonitorPart sample(Model& model, State& state, runtime::Pool& pool, At when) noexcept;
 
 /// Write the violations of the rows of springs at the present poses into `gaps`, by row.
 void read_spring_gaps(Model& model, const State& state, double* gaps) noexcept;

@@ -36,8 +36,8 @@ void take(const Finding& f, Finding& worst) noexcept {
 }
 
 /// Run all monitors on a state and advance `state` to it.
-Findings judged(StepContext& ctx, JudgeState& state) noexcept {
-    const JudgePart p = look(ctx.model, ctx.state, ctx.pool, At::half_step);
+Findings judged(StepContext& ctx, MonitorState& state) noexcept {
+    const MonitorPart p = sample(ctx.model, ctx.state, ctx.pool, At::half_step);
     const double time = ctx.model.def.step * static_cast<double>(ctx.state.step - state.step);
     if (state.begun == 0) state.open_start = p.open;  // the poses were set by the user
     Findings out{};
@@ -75,18 +75,18 @@ Grade add(const Findings& now, Verdict& verdict) noexcept {
     double most = -1.0;
     for (int k = 0; k < kJudgeCount; ++k) {
         const Finding& f = verdict.worst[at(k)];
-        const double share = verdict.grade == Grade::wrong ? f.wrong : f.doubtful;
-        if (share <= most ||
+        const double fraction = verdict.grade == Grade::wrong ? f.wrong : f.doubtful;
+        if (fraction <= most ||
             (verdict.grade == Grade::doubtful && static_cast<Judge>(k) == Judge::speed))
             continue;
-        most = share;
+        most = fraction;
         verdict.judge = static_cast<Judge>(k);
     }
     return grade;
 }
 
 /// Run the checks of every step, before lines break in it.
-Findings borne(StepContext& ctx, JudgeState& state) noexcept {
+Findings borne(StepContext& ctx, MonitorState& state) noexcept {
     Findings out{};
     out[place(Judge::cable)] = strain_finding(ctx.model, ctx.state, state);
     out[place(Judge::violation)] = wound_finding(ctx.model, ctx.state, state);
@@ -94,17 +94,17 @@ Findings borne(StepContext& ctx, JudgeState& state) noexcept {
 }
 
 /// Report an event for each monitor that has become suspect.
-/// @param looks  True if all monitors were run; otherwise only those of borne().
-void tell(State& state, StepStats& stats, const Findings& now, bool looks,
-          JudgeState& memory) noexcept {
+/// @param all  True if all monitors were run; otherwise only those of borne().
+void tell(State& state, StepStats& stats, const Findings& now, bool all,
+          MonitorState& memory) noexcept {
     constexpr EventKind kKinds[kJudgeCount] = {EventKind::energy_created, EventKind::joint_open,
                                                EventKind::cable_law, EventKind::uncertified,
                                                EventKind::fast};
     for (std::size_t k = 0; k < kJudgeCount; ++k) {
         const Finding& f = now[k];
         const bool doubtful = !(f.doubtful <= 1.0);
-        if (!looks && !doubtful) continue;
-        if (doubtful && memory.told[k] == 0) {
+        if (!all && !doubtful) continue;
+        if (doubtful && memory.reported[k] == 0) {
             Event event;
             event.time = state.time;
             event.kind = kKinds[k];
@@ -114,7 +114,7 @@ void tell(State& state, StepStats& stats, const Findings& now, bool looks,
             state.events.push(event);
             ++stats.event_count[static_cast<std::size_t>(kKinds[k])];
         }
-        memory.told[k] = doubtful ? 1 : 0;
+        memory.reported[k] = doubtful ? 1 : 0;
     }
 }
 
@@ -122,7 +122,7 @@ void tell(State& state, StepStats& stats, const Findings& now, bool looks,
 /// passed without a failure. The remaining time is stored in ticks.
 void report_incomplete(StepContext& ctx) noexcept {
     constexpr std::uint8_t kTicks = 200;
-    std::uint8_t& left = ctx.state.judge.state.told[kJudgeCount];
+    std::uint8_t& left = ctx.state.monitor.state.reported[kJudgeCount];
     const auto tick =
         std::max<std::int64_t>(1, std::llround(limit::kMemory / kTicks / ctx.model.def.step));
     if (!ctx.model.completion.banned) {
@@ -155,10 +155,10 @@ double early_gain(StepContext& ctx) noexcept {
     const model::Bodies& b = ctx.model.bodies;
     const assembly::View v = view(ctx);
     double gain = drive_gain(ctx.model) + ctx.state.loads.gain(b, v.h, v.v, v.v_new) -
-                  spring_gain(ctx.model, ctx.state.judge.elastic);
+                  spring_gain(ctx.model, ctx.state.monitor.elastic);
     // Half a step before the start, springs are longer or shorter by (h/2)|ġ| and store that energy
     // too.
-    gain += spring_way(ctx.model, ctx.state.judge.elastic);
+    gain += spring_way(ctx.model, ctx.state.monitor.elastic);
     for (const std::int32_t body : b.moving) {
         const bool falls = b.weight[at(body)] && b.dof(body) >= 3;
         for (int i = 0; i < b.dof(body); ++i) {
@@ -173,21 +173,21 @@ double early_gain(StepContext& ctx) noexcept {
 
 }  // namespace
 
-void begin_judge(StepContext& ctx) noexcept {
-    JudgeState& state = ctx.state.judge.state;
+void begin_monitors(StepContext& ctx) noexcept {
+    MonitorState& state = ctx.state.monitor.state;
     if (state.begun != 0) return;
     const KeptRanges kept(ctx.work.before.active, ctx.model.interactions.active.data(),
                           ctx.model.system.bounded);
     evaluate_rows(ctx.model, ctx.pool);
-    const JudgePart p = look(ctx.model, ctx.state, ctx.pool, At::pose);
+    const MonitorPart p = sample(ctx.model, ctx.state, ctx.pool, At::pose);
     state = {};
     state.step = ctx.state.step;
     state.open_start = p.open > 1.0 ? p.open : 0.0;
     begin_energy(p, works(ctx.state), state);
 }
 
-Status judge(StepContext& ctx) noexcept {
-    JudgeData& d = ctx.state.judge;
+Status run_monitors(StepContext& ctx) noexcept {
+    MonitorData& d = ctx.state.monitor;
     // Joints are checked in each step at no cost, because they may open and close between samples.
     const bool open = ctx.work.stats.violation_max > limit::kOpen.doubtful;
     // The balance of the start is completed at the first sample, with this rise.
@@ -195,16 +195,16 @@ Status judge(StepContext& ctx) noexcept {
         const double early = early_gain(ctx);
         for (double& start : d.state.mean) start += early;
     }
-    JudgeState next = d.state;
+    MonitorState next = d.state;
     Findings now = borne(ctx, next);
-    const bool looks =
+    const bool all =
         ctx.state.step != 0 && (ctx.state.step <= 1 || ctx.state.step % d.every == 0 || open);
-    if (!looks && is_good(now)) {
+    if (!all && is_good(now)) {
         d.state = next;
         report_incomplete(ctx);
         return Status::ok;
     }
-    if (looks) {
+    if (all) {
         const Findings seen = judged(ctx, next);
         for (std::size_t k = 0; k < now.size(); ++k) take(seen[k], now[k]);
     }
@@ -213,20 +213,20 @@ Status judge(StepContext& ctx) noexcept {
     if (grade == Grade::wrong && ctx.model.def.on_diverged == OnDiverged::stop && !split)
         return Status::diverged;
     d.state = next;
-    tell(ctx.state, ctx.work.stats, now, looks, d.state);
+    tell(ctx.state, ctx.work.stats, now, all, d.state);
     report_incomplete(ctx);
     return Status::ok;
 }
 
 Verdict verdict(StepContext& ctx) noexcept {
-    Verdict out = ctx.state.judge.verdict;
-    if (ctx.state.changed != Changed::nothing || ctx.state.mend != Mend::nothing ||
+    Verdict out = ctx.state.monitor.verdict;
+    if (ctx.state.changed != Changed::nothing || ctx.state.repair != PendingRepair::nothing ||
         ctx.state.step == 0)
         return out;
     const KeptRanges kept(ctx.work.before.active, ctx.model.interactions.active.data(),
                           ctx.model.system.bounded);
     evaluate_rows(ctx.model, ctx.pool);
-    JudgeState next = ctx.state.judge.state;
+    MonitorState next = ctx.state.monitor.state;
     (void)add(judged(ctx, next), out);
     return out;
 }

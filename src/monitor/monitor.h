@@ -42,9 +42,9 @@
 namespace hawser::stepper {
 
 /// Compute the energy at the start, from the given velocities.
-void begin_judge(StepContext& ctx) noexcept;
+void begin_monitors(StepContext& ctx) noexcept;
 /// Check the state before the present step, whose rows have been evaluated.
-[[nodiscard]] Status judge(StepContext& ctx) noexcept;
+[[nodiscard]] Status run_monitors(StepContext& ctx) noexcept;
 /// Return the result of the monitors for the present state.
 [[nodiscard]] Verdict verdict(StepContext& ctx) noexcept;
 

@@ -27,8 +27,8 @@ double allowance(double size, bool turns) noexcept {
 
 }  // namespace
 
-void prepare_judge(const Model& model, State& state) {
-    JudgeData& d = state.judge;
+void prepare_monitors(const Model& model, State& state) {
+    MonitorData& d = state.monitor;
     const model::Interactions& in = model.interactions;
     if (!state.edits.any) d.state = {};
     d.allowed.assign(at(user_rows(model)), 0.0);

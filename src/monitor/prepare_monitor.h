@@ -9,6 +9,6 @@
 namespace hawser::stepper {
 
 /// Prepare arrays for the present interactions. @throws std::bad_alloc.
-void prepare_judge(const Model& model, State& state);
+void prepare_monitors(const Model& model, State& state);
 
 }  // namespace hawser::stepper

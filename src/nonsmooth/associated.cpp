@@ -46,11 +46,11 @@ Law linearise_associated(const Cone& c, Touch& touch) noexcept {
         // Project onto the rim along a = (1, m ŷ); in the perpendicular direction the circle of
         // radius m n' turns.
         touch = Touch::slip;
-        const double yx = z[1] / t, yy = z[2] / t, share = 1.0 / (1.0 + m * m);
-        const double turn = m * share * (z[0] + m * t) / t;
+        const double yx = z[1] / t, yy = z[2] / t, fraction = 1.0 / (1.0 + m * m);
+        const double turn = m * fraction * (z[0] + m * t) / t;
         const double a[3] = {1.0, m * yx, m * yy}, q[3] = {0.0, -yy, yx};
         for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j) d[3 * i + j] = share * a[i] * a[j] + turn * q[i] * q[j];
+            for (int j = 0; j < 3; ++j) d[3 * i + j] = fraction * a[i] * a[j] + turn * q[i] * q[j];
     }
     const double inverse[3] = {1.0 / scaled.root_n, 1.0 / scaled.root_t, 1.0 / scaled.root_t};
     Law law{};

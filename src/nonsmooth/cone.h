@@ -81,7 +81,7 @@ void project(double friction, double lambda[3]) noexcept;
 /// Return the law of sticking, r = 0.
 [[nodiscard]] Law hold_law(const Cone& cone) noexcept;
 
-/// True for two laws of slip with exact coupling whose directions ŷ are more than 90° apart.
+/// True if two sliding laws with exact coupling have directions ŷ more than 90° apart.
 [[nodiscard]] bool turned_round(const Law& before, const Law& after) noexcept;
 
 /// Return μ y_n about (u, λ), the radius of the friction disk [N s]; 0 if open.

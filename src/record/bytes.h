@@ -87,7 +87,7 @@ class ByteReader {
         return out;
     }
     [[nodiscard]] std::size_t left() const noexcept { return bytes_.size() - at_; }
-    /// @throws BadBytes when something is left over.
+    /// Check that all bytes have been read. @throws BadBytes if bytes remain.
     void expect_end() const {
         if (left() != 0) throw BadBytes("data are longer than expected");
     }

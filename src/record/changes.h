@@ -58,10 +58,11 @@ class ChangeBytes : public ChangeListener {
     void restored(std::span<const std::byte> bytes) noexcept override;
     void restored(const Structure& made_of, std::span<const std::byte> bytes) noexcept override;
     std::size_t mark() noexcept override { return out_.bytes().size(); }
-    /// Other bodies are reported all the same.
+    /// Remove the changes after a mark, because they were undone. Bodies reported since stay
+    /// reported.
     void undone(std::size_t mark) noexcept override { out_.truncate(mark); }
 
-    /// All since the last clear(), in order.
+    /// Return all changes since the last clear(), in order.
     [[nodiscard]] std::span<const std::byte> bytes() const noexcept { return out_.bytes(); }
     /// True if bodies were added, removed or restored: frames have another layout from now on.
     [[nodiscard]] bool other_bodies() const noexcept { return other_bodies_; }
@@ -69,7 +70,7 @@ class ChangeBytes : public ChangeListener {
     void clear() noexcept;
 
   protected:
-    /// The change that did not fit was undone.
+    /// Reset the failure, because the change that did not fit was undone.
     void forget_failure() noexcept { failed_ = false; }
 
   private:

@@ -25,12 +25,12 @@ namespace hawser::record {
 }
 
 /// Return the source of an event: its input; for a line that breaks the position along its wire;
-/// else the result of place_label().
+/// else the result of position_label().
 [[nodiscard]] inline std::string event_label(const World& world, const Event& event) {
     if (std::string input = input_label(world, event); !input.empty()) return input;
     if (event.kind == EventKind::line_break && event.interaction.valid())
-        return parted_label(world, event.interaction);
-    return place_label(world, event.interaction, event.body);
+        return broken_label(world, event.interaction);
+    return position_label(world, event.interaction, event.body);
 }
 
 }  // namespace hawser::record

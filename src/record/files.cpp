@@ -81,10 +81,10 @@ bool write_all(int to, std::span<const std::byte> bytes) {
 
 /// Return the end of a name's symbolic links, also if no file exists at that end.
 std::filesystem::path target(const std::filesystem::path& file) {
-    constexpr int kMostLinks = 40;  // as many as Linux follows
+    constexpr int kMaxLinks = 40;  // as many as Linux follows
     std::error_code failure;
     std::filesystem::path at = std::filesystem::absolute(file, failure);
-    for (int links = 0; !failure && links < kMostLinks; ++links) {
+    for (int links = 0; !failure && links < kMaxLinks; ++links) {
         const auto out = std::filesystem::weakly_canonical(at, failure);
         if (failure) break;
         // weakly_canonical() follows existing links; it leaves a link to a missing file unchanged.

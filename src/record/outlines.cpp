@@ -10,7 +10,7 @@
 namespace hawser::record {
 namespace {
 
-constexpr int kMostLines = 64;  ///< Largest number of lines along each side of a ground.
+constexpr int kMaxLines = 64;  ///< Largest number of lines along each side of a ground.
 constexpr std::size_t kMostTriangles = 4096;
 
 std::vector<Vec3> rim(double radius, double z) {
@@ -26,7 +26,7 @@ std::vector<Vec3> rim(double radius, double z) {
 void ground_lines(const ShapeDef& def, RecordedOutline& out) {
     const auto some = [](int count) {
         std::vector<int> at;
-        const int stride = (count + kMostLines - 1) / kMostLines;
+        const int stride = (count + kMaxLines - 1) / kMaxLines;
         for (int i = 0; i < count; i += stride) at.push_back(i);
         if (at.back() != count - 1) at.push_back(count - 1);
         return at;

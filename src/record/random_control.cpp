@@ -17,9 +17,9 @@ namespace hawser::record {
 
 namespace {
 
-constexpr double kRampShare = 0.4;
-constexpr double kLimitShare = 0.3;
-constexpr double kRestShare = 0.2;
+constexpr double kRampFraction = 0.4;
+constexpr double kLimitFraction = 0.3;
+constexpr double kRestFraction = 0.2;
 
 /// Random values of one input, by line of the file. Lines are counted in intervals from time 0.
 class RandomSequence {
@@ -36,7 +36,7 @@ class RandomSequence {
         out[0] = value;
         for (double time = pause(); time < def_.duration; time += pause()) {
             const double target = next_target();
-            const bool ramp = uniform() < kRampShare && !input_.whole;
+            const bool ramp = uniform() < kRampFraction && !input_.whole;
             const double length = ramp ? def_.period * (0.2 + 0.8 * uniform()) : 0.0;
             const std::int64_t first = line(time), count = line(length);
             for (std::int64_t k = 0; k <= count; ++k) {
@@ -68,8 +68,8 @@ class RandomSequence {
             const double low = std::ceil(input_.min), high = std::floor(input_.max);
             return std::min(high, low + std::floor(u * (high - low + 1.0)));
         }
-        if (choice < kLimitShare) return u < 0.5 ? input_.min : input_.max;
-        if (choice < kLimitShare + kRestShare) return clamp(input_.rest);
+        if (choice < kLimitFraction) return u < 0.5 ? input_.min : input_.max;
+        if (choice < kLimitFraction + kRestFraction) return clamp(input_.rest);
         return input_.min + u * (input_.max - input_.min);
     }
 

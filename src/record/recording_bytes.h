@@ -14,9 +14,9 @@
 
 namespace hawser::record {
 
-inline constexpr std::int64_t kMostSteps = std::int64_t{1} << 53;  ///< Times are doubles.
-inline constexpr double kMostStep = 1.0;                ///< Largest step, as in WorldDef::step [s].
-inline constexpr std::int32_t kMostStride = 1'000'000;  ///< Largest stride, as in --record-every.
+inline constexpr std::int64_t kMaxSteps = std::int64_t{1} << 53;  ///< Times are doubles.
+inline constexpr double kMaxStep = 1.0;                ///< Largest step, as in WorldDef::step [s].
+inline constexpr std::int32_t kMaxStride = 1'000'000;  ///< Largest stride, as in --record-every.
 
 template <class Enum>
 Enum get_enum(ByteReader& in, int count) {
@@ -35,7 +35,7 @@ T get_finite(ByteReader& in) {
 /// Read a step ≥ `least`.
 inline std::int64_t get_step(ByteReader& in, std::int64_t least) {
     const auto value = in.get<std::int64_t>();
-    if (value < least || value > kMostSteps) throw BadBytes("a step is out of range");
+    if (value < least || value > kMaxSteps) throw BadBytes("a step is out of range");
     return value;
 }
 

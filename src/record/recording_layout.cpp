@@ -30,9 +30,9 @@ void Recording::read_settings(ByteReader in) {
     settings.version = in.get_text();
     settings.processor = in.get_text();
     in.expect_end();
-    if (!(settings.step > 0.0) || !(settings.step <= kMostStep))
+    if (!(settings.step > 0.0) || !(settings.step <= kMaxStep))
         throw BadBytes("the time step is not positive");
-    if (settings.stride < 1 || settings.stride > kMostStride)
+    if (settings.stride < 1 || settings.stride > kMaxStride)
         throw BadBytes("the steps between frames are out of range");
     if (settings.threads < 1) throw BadBytes("the number of threads is not positive");
 }

@@ -46,11 +46,11 @@ void RecordingListener::detached(InteractionId element, int end) noexcept {
 /// Store a restored state in a chunk of its own, at the step of the world before. A replay makes
 /// its world like that of the start before this chunk.
 template <class F>
-void RecordingListener::begin_take(F&& told) noexcept {
+void RecordingListener::begin_take(F&& reported) noexcept {
     const std::int64_t before = now_;
     try {
         flush(before);
-        told();
+        reported();
         flush(before);
         if (before != now_) writer_.add_take(before, now_);
     } catch (const std::bad_alloc&) {

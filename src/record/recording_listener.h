@@ -14,15 +14,15 @@ namespace hawser::record {
 
 class RecordingListener final : public ChangeBytes {
   public:
-    /// Listens to `world` until it ends; both have to outlive it.
+    /// Listen to `world` until this object ends. Writer and world must outlive it.
     RecordingListener(RecordingWriter& writer, World& world) noexcept;
     ~RecordingListener() override;
     RecordingListener(const RecordingListener&) = delete;
     RecordingListener& operator=(const RecordingListener&) = delete;
 
-    /// Inputs of a scene are commands, which a recording stores separately.
+    /// Do nothing for inputs of a scene: they are commands, which a recording stores separately.
     void set(InputId id, double value) noexcept override;
-    /// Replays have no systems, only their actions.
+    /// Store the action of a system. Replays have no systems, only their actions.
     void detached(InteractionId element, int end) noexcept override;
     void restored(std::span<const std::byte> bytes) noexcept override;
     void restored(const Structure& made_of, std::span<const std::byte> bytes) noexcept override;
@@ -45,7 +45,7 @@ class RecordingListener final : public ChangeBytes {
         std::size_t bytes = 0;  ///< Size of the changes before it.
     };
     template <class F>
-    void begin_take(F&& told) noexcept;
+    void begin_take(F&& reported) noexcept;
 
     RecordingWriter& writer_;
     World& world_;

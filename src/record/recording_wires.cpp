@@ -61,9 +61,9 @@ void put_piece(ByteWriter& out, const World& world, InteractionId element,
 }
 
 void put_pull(ByteWriter& out, const World& world, InteractionId element) {
-    constexpr double kMost = std::numeric_limits<float>::max();
+    constexpr double kMaximum = std::numeric_limits<float>::max();
     const double pull = world.intact(element) ? std::max(0.0, -world.force(element)[0]) : -1.0;
-    out.put(static_cast<float>(std::isnan(pull) ? 0.0 : std::min<double>(pull, kMost)));
+    out.put(static_cast<float>(std::isnan(pull) ? 0.0 : std::min<double>(pull, kMaximum)));
 }
 
 void WireFollower::put_wires(ByteWriter& out, const World& world,

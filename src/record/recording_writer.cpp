@@ -30,12 +30,12 @@ namespace {
 
 // A reader accepts only finite numbers; values outside the range of the format are clamped.
 double in_range(double value) {
-    constexpr double kMost = std::numeric_limits<double>::max();
-    return std::isnan(value) ? 0.0 : std::clamp(value, -kMost, kMost);
+    constexpr double kMaximum = std::numeric_limits<double>::max();
+    return std::isnan(value) ? 0.0 : std::clamp(value, -kMaximum, kMaximum);
 }
 float to_float(double value) {
-    constexpr double kMost = std::numeric_limits<float>::max();
-    return static_cast<float>(std::isnan(value) ? 0.0 : std::clamp(value, -kMost, kMost));
+    constexpr double kMaximum = std::numeric_limits<float>::max();
+    return static_cast<float>(std::isnan(value) ? 0.0 : std::clamp(value, -kMaximum, kMaximum));
 }
 
 // Positions are stored as distances from the start. At a kilometre from the origin single precision
@@ -147,7 +147,7 @@ void RecordingWriter::add_changes(std::int64_t step, std::span<const std::byte> 
     other_bodies_ = other_bodies_ || other_bodies;
 }
 
-/// Which bodies frames have from now on: those that stay by their numbers in the file.
+/// Choose the bodies of the following frames: the remaining bodies, by their numbers in the file.
 void RecordingWriter::follow_bodies(const World& world) {
     other_bodies_ = false;
     std::vector<FramedBody> now;

@@ -29,7 +29,7 @@ class RecordingWriter {
                     const RecordingSettings& settings);
     void add_frame(const World& world);
     void add_inputs(std::span<const RecordedInput> changes);
-    /// @throws RecordingError if a change is missing for want of memory.
+    /// Check that no change is missing. @throws RecordingError if memory was insufficient for one.
     void check_complete(const ChangeBytes& changes) const;
     /// Write changes of the world since the last call (changes.h), before the next step.
     void add_changes(std::int64_t step, std::span<const std::byte> changes, bool other_bodies);
@@ -74,7 +74,7 @@ class RecordingWriter {
     bool other_bodies_ = false;  ///< Than bodies_: they are written before the next frame.
 };
 
-/// Bytes of one frame in the file.
+/// Return the number of bytes of one frame in the file.
 [[nodiscard]] std::size_t frame_bytes(const World& world, const SceneInfo& scene);
 
 }  // namespace hawser::record

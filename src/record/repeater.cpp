@@ -18,12 +18,12 @@ namespace hawser::record {
 /// Applies the loads of a recorded step to the same bodies.
 class Repeater::Loader final : public System {
   public:
-    static constexpr int kMost = 21;  ///< Number of entries of a symmetric 6 × 6 matrix.
+    static constexpr int kMaximum = 21;  ///< Number of entries of a symmetric 6 × 6 matrix.
     struct Load {
         BodyId body;
         std::size_t freedom = 0;
         std::array<double, 6> force{};
-        std::array<std::array<double, kMost>, 3> matrix{};  ///< Matrices A, D, K.
+        std::array<std::array<double, kMaximum>, 3> matrix{};  ///< Matrices A, D, K.
     };
     std::vector<Load> next;  ///< Loads of the next step.
 
@@ -69,8 +69,8 @@ void Repeater::repeat_loads(World& world) {
     while (load_ < end && loads[load_].step < world.step_count()) ++load_;
     if (load_ >= end || loads[load_].step != world.step_count()) return;
     ByteReader in(loads[load_].bytes);
-    constexpr std::size_t kLeast = 4 + 4 + 1 + 4 * 8;
-    loader_->next.resize(in.get_count(kLeast));
+    constexpr std::size_t kMinimum = 4 + 4 + 1 + 4 * 8;
+    loader_->next.resize(in.get_count(kMinimum));
     for (Loader::Load& load : loader_->next) {
         load.body.index = in.get<std::int32_t>();
         load.body.generation = in.get<std::int32_t>();

@@ -106,7 +106,7 @@ std::string names_in_words(const std::vector<std::string>& names) {
     return text;
 }
 
-std::string place_label(const World& world, InteractionId interaction, BodyId body) {
+std::string position_label(const World& world, InteractionId interaction, BodyId body) {
     if (interaction.valid()) return interaction_label(world, interaction);
     return body.valid() ? body_label(world, body) : "-";
 }

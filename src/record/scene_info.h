@@ -61,7 +61,8 @@ struct SceneInfo {
 /// "-" for no interaction.
 [[nodiscard]] std::string interaction_label(const World& world, InteractionId interaction);
 /// Return the label of an event's or a finding's source: an interaction, a body, or "-".
-[[nodiscard]] std::string place_label(const World& world, InteractionId interaction, BodyId body);
+[[nodiscard]] std::string position_label(const World& world, InteractionId interaction,
+                                         BodyId body);
 /// Return the origin of a name, such as " (made by "upper")" for "upper/slide1" of the route
 /// "upper". Names with an origin come from a winch, crane, guide, post or route of the scene.
 /// Return "" for names that the author wrote.

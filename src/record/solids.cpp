@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kFlat =
     1e-9;  ///< Relative to the extent: limit of a zero volume, and of a point in a face.
-constexpr std::size_t kMostSolidPoints =
+constexpr std::size_t kMaxSolidPoints =
     1024;  ///< Limit of points, because the cost of a point grows with the number of faces.
 constexpr std::size_t kFewPoints = 24;  ///< Limit of points for balls of 42 corners each.
 
@@ -153,7 +153,7 @@ Triangles box_surface(const Vec3& half_size) {
 
 Triangles outline_surface(const RecordedOutline& outline) {
     if (outline.kind != OutlineKind::solid) return {};
-    const std::size_t every = 1 + outline.points.size() / kMostSolidPoints;
+    const std::size_t every = 1 + outline.points.size() / kMaxSolidPoints;
     std::vector<Vec3> all;
     static const std::vector<Vec3> kBall = ball_corners();
     for (std::size_t i = 0; i < outline.points.size(); i += every) {
@@ -162,7 +162,7 @@ Triangles outline_surface(const RecordedOutline& outline) {
             all.push_back(p);
         } else if (outline.points.size() <= kFewPoints) {
             for (const Vec3& d : kBall) all.push_back(p + outline.radius * d);
-        } else if (all.size() + 6 <= kMostSolidPoints) {
+        } else if (all.size() + 6 <= kMaxSolidPoints) {
             for (int k = 0; k < 3; ++k)
                 for (const double s : {-1.0, 1.0})
                     all.push_back(p + s * outline.radius * Vec3::Unit(k));

@@ -14,13 +14,13 @@ double rest_length(const World& world, InteractionId element) {
         return def.params[0] +
                def.get("radius") * (world.pose(def.body[2]).position.x() - def.get("drum_zero"));
     // The drum changes the rest length. It equals the distance of the ends minus the violation.
-    const double apart = (world.world_point(def.body[1], def.point[1]) -
-                          world.world_point(def.body[0], def.point[0]))
-                             .norm();
-    return apart - world.violation(element)[0];
+    const double separation = (world.world_point(def.body[1], def.point[1]) -
+                               world.world_point(def.body[0], def.point[0]))
+                                  .norm();
+    return separation - world.violation(element)[0];
 }
 
-std::optional<WirePlace> wire_place(const World& world, InteractionId element) {
+std::optional<WirePosition> wire_position(const World& world, InteractionId element) {
     for (const WireId wire : world.wires()) {
         double s = 0.0;
         for (const InteractionId one : world.elements(wire)) {
@@ -34,9 +34,9 @@ std::optional<WirePlace> wire_place(const World& world, InteractionId element) {
     return std::nullopt;
 }
 
-std::string parted_label(const World& world, InteractionId element) {
+std::string broken_label(const World& world, InteractionId element) {
     const std::string name = interaction_label(world, element);
-    const std::optional<WirePlace> at = wire_place(world, element);
+    const std::optional<WirePosition> at = wire_position(world, element);
     return at ? fmt::format("{} ({} at {:.4g} m)", name, at->wire, at->s) : name;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// @file wire_place.h
+/// @file wire_position.h
 /// Position of an element along its wire.
 
 #include <hawser/hawser.h>
@@ -10,7 +10,7 @@
 
 namespace hawser::record {
 
-struct WirePlace {
+struct WirePosition {
     std::string wire;
     double s = 0.0;       ///< Material coordinate of the element's middle [m].
     double length = 0.0;  ///< Unstretched length of the wire [m].
@@ -20,10 +20,10 @@ struct WirePlace {
 [[nodiscard]] double rest_length(const World& world, InteractionId element);
 
 /// Return the position of an element in the first wire that contains it; null if there is none.
-[[nodiscard]] std::optional<WirePlace> wire_place(const World& world, InteractionId element);
+[[nodiscard]] std::optional<WirePosition> wire_position(const World& world, InteractionId element);
 
 /// Return the label of a broken line, `wire/s39 (wire at 197.5 m)`, or else the result of
 /// interaction_label().
-[[nodiscard]] std::string parted_label(const World& world, InteractionId element);
+[[nodiscard]] std::string broken_label(const World& world, InteractionId element);
 
 }  // namespace hawser::record

@@ -233,7 +233,7 @@ std::string what_happened(const EventFigures& e) {
     return "";
 }
 
-std::string told(const EventFigures& e, const ListedEvent& event) {
+std::string reported(const EventFigures& e, const ListedEvent& event) {
     std::string value;
     if (e.kind == EventKind::energy_created)
         value = fmt::format(", {} {}", event.value < 0.0 ? "lost" : "gained",
@@ -297,9 +297,9 @@ std::string events_in_words(const Summary& summary) {
     const char* label = "  events       ";
     for (const EventFigures& e : summary.happened) {
         fmt::format_to(out, "{}{}: first at {}\n", std::exchange(label, "               "),
-                       what_happened(e), told(e, e.first));
+                       what_happened(e), reported(e, e.first));
         const bool another = e.worst.time != e.first.time || e.worst.where != e.first.where;
-        if (another) fmt::format_to(out, "               worst at {}\n", told(e, e.worst));
+        if (another) fmt::format_to(out, "               worst at {}\n", reported(e, e.worst));
     }
     label = "  timeline     ";
     for (const ListedEvent& e : summary.events)

@@ -21,7 +21,7 @@ namespace {
 
 std::string place_of(const World& world, const Event& event) {
     std::string input = record::input_label(world, event);
-    return input.empty() ? record::place_label(world, event.interaction, event.body) : input;
+    return input.empty() ? record::position_label(world, event.interaction, event.body) : input;
 }
 
 constexpr double kMilliseconds = 1e3;

@@ -125,7 +125,7 @@ struct Summary {
     std::vector<std::string> warnings;   ///< Warnings of the start, in words.
     std::vector<CableFigures> cables;
     std::vector<WireFigures> wires;
-    std::vector<PartedWire> parted;  ///< The first ones, in order.
+    std::vector<BrokenWire> parted;  ///< The first ones, in order.
     std::vector<BodyFigures> bodies;
     std::uint64_t state_hash = 0;
     int threads = 1;

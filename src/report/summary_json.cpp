@@ -295,7 +295,7 @@ std::string to_json(const Summary& s) {
         {"event_extremes", event_extremes(s)},
         {"start_warnings", s.warnings},
         {"events", event_list(s)},
-        {"parted", parted_json(s.parted)},
+        {"parted", broken_json(s.parted)},
         {"wires", wires_json(s.wires)},
         {"tensions", cables(s)},
         {"motions", bodies(s)},

@@ -14,7 +14,7 @@ namespace {
 
 std::size_t place_of(Judge judge) { return static_cast<std::size_t>(judge); }
 
-std::string share(double of_limit) {
+std::string fraction(double of_limit) {
     return std::isfinite(of_limit) ? fmt::format("{:.2g} %", 100.0 * of_limit) : "beyond";
 }
 
@@ -25,7 +25,7 @@ VerdictText in_words(const World& world, const Verdict& verdict) {
     for (std::size_t k = 0; k < kJudgeCount; ++k) {
         const Finding& f = verdict.worst[k];
         if (f.interaction.valid() || f.body.valid())
-            out.where[k] = record::place_label(world, f.interaction, f.body);
+            out.where[k] = record::position_label(world, f.interaction, f.body);
     }
     if (verdict.grade == Grade::good) return out;
     const Finding& f = verdict.of(verdict.judge);
@@ -40,7 +40,7 @@ std::string margins(const VerdictText& text) {
     for (std::size_t k = 0; k < kJudgeCount; ++k) {
         const Finding& f = text.verdict.worst[k];
         out += fmt::format("{}{} {}", k == 0 ? "" : ", ", to_string(static_cast<Judge>(k)),
-                           share(f.wrong));
+                           fraction(f.wrong));
         if (f.wrong > 1e-4)
             out += fmt::format(" ({}{:.4g} s)", text.where[k].empty() ? "" : text.where[k] + ", ",
                                f.time);

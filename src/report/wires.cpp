@@ -15,7 +15,7 @@ namespace hawser::report {
 
 namespace {
 
-constexpr std::size_t kShares = 20, kMostParted = 100, kShownWires = 20, kShownParted = 8;
+constexpr std::size_t kShares = 20, kMaxBroken = 100, kShownWires = 20, kShownBroken = 8;
 
 void follow(Course& course, double now, bool first) {
     if (first) course = {now, now, now, now};
@@ -30,12 +30,12 @@ double nodes_there(const World& world, WireId wire) {
         std::count_if(nodes.begin(), nodes.end(), [&](BodyId id) { return world.alive(id); }));
 }
 
-PartedWire parted_wire(const World& world, const Event& event) {
-    PartedWire out{.time = event.time,
+BrokenWire broken_wire(const World& world, const Event& event) {
+    BrokenWire out{.time = event.time,
                    .wire = {},
                    .element = record::interaction_label(world, event.interaction),
                    .tension = event.value};
-    if (const auto at = record::wire_place(world, event.interaction)) {
+    if (const auto at = record::wire_position(world, event.interaction)) {
         out.wire = at->wire;
         out.s = at->s;
         out.length = at->length;
@@ -56,13 +56,13 @@ std::string count_from_to(const Course& c) {
 
 }  // namespace
 
-void WireWatch::look(const World& world, Watched& w, bool first) {
+void WireWatch::sample(const World& world, Watched& w, bool first) {
     const auto elements = world.elements(w.id);
     const double length = world.length(w.id);
     follow(w.figures.nodes, nodes_there(world, w.id), first);
     follow(w.figures.length, length, first);
     w.elements.assign(elements.begin(), elements.end());
-    w.share.assign(elements.size(), -1);
+    w.fraction.assign(elements.size(), -1);
     const auto n = static_cast<double>(w.figures.along.size());
     double s = 0.0, shortest = HUGE_VAL, longest = 0.0, mass = 0.0;
     constexpr double kNeverParts = 1e30;  // default breaking load of elements [N]
@@ -71,7 +71,7 @@ void WireWatch::look(const World& world, Watched& w, bool first) {
         if (!world.alive(elements[i])) continue;
         const double rest = record::rest_length(world, elements[i]);
         const double middle = n * (s + 0.5 * rest) / std::max(length, 1e-300);
-        w.share[i] = static_cast<std::int32_t>(std::clamp(middle, 0.0, n - 1.0));
+        w.fraction[i] = static_cast<std::int32_t>(std::clamp(middle, 0.0, n - 1.0));
         s += rest;
         shortest = std::min(shortest, rest);
         longest = std::max(longest, rest);
@@ -94,7 +94,7 @@ void WireWatch::note_times(const World& world) {
         WireFigures& f = w.figures;
         f.times.push_back({world.time(), f.nodes.now, f.shortest.now, f.longest.now});
     }
-    if (wires_.empty() || wires_.front().figures.times.size() < kMostTimes) return;
+    if (wires_.empty() || wires_.front().figures.times.size() < kMaxTimes) return;
     noted_every_ *= 2;
     for (Watched& w : wires_) {
         std::vector<Resolved>& times = w.figures.times;
@@ -117,7 +117,7 @@ void WireWatch::add(const World& world, WireId id, bool came) {
     one.figures.since = world.time();
     one.figures.came = came;
     one.figures.along.assign(shares, {HUGE_VAL, 0.0, -HUGE_VAL});
-    look(world, one, true);
+    sample(world, one, true);
     wires_.push_back(std::move(one));
 }
 
@@ -132,21 +132,21 @@ void WireWatch::add_pieces(const World& world) {
 
 void WireWatch::after_step(const World& world, std::span<const Event> events) {
     for (const Event& event : events) {
-        if (event.kind != EventKind::line_break || parted_.size() >= kMostParted) continue;
-        if (world.alive(event.interaction)) parted_.push_back(parted_wire(world, event));
+        if (event.kind != EventKind::line_break || parted_.size() >= kMaxBroken) continue;
+        if (world.alive(event.interaction)) parted_.push_back(broken_wire(world, event));
     }
     add_pieces(world);
-    const bool due = steps_ % kLookEvery == 0, noted = steps_ % noted_every_ == 0;
+    const bool due = steps_ % kSampleEvery == 0, noted = steps_ % noted_every_ == 0;
     ++steps_;
     for (Watched& w : wires_) {
         if (!world.alive(w.id)) continue;
         const auto elements = world.elements(w.id);
         if (due ||
             !std::equal(elements.begin(), elements.end(), w.elements.begin(), w.elements.end()))
-            look(world, w, false);
+            sample(world, w, false);
         for (std::size_t i = 0; i < elements.size(); ++i) {
-            if (w.share[i] < 0 || !world.alive(elements[i])) continue;
-            const auto k = static_cast<std::size_t>(w.share[i]);
+            if (w.fraction[i] < 0 || !world.alive(elements[i])) continue;
+            const auto k = static_cast<std::size_t>(w.fraction[i]);
             TensionAlong& along = w.figures.along[k];
             // The force of a broken element is 0, that of a slack one maybe -0.
             const double tension = 0.0 - world.force(elements[i])[0];
@@ -162,7 +162,7 @@ void WireWatch::after_step(const World& world, std::span<const Event> events) {
 std::vector<WireFigures> WireWatch::result(const World& world) const {
     std::vector<WireFigures> out;
     for (Watched w : wires_) {
-        if (world.alive(w.id)) look(world, w, false);
+        if (world.alive(w.id)) sample(world, w, false);
         TensionAlong whole{HUGE_VAL, 0.0, -HUGE_VAL};
         double tensions = 0.0;
         for (std::size_t k = 0; k < w.sum.size(); ++k) {
@@ -181,7 +181,7 @@ std::vector<WireFigures> WireWatch::result(const World& world) const {
             whole.mean /= tensions;
             w.figures.tension = whole;
         }
-        for (const PartedWire& p : parted_)
+        for (const BrokenWire& p : parted_)
             if (p.wire == w.figures.name) w.figures.parted.push_back(p);
         out.push_back(std::move(w.figures));
     }
@@ -189,11 +189,11 @@ std::vector<WireFigures> WireWatch::result(const World& world) const {
 }
 
 std::string wires_in_words(const std::vector<WireFigures>& wires,
-                           const std::vector<PartedWire>& parted) {
+                           const std::vector<BrokenWire>& parted) {
     std::string text;
     const auto out = std::back_inserter(text);
-    for (std::size_t i = 0; i < std::min(kShownParted, parted.size()); ++i) {
-        const PartedWire& p = parted[i];
+    for (std::size_t i = 0; i < std::min(kShownBroken, parted.size()); ++i) {
+        const BrokenWire& p = parted[i];
         fmt::format_to(out, "  {:<11}  ", i == 0 ? "parted" : "");
         if (!p.wire.empty())
             fmt::format_to(out, "the wire {} at s = {} of {}, ", record::name_in_quotes(p.wire),
@@ -201,9 +201,9 @@ std::string wires_in_words(const std::vector<WireFigures>& wires,
         fmt::format_to(out, "element {}, at {:.6g} s with {}\n", record::name_in_quotes(p.element),
                        p.time, record::with_unit(p.tension, "N"));
     }
-    if (parted.size() > kShownParted)
+    if (parted.size() > kShownBroken)
         fmt::format_to(out, "  {:<11}  and {} more (see --summary)\n", "",
-                       parted.size() - kShownParted);
+                       parted.size() - kShownBroken);
     // Wires without changes are reported in the table of cables.
     std::size_t shown = 0;
     for (const WireFigures& w : wires) {

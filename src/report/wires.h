@@ -15,7 +15,7 @@
 namespace hawser::report {
 
 /// A break of a wire.
-struct PartedWire {
+struct BrokenWire {
     double time = 0.0;  ///< Time [s].
     std::string wire;   ///< Name of the wire; empty: the element belongs to no wire.
     std::string element;
@@ -49,12 +49,12 @@ struct WireFigures {
     Course length;                ///< Unstretched [m].
     Course shortest, longest;     ///< Element, unstretched [m].
     Course mass;                  ///< Mass of the elements' material, without those at drums [kg].
-    std::vector<Resolved> times;  ///< Resolution at equidistant times, at most kMostTimes.
+    std::vector<Resolved> times;  ///< Resolution at equidistant times, at most kMaxTimes.
     std::vector<TensionAlong>
         along;                   ///< Tensions in equal parts of its length, from the first end on.
     TensionAlong tension{};      ///< Tension over its whole length.
     double breaking_load = 0.0;  ///< Breaking load of its weakest element [N]; 0: unbreakable.
-    std::vector<PartedWire> parted{};  ///< First breaks in the order of time.
+    std::vector<BrokenWire> parted{};  ///< First breaks in the order of time.
 };
 
 /// Observes the wires at the start of a world and the pieces that are cut from them. Tensions are
@@ -62,15 +62,15 @@ struct WireFigures {
 /// are sampled every 32 steps and after changes of nodes.
 class WireWatch {
   public:
-    static constexpr int kLookEvery = 32;  ///< Steps.
-    static constexpr std::size_t kMostTimes =
+    static constexpr int kSampleEvery = 32;  ///< Steps.
+    static constexpr std::size_t kMaxTimes =
         64;  ///< Capacity of the times; if it is exceeded, every other time is removed.
     explicit WireWatch(const World& world);
     /// Call after each step with the events of that step.
     void after_step(const World& world, std::span<const Event> events);
     [[nodiscard]] std::vector<WireFigures> result(const World& world) const;
     /// Return the first breaks in the order of time.
-    [[nodiscard]] const std::vector<PartedWire>& parted() const noexcept { return parted_; }
+    [[nodiscard]] const std::vector<BrokenWire>& parted() const noexcept { return parted_; }
 
   private:
     struct Watched {
@@ -78,24 +78,24 @@ class WireWatch {
         WireFigures figures;
         std::vector<InteractionId> elements{};  ///< Elements at the last sample …
         std::vector<std::int32_t>
-            share{};                ///< … and the part of the wire of each; −1: it was removed.
+            fraction{};             ///< … and the part of the wire of each; −1: it was removed.
         std::vector<double> sum{};  ///< Sum of the tensions of a part [N].
         std::vector<std::size_t> counted{};  ///< Number of tensions in that sum.
     };
-    static void look(const World& world, Watched& w, bool first);
+    static void sample(const World& world, Watched& w, bool first);
     void add(const World& world, WireId id, bool came);
     void add_pieces(const World& world);
     void note_times(const World& world);
 
     std::vector<Watched> wires_;
     std::vector<WireId> known_;  ///< Wires of the world at the last call of add_pieces().
-    std::vector<PartedWire> parted_;
+    std::vector<BrokenWire> parted_;
     int steps_ = 0;
-    int noted_every_ = kLookEvery;  ///< Steps.
+    int noted_every_ = kSampleEvery;  ///< Steps.
 };
 
 /// Return the lines of a report about the wires.
 [[nodiscard]] std::string wires_in_words(const std::vector<WireFigures>& wires,
-                                         const std::vector<PartedWire>& parted);
+                                         const std::vector<BrokenWire>& parted);
 
 }  // namespace hawser::report

@@ -15,9 +15,9 @@ Json course(const Course& c) {
 
 }  // namespace
 
-Json parted_json(const std::vector<PartedWire>& all) {
+Json broken_json(const std::vector<BrokenWire>& all) {
     Json out = Json::array();
-    for (const PartedWire& p : all)
+    for (const BrokenWire& p : all)
         out.push_back({{"time", p.time},
                        {"wire", p.wire.empty() ? Json() : Json(p.wire)},
                        {"s", p.wire.empty() ? Json() : Json(p.s)},
@@ -53,7 +53,7 @@ Json wires_json(const std::vector<WireFigures>& wires) {
             {"mass", course(w.mass)},
             {"resolution",
              {{"time", time}, {"nodes", nodes}, {"shortest", shortest}, {"longest", longest}}},
-            {"parted", parted_json(w.parted)},
+            {"parted", broken_json(w.parted)},
             {"tension_along", {{"least", least}, {"mean", mean}, {"greatest", greatest}}}};
     }
     return out;

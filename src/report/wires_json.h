@@ -11,7 +11,7 @@
 
 namespace hawser::report {
 
-[[nodiscard]] nlohmann::ordered_json parted_json(const std::vector<PartedWire>& all);
+[[nodiscard]] nlohmann::ordered_json broken_json(const std::vector<BrokenWire>& all);
 [[nodiscard]] nlohmann::ordered_json wires_json(const std::vector<WireFigures>& wires);
 
 }  // namespace hawser::report

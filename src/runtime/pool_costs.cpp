@@ -12,15 +12,16 @@
 namespace hawser {
 namespace {
 
-/// Return the quantile of v at the fraction `share`; 0 if v is empty.
-double below(std::vector<double>& v, double share) {
+/// Return the quantile of v at the fraction `fraction`; 0 if v is empty.
+double below(std::vector<double>& v, double fraction) {
     if (v.empty()) return 0.0;
-    const auto at = v.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(v.size()));
+    const auto at =
+        v.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(v.size()));
     std::nth_element(v.begin(), at, v.end());
     return *at;
 }
 
-constexpr int kBursts = 20, kMostBursts = 200, kLoops = 100, kTasks = 8;
+constexpr int kBursts = 20, kMaxBursts = 200, kLoops = 100, kTasks = 8;
 constexpr double kTask = 4e-6;         // [s]; long enough for the other thread to arrive
 constexpr double kAway = 2.0 * kTask;  // [s]; a later thread had no processor
 
@@ -78,7 +79,7 @@ PoolCosts measure_pool_costs() {
     CostSamples samples;
     // Add bursts if other programs occupy the second processor.
     for (int burst = 0;
-         burst < kBursts || (burst < kMostBursts && samples.start.size() < 10 * kLoops); ++burst) {
+         burst < kBursts || (burst < kMaxBursts && samples.start.size() < 10 * kLoops); ++burst) {
         record_loops(pool, true, samples);
         std::this_thread::sleep_for(std::chrono::milliseconds(1));  // lets the workers sleep
     }

@@ -108,7 +108,7 @@ double Pool::cpu_seconds(int thread) noexcept {
     return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// @return how many tasks of a part this thread has done.
+/// Run tasks of a part. @return number of tasks that this thread has done.
 int Pool::drain(Part& part, int thread) noexcept {
     int worked = 0;
     std::uint64_t ticket = part.ticket.load(std::memory_order_acquire);
@@ -127,8 +127,8 @@ int Pool::drain(Part& part, int thread) noexcept {
     }
 }
 
-/// The thread's own part first. A batch is not done before this is counted, so that all that it
-/// counts is of one batch.
+/// Run tasks: first those of the thread's own part. The batch ends only after this function has
+/// counted them, so that every count belongs to one batch.
 void Pool::drain(int thread) noexcept {
     int worked = 0;
     for (int p = 0; p < threads_; ++p)

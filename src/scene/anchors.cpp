@@ -73,7 +73,7 @@ StabilityItem read_gauge(Description& out, const Scope& scope, const Json& json,
     return item;
 }
 
-/// Angles have other names in scenes.
+/// Reject a field of an anchor, with the names that angles have in scenes.
 [[noreturn]] void refuse_anchor_field(const Place& place, const DefError& error) {
     FieldWords said = field_words(error);
     for (const char* angle : {"clay/fluke_angle", "most_heel", "deck_edge", "flooding"})

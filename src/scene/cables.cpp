@@ -26,7 +26,7 @@ class Builder {
     }
 
     void build() {
-        c_.links ? build_links() : build_lumps();
+        c_.links ? build_links() : build_nodes();
         if (c_.touches) {
             c_.links ? add_link_shapes() : add_segments();
         }
@@ -163,7 +163,7 @@ class Builder {
         out_.add_interaction(std::move(def), place_);
     }
 
-    void build_lumps() {
+    void build_nodes() {
         for (std::size_t i = 0; i <= c_.elements; ++i) {
             cable_.nodes.push_back(node(i));
         }

@@ -99,7 +99,7 @@ void drop(Json& root, const std::string& path, const std::string& prefix, Mistak
 /// Check a part of the document. @param above  Path from `root` to `value`.
 void check_part(Json& root, const Json& value, const Shape& shape, const Place& place,
                 const std::string& above, const std::string& prefix, Mistakes& mistakes) {
-    const std::vector<Problem> problems = find_problems(value, shape, Mistakes::kMost);
+    const std::vector<Problem> problems = find_problems(value, shape, Mistakes::kMaximum);
     for (const Problem& problem : problems) {
         mistakes.take(SceneError(place.file, place.path + problem.path, problem.message));
     }

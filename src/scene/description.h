@@ -194,7 +194,7 @@ class Description {
     /// rejects names that no shape has.
     std::uint32_t touched(const Json& names, const Place& place);
     void check_groups() const;
-    /// @throws SceneError if the name exists or there are too many.
+    /// Add a body. @throws SceneError if the name exists or there are too many bodies.
     BodyId add_body(BodyDef def, int place);
     InteractionId add_interaction(InteractionDef def, int place);
     void add_input(InputDef def, int place);

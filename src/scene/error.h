@@ -26,7 +26,7 @@ struct Place {
 /// Return one reference token of a JSON pointer, with its leading slash (RFC 6901, section 3).
 [[nodiscard]] std::string pointer_token(std::string_view key);
 
-/// @throws SceneError always.
+/// Throw an error at a place of the document. @throws SceneError always.
 [[noreturn]] void refuse(const Place& place, const std::string& message);
 
 /// Return the reason in an error of the library, "hook 'NAME': loads/0/eyes: why". The result has

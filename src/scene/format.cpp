@@ -16,7 +16,7 @@ ShapePtr angles() {
                 3);
 }
 ShapePtr damping() {
-    const ShapePtr one = number("a damping coefficient", 0.0, kMostDamping);
+    const ShapePtr one = number("a damping coefficient", 0.0, kMaxDamping);
     return choice("a damping coefficient, or [x, y, z] of them",
                   {one, list("three damping coefficients [x, y, z]", one, 3, 3)});
 }

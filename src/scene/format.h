@@ -28,8 +28,8 @@ inline constexpr int kMaxInstanceDepth = 8;
 // Limits that detect a wrong unit or a damaged digit; far beyond marine values.
 inline constexpr double kMostMass = 1e15;
 inline constexpr double kMostLength = 1e6;
-inline constexpr double kMostForce = 1e15;
-inline constexpr double kMostDamping = 1e18;
+inline constexpr double kMaxForce = 1e15;
+inline constexpr double kMaxDamping = 1e18;
 
 struct Format {
     ShapePtr scene;  ///< A whole scene file.

@@ -43,7 +43,7 @@ ShapePtr weak_of_cable() {
     return object("cable_weak", "a weak place of a cable", "The element there parts sooner.",
                   {{"at", number("a length", 0.0, kMostLength), true, "", "m",
                     "Unstretched length from the first end."},
-                   {"breaking_load", positive("a force", kMostForce), true, "", "N",
+                   {"breaking_load", positive("a force", kMaxForce), true, "", "N",
                     "The element there parts above this tension."}});
 }
 
@@ -77,16 +77,16 @@ ShapePtr resolution_shape() {
 ShapePtr line_type_shape() {
     std::vector<Field> fields{
         {"mass_per_length", positive("a mass per length", 1e9), true, "", "kg/m", "In air."},
-        {"EA", positive("a stiffness", kMostForce), false, "", "N",
+        {"EA", positive("a stiffness", kMaxForce), false, "", "N",
          "Axial stiffness; needed by cables of lumps."},
-        {"EI", number("a stiffness", 0.0, kMostForce), false, "0", "N m^2",
+        {"EI", number("a stiffness", 0.0, kMaxForce), false, "0", "N m^2",
          "Bending stiffness; 0: perfectly flexible. Cables of links bend freely."},
         {"diameter", positive("a length", 1e3), false, "", "m", "For pictures, and in water."},
-        {"breaking_load", positive("a force", kMostForce), false, "never", "N",
+        {"breaking_load", positive("a force", kMaxForce), false, "never", "N",
          "An element parts above this tension."},
         {"axial_damping", number("a fraction", 0.0, 10.0), false, "two steps of damping time", "1",
          "Fraction of critical of the highest axial mode of an element."},
-        {"drag", number("a damping per length", 0.0, kMostDamping), false, "0", "N s/m^2",
+        {"drag", number("a damping per length", 0.0, kMaxDamping), false, "0", "N s/m^2",
          "Linear drag per length."},
         {"submerged_factor", number("a factor", -1.0, 1.0), false, "1", "1",
          "Weight in water divided by weight in air."},
@@ -157,9 +157,8 @@ ShapePtr cable_shape() {
 namespace {
 
 ShapePtr gypsy_shape() {
-    std::vector<Field> fields{{"pockets",
-                               integer("a number of pockets", kLeastPockets, kMostPockets), true,
-                               "", "1", "Each holds a link that lies flat; 5 are usual."}};
+    std::vector<Field> fields{{"pockets", integer("a number of pockets", kMinPockets, kMaxPockets),
+                               true, "", "1", "Each holds a link that lies flat; 5 are usual."}};
     for (const GypsyNumber& n : gypsy_numbers())
         fields.push_back(
             {n.key, number("a number", n.least, n.most), false, n.fallback, n.unit, n.doc});

@@ -11,7 +11,7 @@ namespace {
 
 using namespace make;
 
-constexpr std::size_t kMostFrequencies = 100'000, kMostColumns = 100'000;
+constexpr std::size_t kMaxFrequencies = 100'000, kMaxColumns = 100'000;
 
 ShapePtr area_of_axes() {
     const ShapePtr one = number("an area", 0.0, 1e9);
@@ -36,7 +36,7 @@ ShapePtr coefficients_shape() {
     const ShapePtr mode = integer("a motion", 1, 6);
     const ShapePtr pair = list("two motions", mode, 2, 2);
     const ShapePtr any = number("a number", -1e30, 1e30);
-    const ShapePtr values = list("numbers, one a frequency", any, 1, kMostFrequencies);
+    const ShapePtr values = list("numbers, one a frequency", any, 1, kMaxFrequencies);
     const ShapePtr radiation = object(
         "radiation_pair", "a coefficient",
         "Added mass and damping of one motion by another, at each frequency.",
@@ -80,23 +80,23 @@ ShapePtr coefficients_shape() {
                   "ULEN of WAMIT."},
                  {"body_number", integer("a number", 0, 999), false, "0", "",
                   "Which of several bodies, from 0."}}),
-         object("wave_coefficients", "coefficients", "Written out, in SI units.",
-                {{"frequencies",
-                  list("frequencies", positive("a frequency", 1e4), 1, kMostFrequencies), true, "",
-                  "rad/s", "Ascending."},
-                 {"radiation", list("a list of coefficients", radiation, 0, 36), false, "none", "",
-                  "Added mass and damping; pairs that are not there are 0."},
-                 {"headings_deg",
-                  list("directions", number("a direction", -400.0, 400.0), 1, kMostColumns), false,
-                  "none", "deg", "To which waves run, ascending."},
-                 {"excitation", list("a list of forces", force, 0, kMostColumns), false, "none", "",
-                  "Of all that waves do."},
-                 {"scattering", list("a list of forces", force, 0, kMostColumns), false, "none", "",
-                  "Of what the body scatters alone."},
-                 {"drift_forces", list("a list of forces", drift, 0, kMostColumns), false, "none",
-                  "", "Mean forces of second order."},
-                 {"stiffness", list("a list of stiffnesses", stiffness, 0, 36), false, "none", "",
-                  "Hydrostatic, with that of weight."}})});
+         object(
+             "wave_coefficients", "coefficients", "Written out, in SI units.",
+             {{"frequencies", list("frequencies", positive("a frequency", 1e4), 1, kMaxFrequencies),
+               true, "", "rad/s", "Ascending."},
+              {"radiation", list("a list of coefficients", radiation, 0, 36), false, "none", "",
+               "Added mass and damping; pairs that are not there are 0."},
+              {"headings_deg",
+               list("directions", number("a direction", -400.0, 400.0), 1, kMaxColumns), false,
+               "none", "deg", "To which waves run, ascending."},
+              {"excitation", list("a list of forces", force, 0, kMaxColumns), false, "none", "",
+               "Of all that waves do."},
+              {"scattering", list("a list of forces", force, 0, kMaxColumns), false, "none", "",
+               "Of what the body scatters alone."},
+              {"drift_forces", list("a list of forces", drift, 0, kMaxColumns), false, "none", "",
+               "Mean forces of second order."},
+              {"stiffness", list("a list of stiffnesses", stiffness, 0, 36), false, "none", "",
+               "Hydrostatic, with that of weight."}})});
 }
 
 ShapePtr mesh_shape() {
@@ -121,7 +121,7 @@ ShapePtr mesh_shape() {
 }  // namespace
 
 ShapePtr water_hull_shape() {
-    const ShapePtr number6 = number("a number", 0.0, kMostDamping);
+    const ShapePtr number6 = number("a number", 0.0, kMaxDamping);
     return object(
         "water_hull", "a hull", "Hull of a rigid body, apart from the shapes that touch.",
         {{"body", body_ref(), true, "", "", "Which."},

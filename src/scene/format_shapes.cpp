@@ -8,7 +8,7 @@ namespace {
 
 using namespace make;
 
-constexpr double kMostShapeLength = 1e6;
+constexpr double kMaxShapeLength = 1e6;
 constexpr std::size_t kMostHull = 4096;  ///< Vertices of a hull.
 constexpr std::size_t kMostPoints =
     1'000'000;  ///< Largest number of points of a mesh or heightfield.
@@ -48,7 +48,7 @@ std::vector<Field> values_of_material() {
         {"description", text("a text"), false, "", "", "Source and remarks."}};
 }
 
-ShapePtr length(const char* what) { return positive(what, kMostShapeLength); }
+ShapePtr length(const char* what) { return positive(what, kMaxShapeLength); }
 ShapePtr axis() { return word("an axis", {"x", "y", "z"}); }
 
 /// Describe one kind of shape: `fields` in addition to the common fields.
@@ -176,8 +176,8 @@ ShapePtr shape_of_body() {
         shape_kind(
             "box", "a box", "A box.",
             {{"half_size",
-              list("three half sizes [x, y, z]", positive("a length", kMostShapeLength), 3, 3),
-              true, "", "m", "Half sizes."}}),
+              list("three half sizes [x, y, z]", positive("a length", kMaxShapeLength), 3, 3), true,
+              "", "m", "Half sizes."}}),
         shape_kind("cylinder", "a cylinder", "A cylinder with flat ends.",
                    along_axis("Between its ends.")),
         shape_kind("plane", "a plane", "A half-space: solid below the shape's x-y plane.",

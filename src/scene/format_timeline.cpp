@@ -32,8 +32,8 @@ void add_gear(std::vector<Field>& fields, bool plate) {
     fields.push_back(
         {"length", positive("a length", kMostLength), false, "0.3", "m", "Of a link."});
     fields.push_back(
-        {"EA", positive("a stiffness", kMostForce), false, "of the wire", "N", "Of a link."});
-    fields.push_back({"breaking_load", positive("a force", kMostForce), false, "never", "N",
+        {"EA", positive("a stiffness", kMaxForce), false, "of the wire", "N", "Of a link."});
+    fields.push_back({"breaking_load", positive("a force", kMaxForce), false, "never", "N",
                       "A link parts above this tension."});
     if (plate)
         fields.push_back({"radius", positive("a length", kMostLength), false, "0.3", "m",

@@ -30,7 +30,7 @@ Cable& cable_of(Description& out, const Scope& scope, const std::string& name, c
 }
 
 /// Return the distance of a point from an element [m].
-double apart(const Description& out, const InteractionDef& d, const Vec3& p) {
+double separation(const Description& out, const InteractionDef& d, const Vec3& p) {
     const Vec3 a = out.world_point(d.body[0], d.point[0]);
     const Vec3 along = out.world_point(d.body[1], d.point[1]) - a;
     const double t =
@@ -45,7 +45,7 @@ std::size_t nearest(Description& out, const Cable& cable, const GuideDef& def, c
     double least = 1e300, guided = 1e300;
     for (std::size_t k = 0; k < cable.stretch.size(); ++k) {
         const InteractionDef& d = element_of(out, cable.stretch[k]);
-        const double far = apart(out, d, at);
+        const double far = separation(out, d, at);
         if (kind_info(d.kind).is(kAtGuide)) guided = std::min(guided, far);
         if (kind_info(d.kind).is(kWoundUp) || far >= least) continue;
         least = far;
@@ -71,7 +71,7 @@ CableSection& section_of(Cable& cable, std::size_t element) {
     return cable.sections[k];
 }
 
-/// Subtract half of the mass of the element from the lump, with its fraction of drag and of weight
+/// Subtract half of the mass of the element from the node, with its fraction of drag and of weight
 /// in water.
 void lighten(BodyDef& lump, double half, const Place& place) {
     if (lump.kind != BodyKind::lump || !(half > 0.0)) return;
@@ -105,7 +105,7 @@ void turn_bends(Description& out, const InteractionDef& element, const GuidePlan
     }
 }
 
-/// Add the capsule of a part between a lump and the guide.
+/// Add the capsule of a part between a node and the guide.
 void add_part_segment(Description& out, const ShapeDef& whole, const InteractionDef& part,
                       const char* suffix, int place) {
     const auto is_lump = [&](std::size_t end) {

@@ -108,10 +108,9 @@ std::vector<NumberLine> number_lines(const Path& file, std::size_t most) {
         }
         if (heading || numbers.value.empty()) continue;
         total += numbers.value.size() + kLine;
-        if (total > kMostHydroNumbers)
+        if (total > kMaxHydroNumbers)
             refuse_hydro(file, "line " + std::to_string(line) + ": more numbers than are read (" +
-                                   std::to_string(kMostHydroNumbers) +
-                                   ", a line counts as 8 more)");
+                                   std::to_string(kMaxHydroNumbers) + ", a line counts as 8 more)");
         out.push_back(std::move(numbers));
     }
     return out;

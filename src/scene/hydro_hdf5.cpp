@@ -22,7 +22,7 @@ namespace hawser::scene {
 
 namespace {
 
-constexpr hsize_t kMostHdf5 = 20'000'000;
+constexpr hsize_t kMaxHdf5 = 20'000'000;
 
 class Hdf5File {
   public:
@@ -76,8 +76,8 @@ class Hdf5File {
                    " belong there";
         hsize_t count = 1;
         for (int d = 0; d < has; ++d) {
-            if (size[d] == 0 || size[d] > kMostHdf5 / count)
-                return "has more than " + std::to_string(kMostHdf5) + " values, or none";
+            if (size[d] == 0 || size[d] > kMaxHdf5 / count)
+                return "has more than " + std::to_string(kMaxHdf5) + " values, or none";
             count *= size[d];
             out.size.push_back(size[d]);
         }

@@ -9,7 +9,7 @@ namespace hawser::scene {
 namespace {
 
 constexpr std::uint64_t kHydroMagic = 0x3130524457414800u;  // changes with the layout
-constexpr std::size_t kMostErrorText = 4000;
+constexpr std::size_t kMaxErrorText = 4000;
 
 constexpr std::uint64_t kHasInfinite = 1, kHasZero = 2, kHasStiffness = 4;  // bits of flags
 
@@ -53,7 +53,7 @@ void for_each_table(C& c, F&& f) {
 constexpr std::size_t kTables = 7;
 
 std::string printable(std::string text) {
-    if (text.size() > kMostErrorText) text.resize(kMostErrorText);
+    if (text.size() > kMaxErrorText) text.resize(kMaxErrorText);
     for (char& c : text)
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
     return text;
@@ -86,7 +86,7 @@ std::vector<char> message_of_error(const std::string& text) {
 }
 
 std::optional<HydroMessage> read_message(std::span<const char> bytes) {
-    if (bytes.size() < 2 * sizeof(std::uint64_t) || bytes.size() > kMostHydroMessage)
+    if (bytes.size() < 2 * sizeof(std::uint64_t) || bytes.size() > kMaxHydroMessage)
         return std::nullopt;
     MessageBytes in(bytes);
     if (in.word() != kHydroMagic) return std::nullopt;
@@ -108,7 +108,7 @@ std::optional<HydroMessage> read_message(std::span<const char> bytes) {
     for_each_table(c, [&](const auto& table) {
         constexpr std::size_t kEntry = sizeof(*table.data());
         const std::uint64_t n = count[at++];
-        fits = fits && n <= kMostHydroMessage / kEntry;
+        fits = fits && n <= kMaxHydroMessage / kEntry;
         if (fits) needed += static_cast<std::size_t>(n) * kEntry;
     });
     if (!fits || needed != in.left()) return std::nullopt;

@@ -17,7 +17,7 @@
 namespace hawser::scene {
 
 /// Largest size of a message. All tables that coefficients_fault() accepts fit.
-inline constexpr std::size_t kMostHydroMessage = std::size_t{512} << 20;
+inline constexpr std::size_t kMaxHydroMessage = std::size_t{512} << 20;
 
 [[nodiscard]] std::vector<char> message_of(const WaveCoefficients& c);
 [[nodiscard]] std::vector<char> message_of_error(const std::string& text);

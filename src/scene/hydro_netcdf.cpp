@@ -21,7 +21,7 @@ namespace hawser::scene {
 
 namespace {
 
-constexpr std::size_t kMostNetcdf = 20'000'000;
+constexpr std::size_t kMaxNetcdf = 20'000'000;
 
 class NetcdfFile {
   public:
@@ -68,8 +68,8 @@ class NetcdfFile {
             char text[NC_MAX_NAME + 1] = {};
             std::size_t size = 0;
             need(nc_inq_dim(id_, of[static_cast<std::size_t>(d)], text, &size), what);
-            if (size == 0 || size > kMostNetcdf / count)
-                refuse_hydro(path_, what + " has more than " + std::to_string(kMostNetcdf) +
+            if (size == 0 || size > kMaxNetcdf / count)
+                refuse_hydro(path_, what + " has more than " + std::to_string(kMaxNetcdf) +
                                         " values, or none");
             count *= size;
             out.axis.emplace_back(text);

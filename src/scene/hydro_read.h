@@ -17,7 +17,7 @@ using Path = std::filesystem::path;
 /// Largest file that is read [bytes].
 inline constexpr std::uintmax_t kLargestHydroFile = 256u << 20u;
 /// Largest number of values that number_lines() reads from a text file.
-inline constexpr std::size_t kMostHydroNumbers = 20'000'000;
+inline constexpr std::size_t kMaxHydroNumbers = 20'000'000;
 
 [[noreturn]] void refuse_hydro(const Path& file, const std::string& what);
 

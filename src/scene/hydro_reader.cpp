@@ -27,7 +27,7 @@ namespace {
 
 constexpr const char* kReaderWord = "--read-coefficients";
 constexpr int kReaderArguments = 9;  // program, word, file, three units, body, seconds, bytes
-constexpr std::size_t kLeastReaderMemory = std::size_t{64} << 20;
+constexpr std::size_t kMinReaderMemory = std::size_t{64} << 20;
 
 /// True if this program serves as a reader when it is started again.
 bool& serves_itself() {
@@ -89,10 +89,10 @@ int serve(char** argv) {
     if (!given) return 1;
     limit_this_process(seconds, memory);
     std::vector<char> reply = reply_to(argv[2], {density, gravity, length, static_cast<int>(body)});
-    if (reply.size() > kMostHydroMessage)
+    if (reply.size() > kMaxHydroMessage)
         reply = message_of_error(
             "coefficients '" + std::string(argv[2]) + "': " + std::to_string(reply.size()) +
-            " bytes of numbers; up to " + std::to_string(kMostHydroMessage) + " are read");
+            " bytes of numbers; up to " + std::to_string(kMaxHydroMessage) + " are read");
     for (std::size_t sent = 0; sent < reply.size();) {
         const ssize_t n = write(kReaderDescriptor, reply.data() + sent, reply.size() - sent);
         if (n <= 0) return 1;
@@ -131,7 +131,7 @@ std::string failure_of(const SpawnResult& run, const std::string& program,
             return "reading it takes more than " + seconds_text(limits.seconds) + damaged +
                    ", or raise HAWSER_READER_SECONDS";
         case SpawnEnd::too_large:
-            return "its reader returned more than " + std::to_string(kMostHydroMessage) + " bytes" +
+            return "its reader returned more than " + std::to_string(kMaxHydroMessage) + " bytes" +
                    damaged;
         case SpawnEnd::killed:
             return "its reader ended by signal " + std::to_string(run.code) + " (" +
@@ -147,9 +147,9 @@ void check_limits(const Path& file, const ReaderLimits& limits) {
     if (!(limits.seconds >= 0.1 && limits.seconds <= 3600.0))
         refuse_hydro(file, "the reader's time of " + decimal(limits.seconds) +
                                " s is outside 0.1 to 3600 s");
-    if (limits.memory < kLeastReaderMemory)
+    if (limits.memory < kMinReaderMemory)
         refuse_hydro(file, "the reader's memory of " + std::to_string(limits.memory) +
-                               " bytes is below " + std::to_string(kLeastReaderMemory));
+                               " bytes is below " + std::to_string(kMinReaderMemory));
 }
 
 }  // namespace
@@ -170,7 +170,7 @@ WaveCoefficients read_apart(const Path& file, const HydroUnits& units, const Rea
                      {program, kReaderWord, whole.string(), decimal(units.density),
                       decimal(units.gravity), decimal(units.length), std::to_string(units.body),
                       decimal(limits.seconds), std::to_string(limits.memory)},
-                     limits.seconds, kMostHydroMessage);
+                     limits.seconds, kMaxHydroMessage);
     if (run.end != SpawnEnd::exited || run.code != 0)
         refuse_hydro(file, failure_of(run, program, limits));
     auto message = read_message(run.output);

@@ -10,7 +10,7 @@ namespace {
 
 /// Largest distance of a node from its point of attachment [m]. It allows for coordinates with six
 /// decimals.
-constexpr double kLumpTolerance = 2e-6;
+constexpr double kNodeTolerance = 2e-6;
 
 /// True if the kind joins two points. A joint's point has no default.
 bool needs_points(const KindInfo& kind) {
@@ -117,7 +117,7 @@ class Reader {
                 def_.point[i] = vector_of(json_["points"][i]);
             }
             if (body.kind == BodyKind::lump) {
-                if (def_.point[i].norm() > kLumpTolerance) {
+                if (def_.point[i].norm() > kNodeTolerance) {
                     refuse(where, fmt::format("the lump {} is a point, {:.6g} m away from here; "
                                               "attach it at its position",
                                               in_quotes(body.name), def_.point[i].norm()));

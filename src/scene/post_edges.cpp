@@ -13,7 +13,7 @@
 namespace hawser::scene {
 namespace {
 
-constexpr std::size_t kMostEdges = 64;  ///< Largest number of edges of one post.
+constexpr std::size_t kMaxEdges = 64;  ///< Largest number of edges of one post.
 constexpr double kNear =
     0.1;  ///< Largest distance of an edge from two points, relative to their distance.
 constexpr double kAnyTurn = 1e-3;  ///< Least angle of an edge that two points define [rad].
@@ -93,12 +93,12 @@ std::vector<EdgeAxis> axes_of_edges(const Description& out, BodyId body, const J
     if (json.contains("near")) {
         const Json& near = json["near"];
         edges = {edge_near(edges, vector_of(near[0]), vector_of(near[1]), place / "near")};
-    } else if (edges.empty() || edges.size() > kMostEdges) {
+    } else if (edges.empty() || edges.size() > kMaxEdges) {
         refuse(place / "sharper_than",
                edges.empty() ? "no convex edge of the shape is so sharp"
                              : fmt::format("{} edges are so sharp, of at most {}; give a larger "
                                            "angle, or points \"near\" one",
-                                           edges.size(), kMostEdges));
+                                           edges.size(), kMaxEdges));
     }
     std::vector<EdgeAxis> axes;
     for (const ShapeEdge& edge : edges) {

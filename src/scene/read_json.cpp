@@ -19,8 +19,8 @@ void refuse_text_of_other_kind(std::string_view text, const std::string& file,
     if (!other.empty()) refuse({file, ""}, other);
 }
 constexpr std::size_t kMostEntries = 2'000'000;  ///< Largest number of entries of an array.
-constexpr std::size_t kMostValues = 10'000'000;  ///< Largest number of values of a file.
-constexpr std::size_t kMostUnknown = 10'000;     ///< Largest number of values below an unknown key.
+constexpr std::size_t kMaxValues = 10'000'000;   ///< Largest number of values of a file.
+constexpr std::size_t kMaxUnknown = 10'000;      ///< Largest number of values below an unknown key.
 
 /// First pass over the text. Checks everything that the parser alone would accept.
 class LimitChecker : public nlohmann::json_sax<Json> {
@@ -82,13 +82,13 @@ class LimitChecker : public nlohmann::json_sax<Json> {
         if (!level.object && level.index >= kMostEntries)
             refuse(here(), "an array of more than " + std::to_string(kMostEntries) + " entries");
         ++values_;
-        if (values_ > kMostValues)
-            refuse(here(), "the file has more than " + std::to_string(kMostValues) + " values");
+        if (values_ > kMaxValues)
+            refuse(here(), "the file has more than " + std::to_string(kMaxValues) + " values");
         if (unknown_ > 0) ++unknown_;
-        if (unknown_ > kMostUnknown)
+        if (unknown_ > kMaxUnknown)
             refuse({place_.file, "/" + levels_.front().key},
                    "there is no key " + in_quotes(levels_.front().key) +
-                       ", and it holds more than " + std::to_string(kMostUnknown) +
+                       ", and it holds more than " + std::to_string(kMaxUnknown) +
                        " values; leave it out");
         ++level.index;
         return true;

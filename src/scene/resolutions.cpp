@@ -12,31 +12,31 @@
 namespace hawser::scene {
 namespace {
 
-constexpr double kMostMetres = 1e6, kHalfTurn = 3.14159265358979323846;
+constexpr double kMaxMetres = 1e6, kHalfTurn = 3.14159265358979323846;
 
 constexpr ResolutionNumber kLengths[] = {
     {"min_length", &ResolutionDef::min_length, "m", "2.5", "No element gets shorter by a node.",
-     0.01, kMostMetres},
+     0.01, kMaxMetres},
     {"max_length", &ResolutionDef::max_length, "m", "20",
-     "Of the longest element; from twice \"min_length\" on.", 0.01, kMostMetres},
+     "Of the longest element; from twice \"min_length\" on.", 0.01, kMaxMetres},
     {"sag_error", &ResolutionDef::sag_error, "m", "0.05",
-     "How far an element may lie off its arc; 0: no such bound.", 0.0, kMostMetres},
+     "How far an element may lie off its arc; 0: no such bound.", 0.0, kMaxMetres},
     {"max_angle", &ResolutionDef::max_angle, "rad", "0.26",
      "Largest angle between elements; 0: no such bound.", 0.0, kHalfTurn},
     {"contact_length", &ResolutionDef::contact_length, "m", "twice \"min_length\"",
-     "Of elements that touch something, and their neighbours; 0: no such bound.", 0.0, kMostMetres},
+     "Of elements that touch something, and their neighbours; 0: no such bound.", 0.0, kMaxMetres},
     {"drum_length", &ResolutionDef::drum_length, "m", "\"element\" of its winch",
-     "Of the element next to a drum; 0: no such bound.", 0.0, kMostMetres},
+     "Of the element next to a drum; 0: no such bound.", 0.0, kMaxMetres},
     {"wave_period", &ResolutionDef::wave_period, "s", "2",
-     "Of the shortest wave across that is to be resolved; 0: no such bound.", 0.0, kMostMetres},
+     "Of the shortest wave across that is to be resolved; 0: no such bound.", 0.0, kMaxMetres},
     {"points_per_wave", &ResolutionDef::points_per_wave, "1", "8", "Elements to that wave.", 2.0,
      1000.0},
     {"averaging", &ResolutionDef::averaging, "s", "10",
-     "Time over which the tension is averaged that gives the length of waves.", 1e-3, kMostMetres},
+     "Time over which the tension is averaged that gives the length of waves.", 1e-3, kMaxMetres},
     {"hysteresis", &ResolutionDef::hysteresis, "1", "1.5",
      "Elements become one where that would be shorter than it may be by this factor.", 1.0, 100.0},
     {"patience", &ResolutionDef::patience, "s", "2",
-     "For which a node is not needed before it goes.", 0.0, kMostMetres}};
+     "For which a node is not needed before it goes.", 0.0, kMaxMetres}};
 
 constexpr ResolutionCount kWholes[] = {
     {"max_nodes", &ResolutionDef::max_nodes, "1000", "Of the cable, its ends included.", 3.0, 1e5},

@@ -22,7 +22,7 @@ std::string propulsor_name(const Json& json, const std::vector<PropulsorDef>& pr
     refuse(place, "there is no propulsor " + in_quotes(name) + suggestion(name, known));
 }
 
-/// Element of a line at the body: an interaction, or the end of a cable.
+/// Return the element of a line at the body: an interaction, or the end of a cable.
 InteractionId line_at(const Description& out, const Scope& scope, const std::string& name,
                       BodyId body, const Place& place) {
     if (const Cable* cable = out.find_cable(scope.prefix + name); cable != nullptr) {

@@ -30,6 +30,6 @@ struct GypsyNumber {
     double least, most;
 };
 [[nodiscard]] std::span<const GypsyNumber> gypsy_numbers() noexcept;
-inline constexpr int kLeastPockets = 3, kMostPockets = 100;
+inline constexpr int kMinPockets = 3, kMaxPockets = 100;
 
 }  // namespace hawser::scene

@@ -15,7 +15,7 @@ void put(const World& world, record::RecordingWriter& to, const char* kind,
 
 void RunNotes::signal(const World& world, record::RecordingWriter& to, const std::string& name,
                       double value) {
-    const auto [known, fresh] = told_.try_emplace(name, value);
+    const auto [known, fresh] = reported_.try_emplace(name, value);
     if (!fresh && known->second == value) return;
     known->second = value;
     bool words = false;

@@ -17,7 +17,7 @@ namespace hawser::session {
 class RunNotes {
   public:
     /// Forget all values of signals. Call after a change of the recording or of the state.
-    void clear() noexcept { told_.clear(); }
+    void clear() noexcept { reported_.clear(); }
     /// Write the new value of a signal. Do nothing if the same value was written last.
     void signal(const World& world, record::RecordingWriter& to, const std::string& name,
                 double value);
@@ -26,7 +26,7 @@ class RunNotes {
                     std::span<const scene::Operation> done);
 
   private:
-    std::map<std::string, double> told_;  ///< Signals and their values.
+    std::map<std::string, double> reported_;  ///< Signals and their values.
 };
 
 }  // namespace hawser::session

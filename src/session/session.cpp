@@ -327,8 +327,8 @@ void Session::write_csv(const std::filesystem::path& file, std::int32_t every) {
 }
 
 void Session::note(std::string_view kind, std::span<const std::byte> bytes) {
-    constexpr std::size_t kMostKind = 32;
-    if (kind.empty() || kind.size() > kMostKind)
+    constexpr std::size_t kMaxKind = 32;
+    if (kind.empty() || kind.size() > kMaxKind)
         throw DefError("the kind of a note has 1 to 32 bytes");
     if (!impl_->recording.to) return;
     if (impl_->listener) impl_->listener->flush();

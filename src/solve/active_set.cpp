@@ -10,19 +10,19 @@
 namespace hawser::stepper {
 namespace {
 
-constexpr int kMostPasses = 20;
+constexpr int kMaxPasses = 20;
 
 /// Switch rows by the current λ and v₊. At first all rows that request it switch. Two rows may
 /// alternate forever, so later only the first one switches (K. G. Murty's least index rule, which
 /// terminates).
-/// @return the number of requesting rows; none switch from kMostPasses on.
+/// @return the number of requesting rows; none switch from kMaxPasses on.
 std::int32_t switch_solved(Model& model, Work& work, int pass) noexcept {
     constexpr int kTogether = 6;
     take_bounds(model, work.newton);
     keep_bounds(work.newton, 1.0);
     const std::int32_t rows =
-        switch_bounds(model, work, 0.0, pass < kTogether ? kAnyRows : pass < kMostPasses);
-    work.stats.flips_left = pass < kMostPasses ? 0 : rows;
+        switch_bounds(model, work, 0.0, pass < kTogether ? kAnyRows : pass < kMaxPasses);
+    work.stats.flips_left = pass < kMaxPasses ? 0 : rows;
     if (rows > 0) work.solve.rhs_ready = false;
     return rows;
 }
@@ -30,21 +30,21 @@ std::int32_t switch_solved(Model& model, Work& work, int pass) noexcept {
 }  // namespace
 
 Status settle_bounds(StepContext& ctx) noexcept {
-    constexpr int kMostSolves = 100;  // for moving bounds
+    constexpr int kMaxSolves = 100;  // for moving bounds
     const double tolerance = ctx.model.def.contact_tolerance;
-    for (int pass = 0, solves = 0; pass <= kMostPasses; ++solves) {
+    for (int pass = 0, solves = 0; pass <= kMaxPasses; ++solves) {
         ctx.work.stats.natural_map = bounds_map(ctx.model, ctx.work.newton);
         // At the end nothing is moved, so that λ is the solution.
-        if (solves >= kMostSolves) pass = kMostPasses;
+        if (solves >= kMaxSolves) pass = kMaxPasses;
         Status status = Status::ok;
         const bool moved = ctx.work.stats.natural_map > tolerance;
-        if (!moved && pass < kMostPasses &&
+        if (!moved && pass < kMaxPasses &&
             !any_asks(ctx.model, ctx.work.newton, row_view(ctx.model))) {
             ctx.work.stats.flips_left = 0;
             break;
         }
         const std::int32_t rows = switch_solved(ctx.model, ctx.work, pass);
-        if (pass == kMostPasses || (rows == 0 && !moved)) break;
+        if (pass == kMaxPasses || (rows == 0 && !moved)) break;
         if (rows > 0) {
             ++pass;
             status = factor_and_solve(ctx);
@@ -58,10 +58,10 @@ Status settle_bounds(StepContext& ctx) noexcept {
 }
 
 Status follow_loads(StepContext& ctx) noexcept {
-    constexpr int kMost = 8;
+    constexpr int kMaximum = 8;
     Status status = Status::ok;
     ctx.work.newton.follow.restart();
-    for (int i = 0; i < kMost && status == Status::ok; ++i) {
+    for (int i = 0; i < kMaximum && status == Status::ok; ++i) {
         if (!(bounds_map(ctx.model, ctx.work.newton) > ctx.model.def.contact_tolerance)) break;
         if (asking_rows(ctx.model, ctx.work, ctx.model.contact_floor) > 0) break;
         (void)switch_bounds(ctx.model, ctx.work, ctx.model.contact_floor, kAnyRows);
@@ -74,7 +74,7 @@ Status follow_loads(StepContext& ctx) noexcept {
 bool update_active_set(Model& model, Work& work, int pass) noexcept {
     const bool moved = bounds_map(model, work.newton) > model.def.contact_tolerance;
     const std::int32_t rows = switch_solved(model, work, pass);
-    return pass < kMostPasses && (rows > 0 || moved);
+    return pass < kMaxPasses && (rows > 0 || moved);
 }
 
 }  // namespace hawser::stepper

@@ -39,7 +39,7 @@ void reserve_closing(const Model& model, JointWork& joints) {
 }  // namespace
 
 void begin_analysis(Model& model, State& state) {
-    model.bodies.share_drag(model.def.step);
+    model.bodies.split_drag(model.def.step);
     state.analysed_x = model.bodies.x;
     state.analysed_r = model.bodies.r;
 }
@@ -53,7 +53,7 @@ void analyse_system(Model& model, Work& work, runtime::Pool& pool,
     reserve_bounds(model, work.newton);
     reserve_runs(model, work.newton);
     reserve_wire_bounds(model, work.newton);
-    work.solve.columns.reserve(most_columns(model));
+    work.solve.columns.reserve(max_columns(model));
     work.solve.factored_active.assign(model.system.bounded.size(), 0.0);
     work.before.active.resize(model.system.bounded.size());
     find_joints(model, work.joints);

@@ -39,9 +39,9 @@ void assemble_system(StepContext& ctx) noexcept {
     sweep(
         ctx.model, ctx.pool,
         [&](int strip) {
-            evaluate_strip(ctx.model, rows, strip);
+            evaluate_block(ctx.model, rows, strip);
             replan_wires(ctx.model, rows, strip);
-            if (completes) (void)complete_strip(ctx.model, v, strip, v.v_start, true);
+            if (completes) (void)complete_block(ctx.model, v, strip, v.v_start, true);
             each(ctx.model.system.strips.interactions(strip),
                  [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b, moving); });
         },

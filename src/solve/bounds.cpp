@@ -31,7 +31,8 @@ double stiffness_scale(const Model& model, std::size_t i) noexcept {
 /// contacts do.
 double switch_scale(const Model& model, const Newton& newton, std::size_t i) noexcept {
     const double scale = stiffness_scale(model, i);
-    return newton.convex ? scale - (1.0 - kConvexShare) * model.system.bounded_mobility[i] : scale;
+    return newton.convex ? scale - (1.0 - kConvexFraction) * model.system.bounded_mobility[i]
+                         : scale;
 }
 
 /// Return λ and r = c − G v − Σλ. r is 0 for an active row, which has been solved for.
@@ -190,11 +191,11 @@ double bounds_slope(const Model& model, const Newton& newton, double t) noexcept
 double bounds_map(const Model& model, const Newton& newton) noexcept {
     const model::Interactions& in = model.interactions;
     double largest = 0.0;
-    const auto idle = [&](std::int32_t id) {
+    const auto inactive = [&](std::int32_t id) {
         return in.active[at(id)] == 0.0 && !model.system.rests(id);
     };
     for (const std::int32_t id : in.frictions) {
-        if (!idle(id)) continue;
+        if (!inactive(id)) continue;
         const double held = in.held[at(id)],
                      bound = moved_with(impulse_range(model, newton, id), held);
         if (bound == held) continue;
@@ -202,7 +203,7 @@ double bounds_map(const Model& model, const Newton& newton) noexcept {
             largest, std::fabs(bound - held) / std::max(std::fabs(bound), model.contact_floor));
     }
     for (const std::int32_t id : in.motors) {
-        if (!limits_power(in, id) || !idle(id) || !(newton.bound_time > 0.0)) continue;
+        if (!limits_power(in, id) || !inactive(id) || !(newton.bound_time > 0.0)) continue;
         const double excess = power_excess(model, newton, id);
         // Below its power limit a motor exerts its full force.
         const auto is_at = [&](double bound) {

@@ -12,7 +12,7 @@ namespace {
 constexpr double kRounding = 2e-15;
 
 /// Write the speed w of a place as a linear function of the impulses before and behind it.
-void give_way(RunPlace& p) noexcept {
+void give_way(RunPoint& p) noexcept {
     if (p.side == 0) {
         const double scale = 1.0 / (1.0 + p.sigma * p.mass);
         p.w0 = scale * (p.hold + p.sigma * p.mass * p.free);
@@ -22,12 +22,12 @@ void give_way(RunPlace& p) noexcept {
     }
     const double bound = p.side > 0 ? p.high : p.low, side = p.side;
     p.w0 = p.free + bound / p.mass;
-    p.w1 = (p.before - side * p.share[0]) / p.mass;
-    p.w2 = (p.behind - side * p.share[1]) / p.mass;
+    p.w1 = (p.before - side * p.fraction[0]) / p.mass;
+    p.w2 = (p.behind - side * p.fraction[1]) / p.mass;
 }
 
 /// Solve the tridiagonal system for the impulses λ of all parts, with the present statuses.
-void solve_run(std::size_t n, RunPlace* place, RunPart* part) noexcept {
+void solve_run(std::size_t n, RunPoint* place, RunPart* part) noexcept {
     for (std::size_t k = 0; k < n; ++k) give_way(place[k]);
     double above = 0.0, above_right = 0.0;  // of the part before: upper/diagonal, right/diagonal
     for (std::size_t i = 0; i <= n; ++i) {
@@ -37,13 +37,13 @@ void solve_run(std::size_t n, RunPlace* place, RunPart* part) noexcept {
         p.upper = 0.0;
         p.right = p.asked;
         if (i > 0) {
-            const RunPlace& a = place[i - 1];
+            const RunPoint& a = place[i - 1];
             lower = a.behind * a.w1;
             p.diagonal += a.behind * a.w2;
             p.right -= a.behind * a.w0;
         }
         if (i < n) {
-            const RunPlace& b = place[i];
+            const RunPoint& b = place[i];
             p.diagonal += b.before * b.w1;
             p.upper = b.before * b.w2;
             p.right -= b.before * b.w0;
@@ -66,9 +66,9 @@ void solve_run(std::size_t n, RunPlace* place, RunPart* part) noexcept {
 /// Compute the speeds w of all places from the impulses. In the equation of a sliding place, w is a
 /// small difference of large forces over a small mass. The equation of the part before it avoids
 /// this.
-void find_speeds(std::size_t n, RunPlace* place, const RunPart* part) noexcept {
+void find_speeds(std::size_t n, RunPoint* place, const RunPart* part) noexcept {
     for (std::size_t k = 0; k < n; ++k) {
-        RunPlace& p = place[k];
+        RunPoint& p = place[k];
         const RunPart& before = part[k];
         p.speed = p.w0 + p.w1 * before.lambda + p.w2 * part[k + 1].lambda;
         if (p.side == 0 || !before.pulls) continue;
@@ -81,7 +81,7 @@ void find_speeds(std::size_t n, RunPlace* place, const RunPart* part) noexcept {
 /// between holding and sliding in either direction.
 /// @param most  Largest number of changes.
 /// @return the number of changes.
-int switch_run(std::size_t n, RunPlace* place, RunPart* part, int most) noexcept {
+int switch_run(std::size_t n, RunPoint* place, RunPart* part, int most) noexcept {
     int switched = 0;
     for (std::size_t i = 0; i <= n && switched < most; ++i) {
         RunPart& p = part[i];
@@ -95,11 +95,11 @@ int switch_run(std::size_t n, RunPlace* place, RunPart* part, int most) noexcept
     }
     std::int32_t before = 0;  // former side of the place before
     for (std::size_t k = 0; k < n && switched < most; ++k) {
-        RunPlace& p = place[k];
+        RunPoint& p = place[k];
         const std::int32_t was = p.side, behind = k + 1 < n ? place[k + 1].side : 0;
         const double w = p.speed;
-        const double load =
-            p.share[0] * std::fabs(part[k].lambda) + p.share[1] * std::fabs(part[k + 1].lambda);
+        const double load = p.fraction[0] * std::fabs(part[k].lambda) +
+                            p.fraction[1] * std::fabs(part[k + 1].lambda);
         std::int32_t side = 0;
         if (p.side == 0) {
             const double force =
@@ -126,7 +126,7 @@ int switch_run(std::size_t n, RunPlace* place, RunPart* part, int most) noexcept
 
 }  // namespace
 
-bool find_statuses(std::size_t n, RunPlace* place, RunPart* part) noexcept {
+bool find_statuses(std::size_t n, RunPoint* place, RunPart* part) noexcept {
     const int together = 20 + 4 * static_cast<int>(n), most = 2 * together;
     for (int pass = 0; pass < most; ++pass) {
         solve_run(n, place, part);

@@ -21,6 +21,6 @@ namespace hawser::stepper {
 /// to it than those of the rejected solution.
 /// @param n  Number of places; there is one more part.
 /// @return true if the statuses differ from the initial ones.
-bool find_statuses(std::size_t n, RunPlace* place, RunPart* part) noexcept;
+bool find_statuses(std::size_t n, RunPoint* place, RunPart* part) noexcept;
 
 }  // namespace hawser::stepper

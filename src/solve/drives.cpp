@@ -23,8 +23,8 @@ struct Weights {
 /// kinetic energy of moving bodies, exact for the scheme, since their velocities change by M⁻¹Gᵀλ.
 double impulse_times(const assembly::View& v, std::int32_t id, Weights weights,
                      bool rigid_rows_only) noexcept {
-    double room[model::kArmRoom];
-    const double* jac = packed_rows(v, id, room);
+    double buffer[model::kArmBufferSize];
+    const double* jac = packed_rows(v, id, buffer);
     double work = 0.0;
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;
@@ -131,8 +131,8 @@ double spring_way(Model& model, std::span<const std::int32_t> springs) noexcept 
         const bool carried = (v.flags[id] & model::kCarried) != 0;
         const model::RowState s =
             carried ? model.interactions.row_state(id, model.bodies) : model::RowState{};
-        double room[model::kArmRoom];
-        const double* jac = packed_rows(v, id, room);
+        double buffer[model::kArmBufferSize];
+        const double* jac = packed_rows(v, id, buffer);
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
             const double speed =

@@ -6,7 +6,7 @@
 
 namespace hawser::stepper {
 
-void evaluate_strip(const Model& model, const assembly::View& v, int strip) noexcept {
+void evaluate_block(const Model& model, const assembly::View& v, int strip) noexcept {
     for (const assembly::PoolRange& r : model.system.strips.pools(strip)) {
         const model::Pool& pool = model.interactions.pool[static_cast<std::size_t>(r.kind)];
         assembly::kernels().evaluate(v, r.kind, pool.ids.data(), pool.data.data(), r.begin, r.end);
@@ -16,7 +16,7 @@ void evaluate_strip(const Model& model, const assembly::View& v, int strip) noex
 void evaluate_rows(Model& model, runtime::Pool& pool) noexcept {
     assembly::View v = row_view(model);
     v.v_start = nullptr;  // nothing is solved
-    auto strip = [&](int i, int) noexcept { evaluate_strip(model, v, i); };
+    auto strip = [&](int i, int) noexcept { evaluate_block(model, v, i); };
     pool.for_each(model.system.strips.count(), strip);
 }
 

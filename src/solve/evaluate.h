@@ -8,7 +8,7 @@
 namespace hawser::stepper {
 
 /// Evaluate the interactions of one row block: violations and Jacobian.
-void evaluate_strip(const Model& model, const assembly::View& v, int strip) noexcept;
+void evaluate_block(const Model& model, const assembly::View& v, int strip) noexcept;
 
 /// Evaluate every interaction at the current poses (g, Jacobian), as stage 5 does.
 void evaluate_rows(Model& model, runtime::Pool& pool) noexcept;

@@ -69,7 +69,7 @@ bool fails(const factor::Numeric& numeric, int wrong) noexcept {
 
 }  // namespace
 
-std::size_t most_columns(const Model& model) noexcept {
+std::size_t max_columns(const Model& model) noexcept {
     const assembly::System& s = model.system;
     std::size_t rows = 0;
     for (const std::int32_t id : s.bounded) rows += at(model.interactions.bodies[at(id)]) + 1;

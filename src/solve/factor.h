@@ -17,6 +17,6 @@ namespace hawser::stepper {
 [[nodiscard]] Status factor(StepContext& ctx, bool whole) noexcept;
 
 /// Return the capacity that SolveWork::columns needs.
-[[nodiscard]] std::size_t most_columns(const Model& model) noexcept;
+[[nodiscard]] std::size_t max_columns(const Model& model) noexcept;
 
 }  // namespace hawser::stepper

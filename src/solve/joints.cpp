@@ -23,10 +23,10 @@ constexpr std::uint8_t kCoarse = 60;  ///< Steps for which a joint above the lim
 
 /// Write into the record of a compact joint (model/arms.h) whether it is completed. Kernels read it
 /// as the sign of the constant of its oscillation number.
-void mark_record(model::Interactions& in, const JointPlace& joint, bool completed) noexcept {
+void mark_record(model::Interactions& in, const JointSlot& joint, bool completed) noexcept {
     if (joint.record < 0) return;
-    double& swing = in.jacobian[at(joint.record)];
-    swing = completed ? -std::fabs(swing) : std::fabs(swing);
+    double& vibration = in.jacobian[at(joint.record)];
+    vibration = completed ? -std::fabs(vibration) : std::fabs(vibration);
 }
 
 /// Find the spins of completed joints.
@@ -58,9 +58,10 @@ void find_joints(Model& model, JointWork& joints) {
         model.interactions.completed[at(id)] = 0;
         if (model.system.rests(id) || !model::may_complete(in, id, model.def.step)) continue;
         c.joints.push_back(id);
-        c.places.push_back({in.row_begin[at(id)],
-                            in.arms[at(id)] != 0 ? in.jac_begin[at(id)] + model::kArmsSwing : -1,
-                            std::min<std::int32_t>(in.rows[at(id)], 3)});
+        c.places.push_back(
+            {in.row_begin[at(id)],
+             in.arms[at(id)] != 0 ? in.jac_begin[at(id)] + model::kArmsVibration : -1,
+             std::min<std::int32_t>(in.rows[at(id)], 3)});
         if (in.epsilon[at(in.row_begin[at(id)])] > 0.0) continue;  // compliant rows are determined
         const std::int32_t* body = &in.body[at(kMaxInteractionBodies * id)];
         c.rigid.push_back(id);
@@ -92,9 +93,9 @@ void choose_completed(Model& model, const State& state, runtime::Pool& pool) noe
         for (std::int32_t k = a; k < b; ++k) {
             const std::int32_t id = c.joints[at(k)];
             const std::uint8_t left = in.coarse[at(id)];
-            constexpr double kMost = kResolvedSwing * kResolvedSwing;
+            constexpr double kMaximum = kResolvedVibration * kResolvedVibration;
             const bool fast =
-                c.refused[at(k)] || !(squared_swing(model, k, in.lambda.data()) <= kMost);
+                c.refused[at(k)] || !(squared_vibration(model, k, in.lambda.data()) <= kMaximum);
             c.coarse_next[at(k)] = fast ? kCoarse : static_cast<std::uint8_t>(left - (left > 0));
             const bool chosen = allowed && c.coarse_next[at(k)] == 0 && in.parted[at(id)] == 0;
             std::uint8_t completed = 0;
@@ -108,7 +109,7 @@ void choose_completed(Model& model, const State& state, runtime::Pool& pool) noe
     find_turning(model);
 }
 
-Turning complete_strip(const Model& model, const View& v, int strip, const double* u,
+Turning complete_block(const Model& model, const View& v, int strip, const double* u,
                        bool first) noexcept {
     Turning t;
     for (const assembly::PoolRange& r : model.system.strips.pools(strip)) {
@@ -131,11 +132,11 @@ void adopt_completed(StepContext& ctx) noexcept {
 
 Turning renew_completed(StepContext& ctx) noexcept {
     const View v = view(ctx);
-    const assembly::Strips& strips = ctx.model.system.strips;
+    const assembly::RowBlocks& strips = ctx.model.system.strips;
     auto& parts = ctx.work.joints.turnings;  // one per row block or group
     sweep(
         ctx.model, ctx.pool,
-        [&](int strip) { parts[at(strip)] = complete_strip(ctx.model, v, strip, v.v_new, false); },
+        [&](int strip) { parts[at(strip)] = complete_block(ctx.model, v, strip, v.v_new, false); },
         [&](std::int32_t a, std::int32_t b, int i) {
             const Turning t = assembly::kernels().complete_spins(v, a, b, v.v_new, false);
             parts[at(i)].add(t);

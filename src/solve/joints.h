@@ -13,10 +13,10 @@
 namespace hawser::stepper {
 
 /// Oscillation number up to which joints are completed.
-inline constexpr double kResolvedSwing = 1.5;
+inline constexpr double kResolvedVibration = 1.5;
 /// Return |p|² of a joint's impulse [N² s²].
 /// @param lambdas  By row.
-[[nodiscard]] inline double squared_impulse(const JointPlace& joint,
+[[nodiscard]] inline double squared_impulse(const JointSlot& joint,
                                             const double* lambdas) noexcept {
     const double* p = lambdas + joint.row;
     if (joint.rows == 3) return p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
@@ -26,10 +26,10 @@ inline constexpr double kResolvedSwing = 1.5;
 }
 /// Return s² of a joint under its impulse, s = h |p| max(r/I).
 /// @param k  Its index among the joints.
-[[nodiscard]] inline double squared_swing(const Model& model, std::int32_t k,
-                                          const double* lambdas) noexcept {
+[[nodiscard]] inline double squared_vibration(const Model& model, std::int32_t k,
+                                              const double* lambdas) noexcept {
     const Completion& c = model.completion;
-    const double rate = model.def.step * model.interactions.swing[at(c.joints[at(k)])];
+    const double rate = model.def.step * model.interactions.vibration[at(c.joints[at(k)])];
     return rate * rate * squared_impulse(c.places[at(k)], lambdas);
 }
 
@@ -47,7 +47,7 @@ void choose_completed(Model& model, const State& state, runtime::Pool& pool) noe
 /// Compute c of completed rows of a row block about packed velocities u, see
 /// Kernels::complete_rows.
 /// @return the change.
-assembly::Turning complete_strip(const Model& model, const assembly::View& v, int strip,
+assembly::Turning complete_block(const Model& model, const assembly::View& v, int strip,
                                  const double* u, bool first) noexcept;
 
 /// Compute the equations of completed joints and spins about the current v₊, without applying them.

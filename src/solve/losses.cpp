@@ -21,8 +21,8 @@ struct Rates {
 
 /// Compute rates from the Jacobian, with the part of bodies with a prescribed velocity.
 void rates_by_jacobian(const Model& model, const View& v, std::int32_t id, Rates& out) noexcept {
-    double room[model::kArmRoom];
-    const double* jac = packed_rows(v, id, room);
+    double buffer[model::kArmBufferSize];
+    const double* jac = packed_rows(v, id, buffer);
     const bool carried = (v.flags[id] & model::kCarried) != 0;
     const model::RowState s =
         carried ? model.interactions.row_state(id, model.bodies) : model::RowState{};
@@ -72,7 +72,7 @@ double losses_of(const Model& model, const View& v, std::int32_t id) noexcept {
     rates_by_rows(v, id, rate);
     bool faded = false;
     for (int r = v.row_begin[id]; r < v.row_begin[id] + v.rows[id]; ++r)
-        faded |= std::fabs(v.recall[r]) < assembly::kLeastRecall;
+        faded |= std::fabs(v.recall[r]) < assembly::kMinRecall;
     const bool line = (flags & model::kOneSided) != 0;
     if ((flags & model::kCarried) || faded ||
         (line && (v.active[id] == 0.0 || !was_taut(v, v.row_begin[id], rate.before[0]))))

@@ -50,7 +50,7 @@ std::int32_t side_of(const Model& model, const Capstan& c) noexcept {
 /// Return the mobility of one body along a row, in comparison with that of its slides.
 double mobility_of(const model::Bodies& b, const View& v, std::int32_t body, const double* jac) {
     const int dof = v.dof[body];
-    if (dof == 1) return jac[0] * jac[0] / v.body_block[assembly::block_place(v.dof_begin[body])];
+    if (dof == 1) return jac[0] * jac[0] / v.body_block[assembly::block_offset(v.dof_begin[body])];
     double sum = 0.0;
     for (int j = 0; j < dof && j < 3; ++j) sum += jac[j] * jac[j] / b.mass[at(body)];
     for (int i = 3; i < dof; ++i)
@@ -86,17 +86,17 @@ void read_part(const Model& model, const View& v, std::int32_t id, std::int32_t 
 }
 
 void read_place(const Model& model, const Newton& newton, const View& v, const Capstan& c,
-                const CapstanEntry* loads, RunPlace& p) noexcept {
+                const CapstanEntry* loads, RunPoint& p) noexcept {
     const model::Interactions& in = model.interactions;
     const auto id = at(c.friction);
     const std::int32_t row = in.row_begin[id], dof = v.dof_begin[c.body];
-    p.mass = v.body_block[assembly::block_place(dof)];
+    p.mass = v.body_block[assembly::block_offset(dof)];
     p.free = v.a[dof] / p.mass;
     p.hold = v.c[row];
     p.sigma = v.sigma[row];
     p.low = newton.bound_time * in.low[id];
     p.high = newton.bound_time * in.high[id];
-    for (int k = 0; k < 2; ++k) p.share[k] = loads[k].factor;
+    for (int k = 0; k < 2; ++k) p.fraction[k] = loads[k].factor;
     p.side = side_of(model, c);
     p.was = static_cast<std::int32_t>(c.was);
 }
@@ -107,14 +107,14 @@ void read_run(const Model& model, Newton& newton, const View& v, const Run& run)
     const CapstanEntry* entry = &s.capstan_entries[run.entry];
     for (std::size_t k = 0; k < n; ++k)
         read_place(model, newton, v, s.capstans[run.first + k], entry + 2 * k,
-                   newton.run_places[k]);
+                   newton.run_points[k]);
     for (std::size_t i = 0; i <= n; ++i) {
         const std::int32_t id = i < n ? entry[2 * i].load : entry[2 * n - 1].load;
         const std::int32_t first = i > 0 ? s.capstans[run.first + i - 1].body : -1;
         const std::int32_t second = i < n ? s.capstans[run.first + i].body : -1;
         read_part(model, v, id, first, second, newton.run_parts[i],
-                  i > 0 ? &newton.run_places[i - 1].behind : nullptr,
-                  i < n ? &newton.run_places[i].before : nullptr);
+                  i > 0 ? &newton.run_points[i - 1].behind : nullptr,
+                  i < n ? &newton.run_points[i].before : nullptr);
         const bool ends_later = i < n;
         newton.run_parts[i].was =
             ends_later ? entry[2 * i].was_active != 0 : entry[2 * n - 1].was_active != 0;
@@ -132,7 +132,7 @@ void adopt(Model& model, const Newton& newton, const Run& run) noexcept {
     }
     for (std::size_t k = 0; k < n; ++k) {
         Capstan& c = model.system.capstans[run.first + k];
-        const RunPlace& p = newton.run_places[k];
+        const RunPoint& p = newton.run_points[k];
         const auto id = at(c.friction);
         in.active[id] = p.side == 0 ? 1.0 : 0.0;
         if (p.side == 0) continue;
@@ -146,7 +146,7 @@ void adopt(Model& model, const Newton& newton, const Run& run) noexcept {
 }  // namespace
 
 void reserve_runs(const Model& model, Newton& newton) {
-    newton.run_places.resize(model.system.capstans.size());
+    newton.run_points.resize(model.system.capstans.size());
     newton.run_parts.resize(model.system.capstans.size() + 1);
 }
 
@@ -176,7 +176,7 @@ void settle_runs(Model& model, Newton& newton) noexcept {
     each_run(model.system, [&](const Run& run) {
         const std::size_t n = run.last - run.first;
         read_run(model, newton, v, run);
-        if (find_statuses(n, newton.run_places.data(), newton.run_parts.data()))
+        if (find_statuses(n, newton.run_points.data(), newton.run_parts.data()))
             adopt(model, newton, run);
     });
 }

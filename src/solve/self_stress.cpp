@@ -37,8 +37,8 @@ Push load_joints(const Model& model, SolveWork& solve, const View& v, Lambda lam
     Push size;
     std::fill_n(v.solution, model.system.symbolic.scalars, 0.0);
     for (const std::int32_t id : model.completion.looped) {
-        double room[model::kArmRoom];
-        const double* jac = packed_rows(v, id, room);
+        double buffer[model::kArmBufferSize];
+        const double* jac = packed_rows(v, id, buffer);
         for (int r = 0; r < v.rows[id]; ++r) {
             const double push = lambda(id, v.row_begin[id] + r);
             for (int b = 0; b < v.bodies[id]; ++b) {
@@ -66,8 +66,8 @@ void solve_loaded(StepContext& ctx, const View& v) noexcept {
 
 /// Read λ' of one joint from the solution.
 void read_filtered(const View& v, std::int32_t id, double* out) noexcept {
-    double room[model::kArmRoom];
-    const double* jac = packed_rows(v, id, room);
+    double buffer[model::kArmBufferSize];
+    const double* jac = packed_rows(v, id, buffer);
     for (int r = 0; r < v.rows[id]; ++r) {
         const double speed = along_row(v, id, jac, v.solution, v.body_offset);
         out[r] = v.interaction_offset[id] >= 0 ? v.solution[v.interaction_offset[id] + r]
@@ -95,13 +95,13 @@ bool is_changed(const View& v, std::int32_t id, Lambda lambda, double* kept) noe
 /// residual momentum that the bodies would lack. The same filter, applied to `taken`, returns the
 /// part that must stay.
 void keep_momentum(StepContext& ctx, const View& v) noexcept {
-    constexpr double kMost = 1e-11;  ///< Relative to the impulses.
+    constexpr double kMaximum = 1e-11;  ///< Relative to the impulses.
     constexpr int kFilterPasses = 2;
     double* taken = ctx.work.joints.taken.data();
     const auto loss = [&](std::int32_t, std::int32_t row) noexcept { return taken[row]; };
     for (int pass = 0; pass < kFilterPasses; ++pass) {
         const Push size = load_joints(ctx.model, ctx.work.solve, v, loss);
-        if (!(size.sum > kMost * kMost * size.parts)) return;
+        if (!(size.sum > kMaximum * kMaximum * size.parts)) return;
         solve_loaded(ctx, v);
         for (const std::int32_t id : ctx.model.completion.looped) {
             double kept[kMaxInteractionRows];

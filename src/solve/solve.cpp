@@ -97,7 +97,7 @@ Norms correct(Model& model, Work& work, runtime::Pool& pool, const View& v, bool
               Next next) noexcept {
     SolveWork& solve = work.solve;
     const assembly::Kernels& k = assembly::kernels();
-    const assembly::Strips& strips = model.system.strips;
+    const assembly::RowBlocks& strips = model.system.strips;
     const bool touching = model.system.contacts.count() > 0;
     const bool runs = !model.system.capstans.empty();  // their impulses need those of their loads
     auto add = [&](std::int32_t a, std::int32_t b) { k.add_solution(v, a, b); };
@@ -162,7 +162,7 @@ bool wants_refinement(const Model& model, const StepStats& stats, const Norms& n
 
 /// Return the largest number of corrections: two more than defined, which stiff rows on very light
 /// bodies need.
-int most_refinements(const Model& model) noexcept {
+int max_refinements(const Model& model) noexcept {
     return model.def.refinements > 0 ? model.def.refinements + 2 : 0;
 }
 
@@ -215,7 +215,7 @@ Status factor_and_solve(StepContext& ctx) noexcept {
         ctx.state.refine_unasked = !asks ? 0 : asked_once ? kAWhile : kAskedOnce;
     }
     return finish_solve(ctx.model, ctx.work, ctx.pool, v, n,
-                        most_refinements(ctx.model) - refinements);
+                        max_refinements(ctx.model) - refinements);
 }
 
 Status newton_solve(StepContext& ctx, bool first, bool whole) noexcept {
@@ -258,10 +258,10 @@ Status refine(StepContext& ctx) noexcept {
     ++ctx.work.stats.substitutions;
     return finish_solve(ctx.model, ctx.work, ctx.pool, v,
                         correct(ctx.model, ctx.work, ctx.pool, v, false, Next::measure),
-                        most_refinements(ctx.model) - 1);
+                        max_refinements(ctx.model) - 1);
 }
 
-Status settle_rounds(StepContext& ctx, bool measured) noexcept {
+Status settle_iterations(StepContext& ctx, bool measured) noexcept {
     if (!measured)
         if (const Status status = measure(ctx); status != Status::ok) return status;
     const double good = ctx.model.def.solution_tolerance;

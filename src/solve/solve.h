@@ -23,7 +23,7 @@ void continue_with_factor(StepContext& ctx) noexcept;
 
 /// Call refine() if the residual is above solution_tolerance.
 /// @param measured  True if the residual is in the statistics; otherwise it is measured first.
-[[nodiscard]] Status settle_rounds(StepContext& ctx, bool measured) noexcept;
+[[nodiscard]] Status settle_iterations(StepContext& ctx, bool measured) noexcept;
 
 /// Measure the current v₊, λ and row residuals, found without the matrix.
 [[nodiscard]] Status measure(StepContext& ctx) noexcept;

@@ -22,7 +22,7 @@ bool is_chain_element(const model::Interactions& in, std::int32_t id) noexcept {
 }
 
 /// Return the other element of a node with exactly two, −1: none.
-std::int32_t neighbour_of(const LumpElements& lump, std::int32_t element) noexcept {
+std::int32_t neighbour_of(const NodeElements& lump, std::int32_t element) noexcept {
     if (lump.count != 2) return -1;
     return lump.element[0] == element ? lump.element[1] : lump.element[0];
 }
@@ -33,7 +33,7 @@ std::int32_t body_of(const Model& model, std::int32_t element, int slot) noexcep
 }
 
 /// List the elements of each node, and mark all other rows as listed.
-void list_lumps(const Model& model, WireChains& chains) {
+void list_nodes(const Model& model, WireChains& chains) {
     const std::vector<std::int32_t>& bounded = model.system.bounded;
     chains.lumps.assign(at(model.bodies.count()), {});
     chains.listed.assign(bounded.size(), 0);
@@ -47,7 +47,7 @@ void list_lumps(const Model& model, WireChains& chains) {
         for (int slot = 0; slot < 2 && chains.listed[i] == 0; ++slot) {
             const std::int32_t b = body_of(model, static_cast<std::int32_t>(i), slot);
             if (model.bodies.kind[at(b)] != BodyKind::lump) continue;
-            LumpElements& lump = chains.lumps[at(b)];
+            NodeElements& lump = chains.lumps[at(b)];
             if (lump.count < 2) lump.element[at(lump.count)] = static_cast<std::int32_t>(i);
             ++lump.count;
         }
@@ -74,7 +74,7 @@ void number_nodes(const Model& model, WireChains& chains, std::size_t first) noe
             const std::int32_t shared = chains.lump[first + (i > 0 ? count - 2 : 0)];
             if (end != shared) b = end;
         }
-        const LumpElements& lump = chains.lumps[at(b)];
+        const NodeElements& lump = chains.lumps[at(b)];
         const std::int32_t held_by = i > 0 && i < count ? 2 : 1;
         if (model.bodies.kind[at(b)] != BodyKind::lump || lump.attached != held_by) continue;
         chains.chain_of[at(b)] = chain;
@@ -107,7 +107,7 @@ void add_chain(const Model& model, WireChains& chains, std::int32_t element) {
 }
 
 /// Sum Σ w² Eᵀ S E of the contacts of each node, without the part of S that makes it unsymmetric.
-void add_contacts_to_lumps(const Model& model, WireChains& chains) noexcept {
+void add_contacts_to_nodes(const Model& model, WireChains& chains) noexcept {
     std::fill(chains.block.begin(), chains.block.end(), std::array<double, 9>{});
     const assembly::Contacts& contacts = model.system.contacts;
     for (std::size_t k = 0; k < contacts.count(); ++k) {
@@ -207,7 +207,7 @@ void reserve_wire_bounds(const Model& model, Newton& newton) {
     chains.begin.assign(1, 0);
     chains.chain_of.assign(at(model.bodies.count()), -1);
     chains.node_of.assign(at(model.bodies.count()), -1);
-    list_lumps(model, chains);
+    list_nodes(model, chains);
     for (const bool closed : {false, true})
         for (std::size_t i = 0; i < chains.listed.size(); ++i) {
             const auto element = static_cast<std::int32_t>(i);
@@ -236,7 +236,7 @@ void settle_wire_bounds(Model& model, Work& work) noexcept {
                 return v.active[model.system.bounded[at(i)]] != work.solve.factored_active[at(i)];
             });
         if (!switched) continue;
-        if (!knows_contacts) add_contacts_to_lumps(model, chains);
+        if (!knows_contacts) add_contacts_to_nodes(model, chains);
         knows_contacts = true;
         read_chain(model, work.newton, v, begin, end);
         if (nonsmooth::solve_chain(at(end - begin), chains.rows.data()))

@@ -9,7 +9,7 @@
 /// With λ = −z of the elements of a wire and the rest of the world fixed at the iterate,
 /// ```
 ///   r = r₀ + M (z − z₀) ≥ 0   ⊥   z ≥ 0                r = c − G v − Σλ
-///   M_ii = Σ_i + Σ_n G_in Â_n⁻¹ G_inᵀ     M_ij = G_in Â_n⁻¹ G_jnᵀ, n the lump between i and j
+///   M_ii = Σ_i + Σ_n G_in Â_n⁻¹ G_inᵀ     M_ij = G_in Â_n⁻¹ G_jnᵀ, n the node between i and j
 ///   Â_n = m_n E + Σ w² Eᵀ S E             its contacts with their laws S and weights w
 /// ```
 /// M is tridiagonal, symmetric and positive definite. Bodies other than nodes count as fixed. For a

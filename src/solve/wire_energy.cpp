@@ -47,7 +47,7 @@ bool may_touch(const Model& model, std::int32_t wire) noexcept {
     if (touching.empty()) return false;
     for (const WirePart& p : model.wires.parts) {
         if (p.wire != wire) continue;
-        for (std::int32_t i = p.lump_begin; i < p.lump_end; ++i)
+        for (std::int32_t i = p.node_elements_begin; i < p.node_elements_end; ++i)
             if (std::binary_search(touching.begin(), touching.end(), model.wires.lump[at(i)]))
                 return true;
     }
@@ -76,7 +76,7 @@ void measure_wires(Model& model, runtime::Pool& pool) noexcept {
         assembly::LineGain sum;
         assembly::kernels().line_gains(v, w.element.data() + p.element_begin,
                                        p.element_end - p.element_begin, &sum);
-        sum.exchanged += kinetic_exchange(model, v, p.lump_begin, p.lump_end);
+        sum.exchanged += kinetic_exchange(model, v, p.node_elements_begin, p.node_elements_end);
         w.part_gain[at(i)] = {sum.gain, sum.exchanged, sum.noise, sum.unbooked};
     };
     pool.for_each(static_cast<int>(w.parts.size()), part);

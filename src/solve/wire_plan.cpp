@@ -25,7 +25,7 @@ constexpr int kHoldsAll = 7;   ///< Level at which all slack elements count as t
 /// An element between its ends: now, half a step ago and half a step ahead [m], and the relative
 /// velocities of slot 0 to slot 1 used by K.
 struct Line {
-    V3 arm[2], back, ahead, apart;
+    V3 arm[2], back, ahead, separation;
     V3 before, started;  ///< Velocity of point 1 relative to point 0: now, and as expected next.
     double rest, stiffness;
 };
@@ -61,13 +61,13 @@ Line line_of(const View& v, std::int32_t id) noexcept {
         speed[b] = lin + cross(ang, o.arm[b]);
         start[b] = first + cross(spin, o.arm[b]);
     }
-    o.apart = point[1] - point[0];
+    o.separation = point[1] - point[0];
     o.back = back[1] - back[0];
     o.ahead = ahead[1] - ahead[0];
     o.before = speed[1] - speed[0];
     o.started = start[1] - start[0];
     const std::int32_t row = v.row_begin[id];
-    o.rest = norm(o.apart) - v.g[row];
+    o.rest = norm(o.separation) - v.g[row];
     o.stiffness = 1.0 / v.epsilon[row];
     return o;
 }
@@ -78,7 +78,7 @@ double tension_after(const Line& l) noexcept { return l.stiffness * (norm(l.ahea
 /// Write K = w (E − uuᵀ) of an element and the additional impulse `past` on slot 0.
 void write_line(const View& v, std::int32_t id, double w, const V3& u, const Line& l,
                 const V3& past) noexcept {
-    const assembly::GeoPlace& place = v.geo[id];
+    const assembly::GeoSlot& place = v.geo[id];
     double* record = v.geo_record + place.record;
     record[0] = w;
     generic::store3(record + 1, u);
@@ -103,11 +103,11 @@ void write_line(const View& v, std::int32_t id, double w, const V3& u, const Lin
 /// Write the stiffness of an element.
 /// @param pull  Tension to use [N].
 void write_stiff(const View& v, std::int32_t id, const Line& l, double pull, bool back) noexcept {
-    const double length = std::max(norm(l.apart), 1e-9);
+    const double length = std::max(norm(l.separation), 1e-9);
     const V3 u = generic::load3(v.geo_record + v.geo[id].record + 1);
     const double full = v.h * v.h * v.geometric_stiffness * std::max(pull, 0.0) / length;
     if (!back) return write_line(v, id, full, u, l, {0, 0, 0});
-    const auto [late, ahead] = generic::across_shares(full * v.lightness[id], 1.0);
+    const auto [late, ahead] = generic::across_fractions(full * v.lightness[id], 1.0);
     const V3 mix = late * l.before + ahead * l.started;
     write_line(v, id, (late + ahead) * full, u, l, (-full) * (mix - dot(u, mix) * u));
 }
@@ -144,7 +144,7 @@ void plan_wires(Model& model, const Before& kept, std::int32_t wire) noexcept {
             if (refused <= kNoReturn)
                 pull = std::max({pull, v.active[id] * -v.lambda[row] / v.h, after});
             if (refused == kNoReturn)
-                pull = std::max(4.0 * pull, 0.01 * l.stiffness * norm(l.apart));
+                pull = std::max(4.0 * pull, 0.01 * l.stiffness * norm(l.separation));
             if (refused > kLastStiff && (after > 0.0 || refused + 1 >= kHoldsAll))
                 w.holds[at(i)] = 1;
         }

@@ -16,7 +16,7 @@ constexpr std::int32_t kPart = 64;  ///< Number of elements or nodes in one part
 /// Steps after which all but a third of a loss no longer comes back. The stiffness takes energy
 /// from a vibration with few steps per period and returns it a quarter of a period later. This
 /// exceeds the limit of the guard.
-constexpr double kCreditSteps = 240.0;
+constexpr double kAllowanceSteps = 240.0;
 
 bool is_element(const Model& model, std::int32_t id) {
     const model::Interactions& in = model.interactions;
@@ -106,11 +106,12 @@ void make_parts(const Model& model, WireWork& work) {
                 work.seen[at(body)] = 1;
                 w.lump.push_back(body);
             }
-        const auto lump_end = static_cast<std::int32_t>(w.lump.size());
-        for (std::int32_t e = element, l = lump; e < end || l < lump_end; e += kPart, l += kPart)
+        const auto node_elements_end = static_cast<std::int32_t>(w.lump.size());
+        for (std::int32_t e = element, l = lump; e < end || l < node_elements_end;
+             e += kPart, l += kPart)
             w.parts.push_back({static_cast<std::int32_t>(k), std::min(e, end),
-                               std::min(e + kPart, end), std::min(l, lump_end),
-                               std::min(l + kPart, lump_end)});
+                               std::min(e + kPart, end), std::min(l, node_elements_end),
+                               std::min(l + kPart, node_elements_end)});
     }
 }
 
@@ -140,8 +141,8 @@ void recall_wires(const Model& model, const State& state, WireWork& work) {
     const Wires& w = model.wires;
     Wires& made = work.made;
     if (w.wire_of == made.wire_of && state.edits.interactions.empty()) {
-        made.credit = w.credit;
-        made.alert = w.alert;
+        made.energy_allowance = w.energy_allowance;
+        made.flag_steps = w.flag_steps;
         made.recoil = w.recoil;
         return;
     }
@@ -163,12 +164,13 @@ void recall_wires(const Model& model, const State& state, WireWork& work) {
             one = one && (first < 0 || wire == first);
             if (first < 0) first = wire;
             ++kept;
-            made.credit[k] += w.credit[at(wire)] / had[at(wire)];
-            made.alert[k] = std::max(made.alert[k], w.alert[at(wire)]);
+            made.energy_allowance[k] += w.energy_allowance[at(wire)] / had[at(wire)];
+            made.flag_steps[k] = std::max(made.flag_steps[k], w.flag_steps[at(wire)]);
             made.recoil[k] = longer_recoil(made.recoil[k], w.recoil[at(wire)]);
         }
         // Keep the exact bits if it is still the same wire.
-        if (kept > 0 && one && kept == had[at(first)]) made.credit[k] = w.credit[at(first)];
+        if (kept > 0 && one && kept == had[at(first)])
+            made.energy_allowance[k] = w.energy_allowance[at(first)];
     }
 }
 
@@ -180,8 +182,8 @@ void make_wires(Model& model, const State& state, WireWork& work) {
     Wires& made = work.made;
     list_elements(count, work);
     const std::size_t wires = work.begin.size() - 1;
-    made.credit.assign(wires, 0.0);
-    made.alert.assign(wires, 0);
+    made.energy_allowance.assign(wires, 0.0);
+    made.flag_steps.assign(wires, 0);
     made.recoil.assign(wires, 0);
     recall_wires(model, state, work);
     made.fast.assign(wires, 0);
@@ -194,7 +196,7 @@ void make_wires(Model& model, const State& state, WireWork& work) {
     made.replaced.assign(at(model.interactions.count()), 0);
     made.again = made.replacing = made.measured = made.stale = false;
     std::swap(model.wires, made);
-    follow_alerts(model);
+    update_wire_flags(model);
 }
 
 void remember_gains(Model& model) noexcept {
@@ -204,19 +206,20 @@ void remember_gains(Model& model) noexcept {
         --left;
         if (left == 0) w.stale = true;
     }
-    if (w.stale) follow_alerts(model);
+    if (w.stale) update_wire_flags(model);
     if (!on_guard(model)) return;
     const bool any_fast = w.measured;
-    constexpr double kept = 1.0 - 1.0 / kCreditSteps;
-    const std::int32_t alert = most_alert(model.def.step);
+    constexpr double kept = 1.0 - 1.0 / kAllowanceSteps;
+    const std::int32_t flag_steps = max_flag_steps(model.def.step);
     for (std::size_t k = 0; k < w.count(); ++k) {
         const double lost = any_fast && w.fast[k] ? -w.gain[k].gain : 0.0;
-        w.credit[k] = std::isfinite(lost) ? kept * std::max(0.0, w.credit[k] + lost) : 0.0;
-        const std::int32_t before = w.alert[k];
-        w.alert[k] = any_fast && w.level[k] > 0 ? alert : std::max(0, before - 1);
-        if ((before > 0) != (w.alert[k] > 0)) w.stale = true;
+        w.energy_allowance[k] =
+            std::isfinite(lost) ? kept * std::max(0.0, w.energy_allowance[k] + lost) : 0.0;
+        const std::int32_t before = w.flag_steps[k];
+        w.flag_steps[k] = any_fast && w.level[k] > 0 ? flag_steps : std::max(0, before - 1);
+        if ((before > 0) != (w.flag_steps[k] > 0)) w.stale = true;
     }
-    if (w.stale) follow_alerts(model);
+    if (w.stale) update_wire_flags(model);
 }
 
 }  // namespace hawser::stepper

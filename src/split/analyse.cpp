@@ -13,7 +13,7 @@
 namespace hawser::stepper {
 
 void analyse(StepContext& ctx, const factor::AnalysisState* state) {
-    place_images(ctx.model);
+    place_ghosts(ctx.model);
     begin_analysis(ctx.model, ctx.state);
     open_cuts(ctx.model);
     analyse_clique(ctx.model);

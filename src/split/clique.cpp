@@ -195,10 +195,10 @@ bool solve_clique(Model& model, const State& state) noexcept {
     if (status == Status::ok) status = settle_bounds(c.ctx);
     if (status != Status::ok) return false;
     const assembly::View v = view(c.ctx);
-    for (const Image& image : model.cuts.images) {
-        const std::int32_t own = c.local[at(image.of)];
+    for (const GhostBody& ghost : model.cuts.ghosts) {
+        const std::int32_t own = c.local[at(ghost.of)];
         const int dof = v.dof[own];
-        std::copy_n(v.v_new + v.dof_begin[own], dof, &model.bodies.v_fixed[6 * at(image.body)]);
+        std::copy_n(v.v_new + v.dof_begin[own], dof, &model.bodies.v_fixed[6 * at(ghost.body)]);
     }
     return true;
 }

@@ -55,7 +55,7 @@ Vec3 end_velocity(const assembly::View& v, std::int32_t body, const double* velo
 /// Add the impulse of the geometric stiffness of a line's copy on its own bodies: K (v − v₊),
 /// linear parts.
 void add_geometric(const assembly::View& v, std::int32_t id, double* sum) noexcept {
-    const assembly::GeoPlace& place = v.geo[id];
+    const assembly::GeoSlot& place = v.geo[id];
     if (place.record < 0) return;
     const double* record = v.geo_record + place.record;
     if (record[0] == 0.0) return;

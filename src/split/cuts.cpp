@@ -47,20 +47,20 @@ std::map<GroupPair, int> number_interfaces(Model& model, const std::vector<std::
 }
 
 /// Add a ghost body of a body. It is fixed, so that it does not count as driven.
-std::int32_t add_image(Model& model, std::int32_t body) {
+std::int32_t add_ghost(Model& model, std::int32_t body) {
     model::Bodies& b = model.bodies;
     const double *x = &b.x[3 * at(body)], *q = &b.q[4 * at(body)];
     BodyDef def;
     def.kind = BodyKind::fixed;
     def.position = {x[0], x[1], x[2]};
     def.orientation = Quat(q[0], q[1], q[2], q[3]);
-    model.cuts.images.push_back({b.count(), body});
+    model.cuts.ghosts.push_back({b.count(), body});
     return b.append(def);
 }
 
 /// Add the copy of an interaction for one side.
 void add_copy(Model& model, std::int32_t id, std::int32_t side,
-              std::unordered_map<std::int32_t, std::int32_t>& image) {
+              std::unordered_map<std::int32_t, std::int32_t>& ghost) {
     model::Interactions& in = model.interactions;
     InteractionDef def = in.def[at(id)];
     def.name.clear();
@@ -68,8 +68,8 @@ void add_copy(Model& model, std::int32_t id, std::int32_t side,
         const std::int32_t body = def.body[b].index;
         const int dof = model.bodies.dof(body);
         if (dof == 0 || model.cuts.group[at(body)] == side) continue;
-        if (!image.contains(body)) image[body] = add_image(model, body);
-        def.body[b] = BodyId{image[body]};
+        if (!ghost.contains(body)) ghost[body] = add_ghost(model, body);
+        def.body[b] = BodyId{ghost[body]};
         if (dof < 6) def.point[b] = Vec3::Zero();  // a ghost body would have arms, a node has none
     }
     const int copy = in.append(def, model.bodies, model.def.step);
@@ -82,10 +82,10 @@ void add_copy(Model& model, std::int32_t id, std::int32_t side,
 
 /// List the interactions that act on the originals of ghost bodies, in the system or not.
 void list_pulls(Model& model) {
-    const std::vector<Image>& images = model.cuts.images;
+    const std::vector<GhostBody>& ghosts = model.cuts.ghosts;
     std::vector<std::int32_t> index(at(model.cuts.bodies), -1);
-    for (std::size_t k = 0; k < images.size(); ++k)
-        index[at(images[k].of)] = static_cast<std::int32_t>(k);
+    for (std::size_t k = 0; k < ghosts.size(); ++k)
+        index[at(ghosts[k].of)] = static_cast<std::int32_t>(k);
     for (std::int32_t id = 0; id < model.interactions.count(); ++id) {
         std::int32_t slot = 0;
         for (const std::int32_t b : bodies_of(model.interactions, id)) {
@@ -95,7 +95,7 @@ void list_pulls(Model& model) {
         }
     }
     std::stable_sort(model.cuts.pulls.begin(), model.cuts.pulls.end(),
-                     [](const Pull& a, const Pull& b) { return a.image < b.image; });
+                     [](const Pull& a, const Pull& b) { return a.ghost < b.ghost; });
 }
 
 }  // namespace
@@ -143,7 +143,7 @@ void make_cuts(Model& model) {
     if (wanted.empty()) return;
     cuts.bodies = bodies;
     cuts.interactions = count;
-    std::unordered_map<std::int32_t, std::int32_t> image;
+    std::unordered_map<std::int32_t, std::int32_t> ghost;
     const auto interface = number_interfaces(model, wanted);
     for (const std::int32_t id : wanted) {
         const std::vector<std::int32_t> sides = sides_of(model, id);
@@ -151,7 +151,7 @@ void make_cuts(Model& model) {
             {id, model.interactions.count(), static_cast<std::int32_t>(sides.size()), true});
         if (cuts.coupling[at(id)] == Coupling::deadline)
             cuts.list.back().interface = interface.at(pair_of(sides));
-        for (const std::int32_t side : sides) add_copy(model, id, side, image);
+        for (const std::int32_t side : sides) add_copy(model, id, side, ghost);
     }
     model.bodies.v_before = model.bodies.v_fixed;
     cuts.part.resize(at(bodies));
@@ -174,7 +174,7 @@ void drop_cuts(Model& model) {
     cuts.bodies = cuts.interactions = -1;
     cuts.interfaces = 0;
     cuts.list.clear();
-    cuts.images.clear();
+    cuts.ghosts.clear();
     cuts.of.clear();
     cuts.pulls.clear();
     cuts.clique.reset();

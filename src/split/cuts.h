@@ -4,7 +4,7 @@
 /// Split the system: interactions between parts are solved by each part separately.
 ///
 /// A cut interaction is left out of the system. One *copy* for each side replaces it. A copy has
-/// the same rows, but the bodies of the other sides are *ghost bodies* ("images" in the code). A
+/// the same rows, but the bodies of the other sides are *ghost bodies*. A
 /// ghost body has no degrees of freedom. It has the pose of its original and moves at a velocity v̄
 /// from a predictor.
 /// ```

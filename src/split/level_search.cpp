@@ -38,7 +38,7 @@ std::vector<double> interface_weights(Model& model) {
 double analysed_work(StepContext& ctx, std::uint64_t interfaces) {
     keep_state(ctx, Undo::Depth::system);
     assembly::System beside;
-    beside.most_bytes = ctx.model.def.max_memory;
+    beside.max_bytes = ctx.model.def.max_memory;
     leave_out(ctx.model, interfaces, beside);
     beside.contacts = ctx.model.system.contacts;
     // a copy, because the analysis chooses the forms of rows

@@ -71,31 +71,31 @@ void predict_by_forces(Model& model, const State& state) noexcept {
     const model::Interactions& in = model.interactions;
     model::Bodies& b = model.bodies;
     std::size_t pull = 0;
-    for (std::size_t k = 0; k < model.cuts.images.size(); ++k) {
-        const Image image = model.cuts.images[k];
+    for (std::size_t k = 0; k < model.cuts.ghosts.size(); ++k) {
+        const GhostBody ghost = model.cuts.ghosts[k];
         double impulse[6] = {};
-        std::copy_n(&model.cuts.touch[at(b.dof_begin[at(image.of)])], b.dof(image.of), impulse);
+        std::copy_n(&model.cuts.touch[at(b.dof_begin[at(ghost.of)])], b.dof(ghost.of), impulse);
         for (; pull < model.cuts.pulls.size() &&
-               model.cuts.pulls[pull].image == static_cast<std::int32_t>(k);
+               model.cuts.pulls[pull].ghost == static_cast<std::int32_t>(k);
              ++pull) {
             const Pull& p = model.cuts.pulls[pull];
             if (model.system.rests(p.id)) continue;
             in.add_impulse(p.id, p.slot, b, &in.lambda[at(in.row_begin[at(p.id)])], impulse);
         }
-        double* v = &b.v_fixed[6 * at(image.body)];
-        if (b.dof(image.of) == 6)
-            push_rigid(model, state, image.of, impulse, v);
+        double* v = &b.v_fixed[6 * at(ghost.body)];
+        if (b.dof(ghost.of) == 6)
+            push_rigid(model, state, ghost.of, impulse, v);
         else
-            push_point(model, state, image.of, impulse, v);
+            push_point(model, state, ghost.of, impulse, v);
     }
 }
 
 }  // namespace
 
-void place_images(Model& model) noexcept {
+void place_ghosts(Model& model) noexcept {
     model::Bodies& b = model.bodies;
-    for (const Image& image : model.cuts.images) {
-        const auto to = at(image.body), from = at(image.of);
+    for (const GhostBody& ghost : model.cuts.ghosts) {
+        const auto to = at(ghost.body), from = at(ghost.of);
         std::copy_n(&b.x[3 * from], 3, &b.x[3 * to]);
         std::copy_n(&b.q[4 * from], 4, &b.q[4 * to]);
         std::copy_n(&b.r[9 * from], 9, &b.r[9 * to]);
@@ -107,11 +107,11 @@ void predict(Model& model, const State& state) noexcept {
     model::Bodies& b = model.bodies;
     for (const std::int32_t body : b.driven)
         std::copy_n(&b.v_fixed[6 * at(body)], 6, &b.v_before[6 * at(body)]);
-    place_images(model);
-    for (const Image& image : model.cuts.images) {
-        double* v = &b.v_fixed[6 * at(image.body)];
-        velocity_of(b, image.of, v);
-        std::copy_n(v, 6, &b.v_before[6 * at(image.body)]);
+    place_ghosts(model);
+    for (const GhostBody& ghost : model.cuts.ghosts) {
+        double* v = &b.v_fixed[6 * at(ghost.body)];
+        velocity_of(b, ghost.of, v);
+        std::copy_n(v, 6, &b.v_before[6 * at(ghost.body)]);
     }
     for (const Cut& cut : model.cuts.list)
         for (std::int32_t i = 0; i < cut.sides; ++i)

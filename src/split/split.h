@@ -8,7 +8,7 @@
 ///     preparation   may_split, split_model      ghost bodies and copies (cuts.h)
 ///     graph         regroup                     automatic groups follow the state
 ///     analyse       analyse, relink             cuts in force; then the system
-///     assemble      place_images, predict       poses and velocities of ghost bodies
+///     assemble      place_ghosts, predict       poses and velocities of ghost bodies
 ///                   keep_touch                  contacts of the last step, for predictors
 ///     integrate     finish_cuts                 one multiplier for readers; errors of cuts
 ///                   part_all                    a line breaks with all its copies
@@ -54,7 +54,7 @@ void analyse(StepContext& ctx, const factor::AnalysisState* state = nullptr);
 void relink(StepContext& ctx);
 
 /// Copy the poses of bodies to their ghost bodies.
-void place_images(Model& model) noexcept;
+void place_ghosts(Model& model) noexcept;
 
 /// Set poses and velocities of ghost bodies before rows are assembled. The velocities come from the
 /// predictor of the world (WorldDef::predictor).

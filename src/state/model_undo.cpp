@@ -32,7 +32,7 @@ void ModelUndo::keep(const StepContext& ctx) {
     work_ = s.loads.work;
     water_ = s.loads.water;
     added_ = s.loads.added;
-    judge_ = s.judge.state;
+    monitor_ = s.monitor.state;
     contacts_ = s.contacts;
     contact_impulse_ = s.contact_impulse;
     contact_sliding_ = s.contact_sliding;
@@ -40,7 +40,7 @@ void ModelUndo::keep(const StepContext& ctx) {
     analysed_r_ = s.analysed_r;
     changed_ = s.changed;
     edits_ = s.edits;
-    mend_ = s.mend;
+    repair_ = s.repair;
     event_count_ = ctx.work.stats.event_count;
     asleep_ = ctx.work.stats.asleep;
     contact_count_ = ctx.work.stats.contacts;
@@ -72,7 +72,7 @@ void ModelUndo::go_back(StepContext& ctx) noexcept {
     s.loads.work = work_;
     s.loads.water = water_;
     s.loads.added = added_;
-    s.judge.state = judge_;
+    s.monitor.state = monitor_;
     std::swap(s.contacts, contacts_);
     s.contact_impulse.swap(contact_impulse_);
     s.contact_sliding.swap(contact_sliding_);
@@ -82,9 +82,11 @@ void ModelUndo::go_back(StepContext& ctx) noexcept {
     s.changed = changed_;
     // If the model was to be prepared anyway, that follows from the restored order.
     if (changed_ != Changed::all)
-        s.mend = mend_ == Mend::follow || mend_ == Mend::all_follow ? Mend::all_follow : Mend::all;
+        s.repair = repair_ == PendingRepair::follow || repair_ == PendingRepair::all_follow
+                       ? PendingRepair::all_follow
+                       : PendingRepair::all;
     else
-        s.mend = mend_ == Mend::nothing ? Mend::rebuild : mend_;
+        s.repair = repair_ == PendingRepair::nothing ? PendingRepair::rebuild : repair_;
     ctx.work.stats.event_count = event_count_;
     ctx.work.stats.asleep = asleep_;
     ctx.work.stats.contacts = contact_count_;

@@ -50,14 +50,14 @@ class ModelUndo {
     // State.
     Ledger ledger_;
     double work_ = 0.0, water_ = 0.0, added_ = 0.0;
-    JudgeState judge_;
+    MonitorState monitor_;
     collide::ContactSet contacts_;
     base::Array<double> contact_impulse_;
     base::Array<std::uint8_t> contact_sliding_;
     base::Array<double> analysed_x_, analysed_r_;
     Changed changed_ = Changed::all;
     Edits edits_;
-    Mend mend_ = Mend::nothing;
+    PendingRepair repair_ = PendingRepair::nothing;
     std::array<std::int64_t, kEventKindCount> event_count_{};
     std::int32_t asleep_ = 0, contact_count_ = 0;
 };

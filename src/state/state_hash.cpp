@@ -36,11 +36,12 @@ std::uint64_t state_hash(const Model& model, const State& state) noexcept {
     // Skip wires without memory: before the first preparation there are no arrays.
     for (std::size_t k = 0; k < model.wires.count(); ++k) {
         const bool recoils = model.wires.recoil[k] != 0;
-        if (model.wires.credit[k] == 0.0 && model.wires.alert[k] == 0 && !recoils) continue;
+        if (model.wires.energy_allowance[k] == 0.0 && model.wires.flag_steps[k] == 0 && !recoils)
+            continue;
         hash = base::fnv1a(&k, sizeof k, hash);
         if (recoils) hash = base::fnv1a(&model.wires.recoil[k], sizeof(std::int32_t), hash);
-        hash = base::fnv1a(&model.wires.credit[k], sizeof(double), hash);
-        hash = base::fnv1a(&model.wires.alert[k], sizeof(std::int32_t), hash);
+        hash = base::fnv1a(&model.wires.energy_allowance[k], sizeof(double), hash);
+        hash = base::fnv1a(&model.wires.flag_steps[k], sizeof(std::int32_t), hash);
     }
     add(model.collider.kept());
     add(model.bodies.asleep);

@@ -17,9 +17,9 @@ void put(const A& from, A& to) noexcept {
 }
 
 Undo::Scalars read(const State& state, const StepStats& stats) noexcept {
-    return {state.step,        state.time,        state.ledger,         state.loads.work,
-            state.loads.water, state.loads.added, state.refine_unasked, state.started,
-            stats.event_count, state.judge.state};
+    return {state.step,        state.time,         state.ledger,         state.loads.work,
+            state.loads.water, state.loads.added,  state.refine_unasked, state.started,
+            stats.event_count, state.monitor.state};
 }
 
 void write(const Undo::Scalars& from, StepContext& c) noexcept {
@@ -32,7 +32,7 @@ void write(const Undo::Scalars& from, StepContext& c) noexcept {
     c.state.refine_unasked = from.refine_unasked;
     c.state.started = from.started;
     c.work.stats.event_count = from.event_count;
-    c.state.judge.state = from.judge;
+    c.state.monitor.state = from.monitor;
 }
 
 void keep_system(StepContext& ctx) {
@@ -51,7 +51,7 @@ void keep_system(StepContext& ctx) {
     if (ctx.state.changed != Changed::nothing) u.wires = ctx.model.wires;
     keep_links(ctx.model, ctx.work.undo);
     keep_motion(ctx);
-    u.mend = ctx.state.mend;
+    u.repair = ctx.state.repair;
     u.changed = ctx.state.changed;
     u.asleep_count = ctx.work.stats.asleep;
     u.asked = ctx.model.cuts.asked;
@@ -84,7 +84,7 @@ void go_back_system(StepContext& ctx) noexcept {
     ctx.model.regroup.interactions = u.grouped_interactions;
     if (u.changed != Changed::nothing) std::swap(ctx.model.wires, u.wires);
     ctx.state.changed = u.changed;
-    ctx.state.mend = u.mend == Mend::nothing ? Mend::rebuild : u.mend;
+    ctx.state.repair = u.repair == PendingRepair::nothing ? PendingRepair::rebuild : u.repair;
 }
 
 void go_back_all(StepContext& ctx) noexcept {
@@ -109,8 +109,8 @@ void reserve_undo(const Model& model, Undo& undo) {
     u.active.reserve(model.interactions.active.size());
     u.repeats.reserve(model.interactions.repeats.size());
     u.coarse.reserve(model.interactions.coarse.size());
-    u.credit.reserve(model.wires.credit.size());
-    u.alert.reserve(model.wires.alert.size());
+    u.energy_allowance.reserve(model.wires.energy_allowance.size());
+    u.flag_steps.reserve(model.wires.flag_steps.size());
     u.recoil.reserve(model.wires.recoil.size());
 }
 
@@ -123,8 +123,8 @@ void keep_motion(StepContext& ctx) noexcept {
     put(ctx.model.interactions.active, u.active);
     put(ctx.model.interactions.repeats, u.repeats);
     put(ctx.model.interactions.coarse, u.coarse);
-    put(ctx.model.wires.credit, u.credit);
-    put(ctx.model.wires.alert, u.alert);
+    put(ctx.model.wires.energy_allowance, u.energy_allowance);
+    put(ctx.model.wires.flag_steps, u.flag_steps);
     put(ctx.model.wires.recoil, u.recoil);
     u.scalars = read(ctx.state, ctx.work.stats);
     u.moved = true;
@@ -181,10 +181,10 @@ void restore_kept(StepContext& ctx) noexcept {
         put(u.active, ctx.model.interactions.active);
         put(u.repeats, ctx.model.interactions.repeats);
         put(u.coarse, ctx.model.interactions.coarse);
-        put(u.credit, ctx.model.wires.credit);
-        put(u.alert, ctx.model.wires.alert);
+        put(u.energy_allowance, ctx.model.wires.energy_allowance);
+        put(u.flag_steps, ctx.model.wires.flag_steps);
         put(u.recoil, ctx.model.wires.recoil);
-        follow_alerts(ctx.model);
+        update_wire_flags(ctx.model);
         write(u.scalars, ctx);
     }
     drop_kept(ctx.work.undo);

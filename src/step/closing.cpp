@@ -23,7 +23,7 @@ constexpr double kClosed = 1e-5;  ///< Gap at which iterations end [m or rad].
 /// Rotation of a body in a step that may open a joint by kOpen [rad].
 constexpr double kTurned = 0.03;
 constexpr double kFarTurn = 0.7;  ///< Rotation beyond which directions have changed too much [rad].
-constexpr int kMostClosings = 12;
+constexpr int kMaxClosings = 12;
 
 /// True if a joint that the step has linearised may be open.
 bool may_be_open(const Model& model, const StepStats& stats) noexcept {
@@ -51,8 +51,8 @@ double write_gaps(const Model& model, const View& v) noexcept {
     for (const std::int32_t id : model.completion.rigid) {
         if (model.interactions.parted[at(id)] != 0) continue;
         const model::RowState now = model.interactions.row_state(id, model.bodies);
-        double room[model::kArmRoom];
-        const double* jac = packed_rows(v, id, room);
+        double buffer[model::kArmBufferSize];
+        const double* jac = packed_rows(v, id, buffer);
         for (int r = 0; r < v.rows[id]; ++r) {
             if (!(std::fabs(now.g[r]) <= most)) most = std::fabs(now.g[r]);
             jac = assembly::ask_of_row(v, id, r, jac, -per_h * now.g[r]);
@@ -106,7 +106,7 @@ double fastest_turn(const Model& model, const View& v) noexcept {
 double close_with_factor(Model& model, Work& work, runtime::Pool& pool, const View& v,
                          double gap) noexcept {
     constexpr double kConverges = 0.5;
-    for (int round = 0; round < kMostClosings && gap > kClosed; ++round) {
+    for (int round = 0; round < kMaxClosings && gap > kClosed; ++round) {
         model.system.numeric.solve(model.system.symbolic, v.solution, pool);
         ++work.stats.substitutions;
         work.solve.rhs_ready = false;
@@ -123,19 +123,19 @@ double close_with_factor(Model& model, Work& work, runtime::Pool& pool, const Vi
 /// Move poses by the vector of the solver, by a smaller fraction while the gap grows. @return the
 /// new gap; if no fraction reduces it, the earlier one.
 double move_some(Model& model, JointWork& joints, const View& v, double gap) noexcept {
-    constexpr int kMostHalvings = 4;
+    constexpr int kMaxHalvings = 4;
     const double turn = v.h * fastest_turn(model, v);
-    double share = turn > kFarTurn ? kFarTurn / turn : 1.0;
+    double fraction = turn > kFarTurn ? kFarTurn / turn : 1.0;
     if (!std::isfinite(turn)) return gap;
     // write_gaps() overwrites the solution, which is needed to move back.
     double* const kept = joints.closing.data() + model.interactions.g.size();
     std::copy_n(v.solution, model.system.symbolic.scalars, kept);
-    for (int half = 0; half <= kMostHalvings; ++half, share *= 0.5) {
-        move(model, v, share * v.h);
+    for (int half = 0; half <= kMaxHalvings; ++half, fraction *= 0.5) {
+        move(model, v, fraction * v.h);
         const double now = write_gaps(model, v);
         if (now <= gap) return now;
         std::copy_n(kept, model.system.symbolic.scalars, v.solution);
-        move(model, v, -share * v.h);
+        move(model, v, -fraction * v.h);
     }
     return gap;
 }
@@ -144,14 +144,14 @@ double move_some(Model& model, JointWork& joints, const View& v, double gap) noe
 /// is used for more iterations while they reduce the gap by more than 10 %. Light bodies between
 /// heavy ones slow an iteration down by their contribution to Σ.
 void close_anew(StepContext& ctx, const View& v) noexcept {
-    constexpr int kMostFactors = 8, kMostRoundsEach = 8;
+    constexpr int kMaxFactors = 8, kMaxIterationsEach = 8;
     constexpr double kGoesOn = 0.9;
-    for (int i = 0; i < kMostFactors; ++i) {
+    for (int i = 0; i < kMaxFactors; ++i) {
         evaluate_keeping_ranges(ctx.model, ctx.work.before, ctx.pool);
         double gap = write_gaps(ctx.model, v);
         const double first = gap;
         if (gap <= kClosed || factor(ctx, true) != Status::ok) return;
-        for (int round = 0; round < kMostRoundsEach; ++round) {
+        for (int round = 0; round < kMaxIterationsEach; ++round) {
             const double before = gap;
             gap = move_some(ctx.model, ctx.work.joints, v, gap);
             if (gap <= kClosed) return;
@@ -166,7 +166,7 @@ void close_anew(StepContext& ctx, const View& v) noexcept {
 }  // namespace
 
 void close_joints(StepContext& ctx) noexcept {
-    JudgeState& judged = ctx.state.judge.state;
+    MonitorState& judged = ctx.state.monitor.state;
     judged.closed = judged.closed_elastic = 0.0;
     if (has_cuts(ctx.model) || ctx.model.def.nonsmooth != Nonsmooth::newton ||
         !may_be_open(ctx.model, ctx.work.stats))

@@ -32,14 +32,14 @@ using assembly::Turning;
 /// closed loops a smaller limit would only add rounding. A user who requests solutions below
 /// kSolution gets it.
 constexpr double kTurning = 1e-7, kSlowTurn = 5.0, kSolution = 1e-10;
-constexpr int kMostRounds = 12;
+constexpr int kMaxRounds = 12;
 constexpr double kGap = 1e-4;  ///< Maximum gap that a step may leave [m or rad].
 /// Value of s from the force of the step itself that ends a trial.
-constexpr double kTooFast = 2.0 * kResolvedSwing;
+constexpr double kTooFast = 2.0 * kResolvedVibration;
 
 /// Iterate with the present factorisation. @return result of the last iteration; if it is not
 /// finite or too large, the iterations diverged.
-Turning make_rounds(StepContext& ctx) noexcept {
+Turning iterate_joints(StepContext& ctx) noexcept {
     double first = 0.0;
     const double enough = kTurning * std::min(1.0, ctx.model.def.solution_tolerance / kSolution);
     const auto ended = [enough](const Turning& turning) {
@@ -47,7 +47,7 @@ Turning make_rounds(StepContext& ctx) noexcept {
         return turning.change <= enough * fast * fast * fast;
     };
     Turning t = renew_completed(ctx);
-    for (int round = 0; round < kMostRounds && !ended(t); ++round) {
+    for (int round = 0; round < kMaxRounds && !ended(t); ++round) {
         adopt_completed(ctx);
         continue_with_factor(ctx);
         ctx.work.solve.losses_known = false;
@@ -90,15 +90,16 @@ bool has_outgrown(Model& model, std::int32_t k) noexcept {
     // The force of a redundant joint is not known before the filter.
     if (in.repeats[at(id)]) return false;
     if (in.completed[at(id)]) {
-        if (squared_swing(model, k, in.lambda.data()) <= kTooFast * kTooFast) return false;
+        if (squared_vibration(model, k, in.lambda.data()) <= kTooFast * kTooFast) return false;
         c.refused[at(k)] = 1;
         return true;
     }
     constexpr double kGrown = 1.5;
-    const JointPlace& joint = c.places[at(k)];
+    const JointSlot& joint = c.places[at(k)];
     return !(squared_impulse(joint, in.lambda.data()) <=
                  kGrown * kGrown * squared_impulse(joint, c.lambda_with.data()) ||
-             squared_swing(model, k, in.lambda.data()) <= kResolvedSwing * kResolvedSwing);
+             squared_vibration(model, k, in.lambda.data()) <=
+                 kResolvedVibration * kResolvedVibration);
 }
 
 /// Check all joints. @return true if any has outgrown its force.
@@ -120,8 +121,8 @@ Status solve_with_new_forces(StepContext& ctx) noexcept {
     for (std::size_t k = 0; k < c.joints.size(); ++k) {
         const std::int32_t id = c.joints[k];
         const bool larger =
-            in.swing[at(id)] > 0.0 && squared_impulse(c.places[k], in.lambda.data()) >
-                                          squared_impulse(c.places[k], c.lambda_with.data());
+            in.vibration[at(id)] > 0.0 && squared_impulse(c.places[k], in.lambda.data()) >
+                                              squared_impulse(c.places[k], c.lambda_with.data());
         const auto row = in.row_begin[at(id)];
         if (larger) std::copy_n(&in.lambda[at(row)], in.rows[at(id)], &c.lambda_with[at(row)]);
     }
@@ -135,26 +136,26 @@ Status solve_with_new_forces(StepContext& ctx) noexcept {
 
 /// Refine, and treat rows that the iterations moved across their bounds.
 Status settle_free(StepContext& ctx) noexcept {
-    constexpr int kMost = 4;
+    constexpr int kMaximum = 4;
     Status status = Status::ok;
-    for (int i = 0; i < kMost && status == Status::ok; ++i) {
-        status = settle_rounds(ctx, ctx.work.stats.completion_rounds == 0);
+    for (int i = 0; i < kMaximum && status == Status::ok; ++i) {
+        status = settle_iterations(ctx, ctx.work.stats.completion_rounds == 0);
         const std::int32_t before = ctx.work.stats.factorisations;
         if (status == Status::ok) status = settle_bounds(ctx);
         if (ctx.work.stats.factorisations == before || status != Status::ok) break;
-        (void)make_rounds(ctx);
+        (void)iterate_joints(ctx);
     }
     return status;
 }
 
 /// Refine with contacts, and treat rows across their bounds as in settle_free().
 Status settle_touching(StepContext& ctx) noexcept {
-    constexpr int kMost = 4;
+    constexpr int kMaximum = 4;
     Status status = settle_newton(ctx);
-    for (int i = 0; i < kMost && status == Status::ok && rows_ask(ctx); ++i) {
+    for (int i = 0; i < kMaximum && status == Status::ok && rows_ask(ctx); ++i) {
         status = settle_rows(ctx);
         if (status != Status::ok) break;
-        (void)make_rounds(ctx);
+        (void)iterate_joints(ctx);
         status = settle_newton(ctx);
     }
     return status;
@@ -175,12 +176,12 @@ Status settle(StepContext& ctx) noexcept {
 
 Status complete(StepContext& ctx) noexcept {
     Status status = Status::ok;
-    constexpr int kMostGrowths = 2;  // number of repeated solves for new forces
+    constexpr int kMaxGrowths = 2;  // number of repeated solves for new forces
     if (ctx.state.started)
-        for (int i = 0; i < kMostGrowths && status == Status::ok && outgrown(ctx); ++i)
+        for (int i = 0; i < kMaxGrowths && status == Status::ok && outgrown(ctx); ++i)
             status = solve_with_new_forces(ctx);
     if (ctx.model.completion.any && status == Status::ok) {
-        const Turning t = make_rounds(ctx);
+        const Turning t = iterate_joints(ctx);
         status = t.gap <= kGap ? settle(ctx) : solve_linearised(ctx);
     }
     if (status == Status::ok) take_self_stress(ctx);

@@ -25,7 +25,7 @@ using assembly::Contacts;
 using nonsmooth::Cone;
 
 /// Size the arrays for this step's contacts and count growth.
-void make_room(StepContext& ctx) {
+void reserve_more(StepContext& ctx) {
     Contacts& c = ctx.model.system.contacts;
     const std::size_t held = c.bytes();
     const std::size_t all = ctx.state.contacts.contacts.size(), n = ctx.state.contacts.awake;
@@ -89,7 +89,7 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
     const collide::ContactSet& set = ctx.state.contacts;
     Status status = guarded(ctx, [&] {
         keep_links(ctx.model, ctx.work.undo);
-        make_room(ctx);
+        reserve_more(ctx);
         over(ctx.pool, static_cast<std::int32_t>(set.awake), [&](std::int32_t a, std::int32_t b) {
             for (std::size_t k = at(a); k < at(b); ++k)
                 c.set(k, set.contacts[k], set.surfaces[at(set.contacts[k].surface)],
@@ -105,7 +105,7 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
             relink(ctx);
             if (!c.connect(ctx.state.step)) throw std::bad_alloc();
         }
-        ctx.work.solve.columns.reserve(most_columns(ctx.model));
+        ctx.work.solve.columns.reserve(max_columns(ctx.model));
     });
     if (status != Status::ok) c.forget_rows();
     if (status == Status::ok && ctx.pool.stopping()) status = Status::cancelled;

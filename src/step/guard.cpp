@@ -20,12 +20,12 @@ namespace {
 
 using assembly::View;
 
-constexpr int kMostRepeats = 7;    ///< See guard.h.
+constexpr int kMaxRepeats = 7;     ///< See guard.h.
 constexpr double kMayGain = 1e-3;  ///< Limit of the gain relative to the exchanged energy.
 
 bool accepted(const Wires& w, std::size_t wire) noexcept {
     const WireGain& g = w.gain[wire];
-    return !w.fast[wire] || g.gain <= kMayGain * g.exchanged + g.noise + w.credit[wire];
+    return !w.fast[wire] || g.gain <= kMayGain * g.exchanged + g.noise + w.energy_allowance[wire];
 }
 
 /// Restore the initial multipliers, on which the geometric stiffness depends, and the state of
@@ -84,7 +84,7 @@ bool refuse(Model& model, const Before& kept) noexcept {
     Wires& w = model.wires;
     bool any = false;
     for (std::size_t k = 0; k < w.count(); ++k) {
-        if (accepted(w, k) || w.level[k] >= kMostRepeats) continue;
+        if (accepted(w, k) || w.level[k] >= kMaxRepeats) continue;
         const auto wire = static_cast<std::int32_t>(k);
         const bool first = w.level[k] == 0;
         plan_wires(model, kept, wire);
@@ -106,7 +106,7 @@ void calm_start(Model& model, const Before& kept) noexcept {
     if (!find_fast_wires(model, kept)) return;
     for (const WirePart& p : w.parts) {
         if (!w.fast[at(p.wire)]) continue;
-        for (std::int32_t i = p.lump_begin; i < p.lump_end; ++i) {
+        for (std::int32_t i = p.node_elements_begin; i < p.node_elements_end; ++i) {
             const std::int32_t begin = v.dof_begin[w.lump[at(i)]];
             if (v.dof[w.lump[at(i)]] == 3) std::copy_n(v.v_ahead + begin, 3, v.v + begin);
         }

@@ -3,9 +3,9 @@
 /// @file guard.h
 /// The guard over wires: no step may leave a wire with created energy.
 ///
-/// A *wire* is a connected set of elastic lines between points, coupled by lumps. A step uses the
+/// A *wire* is a connected set of elastic lines between points, coupled by nodes. A step uses the
 /// direction of each element, and the tension of its geometric stiffness, from its start. If an
-/// element turns far within a step, this creates energy, and a wire of lumps becomes unstable.
+/// element turns far within a step, this creates energy, and a wire of nodes becomes unstable.
 ///
 /// Therefore the energy of each wire is computed half a step before and after, where velocities are
 /// defined, from its true lengths (wire_energy.cpp). The limit of the gain is a thousandth of the
@@ -27,7 +27,7 @@ namespace hawser::stepper {
 /// Solve the step again if wires gain energy. Call after the solution and before bodies move.
 [[nodiscard]] Status guard_wires(StepContext& ctx) noexcept;
 
-/// Set the velocities of lumps of fast wires to the given ones after the staggered start, although
+/// Set the velocities of nodes of fast wires to the given ones after the staggered start, although
 /// these are half a step late. The velocity half a step earlier would come from a trial step, which
 /// does not resolve the axial vibration.
 void calm_start(Model& model, const Before& kept) noexcept;

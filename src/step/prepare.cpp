@@ -18,7 +18,8 @@ using assembly::Contacts;
 
 /// Rebuild after a failed step, from the order of the last analysis and at its poses.
 void rebuild_undone(StepContext& ctx) {
-    const bool all = ctx.state.mend == Mend::all || ctx.state.mend == Mend::all_follow;
+    const bool all =
+        ctx.state.repair == PendingRepair::all || ctx.state.repair == PendingRepair::all_follow;
     ctx.model.system.contacts.make_blocks();
     {
         const AnalysedPoses poses(ctx);
@@ -38,7 +39,7 @@ void rebuild_undone(StepContext& ctx) {
 bool follow_shapes(StepContext& ctx, Contacts::Blocks changed) {
     if (ctx.state.changed != Changed::shapes) return false;
     // Earlier updates were undone, so the changed blocks are unknown.
-    const bool undone = ctx.state.mend != Mend::nothing;
+    const bool undone = ctx.state.repair != PendingRepair::nothing;
     // With the first shapes that may touch, updates of fronts are kept.
     if ((changed != Contacts::Blocks::same || undone) &&
         ctx.model.system.contacts.blocks.empty() == ctx.model.system.symbolic.updates_kept)
@@ -68,7 +69,7 @@ void finish_preparing(StepContext& ctx) {
     const bool any = ctx.state.edits.any;
     ctx.state.edits.any = true;  // the monitors continue
     try {
-        prepare_judge(ctx.model, ctx.state);
+        prepare_monitors(ctx.model, ctx.state);
     } catch (...) {
         ctx.state.edits.any = any;
         throw;
@@ -88,7 +89,7 @@ void prepare(StepContext& ctx) {
     make_wires(ctx.model, ctx.state, ctx.work.wires);
     analyse(ctx);
     reserve_sleep(ctx.model, ctx.work.sleep);
-    prepare_judge(ctx.model, ctx.state);
+    prepare_monitors(ctx.model, ctx.state);
     finish_preparation(ctx);
 }
 

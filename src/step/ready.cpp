@@ -11,12 +11,14 @@
 #include <utility>
 
 namespace hawser::stepper {
-void mend(StepContext& ctx) {
-    if (ctx.state.mend == Mend::nothing) return;
+void repair(StepContext& ctx) {
+    if (ctx.state.repair == PendingRepair::nothing) return;
     assembly::System::Kept before;
     ctx.model.system.keep(before);
-    const bool all = ctx.state.mend == Mend::all || ctx.state.mend == Mend::all_follow;
-    const bool same = ctx.state.mend == Mend::rebuild || ctx.state.mend == Mend::all;
+    const bool all =
+        ctx.state.repair == PendingRepair::all || ctx.state.repair == PendingRepair::all_follow;
+    const bool same =
+        ctx.state.repair == PendingRepair::rebuild || ctx.state.repair == PendingRepair::all;
     try {
         const factor::AnalysisState order = before.analysis.state;
         if (all) prepare_touching(ctx);
@@ -32,16 +34,16 @@ void mend(StepContext& ctx) {
     ctx.work.before.lambda.resize(ctx.model.interactions.lambda.size());
     ctx.work.before.repeats.resize(ctx.model.interactions.repeats.size());
     reserve_undo(ctx.model, ctx.work.undo);
-    ctx.state.mend = Mend::nothing;
+    ctx.state.repair = PendingRepair::nothing;
 }
 
 void make_ready(StepContext& ctx) {
     if (ctx.state.changed != Changed::nothing) {
         keep_state(ctx, may_split(ctx.model) ? Undo::Depth::model : Undo::Depth::system);
         prepare(ctx);
-        ctx.state.mend = Mend::nothing;
+        ctx.state.repair = PendingRepair::nothing;
     } else {
-        mend(ctx);
+        repair(ctx);
     }
 }
 
@@ -60,7 +62,7 @@ void Transaction::done() noexcept {
 }
 
 void ready(StepContext& ctx) {
-    if (ctx.state.changed == Changed::nothing && ctx.state.mend == Mend::nothing) return;
+    if (ctx.state.changed == Changed::nothing && ctx.state.repair == PendingRepair::nothing) return;
     Transaction all(ctx);
     make_ready(ctx);
     all.done();

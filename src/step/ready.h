@@ -8,9 +8,9 @@
 
 namespace hawser::stepper {
 
-/// Analyse as ctx.state.mend requests. The state does not change in any case. @throws
+/// Analyse as ctx.state.repair requests. The state does not change in any case. @throws
 /// std::bad_alloc, LimitError.
-void mend(StepContext& ctx);
+void repair(StepContext& ctx);
 
 /// Bring the analysed system up to date with the state: rebuild after a failed step, analyse
 /// additions. Saves an undo copy first. @throws std::bad_alloc, LimitError.

@@ -22,7 +22,7 @@ namespace {
 /// Number of steps between searches for islands.
 constexpr std::int64_t kEvery = 8;
 
-/// True for a kinematic body in motion.
+/// True if a kinematic body moves.
 bool carries(const model::Bodies& b, std::int32_t body) noexcept {
     const double* v = &b.v_fixed[6 * at(body)];
     return b.kind[at(body)] == BodyKind::kinematic &&
@@ -155,12 +155,12 @@ void analyse_anew(StepContext& ctx) {
 void analyse_after_step(StepContext& ctx) noexcept {
     ctx.state.analysed_x = ctx.model.bodies.x;
     ctx.state.analysed_r = ctx.model.bodies.r;
-    ctx.state.mend = Mend::follow;
+    ctx.state.repair = PendingRepair::follow;
     const StageTimer timer(ctx, Stage::analyse);
     (void)guarded(ctx, [&] {
         // Completed joints of the step are read later; the next step chooses again.
         const base::Array<std::uint8_t> completed = ctx.model.interactions.completed;
-        mend(ctx);
+        repair(ctx);
         ctx.model.interactions.completed = completed;
     });
 }
@@ -189,7 +189,7 @@ void fall_asleep(StepContext& ctx) noexcept {
                            (!ctx.work.stats.cut && ctx.work.stats.flips_left == 0 &&
                             ctx.work.stats.natural_map <= ctx.model.def.contact_tolerance);
     const auto most = static_cast<std::int32_t>(
-        std::min<double>(std::ceil(ctx.model.def.sleep_after / ctx.model.def.step), kMostQuiet));
+        std::min<double>(std::ceil(ctx.model.def.sleep_after / ctx.model.def.step), kMaxQuiet));
     bool any = false;
     for (const std::int32_t body : b.moving) {
         if (b.asleep[at(body)] != 0) continue;

@@ -52,7 +52,7 @@ void violations_at(Model& model, runtime::Pool& pool, double t, std::vector<doub
         const double* v = &b.v_fixed[6 * at(body)];
         b.drift(body, v, v + 3, t);
     }
-    place_images(model);
+    place_ghosts(model);
     evaluate_rows(model, pool);
     std::copy(model.interactions.g.begin(), model.interactions.g.end(), g.begin());
     b.x = x;
@@ -74,7 +74,7 @@ std::vector<double> row_curvature(Model& model, runtime::Pool& pool) {
 }
 
 /// Return h²W/4ε of a row that stores energy: (hω)²/4 of its vibration with its bodies.
-double swing_of(const Model& model, std::int32_t id, int r) {
+double vibration_of(const Model& model, std::int32_t id, int r) {
     const model::Interactions& in = model.interactions;
     const auto row = at(in.row_begin[at(id)] + r);
     if ((in.row_flags[row] & model::kRowVelocity) ||
@@ -95,18 +95,18 @@ double swing_of(const Model& model, std::int32_t id, int r) {
 /// @return true if there is such a spring.
 bool slow_springs(Model& model, bool add) noexcept {
     const assembly::View v = row_view(model);
-    constexpr double kResolvedShare = 0.25;
+    constexpr double kResolvedFraction = 0.25;
     bool any = false;
     for (std::int32_t id = 0; id < interaction_count(model); ++id) {
         // Wires are treated by calm_start().
         if (model.system.rests(id) || v.active[id] == 0.0 || model.wires.wire_of[at(id)] >= 0)
             continue;
-        double room[model::kArmRoom];
+        double room[model::kArmBufferSize];
         const double* jac = packed_rows(v, id, room);
         for (int r = 0; r < v.rows[id]; ++r) {
             const double speed = along_row(v, id, jac, v.v, v.dof_begin);
-            const double z = speed == 0.0 ? 0.0 : swing_of(model, id, r);
-            if (!(z > kResolvedShare)) continue;
+            const double z = speed == 0.0 ? 0.0 : vibration_of(model, id, r);
+            if (!(z > kResolvedFraction)) continue;
             any = true;
             const double less = (1.0 - 1.0 / std::sqrt(1.0 + z)) * (1.0 + z) / z;
             if (add) v.c[v.row_begin[id] + r] += 2.0 * less * speed;

@@ -61,7 +61,7 @@ Status start_world(StepContext& ctx) noexcept {
     if (const Status acted = prestep(ctx); acted != Status::ok) return acted;
     keep_motion(ctx);
     ctx.state.loads.added = added_energy(ctx.model, ctx.state, ctx.pool, ctx.model.bodies.v.data());
-    begin_judge(ctx);
+    begin_monitors(ctx);
     Status status = Status::ok;
     if (ctx.model.collider.count() > 0) status = find_contacts(ctx);
     if (status == Status::ok && ctx.model.collider.count() > 0)
@@ -145,7 +145,7 @@ Status accept(StepContext& ctx) noexcept {
     return timed(ctx, Stage::integrate, [](StepContext& c) {
         c.state.loads.measure(c.model.bodies, c.model.def.step, c.model.bodies.v.data(),
                               view(c).v_new, c.pool);
-        return judge(c);
+        return run_monitors(c);
     });
 }
 

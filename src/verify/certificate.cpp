@@ -25,7 +25,7 @@ std::size_t slot(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 bool is_free(BodyKind kind) { return kind == BodyKind::rigid || kind == BodyKind::lump; }
 
-// The nearest point of the cone ‖x_t‖ ≤ μ x_n.
+// Return the nearest point of the cone ‖x_t‖ ≤ μ x_n.
 Vec3 onto_cone(const Vec3& x, const Vec3& n, double mu) {
     const double normal = x.dot(n);
     const Vec3 tangent = x - normal * n;
@@ -232,7 +232,7 @@ double Verifier::natural_map(const World& world, const ContactView& contact) {
             const BodyId id = side.body[i];
             const std::size_t b = slot(id.index);
             const BodyDef& def = world.body_def(id);
-            const double w = side.share[i];
+            const double w = side.fraction[i];
             const Twist now = step_velocity(world, id, pose_[b]), before = twist_[b];
             const bool turns = def.kind != BodyKind::lump;
             const Vec3& arm = side.arm[i];

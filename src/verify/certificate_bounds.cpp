@@ -30,11 +30,11 @@ double Verifier::bound_excess(const World& world) {
         const double floor = scalar ? std::min(floor_, scalar_floor_) : floor_;
         const double beyond = step_ * std::abs(force - bound) - floor;
         if (beyond <= 0.0) continue;
-        const double share = beyond / std::max(step_ * std::abs(bound), floor);
-        if (share <= excess) continue;
-        excess = share;
+        const double fraction = beyond / std::max(step_ * std::abs(bound), floor);
+        if (fraction <= excess) continue;
+        excess = fraction;
         worst_bound_ = {.row = id, .force = force, .bound = bound};
-        if (std::isnan(share)) break;  // NaN: no larger excess is possible.
+        if (std::isnan(fraction)) break;  // NaN: no larger excess is possible.
     }
     return excess;
 }

@@ -18,8 +18,8 @@ namespace {
 
 std::size_t place_of(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-// ½ g²/ε of the rows at the present poses. A line that only pulls stores no energy if it is shorter
-// than its rest length.
+// Return ½ g²/ε of the rows at the present poses. A line that only pulls stores no energy if it is
+// shorter than its rest length.
 double energy_of_spring(const World& world, InteractionId id) {
     const InteractionDef& def = world.interaction_def(id);
     if (!world.intact(id)) return 0.0;
@@ -60,8 +60,8 @@ double StateVerifier::kinetic(const World& world) const {
         const double mass = piece_mass(world, id);
         if (mass == 0.0 || !world.intact(id)) continue;
         const auto& body = world.interaction_def(id).body;
-        const Vec3 apart = world.velocity(body[1]).linear - world.velocity(body[0]).linear;
-        sum -= mass / 12.0 * apart.squaredNorm();
+        const Vec3 separation = world.velocity(body[1]).linear - world.velocity(body[0]).linear;
+        sum -= mass / 12.0 * separation.squaredNorm();
     }
     return sum;
 }
@@ -154,7 +154,7 @@ void StateVerifier::add_sources(const World& world) {
             const ContactSide side = contact_side(
                 world, c.shape[k], c.point + sign * to_axis * c.normal, c.point, pose_);
             for (int i = 0; i < side.count; ++i) {
-                const Vec3 force = sign * side.share[i] * c.force;
+                const Vec3 force = sign * side.fraction[i] * c.force;
                 force_[place_of(side.body[i].index)] += force;
                 torque_[place_of(side.body[i].index)] += side.arm[i].cross(force);
             }
@@ -222,13 +222,13 @@ std::string StateVerifier::check_loss(const World& world, double kinetic_now) {
                     : 0.0) -
         forgotten * moved_;
     moving_energy_ = energy;
-    const double share = 1.0 - std::exp(-h / limit::kMean);
+    const double fraction = 1.0 - std::exp(-h / limit::kMean);
     // Joints that the scene or an edit opened dissipate energy until they are closed.
     constexpr double kClosed = 0.01;
     if (steps_ == 0 || excused_ > kClosed) {
         mean_moving_ = most_ = left;
     } else {
-        mean_moving_ += share * (left - mean_moving_);
+        mean_moving_ += fraction * (left - mean_moving_);
         most_ = std::max(mean_moving_, most_ + forgotten * (mean_moving_ - most_));
     }
     // Scale of the loss: the present kinetic energy, or a part of the exchanged energy, whose work
@@ -255,8 +255,8 @@ std::string StateVerifier::check_edits(const World& world) {
     const double forgotten = std::min(1.0, world.settings().step / limit::kMemory);
     exchanged_ += std::abs(kinetic(world) - kinetic_) - forgotten * exchanged_;
     edited_ += stretch_.change(world, pose_);
-    least_edited_ = std::min(edited_, least_edited_ + forgotten * (edited_ - least_edited_));
-    const double rise = edited_ - least_edited_, scale = kinetic_ + exchanged_;
+    min_edited_ = std::min(edited_, min_edited_ + forgotten * (edited_ - min_edited_));
+    const double rise = edited_ - min_edited_, scale = kinetic_ + exchanged_;
     if (rise <= limit::kNothing * (kinetic_ + std::abs(potential_))) return {};
     result_.edited = std::max(result_.edited, rise / scale / limit::kHeld.wrong);
     if (rise <= limit::kHeld.wrong * scale || world.verdict().grade == Grade::good) return {};

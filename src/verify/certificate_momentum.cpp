@@ -38,9 +38,9 @@ Vec3 free_spin(const Mat3& inertia, const Vec3& w, double h) {
     return u;
 }
 
-// Fraction of the velocity after the step in the drag (docs/theory/step.md). With it a body with
-// drag alone slows down by exp(-z).
-double late_share(double z) {
+// Return the fraction of the velocity after the step in the drag (docs/theory/step.md). A body with
+// drag only then slows down by exp(-z).
+double late_fraction(double z) {
     if (z < 1e-2) return 0.5 + z / 12.0 - z * z * z / 720.0;
     return -1.0 / std::expm1(-z) - 1.0 / z;
 }
@@ -139,8 +139,8 @@ void Verifier::add_loads(const World& world) {
     }
 }
 
-// Iδ of a body between its free rotation and its present angular velocity, minus the gyroscopic
-// coupling of velocity and its change.
+// Return Iδ of a body between its free rotation and its present angular velocity, minus the
+// gyroscopic coupling of the velocity and its change.
 Vec3 Verifier::spin_impulse(std::size_t body, const Mat3& inertia, const Twist& now) {
     const Quat& turn = pose_[body].orientation;
     const Vec3 w = turn.conjugate() * twist_[body].angular;
@@ -179,7 +179,7 @@ double Verifier::momentum_residual(const World& world) {
             const Vec3 w = turn.conjugate() * old, u = turn.conjugate() * v;
             Vec3 sum;
             for (int k = 0; k < 3; ++k) {
-                const double late = late_share(h * d[k] * mobility[k]);
+                const double late = late_fraction(h * d[k] * mobility[k]);
                 sum[k] = d[k] * (late * u[k] + (1.0 - late) * w[k]);
             }
             return -h * (turn * sum);

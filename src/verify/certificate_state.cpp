@@ -26,7 +26,7 @@ Opening opening(const World& world, InteractionId id, const std::vector<Pose>& p
     Opening out{joint_gap(world, id, pose)};
     if (!out.gap.rigid) return out;
     const double size = joint_size(world, id);
-    out.part = std::max(out.gap.apart, 0.5 * size * out.gap.turned) /
+    out.part = std::max(out.gap.separation, 0.5 * size * out.gap.turned) /
                (limit::kOpen.wrong * std::max(1.0, size));
     return out;
 }
@@ -126,7 +126,7 @@ void StateVerifier::before_step(const World& world) {
     stretch_.before_step(world);
 }
 
-/// Allow for the opening of new joints, as at the start.
+/// Add the initial opening of new joints to their allowance, as at the start of a run.
 void StateVerifier::excuse_joints(const World& world, const std::vector<InteractionId>& known) {
     std::vector<Pose> now = pose_;
     for (const BodyId id : bodies_) now[number(id.index)] = world.pose(id);
@@ -150,7 +150,7 @@ std::string StateVerifier::check_joints(const World& world) {
     double worst = 0.0;
     JointGap gap_of_worst;
     InteractionId where{};
-    const auto look = [&](const std::vector<Pose>& pose) {
+    const auto sample = [&](const std::vector<Pose>& pose) {
         worst = 0.0;
         for (const InteractionId id : interactions_) {
             if (role_[number(id.index)] != Role::joint) continue;
@@ -162,10 +162,10 @@ std::string StateVerifier::check_joints(const World& world) {
         }
     };
     if (steps_ == 0) {
-        look(pose_);
+        sample(pose_);
         excused_ = worst * limit::kOpen.wrong / limit::kOpen.doubtful;
     }
-    look(now_);
+    sample(now_);
     excused_ *= std::exp(-1.0 / limit::kSettled);
     worst = std::max(0.0, worst - excused_ * limit::kOpen.doubtful / limit::kOpen.wrong);
     result_.open = std::max(result_.open, worst);
@@ -173,7 +173,7 @@ std::string StateVerifier::check_joints(const World& world) {
     return fmt::format("joint '{}'{} stands open by {} and {:.3g} rad (step of {:.4g} s)",
                        record::interaction_label(world, where),
                        record::origin(world, record::interaction_label(world, where)),
-                       record::with_unit(gap_of_worst.apart, "m"), gap_of_worst.turned,
+                       record::with_unit(gap_of_worst.separation, "m"), gap_of_worst.turned,
                        world.settings().step);
 }
 

@@ -66,7 +66,8 @@ class StateVerifier {
     /// Count the energy of edits since the last step (additions, removals, moves) as supplied
     /// energy.
     void take_edits(const World& world);
-    /// Allow for the opening of new joints. @param known  Interactions that existed before.
+    /// Add the initial opening of new joints to their allowance. @param known  Interactions that
+    /// existed before.
     void excuse_joints(const World& world, const std::vector<InteractionId>& known);
     [[nodiscard]] double kinetic(const World& world) const;
     [[nodiscard]] double gravity(const World& world) const;
@@ -118,8 +119,8 @@ class StateVerifier {
     double mean_ = 0.0, least_ = 0.0;      ///< Mean and minimum of energy minus work [J].
     LastingFaults lasting_;
     EditedStretch stretch_;
-    double edited_ = 0.0, least_edited_ = 0.0;  ///< Stretch added by edits, and its minimum [J].
-    double excused_ = 0.0;                      ///< Opening of joints at the start.
+    double edited_ = 0.0, min_edited_ = 0.0;  ///< Stretch added by edits, and its minimum [J].
+    double excused_ = 0.0;                    ///< Opening of joints at the start.
     std::array<double, 2>
         off_before_{};  ///< Deviations of the worst elements in the two previous steps.
     std::int64_t steps_ = 0;

@@ -11,10 +11,10 @@ namespace {
 /// Least weight of a node in a contact at the other end of a segment, if that end is attached to a
 /// body. See docs/collision.md, item "Wires". Its effect on the velocity is above the tolerance of
 /// this check.
-constexpr double kLeastShareOfLump = 2e-9;
+constexpr double kMinFractionOfNode = 2e-9;
 /// Least weight of the body in a contact at the node. A smaller computed weight differs from 0 only
 /// by rounding; the body then gets no moment of the force either.
-constexpr double kLeastShareOfBody = 1e-11;
+constexpr double kMinFractionOfBody = 1e-11;
 
 const Pose& pose_of(std::span<const Pose> pose, BodyId body) {
     return pose[static_cast<std::size_t>(body.index)];
@@ -61,18 +61,18 @@ ContactSide contact_side(const World& world, ShapeId shape, const Vec3& on_axis,
     const Vec3 along = end[1] - end[0];
     double s = std::clamp((on_axis - end[0]).dot(along) / along.squaredNorm(), 0.0, 1.0);
     // Beyond the body's point of attachment the node keeps its least weight.
-    if (held == 0) s = std::max(s, kLeastShareOfLump);
-    if (held == 1) s = std::min(s, 1.0 - kLeastShareOfLump);
-    if (held == 0 && 1.0 - s < kLeastShareOfBody) s = 1.0;
-    if (held == 1 && s < kLeastShareOfBody) s = 0.0;
-    side.share[0] = 1.0 - s;
-    side.share[1] = s;
+    if (held == 0) s = std::max(s, kMinFractionOfNode);
+    if (held == 1) s = std::min(s, 1.0 - kMinFractionOfNode);
+    if (held == 0 && 1.0 - s < kMinFractionOfBody) s = 1.0;
+    if (held == 1 && s < kMinFractionOfBody) s = 0.0;
+    side.fraction[0] = 1.0 - s;
+    side.fraction[1] = s;
     side.length = along.norm();
     // The body gets the rest of the moment, so that both together receive the force at its point.
-    if (held >= 0 && side.share[held] > 0.0) {
+    if (held >= 0 && side.fraction[held] > 0.0) {
         const int lump = 1 - held;
-        const Vec3 rest = point - side.share[lump] * pose_of(pose, side.body[lump]).position;
-        side.arm[held] = rest / side.share[held] - pose_of(pose, side.body[held]).position;
+        const Vec3 rest = point - side.fraction[lump] * pose_of(pose, side.body[lump]).position;
+        side.arm[held] = rest / side.fraction[held] - pose_of(pose, side.body[held]).position;
     }
     return side;
 }

@@ -13,7 +13,7 @@ namespace hawser::verify {
 struct ContactSide {
     int count = 1;
     BodyId body[2];
-    double share[2] = {1.0, 0.0};
+    double fraction[2] = {1.0, 0.0};
     /// Arm from the centre of each body to the point of its part of the force [m]; 0 for nodes,
     /// which have no arms.
     Vec3 arm[2] = {Vec3::Zero(), Vec3::Zero()};

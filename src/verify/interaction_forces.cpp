@@ -126,7 +126,8 @@ void Forces::bend(std::span<const double> f) {
     push(2, last, p[2]);
 }
 
-// Roll is measured by the height of the body's y axis, pitch by minus that of its x axis.
+// Apply the moments of roll and pitch. Roll is the height of the body's y axis, pitch minus the
+// height of its x axis.
 void Forces::hydrostatic(std::span<const double> f) {
     const Quat q = is_point(0) ? Quat::Identity() : Quat(frame(0));
     const Vec3 up = Vec3::UnitZ();

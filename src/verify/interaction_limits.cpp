@@ -33,14 +33,14 @@ Mat3 arm_stiffness(const Vec3& force, const Vec3& arm) {
     return eigen.vectors * eigen.values.cwiseMax(0.0).asDiagonal() * eigen.vectors.transpose();
 }
 
-// |r|/I, I the mean moment of inertia about the axes across the arm.
+// Return |r|/I, with the mean moment of inertia I about the axes across the arm r.
 double swing(const BodyDef& body, const Vec3& arm) {
     if (arm.norm() == 0.0) return 0.0;
     const Vec3 u = arm.normalized();
     return 2.0 * arm.norm() / (body.inertia.trace() - u.dot(body.inertia * u));
 }
 
-// Transverse mobility of the lighter end of a line [1/kg].
+// Return the transverse mobility of the lighter end of a line [1/kg].
 double lightness(const Attached& on, const World& world) {
     double most = 0.0;
     const bool rigid = on.kind(0) == BodyKind::rigid && on.kind(1) == BodyKind::rigid;
@@ -58,8 +58,8 @@ double lightness(const Attached& on, const World& world) {
     return most;
 }
 
-// Reduction factor of the stiffness of a line between rotating bodies without nodes, if its
-// transverse vibration is resolved.
+// Return the reduction factor of the stiffness of a line between rotating bodies without nodes. It
+// applies if the transverse vibration is resolved.
 double resolved(const Attached& on, double s) {
     return on.is_point(0) || on.is_point(1) || s >= 0.25 ? 1.0 : 16.0 * s * s;
 }
@@ -104,9 +104,9 @@ void add_across(const World& world, const Attached& on, std::span<const Twist> b
     }
 }
 
-// Fraction of the stiffness of a joint that is closed at the end of the step. It is 0 if the
-// oscillation about the joint is resolved, and 1 from twice that frequency on.
-double completed_share(const Attached& on, const World& world, double force) {
+// Return the fraction of the stiffness of a joint that is closed at the end of the step. It is 0 if
+// the oscillation about the joint is resolved, and 1 from twice that frequency on.
+double completed_fraction(const Attached& on, const World& world, double force) {
     double rate = 0.0;
     for (std::size_t b = 0; b < 2; ++b) {
         const BodyDef& body = world.body_def(on.def().body[b]);
@@ -126,7 +126,7 @@ double angle_of(const Attached& on) {
 
 double travel_of(const Attached& on) { return on.axis(0, 2).dot(on.point(1) - on.point(0)); }
 
-// Norm of the rows of a load that are in metres [N].
+// Return the norm of the rows of a load that are in metres [N].
 double load_size(const World& world, InteractionId id) {
     const std::string_view units = kind_info(world.interaction_def(id).kind).row_units;
     const std::span<const double> f = world.force(id);
@@ -136,9 +136,9 @@ double load_size(const World& world, InteractionId id) {
     return std::sqrt(square);
 }
 
-// Ratio of the tensions before and after a turning point (Euler and Eytelwein), as (ratio −
-// 1)/(ratio + 1).
-double line_share(const World& world, const InteractionDef& def, std::span<const Pose> pose) {
+// Return the ratio of the tensions before and after a turning point (Euler and Eytelwein), as
+// (ratio − 1)/(ratio + 1).
+double line_fraction(const World& world, const InteractionDef& def, std::span<const Pose> pose) {
     const double angle = turn_between(world, def.load[0].interaction, def.load[1].interaction,
                                       def.get("angle"), pose);
     const double ratio = std::exp(def.get("friction") * angle) / def.get("efficiency");
@@ -152,7 +152,7 @@ ForceRange friction_range(const World& world, InteractionId id, std::span<const 
     const bool of_line = def.kind == InteractionKind::LineFriction;
     for (const FrictionLoad& load : def.load)
         if (load.interaction.valid())
-            most += (of_line ? line_share(world, def, pose) : load.factor) *
+            most += (of_line ? line_fraction(world, def, pose) : load.factor) *
                     load_size(world, load.interaction);
     const double back = world.interaction_def(id).kind == InteractionKind::ScalarFriction
                             ? parameter(world, id, "back")
@@ -219,7 +219,7 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
         pull = Vec3(last[0], last[1], last[2]);
     }
     const bool completed = world.completed(id);
-    const double held = completed ? completed_share(on, world, pull.norm()) : 1.0;
+    const double held = completed ? completed_fraction(on, world, pull.norm()) : 1.0;
     if (held == 0.0) return out;
     // Excess of the oscillation about a joint over the resolved frequency:
     // docs/theory/stiffness.md.
@@ -232,7 +232,7 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
         swings = std::max(swings, h * h * pull.norm() * rate);
     }
     if (swings > 4.0) fast = (swings - 4.0) / (swings + 4.0);
-    const double share =
+    const double fraction =
         completed       ? held
         : is_line(kind) ? resolved(on, 4.0 * scale * pull.norm() / std::max(between.norm(), 1e-9) *
                                            lightness(on, world))
@@ -248,7 +248,7 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
             turns ? Vec3((1.0 + fast) * now.angular + (1.0 - fast) * old.angular) : Vec3::Zero();
         if (on.kind(b) == BodyKind::rigid)
             out.on[static_cast<std::size_t>(b)].torque -=
-                share * (1.0 + 0.5 * fast) * scale *
+                fraction * (1.0 + 0.5 * fast) * scale *
                 (arm_stiffness(b == 0 ? Vec3(-pull) : pull, arm[b]) * turned[b]);
     }
     if (is_line(kind)) {

@@ -27,13 +27,13 @@ JointGap joint_gap(const World& world, InteractionId id, std::span<const Pose> p
     if ((!joint && def.kind != Distance) || !world.intact(id) || def.compliance[0] > kRigid)
         return {};
     const Attached at(world, id, pose);
-    const Vec3 apart = at.point(1) - at.point(0);
-    if (!joint) return {std::abs(apart.norm() - parameter(world, id, "length")), 0.0, true};
-    JointGap gap{apart.norm(), 0.0, true};
+    const Vec3 separation = at.point(1) - at.point(0);
+    if (!joint) return {std::abs(separation.norm() - parameter(world, id, "length")), 0.0, true};
+    JointGap gap{separation.norm(), 0.0, true};
     if (def.kind == Ball) return gap;
     const Vec3 p = at.axis(0, 2), q = at.axis(1, 2);
     if (def.kind == Prismatic || def.kind == Cylindrical)
-        gap.apart = (apart - apart.dot(p) * p).norm();
+        gap.separation = (separation - separation.dot(p) * p).norm();
     if (def.kind == Hinge || def.kind == Cylindrical) gap.turned = turn_between_axes(p, q);
     if (def.kind == Prismatic || def.kind == Lock)
         gap.turned = at.frame(0).angularDistance(at.frame(1));

@@ -10,9 +10,9 @@
 namespace hawser::verify {
 
 struct JointGap {
-    double apart = 0.0;   ///< Distance of its points in the constrained directions [m].
-    double turned = 0.0;  ///< Angle of its axes in the constrained directions [rad].
-    bool rigid = false;   ///< False: no joint, or an elastic one.
+    double separation = 0.0;  ///< Distance of its points in the constrained directions [m].
+    double turned = 0.0;      ///< Angle of its axes in the constrained directions [rad].
+    bool rigid = false;       ///< False: no joint, or an elastic one.
 };
 
 /// Return the opening of a joint. @param pose  Poses of all bodies.

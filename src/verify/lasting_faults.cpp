@@ -17,7 +17,7 @@ namespace hawser::verify {
 namespace {
 
 /// A coordinate beyond a limit returns by 4/9 of its excess in a step.
-constexpr int kMostSteps = 6;
+constexpr int kMaxSteps = 6;
 
 /// Return the angle or travel of frame 1 relative to frame 0, about or along z of frame 0.
 double coordinate(const World& world, InteractionId id, std::span<const Pose> pose) {
@@ -69,7 +69,7 @@ std::string LastingFaults::check_ranges(const World& world, std::span<const Pose
         where = id;
     }
     beyond_ = where.valid() ? beyond_ + 1 : 0;
-    if (beyond_ <= kMostSteps) return {};
+    if (beyond_ <= kMaxSteps) return {};
     return fmt::format(
         "'{}' has been beyond its range for {} steps, now by {:.4g} {}",
         record::interaction_label(world, where), beyond_, by,
@@ -89,7 +89,7 @@ std::string LastingFaults::check_depths(const World& world) {
         where = &c;
     }
     deep_ = where != nullptr ? deep_ + 1 : 0;
-    if (deep_ <= kMostSteps) return {};
+    if (deep_ <= kMaxSteps) return {};
     return fmt::format("'{}' and '{}' have lain in each other for {} steps, now by {}",
                        record::body_label(world, world.shape_def(where->shape[0]).body),
                        record::body_label(world, world.shape_def(where->shape[1]).body), deep_,

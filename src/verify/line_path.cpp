@@ -29,10 +29,10 @@ bool drawn_in(const Attached& on, const double* radius, LineEnds& out) {
     const Vec3 n = on.axis(first ? 0 : 1, 2), d = out.at[1] - out.at[0], flat = d - d.dot(n) * n;
     // A second wheel with the opposite direction of its axis is passed on the other side.
     const double second = both && n.dot(on.axis(1, 2)) < 0.0 ? -radius[1] : radius[1];
-    const double apart = second - radius[0];
-    if (d.norm() < 1e-6 || std::abs(apart) <= 0.999 * flat.norm()) return false;
+    const double separation = second - radius[0];
+    if (d.norm() < 1e-6 || std::abs(separation) <= 0.999 * flat.norm()) return false;
     const Vec3 ahead = flat.normalized(), left = n.cross(ahead);
-    const double angle = std::asin(std::copysign(0.999, apart));
+    const double angle = std::asin(std::copysign(0.999, separation));
     const Vec3 u = std::cos(angle) * ahead - std::sin(angle) * left;
     out.at[0] += radius[0] * u.cross(n);
     out.at[1] += second * u.cross(n);
@@ -42,8 +42,8 @@ bool drawn_in(const Attached& on, const double* radius, LineEnds& out) {
 
 }  // namespace
 
-// A wheel of radius R > 0 is on the left of the passing line, seen against its axis: the end is at
-// R u × n.
+// Return the ends of a line. A wheel of radius R > 0 is on the left of the passing line, seen
+// against its axis: the end is at R u × n.
 LineEnds line_ends(const Attached& on) {
     const double radius[2] = {wheel_at(on.def(), 0), wheel_at(on.def(), 1)};
     const Vec3 centre[2] = {on.point(0), on.point(1)};

@@ -38,8 +38,8 @@ Matrix mass_of(const BodyDef& def, const Pose& pose, int n) {
     return m;
 }
 
-// Fraction of the velocity after the step in the damping (docs/theory/loads.md).
-double late_share_of_load(double z) {
+// Return the fraction of the velocity after the step in the damping (docs/theory/loads.md).
+double late_fraction_of_load(double z) {
     if (z < 1e-2) return 0.5 + z / 12.0 - z * z * z / 720.0;
     return -1.0 / std::expm1(-z) - 1.0 / z;
 }
@@ -57,7 +57,7 @@ std::vector<LoadImpulse> load_impulses(const World& world, const std::vector<Pos
         const Matrix whole = mass_of(world.body_def(load.body), pose[b], n) + a;
         const Matrix fast = h * d + 0.25 * h * h * k;
         const double late =
-            d.isZero(0.0) ? 0.5 : late_share_of_load(base::solve_cholesky(whole, fast).trace());
+            d.isZero(0.0) ? 0.5 : late_fraction_of_load(base::solve_cholesky(whole, fast).trace());
         const Vector v = motion(before[b], n),
                      u = motion(step_velocity(world, load.body, pose[b]), n);
         const Matrix resistance = a + 0.25 * h * h * k + h * late * d;

@@ -11,12 +11,13 @@
 namespace hawser::verify {
 namespace {
 
-double share_below(double surface, double middle, double high) {
+double fraction_below(double surface, double middle, double high) {
     return std::clamp((surface - middle) / high + 0.5, 0.0, 1.0);
 }
 
 /// Return the projected area along an axis, for fractions of cells.
-double projected(const std::vector<HullCell>& cells, const std::vector<double>& share, int axis) {
+double projected(const std::vector<HullCell>& cells, const std::vector<double>& fraction,
+                 int axis) {
     std::map<std::pair<int, int>, std::pair<double, double>> rows;  // extent, width
     const auto a = static_cast<std::size_t>((axis + 1) % 3);
     const auto b = static_cast<std::size_t>((axis + 2) % 3);
@@ -24,7 +25,8 @@ double projected(const std::vector<HullCell>& cells, const std::vector<double>& 
         auto& [extent, width] = rows[{cells[c].index[a], cells[c].index[b]}];
         const Vec3& size = cells[c].size;
         width = axis == 0 ? size.y() : axis == 1 ? size.x() : size.x() * size.y();
-        extent = std::max(extent, axis == 2 ? std::min(1.0, 10.0 * share[c]) : share[c] * size.z());
+        extent = std::max(extent,
+                          axis == 2 ? std::min(1.0, 10.0 * fraction[c]) : fraction[c] * size.z());
     }
     double sum = 0.0;
     for (const auto& [row, value] : rows) sum += value.first * value.second;
@@ -57,8 +59,8 @@ SeaVerifier::Flow SeaVerifier::flow_over(const WaterHull& def, const Pose& pose)
         waters.push_back(water(x));
         const double surface =
             def.excitation == ExcitationKind::full ? level_ : waters.back().surface;
-        wet.push_back(share_below(surface, x.z(), high));
-        wet_then.push_back(share_below(low + def.design_draught, cell.at.z(), cell.size.z()));
+        wet.push_back(fraction_below(surface, x.z(), high));
+        wet_then.push_back(fraction_below(low + def.design_draught, cell.at.z(), cell.size.z()));
         dry.push_back(1.0 - wet.back());
         dry_then.push_back(1.0 - wet_then.back());
         weight.push_back(wet.back() * cell.size.prod());
@@ -67,8 +69,8 @@ SeaVerifier::Flow SeaVerifier::flow_over(const WaterHull& def, const Pose& pose)
     }
     for (int k = 0; k < 3 && !cells.empty() && !def.linear.on; ++k) {
         const double w = projected(cells, wet_then, k), d = projected(cells, dry_then, k);
-        out.wet_share[k] = w > 0.0 ? projected(cells, wet, k) / w : 1.0;
-        out.dry_share[k] = d > 0.0 ? projected(cells, dry, k) / d : 0.0;
+        out.wet_fraction[k] = w > 0.0 ? projected(cells, wet, k) / w : 1.0;
+        out.dry_fraction[k] = d > 0.0 ? projected(cells, dry, k) / d : 0.0;
     }
     if (!(all > 0.0)) {
         add_water(water(pose.position), pose.position, 1.0, out.velocity, out.rate);

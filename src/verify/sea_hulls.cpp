@@ -84,7 +84,7 @@ void SeaVerifier::add_hull(const WaterHull& def, const Pose& pose, const Twist& 
     out.wet = wet > 0.0 || !def.wind_area.isZero(0.0);
     if (def.linear.on) out.force.setZero();  // add_statics() contains the pressure
     const Flow flow = flow_over(def, pose);
-    if (wet > 0.0) add_strips(def, pose, twist, flow.wet_share, out);
+    if (wet > 0.0) add_strips(def, pose, twist, flow.wet_fraction, out);
     if (wet > 0.0 && !def.linear.on) {
         if (plane > 1e-9 * std::pow(volume, 2.0 / 3.0))
             out.stiffness.block<3, 3>(2, 2) += weight * second;
@@ -111,11 +111,11 @@ void SeaVerifier::add_motion(const WaterHull& def, const Pose& pose, const Vec3&
         }
         out.force.head<3>() += a[0] * flow.rate + d[0] * flow.velocity;
         out.force.tail<3>() += a[1] * flow.turn_rate + d[1] * flow.turn;
-        add_drag(axes, def.drag_area.cwiseProduct(flow.wet_share), 0.5 * def_->density,
+        add_drag(axes, def.drag_area.cwiseProduct(flow.wet_fraction), 0.5 * def_->density,
                  flow.velocity, velocity, out);
     }
     if (wet < 1.0)
-        add_drag(axes, def.wind_area.cwiseProduct(flow.dry_share), 0.5 * def_->wind.density,
+        add_drag(axes, def.wind_area.cwiseProduct(flow.dry_fraction), 0.5 * def_->wind.density,
                  wind(std::max(pose.position.z(), level_ + 10.0)), velocity, out);
 }
 

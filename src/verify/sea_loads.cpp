@@ -120,8 +120,8 @@ SeaVerifier::Water SeaVerifier::water(const Vec3& x) const {
             break;
         }
         if (i + 1 < c.size() && depth > c[i].depth && depth < c[i + 1].depth) {
-            const double share = (depth - c[i].depth) / (c[i + 1].depth - c[i].depth);
-            out.flow += flow(i) + share * (flow(i + 1) - flow(i));
+            const double fraction = (depth - c[i].depth) / (c[i + 1].depth - c[i].depth);
+            out.flow += flow(i) + fraction * (flow(i + 1) - flow(i));
             break;
         }
     }

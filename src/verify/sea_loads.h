@@ -52,7 +52,7 @@ class SeaVerifier {
                                            std::size_t element) const;
     void add_lines(const World& world, const std::vector<Pose>& pose,
                    const std::vector<Twist>& before);
-    /// @param at  Water at the node.
+    /// Add the half of an element next to a node. @param at  Water at the node.
     void add_half(const World& world, WireId wire, std::size_t element, bool last, const Water& at,
                   const std::vector<Pose>& pose, const std::vector<Twist>& before);
     void add_body(const WaterBody& def, const Pose& pose, const Vec3& velocity);
@@ -62,7 +62,7 @@ class SeaVerifier {
     /// (sea_flow.cpp).
     struct Flow {
         Vec3 velocity{0, 0, 0}, rate{0, 0, 0}, turn{0, 0, 0}, turn_rate{0, 0, 0};
-        Vec3 wet_share{1, 1, 1}, dry_share{1, 1, 1};
+        Vec3 wet_fraction{1, 1, 1}, dry_fraction{1, 1, 1};
     };
     [[nodiscard]] Flow flow_over(const WaterHull& def, const Pose& pose) const;
     void add_motion(const WaterHull& def, const Pose& pose, const Vec3& velocity, double wet,
@@ -88,7 +88,7 @@ class SeaVerifier {
     [[nodiscard]] Mat3 frame_of(const WaterHull& def, Past& past, const Pose& pose) const;
     void add_statics(const WaterHull& def, const Pose& pose, const Mat3& level, Load& out) const;
     void add_strips(const WaterHull& def, const Pose& pose, const Twist& twist,
-                    const Vec3& wet_share, Load& out) const;
+                    const Vec3& wet_fraction, Load& out) const;
     static void add_drag(const Mat3& axes, const Vec3& areas, double half_density, const Vec3& flow,
                          const Vec3& velocity, Load& out);
 

@@ -157,9 +157,9 @@ Mat3 SeaVerifier::frame_of(const WaterHull& def, Past& past, const Pose& pose) c
                              heading_about_z(pose)};
     if (!past.slow_begun) past.lag.fill(to);
     to[2] = past.lag[0][2] + less_turns(to[2] - past.lag[0][2]);
-    const double share = def.slow_time > 0.0 ? 1.0 - std::exp(-step_ / def.slow_time) : 1.0;
+    const double fraction = def.slow_time > 0.0 ? 1.0 - std::exp(-step_ / def.slow_time) : 1.0;
     for (auto& lag : past.lag) {
-        for (std::size_t k = 0; k < 3; ++k) lag[k] = (1.0 - share) * lag[k] + share * to[k];
+        for (std::size_t k = 0; k < 3; ++k) lag[k] = (1.0 - fraction) * lag[k] + fraction * to[k];
         to = lag;
     }
     past.slow_begun = true;

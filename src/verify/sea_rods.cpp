@@ -41,8 +41,8 @@ void SeaVerifier::add_rod(const WaterRod& def, const Pose& pose, const Twist& tw
     Load& out = load_[static_cast<std::size_t>(def.body.index)];
     Lift lift;
     for (int i = 0; i < def.segments; ++i) {
-        const double share = (2 * i + 1) / (2.0 * def.segments);
-        const Vec3 arm = (1.0 - share) * begin + share * end;
+        const double fraction = (2 * i + 1) / (2.0 * def.segments);
+        const Vec3 arm = (1.0 - fraction) * begin + fraction * end;
         Water at = water(pose.position + arm);
         if (def_->convective) at.rate += convection(pose.position + arm);
         const double depth = at.surface - (pose.position + arm).z() + half;

@@ -145,14 +145,14 @@ void SeaVerifier::add_statics(const WaterHull& def, const Pose& pose, const Mat3
 }
 
 void SeaVerifier::add_strips(const WaterHull& def, const Pose& pose, const Twist& twist,
-                             const Vec3& wet_share, Load& out) const {
+                             const Vec3& wet_fraction, Load& out) const {
     for (const HullStrip& strip : def.strips) {
         const Vec3 arm = pose.orientation * strip.at, n = pose.orientation * strip.axis;
         const Vec3 at_strip = twist.linear + twist.angular.cross(arm);
         const double past = n.dot(water(pose.position + arm).flow - at_strip);
         double area = 0.0;
         for (int k = 0; k < 3; ++k)
-            area += strip.drag_area * strip.axis[k] * strip.axis[k] * wet_share[k];
+            area += strip.drag_area * strip.axis[k] * strip.axis[k] * wet_fraction[k];
         const double c = 0.5 * def_->density * area;
         V6 s, v;
         s << n, arm.cross(n);

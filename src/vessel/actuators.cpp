@@ -8,12 +8,12 @@
 namespace hawser {
 namespace {
 
-constexpr double kFlat = 1.2;                            ///< C_N of a stalled plate over sin α.
+constexpr double kFlat = 1.2;  ///< C_N of a stalled plate, divided by sin α.
 constexpr double kStallWidth = std::numbers::pi / 18.0;  ///< From full lift to the plate [rad].
-constexpr double kReversed = 0.5;                        ///< Lift of reversed flow.
+constexpr double kReversed = 0.5;                        ///< Factor of the lift in reversed flow.
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
-/// Revolutions over most below which a granted power limits the torque at this n: a shaft at rest
-/// takes torque without power.
+/// Fraction of the maximum revolutions below which a granted power limits the torque as at this
+/// speed. A shaft at rest needs torque but no power.
 constexpr double kSlowShaft = 0.05;
 
 }  // namespace
@@ -95,7 +95,7 @@ PropellerForce Propulsor::open(const PropulsorState& s, const Flow& flow,
     return out;
 }
 
-double Propulsor::most_thrust(double density) const noexcept {
+double Propulsor::max_thrust(double density) const noexcept {
     if (!screw()) return def_.thrust;
     return propeller_force(def_.propeller, def_.propeller.pitch, def_.most_rps, 0.0, density)
         .thrust;
@@ -165,8 +165,8 @@ double Propulsor::demand(const PropulsorState& s, const Flow& flow, double rated
     return motor * s.rps < 0.0 ? 0.0 : kTwoPi * turning(s) * std::abs(motor);
 }
 
-/// The motor follows the ordered revolutions within its torque and power. The torque of the water
-/// goes in with its derivative by n, so that light shafts are stable.
+/// Advance the shaft: the motor follows the ordered revolutions within its torque and power. The
+/// water's torque is linearised in n, so that light shafts are stable.
 void Propulsor::turn_shaft(PropulsorState& s, const Flow& flow, double step, double granted,
                            Limit& power) const noexcept {
     const Shaft at = shaft(s, flow);

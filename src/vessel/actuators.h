@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file actuators.h
-/// Propulsors and rudders of a vessel with their state (hawser/vessel_propulsion.h).
+/// Compute the forces and states of propulsors and rudders of a vessel
+/// (hawser/vessel_propulsion.h).
 
 #include <hawser/vessel_propulsion.h>
 
@@ -21,74 +22,75 @@ struct Limit {
 /// Move `now` towards `target`: first order with a time constant, limited in rate.
 /// @return True if the rate is at its limit.
 bool follow(double& now, double target, double rate, double lag, double step) noexcept;
-/// The same angle from −π to π [rad].
+/// Return an equal angle between −π and π [rad].
 [[nodiscard]] double wrapped(double angle) noexcept;
 
 /// State of a propulsor.
 struct PropulsorState {
     double order = 0.0, angle_order = 0.0, pitch_order = 1.0;  ///< Inputs.
-    double level = 0.0;  ///< Revolutions over most, of ideal ones and those without a shaft.
+    double level =
+        0.0;  ///< Revolutions over the maximum; for ideal propulsors, and those without a shaft.
     double rps = 0.0;    ///< [1/s].
     double angle = 0.0;  ///< Thrust direction from ahead, clockwise seen from above [rad].
     double pitch = 1.0;  ///< Over full pitch.
     double thrust = 0.0, power = 0.0;                     ///< Outputs [N], [W].
     std::int32_t turning_limited = 0, power_limited = 0;  ///< Limits in the last step.
     double failed = 0.0;                                  ///< Input, a Failure.
-    std::int32_t failed_last = 0;                         ///< Failure of the last step.
-    double kept = 1.0, kept_torque = 1.0;  ///< Thrust and torque over those without losses.
+    std::int32_t failed_last = 0;                         ///< Failure in the last step.
+    double kept = 1.0, kept_torque = 1.0;  ///< Thrust and torque over their values without losses.
     double loss = 0.0;                     ///< Output: 1 − kept.
-    double torque = 0.0;                   ///< Output: of the water on the shaft [N m].
+    double torque = 0.0;                   ///< Output: torque of the water on the shaft [N m].
     std::int32_t pitch_limited = 0;        ///< The pitch was at its rate in the last step.
 };
 
-/// Modes of the inputs NAME_failed.
+/// Failure modes of the inputs NAME_failed.
 enum class Failure : std::uint8_t { none, stopped, kept, full };
 [[nodiscard]] Failure failure_of(double input) noexcept;
 
-/// A propulsor of a vessel; its point from O in the marine frame.
+/// Propulsor of a vessel, at a point relative to O in the marine frame.
 class Propulsor {
   public:
     Propulsor(const PropulsorDef& def, const Vec3& origin);
-    /// Thrust along its axis at a flow [N]. @param along  Out: velocity of the water past it along
-    /// the thrust [m/s].
+    /// Return the thrust and torque in a flow, without losses. @param along  Output: velocity of
+    /// the water past the propulsor, along the thrust [m/s].
     [[nodiscard]] PropellerForce open(const PropulsorState& s, const Flow& flow,
                                       double& along) const noexcept;
     [[nodiscard]] Wrench force(const PropulsorState& s, const Flow& flow) const noexcept;
-    /// Return the power that it would take in a step without a bus [W].
-    /// @param rated  Power of an ideal one at full order.
+    /// Return the power that the propulsor would use in a step without a power bus [W].
+    /// @param rated  Power of an ideal propulsor at full order [W].
     [[nodiscard]] double demand(const PropulsorState& s, const Flow& flow,
                                 double rated) const noexcept;
-    /// From one step to the next. `turn` and `power` are limits that begin.
-    /// @param granted  Power that it may take [W]. @param demanded  demand().
+    /// Advance the state by a step. `turn` and `power` report limits reached in this step.
+    /// @param granted  Allowed power [W]. @param demanded  Result of demand() [W].
     void advance(PropulsorState& s, const Flow& flow, double step, double granted, double demanded,
                  Limit& turn, Limit& power) const noexcept;
-    /// Return the direction of its thrust at an order above 0 [rad].
+    /// Return the direction of the thrust for a positive order [rad].
     [[nodiscard]] double direction(const PropulsorState& s) const noexcept;
     [[nodiscard]] const Vec3& at() const noexcept { return at_; }
-    /// Return the diameter of its race, 0 if unknown [m].
+    /// Return the diameter of the race; 0 if unknown [m].
     [[nodiscard]] double diameter() const noexcept {
         return screw() ? def_.propeller.diameter : def_.diameter;
     }
     /// Return its thrust at full order, at rest and without losses [N].
-    [[nodiscard]] double most_thrust(double density) const noexcept;
+    [[nodiscard]] double max_thrust(double density) const noexcept;
     [[nodiscard]] const PropulsorDef& def() const noexcept { return def_; }
     [[nodiscard]] bool screw() const noexcept { return def_.propeller.diameter > 0.0; }
 
   private:
-    /// Motor and water at the begin of a step.
+    /// Motor and water at the beginning of a step.
     struct Shaft {
         double target = 0.0;               ///< Ordered n [1/s].
-        double load = 0.0, slope = 0.0;    ///< Torque of the water, ∂Q/∂n.
+        double load = 0.0, slope = 0.0;    ///< Torque of the water Q and ∂Q/∂n.
         double wanted = 0.0, motor = 0.0;  ///< Torque without limits, within its own.
     };
     [[nodiscard]] Shaft shaft(const PropulsorState& s, const Flow& flow) const noexcept;
-    /// n by which a granted power limits the torque [1/s].
+    /// Return the revolutions n at which a granted power limits the torque [1/s].
     [[nodiscard]] double turning(const PropulsorState& s) const noexcept;
     void turn_shaft(PropulsorState& s, const Flow& flow, double step, double granted,
                     Limit& power) const noexcept;
     void turn(PropulsorState& s, double step, Limit& turn) const noexcept;
     void turn_vector(PropulsorState& s, double order, double step) const noexcept;
-    /// Order in force: that of the input, of a failure, or of a grant.
+    /// Return the order in force: the input, or the order of a failure or a power limit.
     [[nodiscard]] double ordered(const PropulsorState& s) const noexcept;
     PropulsorDef def_;
     Vec3 at_;  ///< Marine frame.
@@ -99,14 +101,15 @@ struct RudderState {
     double angle = 0.0;  ///< [rad].
     std::int32_t limited = 0;
     double failed = 0.0;           ///< Input, a Failure.
-    std::int32_t failed_last = 0;  ///< Failure of the last step.
+    std::int32_t failed_last = 0;  ///< Failure in the last step.
 };
 
 class Rudder {
   public:
-    /// @param behind  Its propulsor; −1: none.
+    /// @param behind  Index of the propulsor ahead of the rudder; −1: none.
     Rudder(const RudderDef& def, const Vec3& origin, int behind);
-    /// @param thrust, diameter  Of its propulsor [N], [m]; 0: none.
+    /// Return the force of the rudder. @param thrust, diameter  Thrust [N] and diameter [m] of its
+    /// propulsor; 0: none.
     [[nodiscard]] Wrench force(const RudderState& s, const Flow& flow, double thrust,
                                double diameter) const noexcept;
     void advance(RudderState& s, double step, Limit& rate) const noexcept;
@@ -119,7 +122,7 @@ class Rudder {
     int behind_;
 };
 
-/// Force along a horizontal direction at a point: marine frame.
+/// Return the wrench of a horizontal force (x, y) at a point, marine frame.
 [[nodiscard]] Wrench push_at(const Vec3& at, double x, double y) noexcept;
 
 }  // namespace hawser::vessel

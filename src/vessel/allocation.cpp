@@ -12,10 +12,12 @@
 namespace hawser::vessel {
 namespace {
 
-constexpr double kMeet = 1e6;         ///< q of X and Y.
-constexpr double kMeetMoment = 4e6;   ///< q of N.
-constexpr double kKeepSector = 0.95;  ///< Cost over that of the present sector to leave it.
-constexpr double kNoForce = 1e-6;     ///< Fraction of the capacity without direction.
+constexpr double kMeet = 1e6;        ///< q for X and Y.
+constexpr double kMeetMoment = 4e6;  ///< q for N.
+constexpr double kKeepSector =
+    0.95;  ///< Relative cost below which a thruster leaves its present sector.
+constexpr double kNoForce =
+    1e-6;  ///< Fraction of the capacity below which a force has no direction.
 constexpr double kAllocationPi = std::numbers::pi;
 
 }  // namespace
@@ -53,7 +55,7 @@ Allocation::Allocation(std::vector<AllocatedThruster> thrusters)
     program_.begin(variables_);
 }
 
-/// S B of a unit force.
+/// Return S B of a unit force (x, y).
 Vec3 Allocation::lever(std::size_t i, double x, double y) const noexcept {
     const AllocatedThruster& t = thrusters_[i];
     return {x / force_, y / force_, (t.x * y - t.y * x) / moment_};
@@ -77,7 +79,8 @@ int Allocation::sector_of(std::size_t i, double x, double y) const noexcept {
     return -1;
 }
 
-/// Limits of a thruster. Variables are in units of the capacity. @param sector  −1: whole disc.
+/// Add the limits of a thruster. Variables are in units of the capacity. @param sector  −1: whole
+/// disc.
 void Allocation::add_limits(std::size_t i, bool failed, std::int32_t sector) noexcept {
     const AllocatedThruster& t = thrusters_[i];
     const std::int32_t v = first_[i];
@@ -103,7 +106,7 @@ void Allocation::add_limits(std::size_t i, bool failed, std::int32_t sector) noe
     for (const auto& [x, y] : sides_) program_.add({v, v + 1, x, y, inner});
 }
 
-/// Variables are forces over `force_`.
+/// Set the cost function. Variables are forces over `force_`.
 void Allocation::set_cost(const Vec3& tau, int variables) noexcept {
     const Vec3 target(tau[0] / force_, tau[1] / force_, tau[2] / moment_);
     const Vec3 weight(kMeet, kMeet, kMeetMoment);
@@ -142,7 +145,7 @@ double Allocation::program(const Vec3& tau, const std::uint8_t* failed,
         total_[1] += forces_[2 * i + 1];
         total_[2] += t.x * forces_[2 * i + 1] - t.y * forces_[2 * i];
     }
-    // The constant |S τ|² makes costs comparable.
+    // Add the constant |S τ|², so that costs can be compared.
     const Vec3 target(tau[0] / force_, tau[1] / force_, tau[2] / moment_);
     const double constant = kMeet * (target[0] * target[0] + target[1] * target[1]) +
                             kMeetMoment * target[2] * target[2];

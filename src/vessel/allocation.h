@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file allocation.h
-/// Thrust allocation: from a force and moment to thrusts and angles.
+/// Allocate thrust: compute thrusts and angles for a force and moment.
 ///
 /// ```
 ///     minimise  Σ c_i |f_i|²/T_i² + q |S(Σ B_i f_i − τ)|²
 ///     subject to  |f_i| ≤ T_i,  f_i in an allowed sector
 /// ```
-/// S divides forces by ΣT and the moment by ΣT times the longest lever; q is large, so that what
-/// is possible of τ is met, the moment first. Discs are polygons of 32 sides. Allowed directions of
-/// an azimuth are cut into sectors of at most 180°; if the program without sectors ends outside of
-/// them, the sectors of these azimuths are tried one azimuth after the other, and the present one
+/// S divides forces by ΣT and the moment by ΣT times the longest lever. q is large, so that τ is
+/// met as far as possible, the moment first. Discs are polygons of 32 sides. Allowed directions of
+/// an azimuth are divided into sectors of at most 180°. If the program without sectors ends outside
+/// of them, the sectors of these azimuths are tried one azimuth after the other. The present sector
 /// is kept unless another costs less by 5 %.
 ///
-/// A second program finds the thrusts at the present angles within the rates of thrust, so that
-/// other thrusters make up for azimuths that still turn.
+/// A second program finds the thrusts at the present angles within their rates. Other thrusters
+/// then compensate for azimuths that are still turning.
 ///
-/// The solver is the project's own (quadratic_program.h): well-kept ones in Debian (OSQP, qpOASES)
-/// iterate to a tolerance or allocate, and a step needs the same bits and no allocation.
+/// The solver is part of the project (quadratic_program.h). Well-kept ones in Debian (OSQP,
+/// qpOASES) iterate to a tolerance or allocate memory, but a step needs reproducible bits and no
+/// allocation.
 
 #include <hawser/math.h>
 
@@ -38,8 +39,8 @@ struct ThrustSector {
 
 struct AllocatedThruster {
     bool turns = false;
-    double x = 0.0, y = 0.0;  ///< Marine frame, from O [m].
-    double axis = 0.0;        ///< Direction of thrust ahead of one that does not turn [rad].
+    double x = 0.0, y = 0.0;              ///< Marine frame, from O [m].
+    double axis = 0.0;                    ///< Direction of ahead thrust of a fixed thruster [rad].
     double ahead = 0.0, astern = 0.0;     ///< Capacities ≥ 0 [N].
     double cost = 1.0;                    ///< c_i.
     std::vector<ThrustSector> sectors{};  ///< Allowed directions if it turns; empty: all.
@@ -56,23 +57,23 @@ class Allocation {
     Allocation() = default;
     explicit Allocation(std::vector<AllocatedThruster> thrusters);
 
-    /// Forces of least cost for τ = (X, Y, N). @param failed  By index; null: none. @param sectors
-    /// In and out: sector that each thruster uses; −1: none yet.
+    /// Compute the forces of minimum cost for τ = (X, Y, N). @param failed  By index; null: none.
+    /// @param sectors  Input and output: sector in use of each thruster; −1: none yet.
     void allocate(const Vec3& tau, const std::uint8_t* failed, std::int32_t* sectors) noexcept;
-    /// Force of a thruster after allocate(), marine frame [N].
+    /// Return the force of a thruster after allocate(), marine frame [N].
     [[nodiscard]] double x(std::size_t i) const noexcept { return forces_[2 * i]; }
     [[nodiscard]] double y(std::size_t i) const noexcept { return forces_[2 * i + 1]; }
-    /// Sum of B_i f_i after allocate() or reach().
+    /// Return Σ B_i f_i after allocate() or reach().
     [[nodiscard]] const Vec3& total() const noexcept { return total_; }
 
-    /// Thrusts at fixed angles within their limits. @param thrusts  Out [N].
+    /// Compute thrusts at fixed angles within their limits. @param thrusts  Output [N].
     void reach(const Vec3& tau, const ThrusterNow* now, double* thrusts) noexcept;
 
-    /// Largest force of each axis alone, without regard to the others [N, N, N m].
+    /// Return the largest force of each axis alone, regardless of the others [N, N, N m].
     [[nodiscard]] Vec3 largest() const noexcept;
-    /// Number of axes that thrusters can drive independently, from 0 to 3.
+    /// Return the number of axes that thrusters can control independently, 0 to 3.
     [[nodiscard]] int authority() const;
-    /// |S τ|, of the scales of the cost.
+    /// Return |S τ| with the scales of the cost.
     [[nodiscard]] double scaled_norm(const Vec3& tau) const noexcept;
     [[nodiscard]] const std::vector<AllocatedThruster>& thrusters() const noexcept {
         return thrusters_;
@@ -86,13 +87,13 @@ class Allocation {
     [[nodiscard]] Vec3 lever(std::size_t i, double x, double y) const noexcept;
     void set_cost(const Vec3& tau, int variables) noexcept;
 
-    static constexpr std::size_t kSides = 32;                ///< Sides of the polygon of a disc.
+    static constexpr std::size_t kSides = 32;  ///< Number of sides of the polygon of a disc.
     std::array<std::pair<double, double>, kSides> sides_{};  ///< Normals.
     std::vector<AllocatedThruster> thrusters_;
-    std::vector<std::int32_t> first_;  ///< Variable of each thruster.
+    std::vector<std::int32_t> first_;  ///< First variable of each thruster.
     std::vector<double> forces_;
     std::vector<std::int32_t> trial_;
-    Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, QuadraticProgram::kMost> effect_;
+    Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, QuadraticProgram::kMaximum> effect_;
     QuadraticProgram program_;
     double force_ = 1.0, moment_ = 1.0;  ///< Scales.
     int variables_ = 0;

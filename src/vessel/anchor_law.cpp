@@ -26,7 +26,7 @@ constexpr const char* kAnchorTypeNames[] = {
 struct NavyLine {
     double clay = 0.0, clay_power = 0.0, sand = 0.0, sand_power = 0.0;
 };
-/// In the order of AnchorType, from stevpris on. Source: NCEL Techdata Sheet 83-08R.
+/// Table in the order of AnchorType, from stevpris on. Source: NCEL Techdata Sheet 83-08R.
 constexpr NavyLine kNavy[] = {{189.0, 0.92, 210.0, 0.94}, {189.0, 0.92, 210.0, 0.94},
                               {32.0, 0.92, 250.0, 0.80},  {87.0, 0.92, 126.0, 0.80},
                               {210.0, 0.94, 270.0, 0.94}, {210.0, 0.94, 250.0, 0.94},
@@ -76,7 +76,7 @@ double anchor_uplift(double angle) noexcept {
 namespace hawser::vessel {
 namespace {
 
-constexpr double kTrajectoryStep = 0.1;   ///< Between entries of the table [m].
+constexpr double kTrajectoryStep = 0.1;   ///< Distance between entries of the table [m].
 constexpr int kTrajectoryEntries = 5001;  ///< Drags up to 500 m; the depth stays beyond.
 
 }  // namespace
@@ -85,7 +85,7 @@ AnchorCapacity::AnchorCapacity(const AnchorDef& def) : def_(def) {
     if (def_.law == AnchorLaw::trajectory) integrate();
 }
 
-/// Return T of the anchor at a depth [N].
+/// Return the pull T of the anchor at a depth [N].
 double AnchorCapacity::pull_at(double z) const noexcept {
     const AnchorClay& c = def_.clay;
     const double pull = c.bearing * (c.strength + c.gradient * z) * c.fluke_area;
@@ -103,7 +103,7 @@ double AnchorCapacity::slope_at(double z) const noexcept {
     return std::max(std::tan(def_.clay.fluke_angle - line), 0.0);
 }
 
-/// Runge-Kutta of fourth order.
+/// Integrate the trajectory by the fourth-order Runge-Kutta method.
 void AnchorCapacity::integrate() {
     depth_.reserve(kTrajectoryEntries);
     depth_.push_back(def_.clay.first_depth);
@@ -120,7 +120,7 @@ double AnchorCapacity::depth(double drag) const noexcept {
     const double at = std::clamp(drag, 0.0, 1e6) / kTrajectoryStep;
     const auto i = static_cast<std::size_t>(at);
     if (i + 1 >= depth_.size()) return depth_.back();
-    // Cubic of Hermite, with the slopes of the equation.
+    // Cubic Hermite interpolation, with the slopes of the equation.
     const double t = at - static_cast<double>(i), z0 = depth_[i], z1 = depth_[i + 1];
     const double m0 = kTrajectoryStep * slope_at(z0), m1 = kTrajectoryStep * slope_at(z1);
     const double rest = 1.0 - t;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file anchor_law.h
-/// Holding capacity of a drag-embedment anchor (hawser/anchor.h).
+/// Compute the holding capacity of a drag-embedment anchor (hawser/anchor.h).
 
 #include <hawser/anchor.h>
 
@@ -9,16 +9,17 @@
 
 namespace hawser::vessel {
 
-/// Capacity by drag distance and line angle, of a definition without defaults left.
+/// Capacity as a function of drag distance and line angle. The definition must have no open
+/// defaults.
 class AnchorCapacity {
   public:
     explicit AnchorCapacity(const AnchorDef& def);
 
-    /// Return UHC g(x), or T of the trajectory [N].
+    /// Return the strength at a drag distance: UHC g(x), or T of the trajectory [N].
     [[nodiscard]] double strength(double drag) const noexcept;
     /// Return the depth of the point below the seabed [m].
     [[nodiscard]] double depth(double drag) const noexcept;
-    /// Return the factor of the line in the soil [1].
+    /// Return the reduction of the capacity by the angle of the line, in the soil [1].
     [[nodiscard]] double line_factor(double drag, double angle) const noexcept;
     /// Return H(x, θ) [N].
     [[nodiscard]] double capacity(double drag, double angle) const noexcept;

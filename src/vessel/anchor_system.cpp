@@ -11,11 +11,12 @@
 namespace hawser::vessel {
 namespace {
 
-constexpr double kRests = 5.0;  ///< Time at rest after which dragging begins anew [s].
-constexpr std::int32_t kMostSteps = 1'000'000;
+constexpr double kRests = 5.0;  ///< Time at rest after which dragging restarts from zero [s].
+constexpr std::int32_t kMaxSteps = 1'000'000;
 constexpr double kAtBound = 1e-9;  ///< Relative distance of a sliding row's force to its bound.
 
-/// Return the force of the wires that end on a body, or of one of them; nothing ends there: false.
+/// Compute the force of the wires that end on a body, or of one of them. @return false if no wire
+/// ends there.
 bool pull_of_lines(const World& world, BodyId body, WireId only, Vec3& pull) noexcept {
     bool any = false;
     pull.setZero();
@@ -123,7 +124,7 @@ AnchorView AnchorSystem::view() const {
     return out;
 }
 
-/// Forces and motion of the last step.
+/// Read the forces and motion of the last step.
 void AnchorSystem::feel(const Prestep& now) noexcept {
     const World& world = now.world;
     const Vec3 at = world.world_point(def_.body, def_.point);
@@ -156,13 +157,13 @@ void AnchorSystem::feel(const Prestep& now) noexcept {
     grounded_ = set_ != 0 || at.z() - def_.seabed <= def_.touch ? 1 : 0;
 }
 
-/// The drag grows while the rows slide; a free anchor becomes set.
+/// Update the drag distance while the rows slide. A free anchor becomes set.
 void AnchorSystem::follow_drag(Prestep& now) noexcept {
     const bool slides = slides_ && grounded_ != 0;
     if (set_ != 0) {
         if (slides) drag_ += moved_;
         if (slides && dragging_ == 0) now.tell(EventKind::render, def_.body, tension_);
-        still_ = slides ? 0 : std::min(still_ + 1, kMostSteps);
+        still_ = slides ? 0 : std::min(still_ + 1, kMaxSteps);
         dragging_ = slides || (dragging_ != 0 && still_ * now.step < kRests) ? 1 : 0;
         return;
     }
@@ -192,7 +193,7 @@ void AnchorSystem::give(Prestep& now, InputId input, double& last, double value)
 void AnchorSystem::set_bounds(Prestep& now) noexcept {
     const double drags = def_.friction * def_.weight;
     const bool set = set_ != 0, grounded = grounded_ != 0;
-    // A line that lies slack has any angle, and its force needs no capacity.
+    // A slack line may have any angle; its force needs no capacity.
     const double angle = tension_ > drags ? angle_ : 0.0;
     depth_ = set ? law_.depth(drag_) : 0.0;
     breakout_ = set ? def_.breakout * law_.strength(drag_) : 0.0;
@@ -207,7 +208,7 @@ void AnchorSystem::set_bounds(Prestep& now) noexcept {
                                  : level * p / across;
         give(now, rows_.slide_bound[i], bound_[i], bound);
     }
-    // Without contacts, the soil bears the weight that no lift bears.
+    // Without contacts, the soil carries the weight minus the lift.
     const double bears = rows_.carried || !grounded ? 0.0 : std::max(def_.weight - lift_, 0.0);
     give(now, rows_.slide_bound[2], bound_[2],
          set ? std::max(breakout_, 2.0 * def_.weight) : bears);

@@ -67,18 +67,19 @@ class AnchorSystem final : public System {
     // State.
     double drag_, drag_before_ = 0.0, scraped_ = 0.0;
     std::int32_t set_, begun_ = 0, dragging_ = 0, grounded_ = 0;
-    std::int32_t still_ = 0;   ///< Steps since it slid; at most those of kRests.
-    double last_[3] = {};      ///< Position of the point [m].
-    double speed_[3] = {};     ///< Velocity of the body in the step before [m/s].
-    double bound_[3] = {};     ///< Bounds of the slides [N].
-    double turn_bound_ = 0.0;  ///< Bound of the turns [N m].
-    double pull_[3] = {};      ///< Force of the lines, or on the anchor without them [N].
+    std::int32_t still_ =
+        0;  ///< Number of steps since the anchor last slid, limited to the steps of kRests.
+    double last_[3] = {};      ///< Position of the point in the last step [m].
+    double speed_[3] = {};     ///< Velocity of the body in the last step but one [m/s].
+    double bound_[3] = {};     ///< Bounds of the sliding rows [N].
+    double turn_bound_ = 0.0;  ///< Bound of the rotation rows [N m].
+    double pull_[3] = {};      ///< Force of the lines; without lines, the force on the anchor [N].
     // Outputs.
     double capacity_ = 0.0, tension_ = 0.0, angle_ = 0.0, set_shown_ = 0.0, depth_ = 0.0;
     double breakout_ = 0.0, used_ = 0.0;
-    // Derived at the begin of a step.
+    // Derived values at the beginning of a step.
     double lift_ = 0.0;                    ///< Vertical force on the anchor without its weight [N].
-    double moved_ = 0.0;                   ///< Horizontal distance of the last step [m].
+    double moved_ = 0.0;                   ///< Horizontal distance in the last step [m].
     bool slides_ = false, lifts_ = false;  ///< At their bounds in the last step.
 };
 

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kLong = 1e4, kStrong = 1e15, kHeavy = 1e18, kFast = 1e3;
 
-/// Checks fields of one definition.
+/// Check the fields of one definition.
 class VesselFields {
   public:
     explicit VesselFields(const std::string& name) : name_(name) {}
@@ -86,8 +86,8 @@ void check_polynomial(const VesselFields& f, const HullPolynomial& p) {
         const std::string field = at("polynomial/terms", i, "of");
         if (!std::isfinite(t.value) || std::abs(t.value) > 1e12)
             f.fail(at("polynomial/terms", i, "value"), "give a finite number up to 1e12");
-        if (t.of.empty() || t.of.size() > kMostPowers)
-            f.fail(field, "give 1 to " + std::to_string(kMostPowers) + " letters, or 0");
+        if (t.of.empty() || t.of.size() > kMaxPowers)
+            f.fail(field, "give 1 to " + std::to_string(kMaxPowers) + " letters, or 0");
         if (t.of == "0") continue;
         for (const char letter : t.of) {
             if (variable_of(letter) < 0)
@@ -250,7 +250,7 @@ void check_rudder(const VesselFields& f, const VesselDef& def, std::size_t i) {
                                 (known.empty() ? "the vessel has none" : "give one of " + known));
 }
 
-/// Signals share one list of names.
+/// Check that the names of signals differ: they share one list.
 void check_names(const VesselFields& f, const VesselDef& def) {
     std::vector<std::string> taken;
     if (VesselSystem::has_set(def)) taken.emplace_back("rudder");

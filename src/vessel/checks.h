@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file checks.h
-/// Refusals of a vessel's definition, by its field.
+/// Check the definition of a vessel. Errors name the field.
 
 #include <hawser/vessel.h>
 
 namespace hawser::vessel {
 
-/// @throws DefError "vessel 'NAME': field: reason".
+/// Check the definition of a vessel. @throws DefError "vessel 'NAME': field: reason".
 void check_vessel(const World& world, const VesselDef& def);
 
 }  // namespace hawser::vessel

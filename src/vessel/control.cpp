@@ -11,17 +11,20 @@ namespace {
 
 constexpr double kSmallThrust = 0.005;  ///< Fraction below which an azimuth keeps its angle.
 constexpr double kSmallDemand = 0.01;   ///< Fraction below which no failure is analysed.
-/// Shortfall over the capacity that stops an integral. Above kSmallThrust: an azimuth that keeps
-/// its angle for a small thrust must not stop the integral, or the offset would stay.
+/// Shortfall, as a fraction of the capacity, that stops an integral. It exceeds kSmallThrust: an
+/// azimuth that keeps its angle for a small thrust must not stop the integral, or the offset would
+/// remain.
 constexpr double kShort = 1.5 * kSmallThrust;
-constexpr double kBack = 0.8;             ///< Offset over the alarm that arms it again.
-constexpr double kRudderSpeed = 1.5;      ///< Least speed at which a rudder steers [m/s].
-constexpr double kMeanTime = 20.0;        ///< Time constant of the demand for failures [s].
-constexpr double kSpeedRate = 0.05;       ///< Rate of the speed control [1/s].
+constexpr double kBack = 0.8;         ///< Offset over the alarm that arms it again.
+constexpr double kRudderSpeed = 1.5;  ///< Least speed at which a rudder steers [m/s].
+constexpr double kMeanTime =
+    20.0;  ///< Time constant of the mean demand for the analysis of failures [s].
+constexpr double kSpeedRate = 0.05;       ///< Bandwidth of the speed control [1/s].
 constexpr double kSteerDerivative = 2.0;  ///< Rudder per turn rate, in L/U.
-constexpr double kSteerIntegral = 20.0;   ///< Time constant of the rudder's integral, in L/U.
+constexpr double kSteerIntegral =
+    20.0;  ///< Time constant of the rudder's integral, in units of L/U.
 
-double share_of(double h, double time) noexcept {
+double fraction_of(double h, double time) noexcept {
     return time > 0.0 ? 1.0 - std::exp(-h / time) : 1.0;
 }
 
@@ -66,7 +69,7 @@ bool Control::steers_by_rudder(const ControlSense& sense) const noexcept {
     return mode() == ControlMode::heading && rudder && sense.surge > kRudderSpeed;
 }
 
-/// Orders become the present position and heading, but for those set in this step.
+/// Set the orders to the present position and heading, except those set in this step.
 void Control::engage(ControlMode mode, const ControlSense& sense,
                      const ControlledActuators& act) noexcept {
     const Vec3 here = observer_.low().place;
@@ -97,7 +100,7 @@ void Control::choose_mode(Prestep& now, const ControlSense& sense,
     }
     mode_now_ = wanted;
     engage(mode, sense, act);
-    // Orders of the mode before do not go on.
+    // Discard the orders of the previous mode.
     if (mode == ControlMode::off)
         for (PropulsorState& s : act.propulsors) s.order = 0.0;
 }
@@ -112,14 +115,14 @@ void Control::follow_orders(const ControlSense& sense, double h) noexcept {
     Vec3 moved = order - Vec3(seen_[0], -seen_[1], seen_[2]);
     if (mode() == ControlMode::follow) moved[0] = moved[1] = 0.0;
     if (moved.cwiseAbs().maxCoeff() > 1e-9) arrived_ = 0;
-    const double share = share_of(h, def_.control.filter);
+    const double share = fraction_of(h, def_.control.filter);
     const bool follows = mode() == ControlMode::follow;
     for (int i = 0; i < 2; ++i) desired_[i] += (follows ? 1.0 : share) * (order[i] - desired_[i]);
     desired_[2] = wrapped(desired_[2] + share * wrapped(order[2] - desired_[2]));
     seen_ = Vec3(x_order_, y_order_, heading_order_);
 }
 
-/// PI control of the speed through the water; the integral is a force.
+/// Return the force of the PI control of the speed through the water. The integral is a force.
 Vec3 Control::speed_demand(const ControlSense& sense, double h) noexcept {
     const double error = speed_order_ - sense.surge;
     const double force = mass_[0] * kSpeedRate * error + sum_[0];
@@ -151,9 +154,9 @@ Vec3 Control::demand(const ControlSense& sense, double h) noexcept {
         case ControlMode::follow:
             break;
     }
-    Vec3 apart = low.place - desired_;
-    apart[2] = heading_error();
-    error_ = to_ship(apart, low.place[2]);
+    Vec3 separation = low.place - desired_;
+    separation[2] = heading_error();
+    error_ = to_ship(separation, low.place[2]);
     Vec3 motion = low.motion;
     if (mode() == ControlMode::follow) {
         const Vec3 carried(sense.target_motion[0], -sense.target_motion[1], 0.0);
@@ -180,7 +183,7 @@ void Control::integrate(const Vec3& tau, double h) noexcept {
     sum_ += h * to_earth(adding, observer_.low().place[2]);
 }
 
-/// Rudder by heading and turn rate; revolutions of a coefficient set by speed.
+/// Set the rudder by heading and turn rate, and the revolutions of a coefficient set by speed.
 void Control::steer(const ControlSense& sense, ControlledActuators act, double h) noexcept {
     if (mode() != ControlMode::heading) return;
     if (speed_order_ > 0.0 && def_.steering.rps > 0.0) {
@@ -208,7 +211,7 @@ void Control::steer(const ControlSense& sense, ControlledActuators act, double h
             std::clamp(wanted, -def_.rudders[i].most_angle, def_.rudders[i].most_angle);
 }
 
-/// Orders of propulsors: azimuths to the angles of the allocation, thrusts within their rates.
+/// Order propulsors: azimuth angles by the allocation, thrusts within their rates.
 void Control::order_thrusters(const Vec3& tau, ControlledActuators act, double h) noexcept {
     allocation_.allocate(tau, nullptr, sectors_.data());
     for (std::size_t i = 0; i < act.propulsors.size(); ++i) {
@@ -230,7 +233,7 @@ void Control::order_thrusters(const Vec3& tau, ControlledActuators act, double h
                 now.least = -t.astern;
                 now.most = 0.0;
             }
-            // A thruster that turns through a zone does not push there.
+            // A thruster gives no thrust while it turns through a forbidden zone.
             bool allowed = t.sectors.empty();
             for (const ThrustSector& sector : t.sectors) {
                 const double turned = s.angle + (sector.reversed ? std::acos(-1.0) : 0.0);
@@ -259,9 +262,9 @@ void Control::order_thrusters(const Vec3& tau, ControlledActuators act, double h
     }
 }
 
-/// Allocate the mean demand without the thrusters of one failure.
+/// Allocate the mean demand without the thrusters of one failure, to find the worst one.
 void Control::analyse_failure(Prestep& now, double h) noexcept {
-    mean_ += share_of(h, kMeanTime) * (demand_ - mean_);
+    mean_ += fraction_of(h, kMeanTime) * (demand_ - mean_);
     if (shortfalls_.empty() || def_.control.direct) return;
     const double size = allocation_.scaled_norm(mean_);
     const auto k = static_cast<std::size_t>(next_failure_);
@@ -288,13 +291,13 @@ void Control::analyse_failure(Prestep& now, double h) noexcept {
 void Control::report(Prestep& now) noexcept {
     const Planar& low = observer_.low();
     const Vec3 order(x_order_, -y_order_, heading_order_);
-    Vec3 apart = low.place - order;
-    apart[2] = wrapped(apart[2]);
+    Vec3 separation = low.place - order;
+    separation[2] = wrapped(separation[2]);
     const ControlMode m = mode();
     offsets_.setZero();
-    if (m == ControlMode::heading) offsets_[2] = apart[2];
+    if (m == ControlMode::heading) offsets_[2] = separation[2];
     if (m != ControlMode::position && m != ControlMode::follow) return;
-    offsets_ = to_ship(apart, low.place[2]);
+    offsets_ = to_ship(separation, low.place[2]);
     const double distance = std::hypot(offsets_[0], offsets_[1]);
     const VesselControl& c = def_.control;
     const double over =
@@ -306,7 +309,7 @@ void Control::report(Prestep& now) noexcept {
     }
 }
 
-/// Force of the propulsors in the last step.
+/// Return the force of the propulsors in the last step.
 Vec3 Control::pushing(const ControlledActuators& act) const noexcept {
     Vec3 out = Vec3::Zero();
     for (std::size_t i = 0; i < act.propulsors.size(); ++i) {
@@ -334,7 +337,7 @@ Vec3 Control::step(Prestep& now, const ControlSense& sense, ControlledActuators 
     heading_ = wrapped(observer_.low().place[2]);
     choose_mode(now, sense, act);
     const Vec3 feed = (def_.control.wind ? sense.wind : Vec3::Zero()) + sense.lines;
-    feed_ += share_of(h, def_.control.wind_filter) * (feed - feed_);
+    feed_ += fraction_of(h, def_.control.wind_filter) * (feed - feed_);
     const ControlMode m = mode();
     if (m != ControlMode::off && m != ControlMode::joystick) follow_orders(sense, h);
     demand_ = demand(sense, h);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file control.h
-/// Joystick, autopilot and dynamic positioning of a vessel (hawser/vessel_control.h).
+/// Control a vessel by joystick, autopilot and dynamic positioning (hawser/vessel_control.h).
 
 #include <hawser/system.h>
 #include <hawser/vessel.h>
@@ -17,21 +17,22 @@
 
 namespace hawser::vessel {
 
-/// Line whose tension is fed forward: the ends of its element.
+/// Line whose tension is fed forward, with the ends of its element.
 struct FedLine {
     InteractionId element{};
-    BodyId other{};                                  ///< Invalid: fixed in the world.
-    Vec3 here = Vec3::Zero(), there = Vec3::Zero();  ///< In the frames of both bodies.
+    BodyId other{};  ///< Invalid: fixed in the world.
+    Vec3 here = Vec3::Zero(),
+         there = Vec3::Zero();  ///< End points in the frames of both bodies [m].
 };
 
-/// Motion and loads of a step that the control uses, at O.
+/// Motion and loads of a step at O, as input of the control.
 struct ControlSense {
     Planar measured{};
-    double surge = 0.0;                 ///< Through the water [m/s].
-    Vec3 wind = Vec3::Zero();           ///< X, Y, N of the wind.
-    Vec3 target = Vec3::Zero();         ///< Place of the target in the world; only with one.
+    double surge = 0.0;          ///< Through the water [m/s].
+    Vec3 wind = Vec3::Zero();    ///< X, Y and N of the wind [N, N, N m].
+    Vec3 target = Vec3::Zero();  ///< Position of the target in the world, if there is one [m].
     Vec3 target_motion = Vec3::Zero();  ///< Its velocity in the world.
-    Vec3 lines = Vec3::Zero();          ///< X, Y, N of fed lines.
+    Vec3 lines = Vec3::Zero();  ///< X, Y and N of the lines that are fed forward [N, N, N m].
 };
 
 /// Actuators that the control orders.
@@ -54,9 +55,9 @@ class Control {
     void visit(StateVisitor& visitor);
     void check(StateRules& rules) const;
     void signals(SignalTable& table);
-    /// Names of its signals, which propulsors and rudders must not have.
+    /// Return the names of its signals, which propulsors and rudders must not have.
     [[nodiscard]] static const std::vector<std::string>& signal_names();
-    /// Reason why a mode cannot work; "": it can.
+    /// Return the reason why a mode is not possible; "" if it is.
     [[nodiscard]] const char* refusal(ControlMode mode) const noexcept;
 
   private:
@@ -86,14 +87,14 @@ class Control {
     Vec3 largest_ = Vec3::Zero();
     int authority_ = 0;
     double length_ = 100.0;
-    std::vector<double> rps_;  ///< Revolutions at capacity over most_rps; 1 of ideal ones.
+    std::vector<double> rps_;  ///< Revolutions at capacity over most_rps; 1 for ideal propulsors.
     std::vector<std::vector<std::uint8_t>> failures_;
-    // Scratch.
+    // Work arrays.
     std::vector<ThrusterNow> now_;
     std::vector<double> thrusts_;
     std::vector<std::int32_t> spare_;
 
-    // Inputs.
+    // Input signals.
     double mode_input_ = 0.0;
     double x_order_ = 0.0, y_order_ = 0.0, heading_order_ = 0.0, speed_order_ = 0.0;
     double stick_x_ = 0.0, stick_y_ = 0.0, stick_n_ = 0.0;
@@ -105,13 +106,13 @@ class Control {
     Vec3 sum_ = Vec3::Zero();      ///< ∫e dt, north, east, heading.
     Vec3 offset_ = Vec3::Zero();   ///< Distance to the target, in the world.
     Vec3 feed_ = Vec3::Zero();     ///< Filtered feed-forward.
-    Vec3 acting_ = Vec3::Zero();   ///< τ of the last step on the ship, for the observer.
+    Vec3 acting_ = Vec3::Zero();   ///< τ that acted on the ship in the last step, for the observer.
     Vec3 mean_ = Vec3::Zero();     ///< Filtered demand, for the consequence analysis.
     double steer_sum_ = 0.0, speed_sum_ = 0.0;
     Observer observer_;
     std::vector<std::int32_t> sectors_;
     std::vector<double> shortfalls_;  ///< Shortfall of each failure.
-    // Outputs.
+    // Output signals.
     double mode_now_ = 0.0, heading_ = 0.0, worst_ = 0.0, worst_failure_ = -1.0;
     Vec3 offsets_ = Vec3::Zero(), demand_ = Vec3::Zero(), allocated_ = Vec3::Zero();
 };

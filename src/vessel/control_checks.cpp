@@ -87,9 +87,9 @@ void check_control(const World& world, const VesselDef& def) {
     control_range(def, "heading_alarm", c.heading_alarm, 1e-4, 3.2);
     control_range(def, "consequence_alarm", c.consequence_alarm, 1e-4, 1.0);
     control_range(def, "azimuth_cost", c.azimuth_cost, 1e-3, 1e3);
-    if (2 * def.propulsors.size() > static_cast<std::size_t>(QuadraticProgram::kMost))
+    if (2 * def.propulsors.size() > static_cast<std::size_t>(QuadraticProgram::kMaximum))
         throw DefError("vessel '" + def.name + "': propulsors: with control at most " +
-                       std::to_string(QuadraticProgram::kMost / 2));
+                       std::to_string(QuadraticProgram::kMaximum / 2));
     check_lists(def);
     check_names_of_signals(def);
     for (std::size_t i = 0; i < c.lines.size(); ++i)
@@ -131,10 +131,10 @@ Vec3 line_load(const World& world, const VesselDef& def, const std::vector<FedLi
         const Vec3 here = world.world_point(def.body, line.here);
         const Vec3 there =
             world.alive(line.other) ? world.world_point(line.other, line.there) : line.there;
-        const Vec3 apart = there - here;
-        const double length = apart.norm();
+        const Vec3 separation = there - here;
+        const double length = separation.norm();
         if (!(length > 0.0) || !(tension > 0.0)) continue;
-        const Vec3 force = axes.transpose() * Vec3(tension / length * apart);
+        const Vec3 force = axes.transpose() * Vec3(tension / length * separation);
         const Vec3 arm = axes.transpose() * Vec3(here - origin);
         out += Vec3(force.x(), force.y(), arm.x() * force.y() - arm.y() * force.x());
     }

@@ -18,9 +18,9 @@ namespace vessel {
 namespace {
 
 constexpr double kControlPi = std::numbers::pi;
-constexpr double kMostPlace = 1e9;
+constexpr double kMaxCoordinate = 1e9;
 
-/// Thrust of a propulsor at full order without inflow.
+/// Thrust of a propulsor at full order without inflow [N].
 struct Bollard {
     double ahead = 0.0, astern = 0.0;
     double rps = 1.0;  ///< Revolutions over most_rps.
@@ -49,7 +49,7 @@ Bollard bollard_of(const PropulsorDef& p, double density) {
     return out;
 }
 
-/// Allowed sectors of an azimuth with zones or end stops.
+/// Return the allowed sectors of an azimuth with forbidden zones or end stops.
 std::vector<ThrustSector> sectors_of(const PropulsorDef& p, const std::vector<ControlZone>& zones) {
     std::vector<std::pair<double, double>> open;
     const bool stops = p.most_angle > 0.0 && p.most_angle < kControlPi;
@@ -83,7 +83,7 @@ std::vector<ThrustSector> sectors_of(const PropulsorDef& p, const std::vector<Co
         for (int k = 0; k < parts; ++k)
             out.push_back({a + k * (b - a) / parts, (b - a) / parts, false});
     }
-    // With end stops the propeller reverses for thrust astern.
+    // With end stops the propeller reverses for astern thrust.
     const std::size_t ahead = out.size();
     for (std::size_t k = 0; stops && p.astern > 0.0 && k < ahead; ++k)
         out.push_back({out[k].from + kControlPi, out[k].width, true});
@@ -175,7 +175,8 @@ void Control::check(StateRules& rules) const {
                     "the sector of an azimuth is out of range");
     for (const Vec3* place : {&desired_, &seen_, &offset_, &observer_.low().place})
         for (const double x : *place)
-            rules.range(x, -kMostPlace, kMostPlace, "an order of the control is out of range");
+            rules.range(x, -kMaxCoordinate, kMaxCoordinate,
+                        "an order of the control is out of range");
 }
 
 const std::vector<std::string>& Control::signal_names() {

@@ -55,7 +55,7 @@ void check_anchor_body(World& world, const AnchorDef& def) {
             refuse_anchor(def, "name", "the interaction '" + def.name + part + "' exists already");
 }
 
-/// Return the weight of the body less that of the water that the sea has it displace [N].
+/// Return the weight of the body minus that of the water displaced according to the sea [N].
 double submerged_weight(const World& world, const AnchorDef& def) {
     const double g = world.settings().gravity.norm();
     double mass = world.body_def(def.body).gravity ? world.body_def(def.body).mass : 0.0;
@@ -146,7 +146,7 @@ void complete_anchor(const World& world, AnchorDef& def) {
     check_anchor_clay(def);
 }
 
-/// Return a rotation of z to axis i.
+/// Return a rotation of the z axis to axis i.
 Quat to_axis(int i) {
     Vec3 axis = Vec3::Zero();
     axis[i] = 1.0;
@@ -178,8 +178,8 @@ bool has_shapes(const World& world, BodyId body) {
     return false;
 }
 
-/// f(system) for each anchor. Systems have no list for a const world: their names are those of the
-/// signals, and each anchor has some.
+/// Call f(system) for each anchor. A const world has no list of systems, so they are found by the
+/// names of their signals.
 template <class F>
 void over_anchors(const World& world, F&& f) {
     std::string_view last;

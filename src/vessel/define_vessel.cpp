@@ -22,8 +22,8 @@ System* define(World& world, const VesselDef& def) {
 
 namespace {
 
-/// f(def) for each vessel until one returns true. Systems have no list for a const world: their
-/// names are those of the signals, and each vessel has some.
+/// Call f(def) for each vessel until one returns true. A const world has no list of systems, so
+/// they are found by the names of their signals.
 template <class F>
 void over_vessels(const World& world, F&& f) {
     std::string_view last;

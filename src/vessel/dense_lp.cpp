@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kOptimal = 1e-11;  ///< Reduced cost that counts as 0.
 constexpr double kPivot = 1e-10;    ///< Smallest pivot.
-constexpr int kMostPivots = 5000, kStalled = 60;
+constexpr int kMaxPivots = 5000, kStalled = 60;
 
 }  // namespace
 
@@ -36,7 +36,8 @@ Eigen::Index DenseLp::entering(const Eigen::VectorXd& reduced, bool first) const
     return best;
 }
 
-/// Row of the smallest ratio. An artificial variable at 0 leaves for a pivot of any sign.
+/// Return the row of the smallest ratio. An artificial variable at 0 leaves the basis for a pivot
+/// of any sign.
 Eigen::Index DenseLp::leaving(Eigen::Index column, bool first) const noexcept {
     Eigen::Index best = -1;
     double least = std::numeric_limits<double>::infinity();
@@ -65,7 +66,7 @@ bool DenseLp::solve() {
     Eigen::VectorXd reduced = cost_;
     double value = 0.0;
     int stalled = 0;
-    for (int pivots = 0; pivots < kMostPivots; ++pivots) {
+    for (int pivots = 0; pivots < kMaxPivots; ++pivots) {
         const bool first = stalled > kStalled;
         const Eigen::Index column = entering(reduced, first);
         if (column < 0) {

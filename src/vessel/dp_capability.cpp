@@ -90,7 +90,8 @@ std::vector<bool> stopped(const DpShip& ship, const DpFailure& failure) {
     return out;
 }
 
-/// Largest number that holds with all smaller ones; its utilisation and the next one's.
+/// Largest number for which it and all smaller ones are met, with its utilisation and that of the
+/// next number.
 struct LargestNumber {
     int number = 0;
     double at = 0.0, next = 0.0;

@@ -13,7 +13,7 @@ namespace {
 constexpr double kDpPi = std::numbers::pi;
 constexpr double kDpAir = 1.226, kDpWater = 1026.0, kDpGravity = 9.81;
 constexpr double kDpMargin = 1.25;  ///< Dynamic allowance on the sum of loads.
-/// Peak over zero-crossing period.
+/// Ratio of the peak period to the zero-crossing period.
 constexpr double kDpPeriods = 1.4049;
 
 constexpr DpCondition kDpScale[] = {
@@ -28,7 +28,7 @@ double folded(double from) noexcept { return std::abs(std::remainder(from, 2.0 *
 
 double zero_crossing(const DpCondition& at) noexcept { return at.period / kDpPeriods; }
 
-/// Wave drift falls with the period over that of the ship.
+/// Return the factor of wave drift: it decreases with the wave period over the ship's period.
 double drift_of_period(double t) noexcept {
     if (t < 1.0) return 1.0;
     const double inverse = 1.0 / (t * t * t);
@@ -71,7 +71,7 @@ DpLoad drift_load(const DpShip& s, const DpCondition& at, double from, double di
     return out;
 }
 
-/// η1, thrust at a power and diameter.
+/// Return η1, the factor of thrust by power and diameter.
 double thrust_factor(const DpThruster& t) noexcept {
     if (t.kind == DpThrusterKind::cycloidal || t.kind == DpThrusterKind::tunnel) return 900.0;
     switch (t.propeller) {
@@ -85,7 +85,7 @@ double thrust_factor(const DpThruster& t) noexcept {
     return 800.0;
 }
 
-/// η2, of direction and inlet.
+/// Return η2, the factor of direction and inlet.
 double direction_factor(const DpThruster& t, bool astern) noexcept {
     if (t.kind == DpThrusterKind::tunnel) {
         if (t.inlet == DpInlet::rounded) return 1.07;
@@ -97,7 +97,7 @@ double direction_factor(const DpThruster& t, bool astern) noexcept {
     return ducted ? 0.7 : 0.9;
 }
 
-/// η_M.
+/// Return η_M, the mechanical efficiency.
 double mechanical(const DpThruster& t) noexcept {
     if (t.drive == DpDrive::rim) return 0.995;
     switch (t.kind) {
@@ -161,8 +161,8 @@ double dp_ventilation(const DpShip& ship, const DpThruster& thruster, const DpCo
 DpRudderForce dp_rudder_force(const DpThruster& thruster, double angle) noexcept {
     constexpr double kProfiles[] = {1.1, 1.35, 1.1, 1.4, 1.65, 1.9, 1.21};
     static_assert(sizeof kProfiles / sizeof kProfiles[0] == kDpRudderProfiles);
-    constexpr double kMostAngle = 30.0, kNozzle = 1.15;
-    const double degrees = std::clamp(angle * 180.0 / kDpPi, -kMostAngle, kMostAngle);
+    constexpr double kMaxAngle = 30.0, kNozzle = 1.15;
+    const double degrees = std::clamp(angle * 180.0 / kDpPi, -kMaxAngle, kMaxAngle);
     double slope = 0.0126 * kProfiles[static_cast<std::size_t>(thruster.rudder.profile)] *
                    thruster.rudder.area / (thruster.diameter * thruster.diameter);
     if (thruster.propeller == DpPropeller::ducted) slope *= kNozzle;

@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kStarPi = std::numbers::pi, kTurn = 2.0 * std::numbers::pi;
 constexpr double kMiscellaneous = 0.9;  ///< β_misc.
-/// Between vertices of arcs, at multiples of it [rad]; inscribed, at most 0.1 % inside.
+/// Angle between vertices of inscribed arcs [rad]; they lie at most 0.1 % inside the circle.
 constexpr double kArc = std::numbers::pi / 36;
-constexpr double kWidest = std::numbers::pi;  ///< Width of a fan [rad].
+constexpr double kWidest = std::numbers::pi;  ///< Maximum width of a fan [rad].
 
 /// Return the angle in 0 … 2π.
 double positive_angle(double a) noexcept {
@@ -25,7 +25,7 @@ bool works(const std::vector<bool>& failed, std::size_t i) noexcept {
     return failed.empty() || !failed[i];
 }
 
-/// Piecewise linear factor over direction: 1, falls to `least` at `middle`, rises to 1.
+/// Piecewise linear factor over direction: 1 outside, decreasing to `least` at `middle`.
 struct SkegDip {
     bool any = false;
     double first = 0.0, middle = 0.0, last = 0.0, least = 1.0;
@@ -63,7 +63,7 @@ double dip_factor(const SkegDip& d, double direction) noexcept {
     return d.least + (1.0 - d.least) * (a - d.middle) / (d.last - d.middle);
 }
 
-/// Notch of the star behind a thruster that failed: straight from both edges to the middle.
+/// Notch of the star behind a failed thruster: straight lines from both edges to the middle.
 struct Notch {
     double middle = 0.0, half = 0.0, least = 1.0;
 };
@@ -123,7 +123,8 @@ std::vector<DpSector> dp_forbidden_zones(const DpShip& ship, std::size_t thruste
 namespace vessel {
 namespace {
 
-/// Directions that are free of zones, as sectors in ascending order; the last may pass 2π.
+/// Return the directions outside all zones, as sectors in ascending order; the last may extend
+/// beyond 2π.
 std::vector<DpSector> free_sectors(const std::vector<DpSector>& zones) {
     std::vector<DpSector> blocked;
     for (const DpSector& z : zones) {
@@ -185,7 +186,7 @@ void cut_fans(const std::vector<Force2>& chain, std::vector<Fan>& out) {
     if (!fan.vertices.empty()) out.push_back(fan);
 }
 
-/// Fans of a thruster that turns: arcs of its circle with dips and notches.
+/// Append the fans of a turning thruster: arcs of its circle with dips and notches.
 void turning_fans(const DpShip& ship, std::size_t i, double radius, const std::vector<bool>& failed,
                   std::vector<Fan>& out) {
     const DpThruster& t = ship.thrusters[i];
@@ -226,7 +227,7 @@ bool forbidden(const std::vector<DpSector>& zones, double direction) noexcept {
     });
 }
 
-/// Ahead with the rudder to both sides, and astern.
+/// Append the fans of a shaft: ahead with the rudder to both sides, and astern.
 void shaft_fans(const DpShip& ship, std::size_t i, double ahead, double astern,
                 const std::vector<bool>& failed, std::vector<Fan>& out) {
     const DpThruster& t = ship.thrusters[i];

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file dp_star.h
-/// Capacity stars of thrusters and the program that allocates loads to them
-/// (hawser/dp_capability.h).
+/// Compute capacity stars of thrusters, and allocate loads to them (hawser/dp_capability.h).
 
 #include <hawser/dp_capability.h>
 
@@ -15,7 +14,7 @@ namespace hawser::vessel {
 
 using Force2 = Eigen::Vector2d;
 
-/// Convex sector: hull of the origin and of vertices in ascending direction.
+/// Convex sector: convex hull of the origin and of vertices in ascending direction.
 struct Fan {
     std::vector<Force2> vertices{};
 };
@@ -25,20 +24,21 @@ struct Star {
     std::vector<Fan> fans{};  ///< Empty: no thrust.
     double power = 0.0;       ///< P_B [W].
     int board = -1;           ///< Index of its switchboard; −1: none.
-    double x = 0.0, y = 0.0;  ///< Place [m].
+    double x = 0.0, y = 0.0;  ///< Position [m].
 };
 
-/// Smallest factor U with f ∈ U · star. @return Infinite if no factor has f in the star.
+/// Return the smallest factor U with f ∈ U · star; infinite if there is none.
 [[nodiscard]] double gauge(const Star& star, const Force2& f) noexcept;
-/// The same of one fan.
+/// Return the smallest factor U with f ∈ U · fan; infinite if there is none.
 [[nodiscard]] double gauge(const Fan& fan, const Force2& f) noexcept;
 
-/// Star of a thruster after all losses; no fans if it failed.
+/// Return the star of a thruster after all losses; no fans if it failed.
 [[nodiscard]] Star capacity_star(const DpShip& ship, std::size_t thruster, const DpCondition& at,
                                  double from, const std::vector<bool>& failed);
 
-/// Smallest U for a load: branch and bound over fans, a linear program in each node.
-/// @param boards  Power that each switchboard has for thrusters [W].
+/// Return the smallest U for a load, by branch and bound over fans with a linear program in each
+/// node.
+/// @param boards  Power of each switchboard for thrusters [W].
 [[nodiscard]] DpUtilisation smallest_utilisation(const std::vector<Star>& stars,
                                                  const std::vector<double>& boards,
                                                  const DpLoad& load);

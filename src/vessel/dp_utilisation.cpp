@@ -62,7 +62,7 @@ class Search {
     }
 
   private:
-    /// First tangent of a board: all its thrusters at one fraction.
+    /// Add the first tangent of a board, with all its thrusters at the same fraction.
     void begin_cuts(int board) {
         double total = 0.0;
         for (const Star& s : stars_)
@@ -94,7 +94,7 @@ class Search {
         return out;
     }
 
-    /// Solve a node with the cuts of power; adds those that its solution violates.
+    /// Solve a node with the cuts of power, and add the cuts that its solution violates.
     [[nodiscard]] bool relax(const Node& node, Relaxed& out) {
         for (int rounds = 0; rounds < 40; ++rounds) {
             if (!program(node, out)) return false;
@@ -155,13 +155,13 @@ class Search {
         std::vector<double> fractions(stars_.size(), 0.0);
         double most = 0.0;
         std::size_t branch = stars_.size();
-        double apart = 0.0;
+        double separation = 0.0;
         for (std::size_t i = 0; i < stars_.size(); ++i) {
             fractions[i] = gauge(stars_[i], r.forces[i]);
             most = std::max(most, fractions[i]);
             const double off = fractions[i] - r.fractions[i];
-            if (node[i].second - node[i].first > 1 && off > apart) {
-                apart = off;
+            if (node[i].second - node[i].first > 1 && off > separation) {
+                separation = off;
                 branch = i;
             }
         }

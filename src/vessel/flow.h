@@ -14,8 +14,8 @@ using Wrench = Eigen::Matrix<double, 6, 1>;
 struct Flow {
     Wrench motion = Wrench::Zero();  ///< u v w p q r, through the water [m/s, rad/s].
     double roll = 0.0;               ///< φ [rad].
-    double rudder = 0.0;             ///< δ of the coefficient set [rad].
-    double rps = 0.0;                ///< n of the coefficient set [1/s].
+    double rudder = 0.0;             ///< Rudder angle δ of the coefficient set [rad].
+    double rps = 0.0;                ///< Revolutions n of the coefficient set [1/s].
     double density = 1025.0;         ///< [kg/m³].
 
     [[nodiscard]] double u() const noexcept { return motion[0]; }

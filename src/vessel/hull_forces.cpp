@@ -9,7 +9,7 @@
 namespace hawser {
 namespace {
 
-/// Hoerner's curve: B/(2T), C_d.
+/// Curve of Hoerner: pairs of B/(2T) and C_d.
 constexpr double kHoerner[][2] = {
     {0.0109, 1.9661},  {0.1766, 1.9657},  {0.3530, 1.8976},  {0.4519, 1.7872},  {0.4728, 1.5837},
     {0.4929, 1.2786},  {0.4933, 1.2108},  {0.5585, 1.0836},  {0.6464, 0.99863}, {0.8336, 0.87959},
@@ -18,7 +18,7 @@ constexpr double kHoerner[][2] = {
 constexpr std::size_t kHoernerPoints = sizeof kHoerner / sizeof kHoerner[0];
 
 constexpr std::string_view kLetters = "uvrpfdnbVRDNB";
-/// Half the width of the blend between ahead and astern, over U.
+/// Half the width of the blend between ahead and astern motion, over U.
 constexpr double kAsternBlend = 0.1;
 
 }  // namespace
@@ -48,7 +48,7 @@ Polynomial::Polynomial(const HullPolynomial& def, double mass) : def_(def), mass
         term.axis = kAxes[static_cast<std::size_t>(from.axis)];
         for (const char letter : from.of) {
             const int variable = variable_of(letter);
-            if (variable < 0 || static_cast<std::size_t>(term.powers) >= kMostPowers) continue;
+            if (variable < 0 || static_cast<std::size_t>(term.powers) >= kMaxPowers) continue;
             term.of[static_cast<std::size_t>(term.powers++)] = static_cast<std::uint8_t>(variable);
             term.driven = term.driven || variable == kRudder || variable == kAbsRudder ||
                           variable == kRevolutions || variable == kAbsRevolutions;
@@ -66,8 +66,8 @@ double Polynomial::value(const Term& term, const Values& at) const noexcept {
     return out;
 }
 
-/// @param ahead  Share of the ship that goes ahead; the rest goes astern. @param astern_u  u' of
-/// the mirrored ship.
+/// Return the weighted sum of the polynomial ahead and astern. @param ahead  Weight of motion
+/// ahead; the rest is astern. @param astern_u  u' of the mirrored ship.
 Wrench Polynomial::sum(const Values& at, double ahead, double astern_u) const noexcept {
     Wrench out = Wrench::Zero();
     for (const Term& term : terms_)

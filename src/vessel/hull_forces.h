@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file hull_forces.h
-/// Resistance, cross-flow drag and polynomials of a hull (hawser/vessel_hull.h).
+/// Compute resistance, cross-flow drag and polynomials of a hull (hawser/vessel_hull.h).
 
 #include <hawser/vessel_hull.h>
 
@@ -14,7 +14,7 @@
 
 namespace hawser::vessel {
 
-/// Variables of polynomials: those of lower-case letters, then magnitudes.
+/// Variables of polynomials: first the lower-case letters, then their magnitudes.
 enum Variable : std::uint8_t {
     kU,
     kV,
@@ -31,16 +31,16 @@ enum Variable : std::uint8_t {
     kAbsDrift
 };
 inline constexpr int kVariables = 13;
-inline constexpr std::size_t kMostPowers = 8;
+inline constexpr std::size_t kMaxPowers = 8;
 
-/// Number of the variable of a letter; −1: there is none.
+/// Return the number of the variable of a letter; −1 if there is none.
 [[nodiscard]] int variable_of(char letter) noexcept;
 
-/// A polynomial that is ready to be evaluated.
+/// Polynomial prepared for evaluation.
 class Polynomial {
   public:
     Polynomial() = default;
-    /// The definition has been checked. @param mass  Of the body [kg].
+    /// Prepare a definition that has been checked. @param mass  Mass of the body [kg].
     Polynomial(const HullPolynomial& def, double mass);
     [[nodiscard]] Wrench force(const Flow& flow) const noexcept;
 
@@ -48,9 +48,10 @@ class Polynomial {
     struct Term {
         double value = 0.0;
         std::int32_t axis = 0, powers = 0;
-        std::array<std::uint8_t, kMostPowers> of{};
-        bool driven = false;      ///< With rudder or revolutions.
-        bool propulsive = false;  ///< Holds the propeller; the same ahead and astern.
+        std::array<std::uint8_t, kMaxPowers> of{};
+        bool driven = false;  ///< With rudder or revolutions.
+        bool propulsive =
+            false;  ///< True if the term balances the propeller; equal ahead and astern.
     };
     using Values = std::array<double, kVariables>;
     [[nodiscard]] double value(const Term& term, const Values& at) const noexcept;
@@ -63,9 +64,9 @@ class Polynomial {
     std::vector<Term> terms_;
 };
 
-/// X of a resistance curve and of its formula [N].
+/// Return X of a resistance curve or its formula [N].
 [[nodiscard]] double surge_force(const HullResistance& def, double u) noexcept;
-/// Y and N of cross-flow drag.
+/// Return Y and N of cross-flow drag.
 [[nodiscard]] Wrench cross_flow_force(const CrossFlow& def, const Flow& flow) noexcept;
 /// Compute X, Y and N of a current load.
 [[nodiscard]] Wrench current_force(const CurrentLoad& def, const Flow& flow) noexcept;

@@ -16,12 +16,12 @@
 namespace hawser {
 namespace {
 
-constexpr double kLeastDepth = -0.48, kMostDepth = 1.3;  ///< Range of the formula, over the radius.
+constexpr double kMinDepth = -0.48, kMostDepth = 1.3;  ///< Range of the formula, over the radius.
 
 }  // namespace
 
 double ventilated_thrust(double ratio) noexcept {
-    if (ratio < kLeastDepth) return 0.0;
+    if (ratio < kMinDepth) return 0.0;
     if (ratio > kMostDepth) return 1.0;
     return std::clamp(1.0 - 0.675 * std::pow(std::max(0.0, 1.0 - 0.769 * ratio), 1.258), 0.0, 1.0);
 }
@@ -83,7 +83,7 @@ void lose_in_races(const std::vector<Propulsor>& propulsors, std::vector<Propuls
         const double side = states[j].thrust < 0.0 ? -1.0 : 1.0, a = from.direction(states[j]);
         const double x = -side * std::cos(a), y = -side * std::sin(a);
         const double load =
-            std::sqrt(std::min(1.0, std::abs(states[j].thrust) / from.most_thrust(density)));
+            std::sqrt(std::min(1.0, std::abs(states[j].thrust) / from.max_thrust(density)));
         for (std::size_t i = 0; i < propulsors.size(); ++i) {
             if (i == j || propulsors[i].def().kind == PropulsorKind::tunnel) continue;
             const double dx = propulsors[i].at().x() - from.at().x();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file losses.h
-/// Losses of propulsors at the begin of a step (hawser/vessel_propulsion.h).
+/// Compute the losses of propulsors at the beginning of a step (hawser/vessel_propulsion.h).
 
 #include <hawser/sea.h>
 #include <hawser/vessel.h>
@@ -13,7 +13,7 @@
 
 namespace hawser::vessel {
 
-/// Surface of the water over the propulsors of a vessel.
+/// Water surface above the propulsors of a vessel.
 class Surface {
   public:
     /// Read the sea of the world, if the definition has propulsors that ventilate.
@@ -29,12 +29,12 @@ class Surface {
     double still_ = 0.0;
 };
 
-/// True if a definition has losses of any kind.
+/// True if a definition has any losses.
 [[nodiscard]] bool has_losses(const VesselDef& def) noexcept;
-/// Multiply `kept` of each propulsor by the share that it keeps in the races of others.
+/// Multiply `kept` of each propulsor by the fraction that remains in the races of others.
 void lose_in_races(const std::vector<Propulsor>& propulsors, std::vector<PropulsorState>& states,
                    double density) noexcept;
-/// Return the share that an azimuth keeps whose race runs under the hull.
+/// Return the fraction of thrust that remains for an azimuth whose race flows under the hull.
 [[nodiscard]] double kept_at_hull(const Propulsor& propulsor, const PropulsorState& s) noexcept;
 
 }  // namespace hawser::vessel

@@ -13,7 +13,7 @@ namespace hawser::vessel {
 /// Position of O: north = x, east = −y of the world [m], heading clockwise [rad].
 struct Planar {
     Vec3 place = Vec3::Zero();
-    Vec3 motion = Vec3::Zero();  ///< u, v, r over ground, axes of the ship.
+    Vec3 motion = Vec3::Zero();  ///< u, v, r over ground, in axes of the ship [m/s, rad/s].
 };
 
 class Observer {
@@ -24,11 +24,11 @@ class Observer {
     Observer(const Vec3& mass, const Vec3& damping, double period);
     /// Start at a measured motion.
     void start(const Planar& measured) noexcept;
-    /// One step. @param force  τ that acts on the ship [N, N, N m].
+    /// Advance by one step. @param force  τ that acts on the ship [N, N, N m].
     void step(const Planar& measured, const Vec3& force, double h) noexcept;
-    /// Low-frequency motion.
+    /// Return the low-frequency motion.
     [[nodiscard]] const Planar& low() const noexcept { return low_; }
-    /// Slowly varying force, axes of the ship.
+    /// Return the slowly varying force, in axes of the ship.
     [[nodiscard]] const Vec3& bias() const noexcept { return bias_; }
     void visit(StateVisitor& visitor);
 
@@ -40,7 +40,7 @@ class Observer {
     Vec3 swell_ = Vec3::Zero(), swell_rate_ = Vec3::Zero();  ///< ξ: integral and wave motion.
 };
 
-/// From axes of the ship to north and east, and back.
+/// Rotate a vector from axes of the ship to north and east, and back.
 [[nodiscard]] Vec3 to_earth(const Vec3& of_ship, double heading) noexcept;
 [[nodiscard]] Vec3 to_ship(const Vec3& of_earth, double heading) noexcept;
 

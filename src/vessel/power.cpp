@@ -12,7 +12,8 @@ namespace hawser::vessel {
 namespace {
 
 constexpr double kUnlimited = 1e300;
-/// Withheld share of a demand from which a consumer counts as shed: above rounding of sums.
+/// Withheld fraction of a demand above which a consumer counts as shed. It exceeds the rounding of
+/// sums.
 constexpr double kShedShare = 1e-9;
 
 }  // namespace
@@ -95,7 +96,7 @@ double PowerBus::capacity(const Board& board) noexcept {
     return sum;
 }
 
-void PowerBus::share_out(double capacity, int board) noexcept {
+void PowerBus::distribute(double capacity, int board) noexcept {
     const auto served = [&](const Consumer& c) {
         return board < 0 ? !failed(boards_[c.board].part)
                          : c.board == static_cast<std::size_t>(board);
@@ -149,10 +150,10 @@ void PowerBus::grant(Prestep& now, BodyId body) noexcept {
     if (tie_ >= 0.5) {
         double sum = 0.0;
         for (const Board& b : boards_) sum += capacity(b);
-        share_out(sum, -1);
+        distribute(sum, -1);
     } else {
         for (std::size_t b = 0; b < boards_.size(); ++b)
-            share_out(capacity(boards_[b]), static_cast<int>(b));
+            distribute(capacity(boards_[b]), static_cast<int>(b));
     }
     for (Consumer& c : consumers_) {
         c.shed = c.demand - c.granted;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file power.h
-/// Grants of a power bus (hawser/vessel_power.h).
+/// Grant power to the consumers of a bus (hawser/vessel_power.h).
 
 #include <hawser/system.h>
 #include <hawser/vessel.h>
@@ -16,7 +16,7 @@ namespace hawser::vessel {
 /// Index of a signal of another system, found again if the list of signals changes.
 class SignalRef {
   public:
-    /// @param name  "SYSTEM.SIGNAL".
+    /// @param name  Name as "SYSTEM.SIGNAL".
     explicit SignalRef(const std::string& name);
     /// Return its value; 0 if the world has no such signal.
     [[nodiscard]] double value(const World& world) noexcept;
@@ -26,7 +26,7 @@ class SignalRef {
     std::size_t index_ = 0;
 };
 
-/// Power of consumers by priority.
+/// Distribute power to consumers by priority.
 class PowerBus {
   public:
     explicit PowerBus(const VesselDef& def);
@@ -63,7 +63,7 @@ class PowerBus {
         int priority = 1;
         double efficiency = 1.0, rated = 0.0;
         int signal = -1;
-        double load = 0.0;                   ///< Input of a load [W].
+        double load = 0.0;                   ///< Input signal of a load [W].
         double demand = 0.0, granted = 0.0;  ///< At the board [W].
         double shed = 0.0;                   ///< Output [W].
         std::int32_t shedding = 0;
@@ -74,8 +74,8 @@ class PowerBus {
     [[nodiscard]] static bool failed(const Part& part) noexcept { return part.failed >= 0.5; }
     [[nodiscard]] static double capacity(const Board& board) noexcept;
     [[nodiscard]] const Consumer* find(std::size_t propulsor) const noexcept;
-    /// Grant a capacity to the consumers of one board, or of all boards that did not fail.
-    void share_out(double capacity, int board) noexcept;
+    /// Distribute a capacity to the consumers of one board, or of all boards that did not fail.
+    void distribute(double capacity, int board) noexcept;
     void report_failures(Prestep& now, BodyId body) noexcept;
 
     double share_;

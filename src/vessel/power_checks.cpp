@@ -10,7 +10,7 @@
 namespace hawser::vessel {
 namespace {
 
-constexpr double kMostPower = 1e12;
+constexpr double kMaxPower = 1e12;
 
 class PowerFields {
   public:
@@ -19,10 +19,10 @@ class PowerFields {
         throw DefError("vessel '" + def_.name + "': power/" + field + ": " + why);
     }
     void power(const std::string& field, double value, bool zero) const {
-        if (!(value >= 0.0 && value <= kMostPower) || (!zero && value == 0.0))
+        if (!(value >= 0.0 && value <= kMaxPower) || (!zero && value == 0.0))
             fail(field, number(value) + "; give a power above 0 and at most 1e12 W");
     }
-    /// A name that no other part of the vessel has.
+    /// Check that no other part of the vessel has this name.
     void take(const std::string& field, const std::string& name) {
         if (name.empty()) fail(field, "give a name");
         if (name.find('.') != std::string::npos) fail(field, "a name has no dot");

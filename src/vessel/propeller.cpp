@@ -16,13 +16,13 @@ namespace {
 using vessel::DuctTerm;
 using vessel::WageningenTerm;
 
-constexpr double kTipShare = 0.7 * std::numbers::pi;  ///< Blade section at 0.7 R: 0.7 π n D.
-constexpr double kLeastPitch = 0.5;                   ///< Below: linear in the pitch.
-constexpr double kIdleTorque = 0.2;                   ///< Torque of pitch 0 over that of 0.5.
-constexpr double kBlendFrom = 0.9, kBlendTo = 1.2;    ///< J over P/D.
+constexpr double kTipFraction = 0.7 * std::numbers::pi;  ///< Blade section at 0.7 R: 0.7 π n D.
+constexpr double kMinPitch = 0.5;                        ///< Below: linear in the pitch.
+constexpr double kIdleTorque = 0.2;  ///< Torque at pitch 0 over that at pitch ratio 0.5.
+constexpr double kBlendFrom = 0.9, kBlendTo = 1.2;  ///< J over P/D.
 constexpr int kBisections = 60;
 
-/// x^n for small n ≥ 0.
+/// Return x^n for small n ≥ 0.
 double power_of(double x, int n) noexcept {
     double out = 1.0;
     for (int i = 0; i < n; ++i) out *= x;
@@ -53,16 +53,17 @@ double fourier(std::span<const double> cosines, std::span<const double> sines,
     return sum;
 }
 
-/// Fourier series of the B4-70, scaled to the series at J = 0.
+/// Return thrust and torque by the Fourier series of the B4-70, scaled to the series at J = 0.
 PropellerForce by_quadrants(const PropellerDef& propeller, double pitch, double rps, double speed,
                             double density) noexcept {
-    const double d = propeller.diameter, tip = kTipShare * rps * d, flow = speed / pitch;
+    const double d = propeller.diameter, tip = kTipFraction * rps * d, flow = speed / pitch;
     const QuadrantPoint at = four_quadrants_b4_70(std::atan2(flow, tip));
     const QuadrantPoint still = four_quadrants_b4_70(0.0);
     PropellerDef own = propeller;
     own.pitch = pitch;
     const PropellerPoint first = open_water(own, 0.0);
-    const double still_tip = kTipShare * kTipShare * std::numbers::pi / 8.0;  // K = C still_tip
+    const double still_tip =
+        kTipFraction * kTipFraction * std::numbers::pi / 8.0;  // K = C still_tip
     const double q = density * std::numbers::pi / 8.0 * d * d * (tip * tip + flow * flow);
     return {q * at.thrust * first.thrust / (still.thrust * still_tip),
             q * d * at.torque * first.torque / (still.torque * still_tip)};
@@ -114,11 +115,11 @@ PropellerForce propeller_force(const PropellerDef& propeller, double pitch, doub
     const double d = propeller.diameter;
     if (rps == 0.0 && speed == 0.0) return {};
     const double side = pitch < 0.0 ? -1.0 : 1.0;
-    const double share = std::min(1.0, std::abs(pitch) / kLeastPitch);
+    const double share = std::min(1.0, std::abs(pitch) / kMinPitch);
     PropellerDef own = propeller;
-    own.pitch = std::max(std::abs(pitch), kLeastPitch);
+    own.pitch = std::max(std::abs(pitch), kMinPitch);
     const double flow = side * speed;
-    double weight = 0.0;  // Of the series.
+    double weight = 0.0;  // // weight of the series
     PropellerForce out;
     if (rps > 0.0 && flow >= 0.0) {
         const double advance = flow / (rps * d);

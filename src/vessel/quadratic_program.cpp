@@ -8,9 +8,10 @@
 namespace hawser::vessel {
 namespace {
 
-constexpr double kMet = 1e-10;        ///< Violation that counts as 0.
-constexpr double kDependent = 1e-14;  ///< Squared part of a normal beside the active ones.
-constexpr int kMostRounds = 400;
+constexpr double kMet = 1e-10;  ///< Violation that counts as 0.
+constexpr double kDependent =
+    1e-14;  ///< Squared independent part of a normal below which it depends on the active ones.
+constexpr int kMaxRounds = 400;
 
 }  // namespace
 
@@ -28,7 +29,7 @@ double QuadraticProgram::violation(const Constraint& c) const noexcept {
     return c.a * x_[c.first] + second - c.bound;
 }
 
-int QuadraticProgram::most_violated() const noexcept {
+int QuadraticProgram::max_violated() const noexcept {
     int worst = -1;
     double most = kMet;
     for (std::size_t k = 0; k < constraints_.size(); ++k) {
@@ -92,7 +93,7 @@ void QuadraticProgram::drop(int slot) noexcept {
 /// Move until the constraint is met, dropping active ones whose multipliers reach 0.
 bool QuadraticProgram::add_active(int index) noexcept {
     double multiplier = 0.0;
-    for (int rounds = 0; rounds < kMostRounds; ++rounds) {
+    for (int rounds = 0; rounds < kMaxRounds; ++rounds) {
         direction(index);
         const double square = step_.squaredNorm();
         double least = std::numeric_limits<double>::infinity();
@@ -151,8 +152,8 @@ bool QuadraticProgram::solve() noexcept {
     const auto lower = factor_.topLeftCorner(n_, n_).triangularView<Eigen::Lower>();
     lower.solveInPlace(x_);
     lower.transpose().solveInPlace(x_);
-    for (int rounds = 0; rounds < kMostRounds; ++rounds) {
-        const int worst = most_violated();
+    for (int rounds = 0; rounds < kMaxRounds; ++rounds) {
+        const int worst = max_violated();
         if (worst < 0) return true;
         if (!add_active(worst)) return false;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file quadratic_program.h
-/// Strictly convex quadratic programs of up to 40 variables.
+/// Solve strictly convex quadratic programs of up to 40 variables.
 
 #include <Eigen/Core>
 
@@ -19,9 +19,9 @@ namespace hawser::vessel {
 /// variables and is stored as such. All memory is of fixed size.
 class QuadraticProgram {
   public:
-    static constexpr int kMost = 40;  ///< Variables.
-    using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMost, 1>;
-    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, kMost>;
+    static constexpr int kMaximum = 40;  ///< Variables.
+    using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaximum, 1>;
+    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaximum, kMaximum>;
 
     /// a x_first + b x_second ≤ bound; second = −1: one variable.
     struct Constraint {
@@ -29,7 +29,7 @@ class QuadraticProgram {
         double a = 0.0, b = 0.0, bound = 0.0;
     };
 
-    /// Clear and set the size. @param variables  At most kMost.
+    /// Clear and set the size. @param variables  At most kMaximum.
     void begin(int variables);
     /// Reserve memory for constraints. Call before warm steps.
     void reserve(std::size_t constraints) { constraints_.reserve(constraints); }
@@ -38,14 +38,15 @@ class QuadraticProgram {
     void add(const Constraint& constraint) { constraints_.push_back(constraint); }
     /// Remove the constraints, keep matrices.
     void clear_constraints() noexcept { constraints_.clear(); }
-    /// @return False if no point meets the constraints, or H is not positive definite.
+    /// Solve the program. @return false if no point meets the constraints, or H is not positive
+    /// definite.
     [[nodiscard]] bool solve() noexcept;
     [[nodiscard]] const Vector& solution() const noexcept { return x_; }
     [[nodiscard]] int active() const noexcept { return active_count_; }
 
   private:
     [[nodiscard]] double violation(const Constraint& c) const noexcept;
-    [[nodiscard]] int most_violated() const noexcept;
+    [[nodiscard]] int max_violated() const noexcept;
     [[nodiscard]] bool add_active(int index) noexcept;
     void direction(int index) noexcept;
     void drop(int slot) noexcept;
@@ -54,7 +55,7 @@ class QuadraticProgram {
     Matrix hessian_, factor_, columns_,
         gram_;  ///< L of H, L⁻¹N of active normals, its Gram matrix.
     Vector gradient_, x_, multipliers_, step_, slopes_, normal_;
-    std::array<int, kMost> active_{};
+    std::array<int, kMaximum> active_{};
     std::vector<Constraint> constraints_;
 };
 

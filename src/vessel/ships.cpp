@@ -30,7 +30,7 @@ void keep_upright(PublishedShip& ship, const MainSizes& s, bool roll) {
     g(2, 2) = s.density * kGravity * plane;
     if (roll) g(3, 3) = s.mass * kGravity * kMetacentre * s.beam;
     g(4, 4) = s.density * kGravity * plane * s.length * s.length / 14.0;
-    // As rigid bodies: added masses of these motions are not published.
+    // Use the rigid-body mass, because added masses of these motions are not published.
     d(2, 2) = 2.0 * kRatio * std::sqrt(g(2, 2) * s.mass);
     if (roll) d(3, 3) = 2.0 * kRatio * std::sqrt(g(3, 3) * ship.body.inertia(0, 0));
     d(4, 4) = 2.0 * kRatio * std::sqrt(g(4, 4) * ship.body.inertia(1, 1));
@@ -54,7 +54,7 @@ constexpr KvlccSizes kKvlcc[] = {
     {"kvlcc2_l3", {2.902, 0.527, 0.189}, 0.235, 0.102, 0.090, 0.144, 0.00928, 0.40, 0.76, 18.1946},
     {"kvlcc2", {320.0, 58.0, 20.8}, 312600.0, 11.2, 9.86, 15.8, 112.5, 0.35, 7.9739, 1.77851}};
 
-/// Revolutions at which thrust is resistance on a straight course, by bisection.
+/// Return the revolutions at which thrust equals resistance on a straight course, by bisection.
 double self_propulsion(const VesselDef& v, double speed) {
     const double resistance = 0.022 * 0.5 * v.density * v.polynomial.area * speed * speed;
     double low = 0.0, high = 10.0 * speed / v.mmg.diameter;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file ships.h
-/// What published ships share (hawser/vessel_ships.h).
+/// Set the data that published ships have in common (hawser/vessel_ships.h).
 
 #include <hawser/vessel_ships.h>
 
@@ -14,11 +14,12 @@ struct MainSizes {
     double density = 1025.0;                         ///< [kg/m³].
 };
 
-/// Heave, roll and pitch of a ship without published ones: they stay at rest unless loaded.
-/// @param roll  With roll.
+/// Set heave, roll and pitch of a ship for which they are not published: it stays upright unless
+/// loaded.
+/// @param roll  Set roll, too.
 void keep_upright(PublishedShip& ship, const MainSizes& sizes, bool roll);
 
-/// Body of this mass with radii of gyration in roll and yaw [m]; pitch has that of yaw.
+/// Set mass and inertia from radii of gyration in roll and yaw [m]; pitch uses that of yaw.
 void set_body(PublishedShip& ship, const MainSizes& sizes, double roll_radius, double yaw_radius);
 
 }  // namespace hawser::vessel

@@ -100,20 +100,20 @@ void set_s175_stern(SonNomotoStern& s, double length) {
     s.hull_x = -0.48;
 }
 
-/// c² = 0.605 u n + 38.2 n² times more variables.
+/// Add a term c² = 0.605 u n + 38.2 n², times more variables.
 void add_slipstream(std::vector<HullTerm>& terms, HullAxis axis, double value, const char* more) {
     terms.push_back({axis, std::string("un") + more, 0.605 * value});
     terms.push_back({axis, std::string("nn") + more, 38.2 * value});
 }
 
-/// L g_T = −0.00695 u² − 0.00063 L u n + 0.0000354 L² |n| n.
+/// Add the thrust L g_T = −0.00695 u² − 0.00063 L u n + 0.0000354 L² |n| n.
 void add_thrust(std::vector<HullTerm>& terms, HullAxis axis, double value, double length) {
     terms.push_back({axis, "uu", -0.00695 * value});
     terms.push_back({axis, "un", -0.00063 * length * value});
     terms.push_back({axis, "nN", 0.0000354 * length * length * value});
 }
 
-/// @param z  Draught over the water under the keel.
+/// Return the terms of the Esso 190k tanker. @param z  Draught over the water depth under the keel.
 std::vector<HullTerm> esso_terms(double length, double z) {
     std::vector<HullTerm> terms;
     const double a = 1.0 / length, b = a * a;
@@ -142,7 +142,8 @@ std::vector<HullTerm> esso_terms(double length, double z) {
     return terms;
 }
 
-/// Speed at which X vanishes on a straight course: X = a u² + b u + c with constant revolutions.
+/// Return the speed at which X vanishes on a straight course. X = a u² + b u + c at constant
+/// revolutions.
 double esso_speed(double length, double z, double rps) {
     const double t = 1.0 - 0.22;
     const double a = -0.0377 - 0.0061 * z - 0.00695 * t, b = -0.00063 * length * rps * t;
@@ -290,7 +291,7 @@ PublishedShip osv() {
     };
     propulsor("bow1", PropulsorKind::tunnel, {37.0, 0.0, 0.0}, 300e3);
     propulsor("bow2", PropulsorKind::tunnel, {35.0, 0.0, 0.0}, 300e3);
-    // The source has 420 and 655 kN, whose full ahead turns the ship.
+    // The source has 420 and 655 kN, with which full ahead turns the ship.
     propulsor("port", PropulsorKind::azimuth, {-41.5, 7.0, 0.0}, 537.5e3);
     propulsor("starboard", PropulsorKind::azimuth, {-41.5, -7.0, 0.0}, 537.5e3);
     return ship;

@@ -26,7 +26,7 @@ namespace hawser::vessel {
 namespace {
 
 constexpr double kRightAngle = 0.5 * std::numbers::pi;
-constexpr double kHeavier = 1.15;  ///< Second displacement of the table, over the first.
+constexpr double kHeavier = 1.15;  ///< Second displacement of the table, relative to the first.
 constexpr int kSamples = 180;      ///< Number of samples of the residual area, from 0 to 90°.
 
 /// Return the value of a table from 0 to 90° by cubics through four neighbours.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file stability_curve.h
-/// Righting levers of a ship, and the criteria of a towline (hawser/stability.h).
+/// Compute righting levers of a ship, and the criteria of a towline (hawser/stability.h).
 
 #include <hawser/hull.h>
 #include <hawser/stability.h>
@@ -14,21 +14,23 @@ namespace hawser::vessel {
 /// Righting levers by heel and displacement, and the criteria.
 class StabilityCurve {
   public:
-    /// Levers of a mesh, with the centre of mass at its origin, or GM sin φ of an empty mesh.
-    /// @param def  Without defaults left but `stern` and angles.
+    /// Compute the levers of a mesh with the centre of mass at its origin; of an empty mesh, GM sin
+    /// φ.
+    /// @param def  Without open defaults except `stern` and angles.
     StabilityCurve(const StabilityDef& def, const HullMesh& mesh, double density);
 
     /// Return GZ at a heel of 0 to 90° with an added weight at the pin's height on the centreline
     /// [m]. @param added  [kg].
     [[nodiscard]] double lever(double heel, double added) const noexcept;
-    /// Return the largest GZ of the ship alone and its angle [m, rad].
+    /// Return the largest GZ of the ship alone [m] and its angle [rad].
     [[nodiscard]] std::array<double, 2> most() const noexcept { return most_; }
-    /// Return y = y₀ + x tan α, at most the half breadth of the mesh [m].
+    /// Return y of the towline's point, y₀ + x tan α, limited to the half breadth of the mesh [m].
     [[nodiscard]] double outreach(double alpha) const noexcept;
     /// Return h [m].
     [[nodiscard]] double height() const noexcept { return def_.pin.z() - def_.thrust_height; }
     [[nodiscard]] StabilityCheck check(double force, double alpha, double beta) const noexcept;
-    /// @param halvings  Number of bisections of the interval up to the ship's weight.
+    /// Return the permissible tension. @param halvings  Number of bisections of the interval up to
+    /// the ship's weight.
     [[nodiscard]] double permissible(double alpha, double beta, int halvings) const noexcept;
     [[nodiscard]] const StabilityDef& def() const noexcept { return def_; }
 
@@ -49,7 +51,7 @@ class StabilityCurve {
     double half_angle_ = 0.0;  ///< Heel with half of the largest GZ [rad].
     double half_breadth_;      ///< [m]
     double freeboard_ = 0.0;   ///< At the stern, afloat without a tow [m].
-    double sinks_ = 0.0;       ///< Change of it per added mass [m/kg].
+    double sinks_ = 0.0;       ///< Its change per added mass [m/kg].
 };
 
 }  // namespace hawser::vessel

@@ -11,7 +11,7 @@
 namespace hawser::vessel {
 namespace {
 
-/// Number of the end of a wire on a body; −1: none.
+/// Return the number of the end of a wire on a body; −1 if there is none.
 int end_on(const World& world, WireId wire, BodyId body) noexcept {
     const std::span<const BodyId> nodes = world.nodes(wire);
     if (nodes.empty()) return -1;
@@ -62,7 +62,7 @@ void StabilitySystem::signals(SignalTable& table) {
     table.output("alarm", "1", alarm_);
 }
 
-/// Tension and direction of the first element that leads beyond the pin.
+/// Read the tension and direction of the first element beyond the pin.
 void StabilitySystem::read_wire(const World& world) noexcept {
     const StabilityDef& def = curve_->def();
     tension_ = 0.0;
@@ -106,7 +106,7 @@ void StabilitySystem::read_ship(const World& world) noexcept {
     heel_gm_ = def.gm > 0.0 ? std::atan(lever_ / def.gm) : 0.0;
 }
 
-/// Levels of alarm, with hysteresis.
+/// Update the alarm levels, with hysteresis.
 void StabilitySystem::alert(Prestep& now) noexcept {
     const StabilityDef& def = curve_->def();
     const double heeled = std::abs(heel_) / def.most_heel;
@@ -123,7 +123,7 @@ void StabilitySystem::prestep(Prestep& now, Loads&) noexcept {
     read_wire(now.world);
     read_ship(now.world);
     if (begun_ == 0 || now.count % kRenew == 0) {
-        constexpr int kHalvings = 24;  // of the weight: to 1e-7 of it
+        constexpr int kHalvings = 24;  // bisections of the weight, to 1e-7 of it
         permissible_ = curve_->permissible(alpha_, beta_, kHalvings);
         const double next = std::max(permissible_ * (1.0 + 1e-6), 1.0);
         criterion_ = curve_->check(next, alpha_, beta_).criterion;

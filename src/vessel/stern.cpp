@@ -8,7 +8,7 @@
 namespace hawser::vessel {
 namespace {
 
-/// Thrust of K_T = k0 + k1 J + k2 J² without the division by n [N].
+/// Return the thrust of K_T = k0 + k1 J + k2 J², without dividing by n [N].
 double quadratic_thrust(double k0, double k1, double k2, double rps, double flow, double d,
                         double density) noexcept {
     return density * d * d *
@@ -16,7 +16,7 @@ double quadratic_thrust(double k0, double k1, double k2, double rps, double flow
             k2 * flow * std::abs(flow));
 }
 
-/// Velocity √(u² + k 8 T/(π ρ D²)) in the slipstream, at least 0 [m/s].
+/// Return the velocity √(u² + k 8 T/(π ρ D²)) in the slipstream, at least 0 [m/s].
 double slipstream(double flow, double thrust, double factor, double d, double density) noexcept {
     const double square =
         flow * flow + factor * 8.0 * thrust / (std::numbers::pi * density * d * d);

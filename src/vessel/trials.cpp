@@ -19,22 +19,22 @@ class Track {
         read();
         start_ = place_;
         first_ = course_;
-        last_place_ = place_;
+        last_position_ = place_;
     }
-    /// After a step.
+    /// Record the position after a step.
     void step() {
         const double before = course_;
-        last_place_ = place_;
+        last_position_ = place_;
         read();
         heading_ += std::remainder(course_ - before, 2.0 * std::numbers::pi);
-        way_ += (place_ - last_place_).norm();
+        way_ += (place_ - last_position_).norm();
     }
     [[nodiscard]] double heading() const noexcept { return heading_; }  ///< Change [rad].
     [[nodiscard]] double roll() const noexcept { return roll_; }
     [[nodiscard]] double way() const noexcept { return way_; }
     [[nodiscard]] double along(double share) const noexcept { return at(share).first; }
     [[nodiscard]] double across(double share) const noexcept { return at(share).second; }
-    [[nodiscard]] double last_way() const noexcept { return (place_ - last_place_).norm(); }
+    [[nodiscard]] double last_way() const noexcept { return (place_ - last_position_).norm(); }
 
   private:
     void read() {
@@ -44,15 +44,15 @@ class Track {
         course_ = -std::atan2(axes(1, 0), axes(0, 0));
         roll_ = std::atan2(axes(2, 1), axes(2, 2));
     }
-    /// Between the last two steps.
+    /// Interpolate the position between the last two steps.
     [[nodiscard]] std::pair<double, double> at(double share) const noexcept {
-        const Vec3 d = last_place_ + share * (place_ - last_place_) - start_;
+        const Vec3 d = last_position_ + share * (place_ - last_position_) - start_;
         const double c = std::cos(first_), s = std::sin(first_);
         return {c * d.x() - s * d.y(), -s * d.x() - c * d.y()};
     }
     const World& world_;
     const VesselDef& vessel_;
-    Vec3 place_{0.0, 0.0, 0.0}, last_place_{0.0, 0.0, 0.0}, start_{0.0, 0.0, 0.0};
+    Vec3 place_{0.0, 0.0, 0.0}, last_position_{0.0, 0.0, 0.0}, start_{0.0, 0.0, 0.0};
     double course_ = 0.0, first_ = 0.0, heading_ = 0.0, roll_ = 0.0, way_ = 0.0;
 };
 
@@ -117,12 +117,12 @@ ZigZagTrial zig_zag(World& world, const VesselDef& vessel, double rudder, double
         const double from = world.time() - begin;
         step_trial(world);
         track.step();
-        // Heading change to the side of the last order but one.
+        // Heading change towards the side of the previous order.
         const double side = order < 0.0 ? -1.0 : 1.0;
         const double now = track.heading();
         out.most_roll = std::max(out.most_roll, std::abs(track.roll()));
         if (executed) {
-            // The ship turns on to the other side of the order until it answers.
+            // The heading overshoots until the ship responds to the order.
             if (-side * now > peak) {
                 peak = -side * now;
             } else if (-side * now < peak - 1e-6) {
@@ -153,7 +153,7 @@ std::vector<ImoCriterion> imo_criteria(double length, double speed, const Turnin
         out.push_back({"advance", turn.advance / length, 4.5, "L"});
         out.push_back({"tactical diameter", turn.tactical / length, 5.0, "L"});
     }
-    // By the time in which the ship goes its own length.
+    // The criterion depends on the time in which the ship moves by its length.
     const double t = length / speed;
     const double first = t < 10.0 ? 10.0 : t >= 30.0 ? 20.0 : 5.0 + 0.5 * t;
     const double second = t < 10.0 ? 25.0 : t >= 30.0 ? 40.0 : 17.5 + 0.75 * t;

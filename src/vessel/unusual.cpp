@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-/// Non-dimensional values of vessels beside those of published ships.
+// SPDX-License-Identifier: Apache-2.0 Compare non-dimensional values of vessels with those of
+// published ships.
 #include <hawser/sea.h>
 #include <hawser/vessel.h>
 #include <hawser/world.h>
@@ -14,7 +14,7 @@
 namespace hawser {
 namespace {
 
-/// Collects sentences.
+/// Collect the sentences of a report.
 class Unusual {
   public:
     void range(const std::string& what, double value, double least, double most) {
@@ -50,7 +50,7 @@ void check_lengths(const VesselDef& def, double length, Unusual& out) {
     compare("cross_flow/length", def.cross_flow.length);
 }
 
-/// Weight has to be carried once.
+/// Check that the weight is carried once only.
 void check_weight(const World& world, const VesselDef& def, Unusual& out) {
     const SeaDef* sea = find_sea(world);
     const bool afloat =
@@ -88,7 +88,7 @@ std::vector<std::string> unusual_values(const World& world, const VesselDef& def
     }
     const HullPolynomial& p = def.polynomial;
     if (!p.terms.empty() && p.scale == HullScale::speed) {
-        // On L d, whatever the source's area.
+        // Refer to L d, for any reference area of the source.
         const double draught = def.draught > 0.0 ? def.draught : 0.05 * length;
         const double share = p.area / (length * draught);
         out.range("Y' of v on L d", -share * term_of(p, HullAxis::y, "v"), 0.08, 1.0);

@@ -7,7 +7,7 @@
 namespace hawser::vessel {
 namespace {
 
-constexpr double kMostState = 1e6;  ///< Of velocities [m/s, rad/s].
+constexpr double kMaxState = 1e6;  ///< Limit of velocities [m/s, rad/s].
 
 }  // namespace
 
@@ -50,9 +50,9 @@ void VesselSystem::check_state(const World& world, StateRules& rules) const {
     rules.flag(started_, "whether it has started is no flag");
     rules.flag(steering_limited_, "whether the steering gear is at its limit is no flag");
     for (const double x : last_velocity_)
-        rules.range(x, -kMostState, kMostState, "the last velocity is out of range");
+        rules.range(x, -kMaxState, kMaxState, "the last velocity is out of range");
     for (const double x : last_spin_)
-        rules.range(x, -kMostState, kMostState, "the last turning rate is out of range");
+        rules.range(x, -kMaxState, kMaxState, "the last turning rate is out of range");
     bus_.check_state(rules);
     const auto failure = [&](std::int32_t last) {
         rules.range(last, 0.0, 3.0, "the last failure is none of 0 to 3");

@@ -16,8 +16,8 @@
 namespace hawser::vessel {
 namespace {
 
-/// Steps of difference quotients [m/s, rad/s]. Forces are of second order in the velocity, so that
-/// central differences are exact but for rounding.
+/// Steps of difference quotients [m/s, rad/s]. Forces are quadratic in the velocity, so that
+/// central differences are exact to rounding.
 constexpr double kSpeedStep = 1e-3, kTurnStep = 1e-5;
 
 Mat3 cross_matrix(const Vec3& a) noexcept {
@@ -26,15 +26,15 @@ Mat3 cross_matrix(const Vec3& a) noexcept {
     return out;
 }
 
-/// From velocities of the centre of mass to those of O, both in the marine frame.
+/// Return the matrix from velocities of the centre of mass to velocities of O, in the marine frame.
 Matrix6 to_origin(const Vec3& arm) noexcept {
     Matrix6 out = Matrix6::Identity();
     out.topRightCorner<3, 3>() = -cross_matrix(arm);
     return out;
 }
 
-/// Symmetric positive semi-definite matrix nearest to an added mass, which loads need; the same one
-/// if it is such. @param radius  Scale of lengths [m].
+/// Return the symmetric positive semi-definite matrix nearest to an added mass, as loads require.
+/// @param radius  Scale of lengths [m].
 Matrix6 part_for_loads(const Matrix6& a, double radius) {
     Wrench scale;
     scale << 1.0, 1.0, 1.0, radius, radius, radius;
@@ -71,7 +71,7 @@ double signal_or(const World& world, std::string_view name, double fallback) noe
     return s == nullptr ? fallback : *s->value;
 }
 
-/// Current at a depth below still water [m/s].
+/// Return the current at a depth below still water [m/s].
 Vec3 current_at(const std::vector<SeaCurrent>& profile, double depth) noexcept {
     if (profile.empty()) return Vec3::Zero();
     const auto flow = [](const SeaCurrent& c) {
@@ -88,7 +88,8 @@ Vec3 current_at(const std::vector<SeaCurrent>& profile, double depth) noexcept {
     return flow(profile.back());
 }
 
-/// Mean wind at a height, of the profile of NPD (hawser/sea.h) [1].
+/// Return the mean wind at a height over the wind at 10 m, by the profile of NPD (hawser/sea.h)
+/// [1].
 double wind_profile(double speed, double height) noexcept {
     const double c = 0.0573 * std::sqrt(1.0 + 0.15 * speed);
     return std::max(0.0, 1.0 + c * std::log(std::max(1.0, height) / 10.0));
@@ -177,7 +178,7 @@ VesselSystem::Motion VesselSystem::motion_of(const Prestep& now) noexcept {
         last_spin_ = twist.angular;
         started_ = 1;
     }
-    // Velocities are half a step old, those before a step and a half.
+    // Velocities are half a step old, those of the step before one and a half steps: extrapolate.
     const Vec3 velocity = twist.linear + 0.5 * (twist.linear - last_velocity_);
     const Vec3 spin = twist.angular + 0.5 * (twist.angular - last_spin_);
     last_velocity_ = twist.linear;
@@ -243,7 +244,7 @@ Wrench VesselSystem::wind_force(const Motion& m) const noexcept {
     return out;
 }
 
-/// −C_A ν of the added mass.
+/// Return −C_A ν of the added mass.
 Wrench VesselSystem::added_coriolis(const Motion& m) const noexcept {
     Wrench out = Wrench::Zero();
     const Matrix6& a = def_.added_mass;
@@ -267,8 +268,8 @@ Wrench VesselSystem::added_coriolis(const Motion& m) const noexcept {
     return out;
 }
 
-/// Load of forces τ of the marine frame: P (τ − c) + c + A (Ω × ν), with P = M_s M⁻¹ and the
-/// Coriolis force −c of the body's own mass, which the world has.
+/// Return the load of forces τ in the marine frame: P (τ − c) + c + A (Ω × ν), with P = M_s M⁻¹ and
+/// the Coriolis force −c of the body's mass, which the world computes.
 Wrench VesselSystem::load_of(const Motion& m, const Wrench& force) const noexcept {
     const Vec3 turn{0.0, 0.0, m.flow.r()};
     const Vec3 linear = m.centre.head<3>(), angular = m.centre.tail<3>();
@@ -303,7 +304,8 @@ void VesselSystem::add_loads(Loads& loads, const Motion& m, const Wrench& force,
 
 namespace {
 
-/// Report a failure that begins. @param last  That of the last step, out: of this one.
+/// Report a failure that begins. @param last  Input: failure of the last step. Output: of this
+/// step.
 void report_failure(Prestep& now, BodyId body, double input, std::int32_t& last) noexcept {
     const auto mode = static_cast<std::int32_t>(failure_of(input));
     if (mode != 0 && mode != last) now.tell(EventKind::failure, body, input);

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file vessel_system.h
-/// Loads of a vessel at the beginning of each step (hawser/vessel.h).
+/// Apply the loads of a vessel at the beginning of each step (hawser/vessel.h).
 ///
-/// With the velocities ν* of O at the begin of the step, the matrix B from velocities of the centre
-/// of mass in the world frame to those of O in the marine frame, and D_i = −∂τ_i/∂ν_i ≥ 0:
+/// ν* is the velocity of O at the beginning of the step. B maps velocities of the centre of mass in
+/// the world frame to velocities of O in the marine frame. D_i = −∂τ_i/∂ν_i ≥ 0:
 /// ```
 ///     f = Bᵀ (τ(ν*) + D ν* + A (Ω × ν)* − C_A ν* − G η)     A, D, K = Bᵀ (A, D, G) B
 /// ```
-/// Loads take positive semi-definite masses alone. Of another A, as published sets may have, the
-/// nearest such part A_s is the load's, and the forces are multiplied with
-/// P = (M_RB + A_s)(M_RB + A)⁻¹, which gives the same accelerations.
+/// Loads accept positive semi-definite masses only. Published sets may have another A. Then the
+/// load uses the nearest such matrix A_s, and forces are multiplied by P = (M_RB + A_s)(M_RB +
+/// A)⁻¹, which gives the same accelerations.
 ///
-/// A (Ω × ν) turns the acceleration of the world frame, which the mass of a load meets, into that
-/// of the marine frame, which turns with Ω = (0, 0, r).
+/// A (Ω × ν) converts the acceleration of the world frame, on which the mass of a load acts, to the
+/// acceleration of the marine frame, which rotates with Ω = (0, 0, r).
 
 #include <hawser/system.h>
 #include <hawser/vessel.h>
@@ -33,8 +33,8 @@
 
 namespace hawser::vessel {
 
-/// Mass matrix of a body at O, marine frame, upright. @param origin  O from the centre of mass, in
-/// the body's frame.
+/// Return the mass matrix of a body at O, marine frame, upright. @param origin  O relative to the
+/// centre of mass, in the body's frame [m].
 [[nodiscard]] Matrix6 rigid_mass(double mass, const Mat3& inertia, const Vec3& origin);
 
 class VesselSystem final : public System {
@@ -59,12 +59,12 @@ class VesselSystem final : public System {
     [[nodiscard]] static bool has_shaft(const VesselDef& def) noexcept;
 
   private:
-    /// Place and motion of the ship in one step.
+    /// Position and motion of the ship in one step.
     struct Motion {
         Flow flow;
         Wrench ground = Wrench::Zero();  ///< Velocity of O over ground, marine frame.
-        Wrench centre = Wrench::Zero();  ///< Of the centre of mass through the water.
-        Vec3 arm{0.0, 0.0, 0.0};         ///< O from the centre of mass, marine frame.
+        Wrench centre = Wrench::Zero();  ///< Velocity of the centre of mass through the water.
+        Vec3 arm{0.0, 0.0, 0.0};         ///< O relative to the centre of mass, marine frame [m].
         Mat3 axes = Mat3::Identity();    ///< Columns: marine axes in the world.
         Vec3 wind{0.0, 0.0, 0.0};        ///< Past the ship, marine frame.
         double air = 0.0;                ///< Density [kg/m³].
@@ -72,7 +72,7 @@ class VesselSystem final : public System {
     };
     [[nodiscard]] Motion motion_of(const Prestep& now) noexcept;
     void read_sea(const World& world, Vec3& current, Vec3& wind, Motion& m) const noexcept;
-    /// Forces that depend on the velocity through the water.
+    /// Return the forces that depend on the velocity through the water.
     [[nodiscard]] Wrench water_force(const Flow& flow) const noexcept;
     [[nodiscard]] Wrench wind_force(const Motion& m) const noexcept;
     [[nodiscard]] Wrench added_coriolis(const Motion& m) const noexcept;
@@ -91,12 +91,12 @@ class VesselSystem final : public System {
     double mass_;
     Mat3 inertia_;
     Matrix6 added_;    ///< Symmetric positive semi-definite part of A, as a load.
-    Matrix6 balance_;  ///< P = M_s M⁻¹; identity if that is all of A.
+    Matrix6 balance_;  ///< P = M_s M⁻¹; identity if A_s = A.
     bool balanced_ = true;
     Polynomial polynomial_;
     std::vector<Propulsor> propulsors_;
     std::vector<Rudder> rudders_;
-    Surface surface_;  ///< Computed anew in each step.
+    Surface surface_;  ///< Water surface, updated in each step.
     bool lossy_ = false;
     std::vector<FedLine> lines_;
     std::unique_ptr<Control> control_;  ///< Null: VesselControl::active is false.

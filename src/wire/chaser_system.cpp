@@ -57,7 +57,7 @@ void ChaserSystem::check_state(const World& world, StateRules& rules) const {
     const Guide& ids = guide_->ids();
     if (world.alive(ids.slide) && world.alive(ids.before) && world.alive(ids.behind) &&
         world.alive(ids.friction))
-        guide_->check_place(world, rules);
+        guide_->check_position(world, rules);
     guide_->check_state(world, rules);
 }
 
@@ -81,13 +81,13 @@ void ChaserSystem::holds(HoldTable& table) const {
 
 /// Find the nearest point of wires that are not fastened to the ring, on elements whose nodes can
 /// run through.
-PlaceOnWire ChaserSystem::nearest(const World& world) const {
+PointOnWire ChaserSystem::nearest(const World& world) const {
     const auto loose = [&](WireId wire) {
         const auto nodes = world.nodes(wire);
         return std::find(nodes.begin(), nodes.end(), def_.body) == nodes.end();
     };
-    return nearest_place(world, world.world_point(def_.body, def_.point), kFromEnd, loose,
-                         [](const InteractionDef& d) { return d.get("mass") > 0.0; });
+    return nearest_on_wire(world, world.world_point(def_.body, def_.point), kFromEnd, loose,
+                           [](const InteractionDef& d) { return d.get("mass") > 0.0; });
 }
 
 /// Close the ring on the nearest wire. The eye is where the wire passes, so the wire is not pulled
@@ -98,11 +98,11 @@ void ChaserSystem::take(NodeEdits& nodes) {
         --wait_;
         return;
     }
-    const PlaceOnWire found = nearest(world);
+    const PointOnWire found = nearest(world);
     const auto miss = [&] {
-        const bool told = is(ChaserState::waiting);
+        const bool reported = is(ChaserState::waiting);
         value_ = found.far;
-        become(ChaserState::waiting, told ? Due::nothing : Due::missed);
+        become(ChaserState::waiting, reported ? Due::nothing : Due::missed);
     };
     if (!(found.far <= def_.reach)) return miss();
     const InteractionDef element = world.interaction_def(found.element);
@@ -113,8 +113,8 @@ void ChaserSystem::take(NodeEdits& nodes) {
     def.point = world.local_point(def_.body, found.at);
     const Twist ring = world.velocity(def_.body);
     const Vec3 moves = ring.linear + ring.angular.cross(found.at - world.pose(def_.body).position);
-    const Vec3 wire = (1.0 - found.share) * world.velocity(element.body[0]).linear +
-                      found.share * world.velocity(element.body[1]).linear;
+    const Vec3 wire = (1.0 - found.fraction) * world.velocity(element.body[0]).linear +
+                      found.fraction * world.velocity(element.body[1]).linear;
     const double speed = (wire - moves).dot((ends[1] - ends[0]).normalized());
     auto made = lay_on_guide(nodes, std::move(def), speed);
     if (made == nullptr) {
@@ -136,7 +136,7 @@ void ChaserSystem::let_go(NodeEdits& nodes) {
 }
 
 /// Compute the outputs: position of the ring on its wire, tensions, speed.
-void ChaserSystem::look(const World& world) {
+void ChaserSystem::sample(const World& world) {
     held_ = at_ = left_ = arrived_ = angle_ = speed_ = tension_[0] = tension_[1] = 0.0;
     shown_ = state_;
     if (!is(ChaserState::on)) return;
@@ -178,7 +178,7 @@ void ChaserSystem::before_step(NodeEdits& nodes) noexcept {
         } else {
             become(ChaserState::open, static_cast<Due>(due_));
         }
-        look(nodes.world);
+        sample(nodes.world);
     } catch (const std::bad_alloc&) {
         nodes.out_of_memory();
     } catch (const std::exception&) {

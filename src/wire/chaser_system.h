@@ -45,10 +45,10 @@ class ChaserSystem final : public System {
         state_ = static_cast<std::int32_t>(state);
         due_ = static_cast<std::int32_t>(due);
     }
-    [[nodiscard]] PlaceOnWire nearest(const World& world) const;
+    [[nodiscard]] PointOnWire nearest(const World& world) const;
     void take(NodeEdits& nodes);
     void let_go(NodeEdits& nodes);
-    void look(const World& world);
+    void sample(const World& world);
     void tell(Prestep& now) noexcept;
 
     ChaserDef def_;

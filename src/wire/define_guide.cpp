@@ -22,7 +22,7 @@ namespace {
 }
 
 /// Return the distance of a point from the segment between two others [m].
-double apart(const Vec3& p, const Vec3& a, const Vec3& b) {
+double separation(const Vec3& p, const Vec3& a, const Vec3& b) {
     const Vec3 d = b - a;
     const double t = std::clamp((p - a).dot(d) / std::max(d.squaredNorm(), 1e-300), 0.0, 1.0);
     return (p - a - t * d).norm();
@@ -36,7 +36,7 @@ InteractionId nearest_element(const World& world, const GuideDef& def) {
         if (!world.alive(id) || !world.intact(id)) continue;
         const KindInfo& kind = kind_info(world.interaction_def(id).kind);
         const std::array<Vec3, 2> ends = world.ends(id);
-        const double far = apart(at, ends[0], ends[1]);
+        const double far = separation(at, ends[0], ends[1]);
         if (kind.is(kAtGuide)) guided = std::min(guided, far);
         if (kind.is(kWoundUp) || far >= least) continue;
         least = far;
@@ -74,14 +74,14 @@ Guide guide_there_is(const World& world, const GuideDef& def) {
 
 /// Check that elements on both sides are long enough for nodes to run through.
 /// @throws DefError
-void check_room(const World& world, const GuideDef& def, InteractionId before, InteractionId behind,
-                const std::array<double, 2>& material) {
+void check_space(const World& world, const GuideDef& def, InteractionId before,
+                 InteractionId behind, const std::array<double, 2>& material) {
     if (!(def.element_length > 0.0)) return;
     const auto elements = world.elements(def.wire);
     const auto length = [&](InteractionId id) { return world.interaction_def(id).get("length"); };
     constexpr double kRoom = 2.0, kRounding = 1e-6;
     // Beside another guide elements are shortened as needed (room.h). A drum creates its own.
-    constexpr double kLeast = 0.2;
+    constexpr double kMinimum = 0.2;
     for (const int way : {-1, 1}) {
         auto at = std::find(elements.begin(), elements.end(), way < 0 ? before : behind);
         double sum = material[way < 0 ? 0 : 1], needed = kRoom * def.element_length;
@@ -95,7 +95,7 @@ void check_room(const World& world, const GuideDef& def, InteractionId before, I
             sum += length(*at);
             const KindInfo& kind = kind_info(world.interaction_def(*at).kind);
             if (!kind.is(kWoundUp)) continue;
-            if (kind.is(kAtGuide)) needed = std::min(needed, kLeast);
+            if (kind.is(kAtGuide)) needed = std::min(needed, kMinimum);
             break;
         }
         if (sum < needed * (1.0 - kRounding))
@@ -139,8 +139,8 @@ void check(World& world, const GuideDef& def) {
 ///
 /// Beyond two radii neither test applies, because the wire is led to the guide from elsewhere.
 /// @throws DefError
-void check_place(const GuideDef& def, const InteractionDef& element, const RouteBodies& bodies,
-                 const DrawnWire& drawn) {
+void check_position(const GuideDef& def, const InteractionDef& element, const RouteBodies& bodies,
+                    const DrawnWire& drawn) {
     const auto in_world = [&](std::size_t end) -> Vec3 {
         const RouteBody b = bodies(element.body[end]);
         return b.position + b.orientation * element.point[end];
@@ -149,7 +149,7 @@ void check_place(const GuideDef& def, const InteractionDef& element, const Route
     const Vec3 centre = on.position + on.orientation * def.point;
     const Vec3 first = in_world(0), second = in_world(1);
     const double radius = std::abs(def.radius), length = element.get("length");
-    const double far = apart(centre, first, second) - radius;
+    const double far = separation(centre, first, second) - radius;
     if (far > 0.5 * length)
         refuse(def, "its wire passes " + number(far) +
                         " m beside it, more than half of an element (" + number(0.5 * length) +
@@ -173,7 +173,7 @@ void check_place(const GuideDef& def, const InteractionDef& element, const Route
 
 GuidePlan plan_guide(const GuideDef& def, const InteractionDef& element, double tension,
                      const RouteBodies& bodies, const DrawnWire* drawn) {
-    if (drawn != nullptr) check_place(def, element, bodies, *drawn);
+    if (drawn != nullptr) check_position(def, element, bodies, *drawn);
     const RouteDef route = wire::route_of(def, element, tension);
     GuidePlan out{};
     RoutePlan plan;
@@ -239,8 +239,8 @@ void set_rest_length(GuidePlan& plan, double length) {
 
 }  // namespace
 
-EndLumps end_lumps(const World& world, const InteractionDef& element) {
-    EndLumps out;
+EndNodes end_nodes(const World& world, const InteractionDef& element) {
+    EndNodes out;
     for (const BodyId end : {element.body[0], element.body[1]})
         if (const BodyDef& body = world.body_def(end); body.kind == BodyKind::lump) {
             out.mass += body.mass;
@@ -249,7 +249,7 @@ EndLumps end_lumps(const World& world, const InteractionDef& element) {
     return out;
 }
 
-double kept_by_lumps(const EndLumps& before, const EndLumps& after, double mass) {
+double kept_by_nodes(const EndNodes& before, const EndNodes& after, double mass) {
     constexpr double kRounding = 1e-11;
     const double kept = 0.5 * before.count * mass - (before.mass - after.mass);
     return kept > kRounding * mass ? kept : 0.0;
@@ -285,9 +285,9 @@ Guide lay_on(World& world, GuideDef& def, double speed, std::array<double, 2>& m
     if (!drawn && !def.closed)
         set_rest_length(plan, mass > 0.0 ? mass / def.mass_per_length : length);
     material = {plan.material[0], plan.material[1]};
-    check_room(world, def, id, id, material);
+    check_space(world, def, id, id, material);
     plan.slide.velocity.x() = speed;
-    const EndLumps had = end_lumps(world, element);
+    const EndNodes had = end_nodes(world, element);
     out.slide = world.add_body(plan.slide);
     try {
         for (InteractionDef* part : {&plan.before, &plan.behind}) part->body[2] = out.slide;
@@ -304,7 +304,7 @@ Guide lay_on(World& world, GuideDef& def, double speed, std::array<double, 2>& m
     out.friction = world.add_interaction(plan.friction);
     out.angle = plan.angle;
     def.slide = out.slide;
-    if (const double kept = kept_by_lumps(had, end_lumps(world, element), mass); kept > 0.0)
+    if (const double kept = kept_by_nodes(had, end_nodes(world, element), mass); kept > 0.0)
         for (double& m : material) m *= 1.0 - kept / mass;
     return out;
 }
@@ -328,7 +328,7 @@ Guide define(World& world, const GuideDef& given) {
                 world.interaction_def(side == 0 ? out.before : out.behind).get("length");
         if (std::isnan(def.mass_per_length) || std::isnan(def.element_length))
             refuse(def, "with a slide of its own give mass_per_length and element_length");
-        check_room(world, def, out.before, out.behind, material);
+        check_space(world, def, out.before, out.behind, material);
     } else {
         out = wire::lay_on(world, def, 0.0, material, true);
     }

@@ -52,8 +52,8 @@ void define(World& world, const PostDef& def) { wire::add_post(world, def, {}); 
 void wire::add_post(World& world, const PostDef& def, BodyId carrier) {
     check(world, def);
     const ShapeDef& shape = world.shape_def(def.shape);
-    wire::PostPlace place{shape.body, shape.position, shape.orientation * Vec3::UnitZ(),
-                          shape.radius, shape.half_length};
+    wire::PostPosition place{shape.body, shape.position, shape.orientation * Vec3::UnitZ(),
+                             shape.radius, shape.half_length};
     place.carrier = carrier.valid() ? carrier : shape.body;
     place.carried_axis = place.axis;
     if (carrier.valid())

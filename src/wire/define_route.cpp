@@ -62,13 +62,13 @@ Straight straight_between(const RouteDef& def, const Corner& a, const Corner& b)
     if (a.radius != 0.0 || b.radius != 0.0) {
         const Vec3 n = a.radius != 0.0 ? a.normal : b.normal;
         const double turn = a.radius != 0.0 && a.normal.dot(b.normal) < 0.0 ? -1.0 : 1.0;
-        const double r1 = b.radius * (a.radius != 0.0 ? turn : 1.0), apart = r1 - a.radius;
+        const double r1 = b.radius * (a.radius != 0.0 ? turn : 1.0), separation = r1 - a.radius;
         const Vec3 flat = d - d.dot(n) * n;
         const double size = flat.norm();
-        if (!(size > std::abs(apart) * (1.0 + 1e-9)))
+        if (!(size > std::abs(separation) * (1.0 + 1e-9)))
             refuse(def, "two of its wheels, or a wheel and an end, are closer than their radii");
-        const double c = std::sqrt(size * size - apart * apart);
-        const Vec3 u = (c * flat - apart * n.cross(flat)) / (size * size);
+        const double c = std::sqrt(size * size - separation * separation);
+        const Vec3 u = (c * flat - separation * n.cross(flat)) / (size * size);
         s.from += a.radius * u.cross(n);
         s.to += r1 * u.cross(n);
         if (a.radius != 0.0 && b.radius != 0.0) leave_own_planes(a, b, s);
@@ -214,7 +214,7 @@ RouteBodies bodies_of(const World& world, const RouteDef& def) {
 /// 10⁴ on, up to a thousandth of the lightest body.
 double slide_mass(const RouteDef& def, const RouteBodies& bodies, double lightest,
                   double heaviest) {
-    constexpr double kRatio = 1e4, kMost = 1e-3;
+    constexpr double kRatio = 1e4, kMaximum = 1e-3;
     const std::vector<Corner> corners = corners_of(def, bodies);
     std::vector<Straight> straight;
     for (std::size_t i = 0; i + 1 < corners.size(); ++i)
@@ -225,7 +225,7 @@ double slide_mass(const RouteDef& def, const RouteBodies& bodies, double lightes
     for (std::size_t i = 0; i < def.places.size(); ++i)
         exponent += def.places[i].friction * angles[i];
     const double ratio = std::min(std::exp(exponent), heaviest / lightest);
-    return lightest * std::clamp(kSlideMass * ratio / kRatio, kSlideMass, kMost);
+    return lightest * std::clamp(kSlideMass * ratio / kRatio, kSlideMass, kMaximum);
 }
 
 }  // namespace

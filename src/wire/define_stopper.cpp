@@ -52,13 +52,13 @@ void check_others(World& world, const StopperDef& def) {
         if (other == nullptr || !other->def().closed) continue;
         const auto theirs = other->claim(world);
         if (!theirs || theirs->wire != claim->wire) continue;
-        const double apart = std::abs(theirs->at - claim->at);
-        if (apart > wire::kStopperAtLump) continue;
+        const double separation = std::abs(theirs->at - claim->at);
+        if (separation > wire::kStopperAtNode) continue;
         refuse(def, "point: closed at the start it would hold the node that stopper '" +
-                        other->def().name + "' holds, " + number(apart) +
+                        other->def().name + "' holds, " + number(separation) +
                         " m from it along the wire; give points whose nearest places on the wire "
                         "are more than " +
-                        number(wire::kStopperAtLump) + " m apart, or start one of them open");
+                        number(wire::kStopperAtNode) + " m apart, or start one of them open");
     }
 }
 

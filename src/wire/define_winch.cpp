@@ -53,7 +53,7 @@ void check_numbers(const WinchDef& def) {
 /// Return the geometry of the drum.
 /// @throws DefError if its capacity is less than the stored length.
 wire::DrumGeometry drum_of(const WinchDef& def) {
-    constexpr double kLeast = 2.5;  // radius over diameter of the wire
+    constexpr double kMinimum = 2.5;  // radius over diameter of the wire
     check_number(def, "core_radius", def.core_radius, 0.0, true);
     check_number(def, "width", def.width, 0.0, true);
     check_number(def, "wire_diameter", def.wire_diameter, 0.0, true);
@@ -62,8 +62,8 @@ wire::DrumGeometry drum_of(const WinchDef& def) {
                             .wire_diameter = def.wire_diameter,
                             .layer_pitch = def.layer_pitch,
                             .flange_radius = def.flange_radius};
-    if (def.core_radius < kLeast * def.wire_diameter)
-        refuse(def, "core_radius = " + number(def.core_radius) + " m is below " + number(kLeast) +
+    if (def.core_radius < kMinimum * def.wire_diameter)
+        refuse(def, "core_radius = " + number(def.core_radius) + " m is below " + number(kMinimum) +
                         " diameters of its wire, which does not bend so far; give a larger drum");
     if (std::isnan(drum.layer_pitch)) drum.layer_pitch = def.wire_diameter;
     check_number(def, "layer_pitch", drum.layer_pitch, 0.0, true);
@@ -72,9 +72,9 @@ wire::DrumGeometry drum_of(const WinchDef& def) {
                         " m: no wrap of its wire fits between the "
                         "flanges");
     if (std::isnan(def.flange_radius)) {
-        constexpr int kMost = 1000;
+        constexpr int kMaximum = 1000;
         const int layer = drum.place(def.stored).layer;
-        if (layer > kMost)
+        if (layer > kMaximum)
             refuse(def, "stored = " + number(def.stored) + " m: it takes " + std::to_string(layer) +
                             " layers");
         drum.flange_radius = drum.radius(layer) + 0.5 * drum.wire_diameter;

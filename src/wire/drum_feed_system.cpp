@@ -31,10 +31,10 @@ void DrumFeedSystem::visit_state(StateVisitor& v) {
 
 void DrumFeedSystem::check_state(const World& world, StateRules& rules) const {
     static_cast<void>(world);
-    constexpr double kMostWire = 1e7, kMostAngle = 1e15;  // [m], [rad]: as for positions of bodies
-    rules.range(at_drum_, -kMostWire, kMostWire, "the wire at the drum is out of range");
-    rules.range(paid_, -kMostAngle, kMostAngle, "the wire paid out is out of range");
-    rules.range(angle_, -kMostAngle, kMostAngle, "the angle of the drum is out of range");
+    constexpr double kMaxWire = 1e7, kMaxAngle = 1e15;  // [m], [rad]: as for positions of bodies
+    rules.range(at_drum_, -kMaxWire, kMaxWire, "the wire at the drum is out of range");
+    rules.range(paid_, -kMaxAngle, kMaxAngle, "the wire paid out is out of range");
+    rules.range(angle_, -kMaxAngle, kMaxAngle, "the angle of the drum is out of range");
 }
 
 void DrumFeedSystem::signals(SignalTable& table) {

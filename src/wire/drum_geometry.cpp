@@ -15,7 +15,7 @@ constexpr double kRounding = 1e-9;
 /// Return a quotient as a whole number, at most the largest count of layers or wraps; NaN gives 0.
 int whole_part(double quotient) noexcept {
     const double whole = std::floor(quotient + kRounding);
-    return whole >= 0.0 ? static_cast<int>(std::min(whole, 1.0 * DrumGeometry::kMostLayers)) : 0;
+    return whole >= 0.0 ? static_cast<int>(std::min(whole, 1.0 * DrumGeometry::kMaxLayers)) : 0;
 }
 
 }  // namespace
@@ -25,7 +25,7 @@ int DrumGeometry::wraps_a_layer() const noexcept { return whole_part(width / wir
 int DrumGeometry::layers() const noexcept {
     const double above = flange_radius - core_radius - wire_diameter;  // of the first layer
     if (above < -kRounding) return 0;
-    return std::min(1 + whole_part(above / layer_pitch), kMostLayers);
+    return std::min(1 + whole_part(above / layer_pitch), kMaxLayers);
 }
 
 double DrumGeometry::radius(int layer) const noexcept {
@@ -41,13 +41,13 @@ DrumGeometry::Place DrumGeometry::place(double length) const noexcept {
     Place out{.radius = radius(1)};
     const double n = wraps_a_layer();
     // A length above any capacity ends in the last layer. NaN ends in the first.
-    const double l = length > 0.0 ? std::min(length, length_of(kMostLayers)) : 0.0;
+    const double l = length > 0.0 ? std::min(length, length_of(kMaxLayers)) : 0.0;
     // Take the larger root of S(K) = l and correct the whole number for rounding.
     const double a = 0.5 * layer_pitch, b = radius(1) - a, c = l / (kTurn * n);
     const double root = 2.0 * c / (b + std::sqrt(b * b + 4.0 * a * c));
-    out.layer = root > 1.0 ? static_cast<int>(std::min(std::ceil(root), 1.0 * kMostLayers)) : 1;
+    out.layer = root > 1.0 ? static_cast<int>(std::min(std::ceil(root), 1.0 * kMaxLayers)) : 1;
     while (out.layer > 1 && length_of(out.layer - 1) >= l) --out.layer;
-    while (out.layer < kMostLayers && length_of(out.layer) < l) ++out.layer;
+    while (out.layer < kMaxLayers && length_of(out.layer) < l) ++out.layer;
     out.radius = radius(out.layer);
     const double here = (l - length_of(out.layer - 1)) / (kTurn * out.radius);
     out.wraps = (out.layer - 1) * n + here;
@@ -78,7 +78,7 @@ double DrumGeometry::angle(double length) const noexcept { return kTurn * place(
 
 double DrumGeometry::length(double angle) const noexcept {
     const double wraps = std::max(angle, 0.0) / kTurn, n = wraps_a_layer();
-    const double full = std::min(std::floor(wraps / n), kMostLayers - 1.0);
+    const double full = std::min(std::floor(wraps / n), kMaxLayers - 1.0);
     const int layers = static_cast<int>(full);
     return length_of(layers) + kTurn * radius(layers + 1) * (wraps - n * full);
 }

@@ -37,7 +37,7 @@ struct DrumGeometry {
     double flange_radius = 0.0;  ///< Largest outer radius of wire [m].
 
     /// Upper bound of layers, and of wraps in a layer.
-    static constexpr int kMostLayers = 100'000;
+    static constexpr int kMaxLayers = 100'000;
 
     /// Return the number of wraps side by side in a layer, n.
     [[nodiscard]] int wraps_a_layer() const noexcept;
@@ -60,7 +60,7 @@ struct DrumGeometry {
     };
     /// Find the end of a length of wire.
     /// @param length  [m]; negative lengths and NaN count as 0. Lengths beyond the capacity fill
-    ///        further layers, up to kMostLayers.
+    ///        further layers, up to kMaxLayers.
     [[nodiscard]] Place place(double length) const noexcept;
     /// Return the radius at which the wire leaves the drum with a length on it [m].
     [[nodiscard]] double leaving_radius(double length) const noexcept;

@@ -70,11 +70,11 @@ void load_element(const World& world, Loads& loads, const ElementAtDrum& element
 }
 
 bool put_node(NodeEdits& nodes, const Feed& feed, double there, double& at) noexcept {
-    const double beyond = feed.element / there, share = feed.ahead ? 1.0 - beyond : beyond;
+    const double beyond = feed.element / there, fraction = feed.ahead ? 1.0 - beyond : beyond;
     const double mass = feed.mass_per_length * there;
     // Use the bits that the world uses.
-    const double taken = feed.ahead ? 1.0 - share : share;
-    if (!nodes.insert_node(feed.line, share, mass).valid()) return false;
+    const double taken = feed.ahead ? 1.0 - fraction : fraction;
+    if (!nodes.insert_node(feed.line, fraction, mass).valid()) return false;
     at -= taken * there;
     return true;
 }
@@ -99,11 +99,11 @@ bool take_node(NodeEdits& nodes, const Feed& feed, std::size_t node, double& at)
         std::abs(line - feed.mass_per_length) > kOtherLine * feed.mass_per_length)
         return false;
     const BodyId far = beyond.body[node == 0 ? 0 : 1];
-    const bool to_lump = world.body_def(far).kind == BodyKind::lump;
-    const double there = world.body_def(lump).mass + (to_lump ? world.body_def(far).mass : 0.0);
+    const bool to_node = world.body_def(far).kind == BodyKind::lump;
+    const double there = world.body_def(lump).mass + (to_node ? world.body_def(far).mass : 0.0);
     if (!(mass > 0.0) || !nodes.remove_node(lump, kAnyBend)) return false;
     // Nodes may have kept some of their halves (edit/node_drum.cpp).
-    const double given = there - (to_lump ? world.body_def(far).mass : -0.5 * mass);
+    const double given = there - (to_node ? world.body_def(far).mass : -0.5 * mass);
     constexpr double kRounding = 1e-11;
     at += (std::abs(given - mass) > kRounding * mass ? given : mass) / feed.mass_per_length;
     return true;

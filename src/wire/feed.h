@@ -6,7 +6,7 @@
 ///
 /// ```
 ///     drum or guide ───────── line ───────── node ── wire ──
-///                    material a [m], no lump has any
+///                    material a [m], no node has any
 /// ```
 /// Half of the material acts on the node by a load with its weight, mass and drag. The other half
 /// acts on the body at the other end. The drum or guide receives the weight along the wire. The

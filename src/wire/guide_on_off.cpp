@@ -13,7 +13,7 @@ namespace {
 
 /// Factor of GuideDef::element_length. A released element with more material is divided by a node.
 constexpr double kLongLifted = 1.5;
-constexpr double kEndShare = 0.25;  ///< Least share of the element beside that node.
+constexpr double kEndFraction = 0.25;  ///< Least share of the element beside that node.
 
 }  // namespace
 
@@ -25,13 +25,13 @@ std::unique_ptr<GuideSystem> bare_guide(GuideDef def) {
 std::unique_ptr<GuideSystem> lay_on_guide(NodeEdits& nodes, GuideDef def, double speed) {
     const World& world = nodes.world;
     const InteractionDef element = world.interaction_def(def.element);
-    const EndLumps had = end_lumps(world, element);
+    const EndNodes had = end_nodes(world, element);
     Guide made;
     double material[2] = {};
     if (!nodes.lay_over(def, speed, made, material)) return nullptr;
     const InputId stop = world.find_input(def.name + "/friction/force");
     const double whole = element.get("mass"),
-                 mass = whole - kept_by_lumps(had, end_lumps(world, element), whole);
+                 mass = whole - kept_by_nodes(had, end_nodes(world, element), whole);
     const double scale = mass / (def.mass_per_length * (material[0] + material[1]));
     auto out = std::make_unique<GuideSystem>(
         std::move(def), made, stop,
@@ -48,9 +48,9 @@ bool lift_off_guide(NodeEdits& nodes, const GuideSystem& guide, const Interactio
     const double first = guide.material()[0], both = first + guide.material()[1];
     if (both <= kLongLifted * guide.def().element_length) return true;
     // A wire that leaves an open guide has a node where the wheel was, if that is not at an end.
-    const double share =
-        guide.def().closed ? 0.5 : std::clamp(first / both, kEndShare, 1.0 - kEndShare);
-    (void)nodes.insert_node(whole, share);
+    const double fraction =
+        guide.def().closed ? 0.5 : std::clamp(first / both, kEndFraction, 1.0 - kEndFraction);
+    (void)nodes.insert_node(whole, fraction);
     return true;
 }
 

@@ -23,9 +23,9 @@
 /// the wheel goes first; the parts get the rest length that its removal took away.
 ///
 /// *Landing.* A string that falls across on a pin is at rest out to c t after a time t, c = √(T/ρ).
-/// Steps with c h above an element do not resolve that. Lumps within c h are therefore damped
+/// Steps with c h above an element do not resolve that. Nodes within c h are therefore damped
 /// across the wire, with a time of h/kStops, for kLanding steps. The body of the guide gets their
-/// momentum. Steps that resolve the landing have no lump within c h.
+/// momentum. Steps that resolve the landing have no node within c h.
 #include "wire/guide_on_off.h"
 #include "wire/lift.h"
 
@@ -43,18 +43,18 @@ constexpr double kLetGo = 2e-3;       ///< Angle that does not count [rad].
 constexpr double kDeep = 0.1;         ///< Share of the element: deeper wires pass under the wheel.
 constexpr double kBeside = 2.0;       ///< Share of the radius.
 constexpr double kAtNode = 0.06;      ///< Share of an element: its node is at the wheel.
-constexpr double kMostBend = 3.2;     ///< A node at the wheel goes however the wire is bent.
+constexpr double kMaxBend = 3.2;      ///< A node at the wheel goes however the wire is bent.
 constexpr std::int32_t kLanding = 3;  ///< Steps.
 constexpr double kStops = 3.0;        ///< In a step of landing exp(−kStops) is left of a speed.
 
 /// Where a piece of a wire passes a wheel.
 struct Passing {
     InteractionId element{};
-    double share = 0.0;   ///< Position on the element, 0 to 1.
-    double gap = 1e300;   ///< Beyond the wheel's radius, outwards [m].
-    double rate = 0.0;    ///< Rate of the gap [m/s].
-    double length = 0.0;  ///< Length of the element [m].
-    double beside = 0.0;  ///< From the guide's point, along the axis [m].
+    double fraction = 0.0;  ///< Position on the element, 0 to 1.
+    double gap = 1e300;     ///< Beyond the wheel's radius, outwards [m].
+    double rate = 0.0;      ///< Rate of the gap [m/s].
+    double length = 0.0;    ///< Length of the element [m].
+    double beside = 0.0;    ///< From the guide's point, along the axis [m].
 };
 
 /// The wheel of a guide in the world.
@@ -68,7 +68,7 @@ struct Piece {
     std::array<Vec3, 2> at, speed;
 };
 
-Vec3 speed_of_place(const World& world, BodyId body, const Vec3& place) {
+Vec3 speed_at_point(const World& world, BodyId body, const Vec3& place) {
     const Twist twist = world.velocity(body);
     if (world.body_def(body).kind == BodyKind::lump) return twist.linear;
     return twist.linear + twist.angular.cross(place - world.pose(body).position);
@@ -77,40 +77,41 @@ Vec3 speed_of_place(const World& world, BodyId body, const Vec3& place) {
 Wheel wheel_of(const World& world, const GuideDef& def) {
     const Vec3 centre = world.world_point(def.body, def.point);
     return {centre, world.pose(def.body).orientation * def.axis.normalized(),
-            speed_of_place(world, def.body, centre), def.radius};
+            speed_at_point(world, def.body, centre), def.radius};
 }
 
 Piece piece_of(const World& world, InteractionId id) {
     const InteractionDef& d = world.interaction_def(id);
     const std::array<Vec3, 2> at = world.ends(id);
-    return {at, {speed_of_place(world, d.body[0], at[0]), speed_of_place(world, d.body[1], at[1])}};
+    return {at, {speed_at_point(world, d.body[0], at[0]), speed_at_point(world, d.body[1], at[1])}};
 }
 
-/// The point of a piece that is nearest to the axis, seen along it. The side on which it passes is
-/// that of the piece; of its ends, that of the nearer one.
+/// Return the point of a piece nearest to the axis, seen along the axis. Its side of the wheel is
+/// the side of the piece; at an end, that of the nearer neighbour.
 Passing passing(const Piece& piece, const Wheel& wheel) {
     const Vec3 d = piece.at[1] - piece.at[0], from = piece.at[0] - wheel.centre;
     const auto flat = [&wheel](const Vec3& x) -> Vec3 {
         return x - x.dot(wheel.axis) * wheel.axis;
     };
     const Vec3 across = flat(d);
-    const double share =
+    const double fraction =
         std::clamp(-flat(from).dot(across) / std::max(across.squaredNorm(), 1e-300), 0.0, 1.0);
-    const Vec3 at = from + share * d, to = flat(at);
+    const Vec3 at = from + fraction * d, to = flat(at);
     const Vec3 outward = (wheel.radius > 0.0 ? 1.0 : -1.0) * across.normalized().cross(wheel.axis);
     const double side = to.dot(outward) < 0.0 ? -1.0 : 1.0;
-    const Vec3 speed = (1.0 - share) * piece.speed[0] + share * piece.speed[1] - wheel.speed;
+    const Vec3 speed = (1.0 - fraction) * piece.speed[0] + fraction * piece.speed[1] - wheel.speed;
     const double far = to.norm();
     const Vec3 away = far > 0.0 ? Vec3(side / far * to) : outward;
     return {.element = {},
-            .share = share,
+            .fraction = fraction,
             .gap = side * far - std::abs(wheel.radius),
             .rate = speed.dot(away),
             .length = d.norm(),
             .beside = at.dot(wheel.axis)};
 }
 
-/// The element of a wire that passes the wheel nearest, seen along its axis; none: invalid.
+/// Return the element of a wire that passes the wheel nearest, seen along its axis; invalid if
+/// there is none.
 Passing nearest_passing(const World& world, const GuideDef& def, const Wheel& wheel) {
     Passing best;
     for (const InteractionId id : world.elements(def.wire)) {
@@ -126,23 +127,24 @@ Passing nearest_passing(const World& world, const GuideDef& def, const Wheel& wh
     return best;
 }
 
-/// Whether the wire has met the wheel in the last step, or lies in its rim and gets deeper.
+/// True if the wire has met the wheel in the last step, or lies inside its rim and moves deeper.
 bool meets(const Passing& at, double step) {
     if (!at.element.valid() || at.gap > 0.0 || !(at.rate < 0.0)) return false;
     return at.gap - step * at.rate > 0.0 || at.gap > -kDeep * at.length;
 }
 
-/// The straight line that a wire is without a node between two elements.
+/// Return the straight piece of wire that results from removing the node between two elements.
 Piece without_node(const World& world, InteractionId before, InteractionId behind) {
     const Piece first = piece_of(world, before), second = piece_of(world, behind);
     return {{first.at[0], second.at[1]}, {first.speed[0], second.speed[1]}};
 }
 
-/// Speed of the wire past the wheel, along the element [m/s].
+/// Return the speed of the wire past the wheel, along the element [m/s].
 double speed_along(const World& world, const Passing& at, const Wheel& wheel) {
     const Piece piece = piece_of(world, at.element);
     const Vec3 along = (piece.at[1] - piece.at[0]).normalized();
-    return ((1.0 - at.share) * piece.speed[0] + at.share * piece.speed[1] - wheel.speed).dot(along);
+    return ((1.0 - at.fraction) * piece.speed[0] + at.fraction * piece.speed[1] - wheel.speed)
+        .dot(along);
 }
 
 }  // namespace
@@ -174,8 +176,8 @@ void GuideSystem::come_back(NodeEdits& nodes) noexcept {
     Passing at = nearest_passing(world, def_, wheel);
     if (!meets(at, world.settings().step)) return;
     const double length = world.length(def_.wire);
-    const bool first = at.share < kAtNode;
-    if (first || at.share > 1.0 - kAtNode) {
+    const bool first = at.fraction < kAtNode;
+    if (first || at.fraction > 1.0 - kAtNode) {
         const auto elements = world.elements(def_.wire);
         const auto here = std::find(elements.begin(), elements.end(), at.element);
         const bool ends = first ? here == elements.begin() : here + 1 == elements.end();
@@ -185,7 +187,7 @@ void GuideSystem::come_back(NodeEdits& nodes) noexcept {
         const Passing straight = passing(first ? without_node(world, *(here - 1), at.element)
                                                : without_node(world, at.element, *(here + 1)),
                                          wheel);
-        if (straight.gap > -kDeep * at.length && nodes.remove_node(node, kMostBend)) {
+        if (straight.gap > -kDeep * at.length && nodes.remove_node(node, kMaxBend)) {
             at = nearest_passing(world, def_, wheel);
             if (!at.element.valid()) return;
         }
@@ -241,7 +243,7 @@ void GuideSystem::land(const World& world, Loads& loads) noexcept {
     }
     const Vec3 n = along.cross(wheel.axis).normalized();
     const auto elements = world.elements(def_.wire);
-    Vec3 lost = Vec3::Zero();  // by the lumps in this step [N]
+    Vec3 lost = Vec3::Zero();  // by the nodes in this step [N]
     for (const std::size_t side : {0U, 1U}) {
         auto at = std::find(elements.begin(), elements.end(), element(side));
         double way = 0.0;

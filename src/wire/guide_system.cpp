@@ -20,8 +20,8 @@ constexpr std::size_t kPlace[2] = {1, 0};
 /// Change of the elements' material per unit of the slide.
 constexpr double kSign[2] = {-1.0, 1.0};
 /// Fraction of `element_length`: a shorter straight part is at the guide.
-constexpr double kLeast = 0.05;
-constexpr std::int32_t kMostWait = 1000;  ///< Steps.
+constexpr double kMinimum = 0.05;
+constexpr std::int32_t kMaxWait = 1000;  ///< Steps.
 
 }  // namespace
 
@@ -55,22 +55,22 @@ void GuideSystem::visit_place(StateVisitor& v) {
 }
 
 void GuideSystem::check_state(const World& world, StateRules& rules) const {
-    constexpr double kMostWire = 1e7, kMostAngle = 1e6;  // [m], [rad]
-    rules.range(material_[0], -kMostWire, kMostWire, "the wire before the guide is out of range");
-    rules.range(material_[1], -kMostWire, kMostWire, "the wire behind the guide is out of range");
+    constexpr double kMaxWire = 1e7, kMaxAngle = 1e6;  // [m], [rad]
+    rules.range(material_[0], -kMaxWire, kMaxWire, "the wire before the guide is out of range");
+    rules.range(material_[1], -kMaxWire, kMaxWire, "the wire behind the guide is out of range");
     rules.range(slide_, -1e15, 1e15, "the slide of the guide is out of range");
-    rules.range(angle_, -kMostAngle, kMostAngle, "the angle at the guide is out of range");
+    rules.range(angle_, -kMaxAngle, kMaxAngle, "the angle at the guide is out of range");
     rules.range(bound_, 0.0, kUnbounded, "the friction of the guide is out of range");
     rules.require(parted_ >= 0 && parted_ <= (def_.closed ? kRanOff : kLifted),
                   "there is no such condition of the guide");
     if (!def_.closed) {
-        rules.require(wait_ >= 0 && wait_ <= kMostWait, "the wait of the guide is out of range");
-        check_place(world, rules);
+        rules.require(wait_ >= 0 && wait_ <= kMaxWait, "the wait of the guide is out of range");
+        check_position(world, rules);
     }
     rules.require(stopped_ >= -1 && stopped_ <= 1, "there is no such side of the guide");
 }
 
-void GuideSystem::check_place(const World& world, StateRules& rules) const {
+void GuideSystem::check_position(const World& world, StateRules& rules) const {
     if (ran_off()) return;  // nothing else is used
     const auto lies = [&](std::size_t side) {
         if (!world.alive(element(side))) return false;
@@ -130,12 +130,12 @@ double GuideSystem::straight(const World& world, std::size_t side) const noexcep
         world.world_point(d.body[node], d.point[node]) - world.world_point(def_.body, def_.point);
     if (def_.radius == 0.0) return to.norm();
     const Vec3 axis = at.orientation * def_.axis.normalized();
-    const double along = to.dot(axis), apart = (to - along * axis).squaredNorm();
-    return std::sqrt(std::max(0.0, apart - def_.radius * def_.radius) + along * along);
+    const double along = to.dot(axis), separation = (to - along * axis).squaredNorm();
+    return std::sqrt(std::max(0.0, separation - def_.radius * def_.radius) + along * along);
 }
 
 /// Sample the result of the last step before nodes are inserted or removed.
-void GuideSystem::look(const World& world) noexcept {
+void GuideSystem::sample(const World& world) noexcept {
     if (ran_off()) {
         tension_ = {};
         return;
@@ -213,7 +213,7 @@ void GuideSystem::weigh(const World& world, Loads& loads) const noexcept {
 }
 
 bool GuideSystem::nearly_used_up(const World& world, std::size_t side) const noexcept {
-    const double least = kLeast * (def_.element_length > 0.0 ? length_[side] : 1.0) +
+    const double least = kMinimum * (def_.element_length > 0.0 ? length_[side] : 1.0) +
                          world.settings().step * std::abs(speed_);
     // At an angle below 0 the straight part is longer than the material.
     return std::min(straight(world, side), material_[side]) < least && runs_out(side);
@@ -256,7 +256,7 @@ void GuideSystem::prestep(Prestep& now, Loads& loads) noexcept {
 
 void GuideSystem::before_step(NodeEdits& nodes) noexcept {
     const World& world = nodes.world;
-    look(world);
+    sample(world);
     if (lifted()) return come_back(nodes);
     if (parted_ != 0) return;
     def_.wire = world.wire_of(ids_.before);  // a cut or splice may have changed the wire

@@ -42,7 +42,7 @@ class GuideSystem final : public System {
     /// Visit the data that vary for a guide of a bollard: the wire on it and its geometry.
     void visit_place(StateVisitor& visitor);
     /// Check the numbers of visit_place().
-    void check_place(const World& world, StateRules& rules) const;
+    void check_position(const World& world, StateRules& rules) const;
     /// Start with the wire running through at a speed [m/s].
     void begin_at(double speed) noexcept { speed_ = speed; }
 
@@ -110,12 +110,13 @@ class GuideSystem final : public System {
     /// (guide_open.cpp).
     void lift(NodeEdits& nodes) noexcept;
     void come_back(NodeEdits& nodes) noexcept;
-    /// @param along  Speed of the wire [m/s]. @param kept  Rest length beside the element's [m].
+    /// Lay the wire back on the guide. @param along  Speed of the wire [m/s]. @param kept  Rest
+    /// length next to the element's [m].
     bool lay_back(NodeEdits& nodes, InteractionId element, double along, double kept);
     /// Damp a wire that lands on an open guide, in steps that do not resolve the landing.
     void land(const World& world, Loads& loads) noexcept;
     void stop(Prestep& now) noexcept;
-    void look(const World& world) noexcept;
+    void sample(const World& world) noexcept;
     void weigh(const World& world, Loads& loads) const noexcept;
 
     GuideDef def_;

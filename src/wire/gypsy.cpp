@@ -14,8 +14,8 @@ constexpr double kAhead = 2.0;      ///< Steps ahead in which the next pocket is
 
 }  // namespace
 
-double GypsyChain::look(double apart, double rate, double torque, double pull) noexcept {
-    jumped_ = wheel_.radius * (apart - wheel_.zero);
+double GypsyChain::sample(double separation, double rate, double torque, double pull) noexcept {
+    jumped_ = wheel_.radius * (separation - wheel_.zero);
     gained_ = wheel_.radius * rate - rate_;
     rate_ = wheel_.radius * rate;
     grip_ = -torque / wheel_.radius;
@@ -72,8 +72,8 @@ void GypsyChain::visit_state(StateVisitor& v) {
 }
 
 void GypsyChain::check_state(StateRules& rules) const {
-    constexpr double kMostPockets = 1e9;
-    rules.range(seat_, -kMostPockets, kMostPockets, "the pocket of the chain is out of range");
+    constexpr double kMaxPockets = 1e9;
+    rules.range(seat_, -kMaxPockets, kMaxPockets, "the pocket of the chain is out of range");
     rules.require(seat_ == std::round(seat_), "the pocket of the chain is no whole number");
     rules.flag(jumping_, "whether the chain jumps is no flag");
     rules.flag(caught_, "whether the chain was caught is no flag");

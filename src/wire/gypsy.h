@@ -63,7 +63,8 @@ class GypsyChain {
     /// @param torque  Torque of the grip's row on the chain [N m].
     /// @param pull  T − T_0 now [N].
     /// @return the load at which it has begun to jump or passed to another pocket [N]; 0: neither.
-    [[nodiscard]] double look(double apart, double rate, double torque, double pull) noexcept;
+    [[nodiscard]] double sample(double separation, double rate, double torque,
+                                double pull) noexcept;
     /// Return the order for a step of h [s] that begins.
     [[nodiscard]] GripOrder order(double h) const noexcept;
     [[nodiscard]] bool jumps() const noexcept { return jumping_ != 0; }

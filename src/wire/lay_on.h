@@ -10,21 +10,23 @@
 namespace hawser::wire {
 
 /// Nodes at the ends of an element.
-struct EndLumps {
+struct EndNodes {
     double mass = 0.0;  ///< Total mass of both [kg].
     int count = 0;
 };
-[[nodiscard]] EndLumps end_lumps(const World& world, const InteractionDef& element);
+[[nodiscard]] EndNodes end_nodes(const World& world, const InteractionDef& element);
 /// Return the mass that nodes kept of their halves of an element that was laid over a guide between
 /// two of them [kg].
 /// @param mass  Mass of the element [kg].
-[[nodiscard]] double kept_by_lumps(const EndLumps& before, const EndLumps& after, double mass);
+[[nodiscard]] double kept_by_nodes(const EndNodes& before, const EndNodes& after, double mass);
 
-/// Slide, parts and friction of a guide, all or nothing but for memory that ends. @param def  What
-/// was left to defaults is filled in. @param speed  Speed of the wire along itself [m/s]. @param
-/// material  Lengths of the parts [m]. @param drawn  Compare the side of the wheel with the wire as
-/// drawn. Else, on an open guide, the parts have the rest length of their mass at
-/// def.mass_per_length; on others, that which keeps the tension.
+/// Create slide, parts and friction of a guide, all or nothing, except if memory is exhausted.
+/// @param def  Receives the values that were left to defaults.
+/// @param speed  Speed of the wire along itself [m/s].
+/// @param material  Lengths of the parts [m].
+/// @param drawn  True: compare the side of the wheel with the drawn wire. Otherwise, on an open
+/// guide, the parts have the rest length of their mass at def.mass_per_length; on other guides, the
+/// length that preserves the tension.
 /// @throws DefError
 [[nodiscard]] Guide lay_on(World& world, GuideDef& def, double speed,
                            std::array<double, 2>& material, bool drawn = false);

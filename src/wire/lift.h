@@ -4,7 +4,7 @@
 /// The element of a wire that leaves a guide, and the test whether it runs off the guide.
 ///
 /// ```
-///     b ──── f ──── n ── part ──( )── part ──        n the lump next to the guide
+///     b ──── f ──── n ── part ──( )── part ──        n the node next to the guide
 /// ```
 /// The node before a free end b can give its mass only to b (edit/node_drum.cpp). So it does not
 /// run through, and less than an element of wire remains there. It runs off with everything

@@ -11,12 +11,12 @@
 
 namespace hawser::wire {
 
-struct PlaceOnWire {
+struct PointOnWire {
     WireId wire{};
     InteractionId element{};
-    double share = 0.0;  ///< Fraction along the element, from its first body.
-    double far = 1e300;  ///< Distance from the point [m].
-    Vec3 at{0, 0, 0};    ///< World frame [m].
+    double fraction = 0.0;  ///< Fraction along the element, from its first body.
+    double far = 1e300;     ///< Distance from the point [m].
+    Vec3 at{0, 0, 0};       ///< World frame [m].
 };
 
 /// Find the nearest point on intact elements that are at no drum or guide.
@@ -24,10 +24,10 @@ struct PlaceOnWire {
 /// @param takes_wire  True for wires to search.
 /// @param takes_element  True for definitions of elements to search.
 template <class TakesWire, class TakesElement>
-[[nodiscard]] PlaceOnWire nearest_place(const World& world, const Vec3& point, double from_end,
-                                        const TakesWire& takes_wire,
-                                        const TakesElement& takes_element) {
-    PlaceOnWire out;
+[[nodiscard]] PointOnWire nearest_on_wire(const World& world, const Vec3& point, double from_end,
+                                          const TakesWire& takes_wire,
+                                          const TakesElement& takes_element) {
+    PointOnWire out;
     for (const WireId wire : world.wires()) {
         if (!takes_wire(wire)) continue;
         for (const InteractionId id : world.elements(wire)) {
@@ -36,12 +36,12 @@ template <class TakesWire, class TakesElement>
             if (kind_info(d.kind).is(kWoundUp) || !takes_element(d)) continue;
             const std::array<Vec3, 2> ends = world.ends(id);
             const Vec3 along = ends[1] - ends[0];
-            const double share =
+            const double fraction =
                 std::clamp((point - ends[0]).dot(along) / std::max(along.squaredNorm(), 1e-300),
                            from_end, 1.0 - from_end);
-            const Vec3 at = ends[0] + share * along;
+            const Vec3 at = ends[0] + fraction * along;
             const double far = (at - point).norm();
-            if (far < out.far) out = {wire, id, share, far, at};
+            if (far < out.far) out = {wire, id, fraction, far, at};
         }
     }
     return out;

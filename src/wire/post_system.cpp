@@ -56,7 +56,7 @@ double usual_length(const World& world, WireId wire, InteractionId element) {
 
 }  // namespace
 
-PostSystem::PostSystem(PostDef def, const PostPlace& place)
+PostSystem::PostSystem(PostDef def, const PostPosition& place)
     : def_(std::move(def)), place_(place), on_(static_cast<std::size_t>(def_.wires), 0) {
     for (int k = 0; k < def_.wires; ++k) {
         GuideDef guide;
@@ -91,7 +91,7 @@ void PostSystem::check_state(const World& world, StateRules& rules) const {
     rules.require(steady_ >= 0 && steady_ <= kSteady, "the looks of the post are out of range");
     for (std::size_t k = 0; k < on_.size(); ++k) {
         if (on_[k] != 1) continue;
-        guides_[k]->check_place(world, rules);
+        guides_[k]->check_position(world, rules);
         guides_[k]->check_state(world, rules);
     }
 }
@@ -158,10 +158,10 @@ void PostSystem::take(NodeEdits& nodes) {
 
 /// Remove a node on the bollard: one element replaces the two beside it, with its chord through the
 /// bollard. It lies on the node's side of the bollard.
-bool PostSystem::take_lump(NodeEdits& nodes, Touch& touch) const {
+bool PostSystem::take_node_at(NodeEdits& nodes, Touch& touch) const {
     const World& world = nodes.world;
     const InteractionDef& d = world.interaction_def(touch.element);
-    const bool first = touch.share < 0.5;
+    const bool first = touch.fraction < 0.5;
     const BodyId lump = d.body[first ? 0 : 1];
     // Elements loaded by a guide and their nodes belong to that guide.
     const InteractionId next = neighbour(world, touch.wire, touch.element, !first);
@@ -171,12 +171,13 @@ bool PostSystem::take_lump(NodeEdits& nodes, Touch& touch) const {
     if (!nodes.remove_node(lump, kBentOnPost)) return false;
     place_touch(world, half, touch);
     touch.radius = radius;
-    return touch.share > kNearEnd && touch.share < 1.0 - kNearEnd;
+    return touch.fraction > kNearEnd && touch.fraction < 1.0 - kNearEnd;
 }
 
 bool PostSystem::take(NodeEdits& nodes, std::size_t slot, Touch touch) {
     const World& world = nodes.world;
-    if ((touch.share < kNearEnd || touch.share > 1.0 - kNearEnd) && !take_lump(nodes, touch))
+    if ((touch.fraction < kNearEnd || touch.fraction > 1.0 - kNearEnd) &&
+        !take_node_at(nodes, touch))
         return false;
     GuideDef def = guides_[slot]->def();
     def.wire = touch.wire;

@@ -29,7 +29,7 @@
 namespace hawser::wire {
 
 /// Position of a bollard's shape in the frame of its body.
-struct PostPlace {
+struct PostPosition {
     BodyId body{};
     Vec3 centre{0, 0, 0}, axis{0, 0, 1};     ///< [m], unit.
     double radius = 0.0, half_length = 0.0;  ///< [m]
@@ -39,7 +39,7 @@ struct PostPlace {
 
 class PostSystem final : public System, public PassedPost {
   public:
-    PostSystem(PostDef def, const PostPlace& place);
+    PostSystem(PostDef def, const PostPosition& place);
 
     [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
     void prestep(Prestep& now, Loads& loads) noexcept override;
@@ -54,16 +54,17 @@ class PostSystem final : public System, public PassedPost {
     }
 
     [[nodiscard]] bool has(WireId wire) const noexcept override;
-    [[nodiscard]] Apart apart(const World& world, const std::array<Vec3, 2>& line) const override;
+    [[nodiscard]] Apart separation(const World& world,
+                                   const std::array<Vec3, 2>& line) const override;
 
   private:
     /// An element that touches the bollard.
     struct Touch {
         InteractionId element{};
         WireId wire{};
-        Vec3 point{0, 0, 0};  ///< Nearest point of the axis, in the frame of the body [m].
-        double share = 0.0;   ///< Fraction of the element nearest to the axis.
-        double radius = 0.0;  ///< Distance from the axis, with the sign of GuideDef::radius [m].
+        Vec3 point{0, 0, 0};    ///< Nearest point of the axis, in the frame of the body [m].
+        double fraction = 0.0;  ///< Fraction of the element nearest to the axis.
+        double radius = 0.0;    ///< Distance from the axis, with the sign of GuideDef::radius [m].
         bool across_end = false;
         double along = 0.0;   ///< Speed past the surface, from its first end [m/s].
         double strain = 0.0;  ///< ε above.
@@ -71,7 +72,7 @@ class PostSystem final : public System, public PassedPost {
     [[nodiscard]] bool find(const World& world, ShapeId segment, Touch& out) const;
     void place_touch(const World& world, double half, Touch& out) const;
     void take(NodeEdits& nodes);
-    bool take_lump(NodeEdits& nodes, Touch& touch) const;
+    bool take_node_at(NodeEdits& nodes, Touch& touch) const;
     bool take(NodeEdits& nodes, std::size_t slot, Touch touch);
     bool slide(NodeEdits& nodes, std::size_t slot) noexcept;
     [[nodiscard]] double along(const GuideSystem& guide) const noexcept;
@@ -80,7 +81,7 @@ class PostSystem final : public System, public PassedPost {
     void tell() noexcept;
 
     PostDef def_;
-    PostPlace place_;
+    PostPosition place_;
     // State.
     std::vector<std::unique_ptr<GuideSystem>> guides_;  ///< By slot.
     std::vector<std::int32_t> on_;                      ///< 1: a wire lies in the slot.

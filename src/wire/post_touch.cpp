@@ -17,18 +17,18 @@ constexpr double kInside = 1e-9;
 /// Closest points of two lines: fraction along a–b, and distance along the axis from its centre
 /// [m].
 struct Closest {
-    double share, along;
-    Vec3 apart;  ///< Vector from the axis to a–b, perpendicular to the axis.
+    double fraction, along;
+    Vec3 separation;  ///< Vector from the axis to a–b, perpendicular to the axis.
 };
 Closest closest(const Vec3& a, const Vec3& b, const Vec3& centre, const Vec3& axis) noexcept {
     const Vec3 d = b - a;
     const Vec3 from = a - centre;
     const Vec3 d_across = d - d.dot(axis) * axis, from_across = from - from.dot(axis) * axis;
-    const double share =
+    const double fraction =
         std::clamp(-from_across.dot(d_across) / std::max(d_across.squaredNorm(), 1e-300), 0.0, 1.0);
-    const Vec3 at = from + share * d;
+    const Vec3 at = from + fraction * d;
     const double along = at.dot(axis);
-    return {share, along, at - along * axis};
+    return {fraction, along, at - along * axis};
 }
 
 /// Return the velocity of an end of an element at a point of the world [m/s].
@@ -40,13 +40,14 @@ Vec3 speed_at(const World& world, const InteractionDef& d, std::size_t end, cons
 
 }  // namespace
 
-PostSystem::Apart PostSystem::apart(const World& world, const std::array<Vec3, 2>& line) const {
+PostSystem::Apart PostSystem::separation(const World& world,
+                                         const std::array<Vec3, 2>& line) const {
     const Pose pose = world.pose(place_.body);
     const Vec3 axis = pose.orientation * place_.axis;
     const Closest near =
         closest(line[0], line[1], pose.position + pose.orientation * place_.centre, axis);
     const double beyond = std::max(0.0, std::abs(near.along) - place_.half_length);
-    return {std::hypot(near.apart.norm(), beyond) - place_.radius, near.share};
+    return {std::hypot(near.separation.norm(), beyond) - place_.radius, near.fraction};
 }
 
 /// Find the element of a capsule of a wire.
@@ -88,21 +89,21 @@ void PostSystem::place_touch(const World& world, double half, Touch& out) const 
                b = world.world_point(d.body[1], d.point[1]);
     const Closest near = closest(a, b, centre, axis);
     const Vec3 along = (b - a).normalized();
-    const double apart = near.apart.norm();
-    out.share = near.share;
+    const double separation = near.separation.norm();
+    out.fraction = near.fraction;
     out.point = place_.centre + near.along * place_.axis;
-    const double way = axis.dot(near.apart.cross(along)) >= 0.0 ? 1.0 : -1.0;
-    out.across_end = std::abs(near.along) > place_.half_length && apart < 0.5 * place_.radius;
+    const double way = axis.dot(near.separation.cross(along)) >= 0.0 ? 1.0 : -1.0;
+    out.across_end = std::abs(near.along) > place_.half_length && separation < 0.5 * place_.radius;
     const double touching = place_.radius + half;
-    out.radius = way * std::max(touching, apart * (1.0 - kInside));
+    out.radius = way * std::max(touching, separation * (1.0 - kInside));
     const Twist twist = world.velocity(place_.body);
-    const Vec3 surface =
-        twist.linear + twist.angular.cross(centre + near.along * axis + near.apart - pose.position);
+    const Vec3 surface = twist.linear + twist.angular.cross(centre + near.along * axis +
+                                                            near.separation - pose.position);
     const Vec3 speed[2] = {speed_at(world, d, 0, a) - surface, speed_at(world, d, 1, b) - surface};
-    out.along = ((1.0 - near.share) * speed[0] + near.share * speed[1]).dot(along);
+    out.along = ((1.0 - near.fraction) * speed[0] + near.fraction * speed[1]).dot(along);
     out.strain = 0.0;
     for (const std::size_t end : {0U, 1U}) {
-        const double length = (end == 0 ? near.share : 1.0 - near.share) * (b - a).norm();
+        const double length = (end == 0 ? near.fraction : 1.0 - near.fraction) * (b - a).norm();
         const Vec3 moves = world.settings().step * (speed[end] - speed[end].dot(along) * along);
         out.strain += moves.squaredNorm() / (2.0 * std::max(length, 1e-3) * (b - a).norm());
     }

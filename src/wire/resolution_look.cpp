@@ -23,7 +23,7 @@ double WireResolution::mass_per_length_of(const InteractionDef& element) const n
 }
 
 /// Sample elements and nodes.
-void WireResolution::look(const World& world) {
+void WireResolution::sample(const World& world) {
     const auto elements = world.elements(def_.wire);
     const auto nodes = world.nodes(def_.wire);
     elements_.assign(elements.size(), {});
@@ -71,8 +71,8 @@ void WireResolution::average_tension(const World& world) noexcept {
     }
     if (!(length > 0.0)) return;
     const double mean = sum / length, since = def_.interval * world.settings().step;
-    const double share = tension_ < 0.0 ? 1.0 : -std::expm1(-since / def_.averaging);
-    tension_ += share * (mean - tension_);
+    const double fraction = tension_ < 0.0 ? 1.0 : -std::expm1(-since / def_.averaging);
+    tension_ += fraction * (mean - tension_);
 }
 
 }  // namespace hawser::wire

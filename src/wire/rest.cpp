@@ -120,8 +120,8 @@ class Balance {
                 HalfForm& now = half_[2 * i + k];
                 const double depth = *around_.water - z;
                 change = std::max(
-                    change, std::abs(form.lift * wet_share_of(depth + form.below, form.spread) -
-                                     now.lift * wet_share_of(depth + now.below, now.spread)));
+                    change, std::abs(form.lift * wet_fraction_of(depth + form.below, form.spread) -
+                                     now.lift * wet_fraction_of(depth + now.below, now.spread)));
                 now = form;
             }
         return change;
@@ -189,7 +189,7 @@ class Balance {
             g[2 * i + 1] += air_weight(i);
             for (std::size_t k = 0; around_.water && k < 2; ++k) {
                 const HalfForm& h = half_[2 * i + k];
-                g[2 * i + 1] -= h.lift * wet_share_of(*around_.water - z + h.below, h.spread);
+                g[2 * i + 1] -= h.lift * wet_fraction_of(*around_.water - z + h.below, h.spread);
             }
             if (i == n_ || !(chain_.bend[i] > 0.0)) continue;
             const Bent b = bent(i);

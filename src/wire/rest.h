@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file rest.h
-/// Static balance of a wire of lumps with bending stiffness, partly in still water, on a seabed.
+/// Static balance of a wire of nodes with bending stiffness, partly in still water, on a seabed.
 ///
 /// The nodes minimise the potential energy in the vertical plane of the ends:
 /// ```

@@ -14,9 +14,9 @@ namespace {
 
 /// Free length in elements above which no element is shortened.
 constexpr double kTwoElements = 1.9;
-constexpr double kReach = 0.2;   ///< Distance in elements within which a wire passes a bollard.
-constexpr double kKeeps = 0.25;  ///< The same distance if the node between already exists.
-constexpr double kLeast = 0.2;   ///< Smallest length along the wire [m].
+constexpr double kReach = 0.2;    ///< Distance in elements within which a wire passes a bollard.
+constexpr double kKeeps = 0.25;   ///< The same distance if the node between already exists.
+constexpr double kMinimum = 0.2;  ///< Smallest length along the wire [m].
 
 /// Return true if the wheel of a guide is the bollard itself.
 bool is_of(const GuideDef& guide, std::string_view post) noexcept {
@@ -71,14 +71,14 @@ double way_to_post(const World& world, const GuideDef& guide, InteractionId line
         if (post == nullptr || post->has(guide.wire)) continue;
         double gap = reach, along = enough;
         each_element(world, guide, line, side, [&](const auto& ends, double sum, InteractionId id) {
-            const auto near = post->apart(world, ends);
+            const auto near = post->separation(world, ends);
             if (near.gap < gap) {
                 gap = near.gap;
-                along = sum + near.share * (ends[1] - ends[0]).norm();
+                along = sum + near.fraction * (ends[1] - ends[0]).norm();
             }
             return sum < enough && (id == line || !is_wound(world, id));
         });
-        if (along > kLeast) way = std::min(way, along);
+        if (along > kMinimum) way = std::min(way, along);
     }
     return way;
 }
@@ -92,7 +92,7 @@ double element_beside(const World& world, const GuideDef& def, InteractionId lin
     const double way = std::min(way_to_guide(world, def, line, side, enough),
                                 way_to_post(world, def, line, side, enough, reach));
     if (way >= enough) return usual;
-    return std::max(std::min(usual, 0.5 * way), std::min(usual, 0.5 * kLeast));
+    return std::max(std::min(usual, 0.5 * way), std::min(usual, 0.5 * kMinimum));
 }
 
 }  // namespace hawser::wire

@@ -8,7 +8,7 @@
 /// there. If a wire passes a bollard without lying on it yet, an element with a capsule must pass
 /// it, since parts at guides have none. So a node is inserted halfway.
 /// ```
-///     ( A )──── part ────o──── element ────o          o lumps
+///     ( A )──── part ────o──── element ────o          o nodes
 ///                  d/2       ( B )                    d from A along the wire to B
 /// ```
 /// Limits: distances below 0.2 m along the wire are left unchanged. A part that moves across by
@@ -30,13 +30,13 @@ class PassedPost {
   public:
     struct Apart {
         /// Gap between surface and line [m]; fraction along the line, from its first end.
-        double gap, share;
+        double gap, fraction;
     };
     /// Return true if a wire lies on it.
     [[nodiscard]] virtual bool has(WireId wire) const noexcept = 0;
     /// Find the nearest point of a line.
-    [[nodiscard]] virtual Apart apart(const World& world,
-                                      const std::array<Vec3, 2>& line) const = 0;
+    [[nodiscard]] virtual Apart separation(const World& world,
+                                           const std::array<Vec3, 2>& line) const = 0;
 
   protected:
     PassedPost() = default;

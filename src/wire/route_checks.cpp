@@ -9,9 +9,9 @@
 namespace hawser::wire {
 namespace {
 
-constexpr int kMostPlaces = 256, kMostTurns = 100;
+constexpr int kMaxPlaces = 256, kMaxTurns = 100;
 
-void check_place(const RouteBodies& bodies, const RouteDef& def, std::size_t i) {
+void check_position(const RouteBodies& bodies, const RouteDef& def, std::size_t i) {
     const RoutePlace& p = def.places[i];
     const std::string where = "places/" + std::to_string(i) + ": ";
     const BodyKind kind = bodies(p.body).kind;
@@ -26,7 +26,7 @@ void check_place(const RouteBodies& bodies, const RouteDef& def, std::size_t i) 
     if (!(p.inertia >= 0.0 && p.inertia <= 1e12))
         refuse(def, where + "inertia = " + number(p.inertia) + " kg m^2; give 0 to 1e12");
     if (p.inertia > 0.0 && p.radius == 0.0) refuse(def, where + "inertia: what turns has a radius");
-    if (p.turns < 0 || p.turns > kMostTurns) refuse(def, where + "turns: give 0 to 100");
+    if (p.turns < 0 || p.turns > kMaxTurns) refuse(def, where + "turns: give 0 to 100");
     if (p.turns > 0 && p.radius == 0.0)
         refuse(def, where + "turns: an eye has none; give a radius");
     if (p.radius != 0.0 && !(p.axis.norm() > 1e-9 && p.axis.allFinite()))
@@ -45,7 +45,7 @@ void refuse(const RouteDef& def, const std::string& why) {
 
 void check(const RouteBodies& bodies, const RouteDef& def) {
     if (!(def.EA > 0.0 && def.EA <= 1e15)) refuse(def, "EA: give its axial stiffness [N]");
-    if (def.places.empty() || def.places.size() > kMostPlaces)
+    if (def.places.empty() || def.places.size() > kMaxPlaces)
         refuse(def, "places: give 1 to 256 that it runs over");
     for (const RouteEnd* e : {&def.first, &def.last}) {
         const std::string where = e == &def.first ? "first: " : "last: ";
@@ -59,7 +59,7 @@ void check(const RouteBodies& bodies, const RouteDef& def) {
         if (e->drum.valid() && !(std::abs(e->radius) > 0.0 && std::abs(e->radius) <= 1e3))
             refuse(def, where + "radius: give what its drum pays out per unit [m]");
     }
-    for (std::size_t i = 0; i < def.places.size(); ++i) check_place(bodies, def, i);
+    for (std::size_t i = 0; i < def.places.size(); ++i) check_position(bodies, def, i);
     if (!std::isnan(def.length) && !(def.length > 0.0)) refuse(def, "length: give more than 0 m");
     if (!(def.tension >= 0.0) || !std::isfinite(def.tension))
         refuse(def, "tension: give 0 N or more");

@@ -10,9 +10,9 @@ namespace {
 constexpr int kWayRounds = 60;
 /// Rounding of a displacement, relative to the length of both parts.
 constexpr double kWaySolved = 1e-13;
-constexpr double kLeastWay = 1e-7;  ///< Smallest displacement [m].
+constexpr double kMinWay = 1e-7;  ///< Smallest displacement [m].
 /// Largest displacement in a step, as a fraction of the shorter part.
-constexpr double kMostWay = 0.25;
+constexpr double kMaxWay = 0.25;
 /// Relative distance inside its bound at which a place comes to rest, so that it stays.
 constexpr double kInsideBound = 1e-9;
 
@@ -45,8 +45,8 @@ double way_sideways(const Crossing& c, double bound) noexcept {
         if (by <= kWaySolved * whole) break;
     }
     s += kInsideBound * (shortest - s);
-    const double most = kMostWay * std::min(c.across[0], c.across[1]);
-    return std::abs(s) < kLeastWay ? 0.0 : std::clamp(s, -most, most);
+    const double most = kMaxWay * std::min(c.across[0], c.across[1]);
+    return std::abs(s) < kMinWay ? 0.0 : std::clamp(s, -most, most);
 }
 
 double fed_between(const Parts& p) noexcept {

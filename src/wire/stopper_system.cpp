@@ -45,7 +45,7 @@ void StopperSystem::visit_state(StateVisitor& v) {
     for (BodyId* id : {&node_, &put_}) visit(*id);
     for (BodyId& id : idle_) visit(id);
     visit(joint_);
-    for (std::int32_t* x : {&state_, &after_, &told_, &idle_steps_}) v.visit(*x);
+    for (std::int32_t* x : {&state_, &after_, &reported_, &idle_steps_}) v.visit(*x);
     for (double* x : {&close_, &far_, &came_in_, &shown_, &held_, &load_, &at_}) v.visit(*x);
     v.visit(std::span<double>(place_));
 }
@@ -55,7 +55,7 @@ void StopperSystem::check_state(const World& world, StateRules& rules) const {
         return state >= 0 && state <= static_cast<std::int32_t>(StopperState::tripped);
     };
     rules.require(known(state_) && known(after_), "there is no such state of the stopper");
-    rules.flag(told_, "whether an event is due is no flag");
+    rules.flag(reported_, "whether an event is due is no flag");
     rules.require(idle_steps_ >= 0 && idle_steps_ < 2'000'000'000,
                   "the steps of idle nodes are out of range");
     const auto lump = [&](BodyId id) {
@@ -79,43 +79,43 @@ void StopperSystem::signals(SignalTable& table) {
     table.output("at", "m", at_);
 }
 
-PlaceOnWire StopperSystem::nearest(const World& world) const noexcept {
+PointOnWire StopperSystem::nearest(const World& world) const noexcept {
     const auto all = [](const auto&) { return true; };
-    return nearest_place(world, world.world_point(def_.body, def_.point), 0.0, all, all);
+    return nearest_on_wire(world, world.world_point(def_.body, def_.point), 0.0, all, all);
 }
 
 std::optional<StopperClaim> StopperSystem::claim(const World& world) const noexcept {
-    const PlaceOnWire found = nearest(world);
+    const PointOnWire found = nearest(world);
     if (!(found.far <= def_.reach)) return std::nullopt;
     StopperClaim out{found.wire, 0.0};
     for (const InteractionId id : world.elements(found.wire)) {
         if (id == found.element) break;
         if (world.alive(id)) out.at += rest_length(world, id);
     }
-    // By the rules of lump_at().
+    // By the rules of node_at().
     const InteractionDef& d = world.interaction_def(found.element);
-    const double length = d.get("length"), least = kStopperAtLump / length;
-    const double way = length * std::min(found.share, 1.0 - found.share);
-    const bool divides = d.get("mass") > 0.0 && least < 0.5 && way > kStopperAtLump;
-    out.at += length * (divides ? found.share : std::round(found.share));
+    const double length = d.get("length"), least = kStopperAtNode / length;
+    const double way = length * std::min(found.fraction, 1.0 - found.fraction);
+    const bool divides = d.get("mass") > 0.0 && least < 0.5 && way > kStopperAtNode;
+    out.at += length * (divides ? found.fraction : std::round(found.fraction));
     return out;
 }
 
 /// Return the node to hold; invalid if none is within reach.
-BodyId StopperSystem::lump_at(NodeEdits& nodes, const PlaceOnWire& found) noexcept {
+BodyId StopperSystem::node_at(NodeEdits& nodes, const PointOnWire& found) noexcept {
     const World& world = nodes.world;
     const InteractionDef& d = world.interaction_def(found.element);
     const double length = d.get("length");
-    const std::size_t end = found.share < 0.5 ? 0 : 1;
+    const std::size_t end = found.fraction < 0.5 ? 0 : 1;
     const auto lump = [&](std::size_t k) {
         return world.body_def(d.body[k]).kind == BodyKind::lump;
     };
-    const double way = length * (end == 0 ? found.share : 1.0 - found.share);
-    if (way <= kStopperAtLump && lump(end)) return d.body[end];
-    const double least = kStopperAtLump / length;
+    const double way = length * (end == 0 ? found.fraction : 1.0 - found.fraction);
+    if (way <= kStopperAtNode && lump(end)) return d.body[end];
+    const double least = kStopperAtNode / length;
     if (least < 0.5) {
-        const double share = std::clamp(found.share, least, 1.0 - least);
-        put_ = nodes.insert_node(found.element, share);
+        const double fraction = std::clamp(found.fraction, least, 1.0 - least);
+        put_ = nodes.insert_node(found.element, fraction);
         if (put_.valid()) return put_;
     }
     const Vec3 at = world.world_point(def_.body, def_.point);
@@ -125,25 +125,25 @@ BodyId StopperSystem::lump_at(NodeEdits& nodes, const PlaceOnWire& found) noexce
 }
 
 /// Set the outputs of the held position.
-void StopperSystem::tell(const World& world, const PlaceOnWire& found) noexcept {
+void StopperSystem::tell(const World& world, const PointOnWire& found) noexcept {
     held_ = number_of(world, found.wire);
     at_ = 0.0;
     for (const InteractionId id : world.elements(found.wire)) {
         if (!world.alive(id)) continue;
         const double rest = rest_length(world, id);
-        at_ += id == found.element ? found.share * rest : rest;
+        at_ += id == found.element ? found.fraction * rest : rest;
         if (id == found.element) return;
     }
 }
 
 void StopperSystem::take(NodeEdits& nodes) noexcept {
     const World& world = nodes.world;
-    const PlaceOnWire found = nearest(world);
+    const PointOnWire found = nearest(world);
     far_ = found.far;
-    told_ = 0;
+    reported_ = 0;
     if (found.far <= def_.reach) {
         tell(world, found);
-        node_ = lump_at(nodes, found);
+        node_ = node_at(nodes, found);
     }
     if (node_.valid() && is_held(world, *this, node_)) node_ = {};
     if (!node_.valid()) {
@@ -207,8 +207,8 @@ void StopperSystem::hold(Prestep& now) noexcept {
     const bool ratchet = def_.pitch > 0.0;
     const auto force = world.force(joint_);
     load_ = ratchet ? std::max(0.0, -force[0]) : Vec3(force[0], force[1], force[2]).norm();
-    if (told_ == 0) now.tell(EventKind::join, joint_, far_);
-    told_ = 1;
+    if (reported_ == 0) now.tell(EventKind::join, joint_, far_);
+    reported_ = 1;
     const auto go = [&](EventKind kind, StopperState then) {
         now.tell(kind, joint_, load_);
         after_ = static_cast<std::int32_t>(then);
@@ -250,9 +250,9 @@ void StopperSystem::let_go(Prestep& now) noexcept {
 void StopperSystem::prestep(Prestep& now, Loads&) noexcept {
     if (close_ < 0.5 && (is(StopperState::empty) || is(StopperState::tripped)))
         become(StopperState::open);
-    if (is(StopperState::empty) && told_ == 0) {
+    if (is(StopperState::empty) && reported_ == 0) {
         now.tell(EventKind::missed, def_.body, far_);
-        told_ = 1;
+        reported_ = 1;
     } else if (is(StopperState::closing)) {
         make_joint(now);
     } else if (is(StopperState::holding)) {

@@ -27,7 +27,7 @@ struct StopperClaim {
     double at = 0.0;  ///< Position of the node along the wire's material from its first end [m].
 };
 /// Distance within which a stopper uses an existing node instead of a new one [m].
-inline constexpr double kStopperAtLump = 0.1;
+inline constexpr double kStopperAtNode = 0.1;
 
 class StopperSystem final : public System {
   public:
@@ -54,21 +54,21 @@ class StopperSystem final : public System {
         return state_ == static_cast<std::int32_t>(state);
     }
     void become(StopperState state) noexcept { state_ = static_cast<std::int32_t>(state); }
-    [[nodiscard]] PlaceOnWire nearest(const World& world) const noexcept;
-    [[nodiscard]] BodyId lump_at(NodeEdits& nodes, const PlaceOnWire& found) noexcept;
+    [[nodiscard]] PointOnWire nearest(const World& world) const noexcept;
+    [[nodiscard]] BodyId node_at(NodeEdits& nodes, const PointOnWire& found) noexcept;
     void take(NodeEdits& nodes) noexcept;
     void drop_idle(NodeEdits& nodes) noexcept;
     void make_joint(Prestep& now) noexcept;
     void hold(Prestep& now) noexcept;
     void let_go(Prestep& now) noexcept;
-    void tell(const World& world, const PlaceOnWire& found) noexcept;
+    void tell(const World& world, const PointOnWire& found) noexcept;
 
     StopperDef def_;
     std::string joint_name_;
     // State.
     double close_ = 0.0;
     std::int32_t state_ = 0, after_ = 0;  ///< StopperState; state after the release.
-    std::int32_t told_ = 1;               ///< 0: an event is due.
+    std::int32_t reported_ = 1;           ///< 0: an event is due.
     std::int32_t idle_steps_ = 0;
     BodyId node_{}, put_{};         ///< Node held; node that it inserted.
     std::array<BodyId, 8> idle_{};  ///< Inserted earlier, to be removed.

@@ -6,7 +6,7 @@
 
 namespace hawser::wire {
 
-double wet_share_of(double depth, double spread) {
+double wet_fraction_of(double depth, double spread) {
     return depth >= spread ? 1.0 : std::clamp(depth / spread, 0.0, 1.0);
 }
 
@@ -23,8 +23,8 @@ WetHalves wet_halves(const Chain& chain, const Plane& shape, double water) {
     for (std::size_t e = 0; e < chain.elements(); ++e) {
         const double rise = shape.chord[e].z(), middle = z + 0.5 * rise, d = chain.diameter[e];
         const HalfForm a = form_of(z, middle, d), b = form_of(z + rise, middle, d);
-        out.first.push_back(wet_share_of(water - z + a.below, a.spread));
-        out.last.push_back(wet_share_of(water - z - rise + b.below, b.spread));
+        out.first.push_back(wet_fraction_of(water - z + a.below, a.spread));
+        out.last.push_back(wet_fraction_of(water - z - rise + b.below, b.spread));
         z += rise;
     }
     return out;

@@ -68,7 +68,7 @@ void WinchSystem::add_aid_signals(SignalTable& table) {
 }
 
 /// Return the tension at which the protection pays out [N].
-double WinchSystem::most_tension() const noexcept {
+double WinchSystem::max_tension() const noexcept {
     if (!(def_.overload_limit > 0.0) || parted_ != 0)
         return std::numeric_limits<double>::infinity();
     if (aids_.mops >= 0.5) return def_.overload_retained;
@@ -76,7 +76,7 @@ double WinchSystem::most_tension() const noexcept {
 }
 
 void WinchSystem::limit_overload(Orders& out) const noexcept {
-    const double most = most_tension() * radius_;
+    const double most = max_tension() * radius_;
     if (!(most < kUnbounded)) return;
     out.low = std::max(out.low, -most);
     out.high = std::max(out.high, out.low);
@@ -133,7 +133,7 @@ void WinchSystem::follow_aids(Prestep& now) noexcept {
     constexpr double kReady = 0.95;
     const double soon = pull_ + 2.0 * std::max(pull_ - a.pull, 0.0);
     a.pull = pull_;
-    const double most = most_tension();
+    const double most = max_tension();
     const bool near = soon >= kReady * most;
     a.guards = near || (a.guards != 0 && a.rate > kStands && most < kUnbounded) ? 1 : 0;
     const bool yields = a.guards != 0 && a.rate > kStands &&

@@ -78,17 +78,17 @@ void WinchSystem::visit_state(StateVisitor& v) {
 
 void WinchSystem::check_state(const World& world, StateRules& rules) const {
     static_cast<void>(world);
-    constexpr double kMostWire = 1e7, kMostAngle = 1e15;  // [m], [rad]: as for positions of bodies
-    rules.range(stored_, -kMostWire, kMostWire, "the wire on the drum is out of range");
-    rules.range(at_drum_, -kMostWire, kMostWire, "the wire at the drum is out of range");
-    rules.range(angle_, -kMostAngle, kMostAngle, "the angle of the drum is out of range");
-    const double most = drum_.radius(DrumGeometry::kMostLayers) + (wheel_ ? wheel_->radius : 0.0);
+    constexpr double kMaxWire = 1e7, kMaxAngle = 1e15;  // [m], [rad]: as for positions of bodies
+    rules.range(stored_, -kMaxWire, kMaxWire, "the wire on the drum is out of range");
+    rules.range(at_drum_, -kMaxWire, kMaxWire, "the wire at the drum is out of range");
+    rules.range(angle_, -kMaxAngle, kMaxAngle, "the angle of the drum is out of range");
+    const double most = drum_.radius(DrumGeometry::kMaxLayers) + (wheel_ ? wheel_->radius : 0.0);
     rules.range(radius_, 1e-9, most, "the radius of the drum is out of range");
     // It follows from the wire on the drum, except for rounding.
     const double radius = leaving_radius();
     rules.require(parted_ != 0 || std::abs(radius_ - radius) <= 1e-9 * radius,
                   "the radius of the drum is not that of the wire on it");
-    rules.range(layer_, 1.0, DrumGeometry::kMostLayers, "the layer on the drum is out of range");
+    rules.range(layer_, 1.0, DrumGeometry::kMaxLayers, "the layer on the drum is out of range");
     rules.require(layer_ == std::round(layer_), "the layer on the drum is no whole number");
     rules.require(wraps_ >= 0.0 && clock_ >= 0.0 && slip_ >= 0.0 && heat_ >= 0.0,
                   "wraps, clock, slip or heat is below 0");
@@ -138,7 +138,7 @@ WinchMode WinchSystem::mode() const noexcept {
 }
 
 /// Sample the result of the last step.
-void WinchSystem::look(const Prestep& now) noexcept {
+void WinchSystem::sample(const Prestep& now) noexcept {
     const double angle = now.world.pose(wound()).position.x();
     turned_ = angle - angle_;
     angle_ = angle;
@@ -240,9 +240,9 @@ void WinchSystem::follow_chain(const GypsyWheel& wheel, Prestep& now, Loads& loa
     const double weight = parted_ == 0 ? line * world.settings().gravity.norm() * wheel.fall : 0.0;
     const double rate = parted_ == 0 ? line * out : 0.0;  // lifted from the heap [kg/s]
     chain_.feel_tail(weight + rate * out);
-    const double apart = angle_ - world.pose(ids_.drum).position.x();
-    const double jumped =
-        chain_.look(apart, leaving_ - omega_, world.force(ids_.grip)[0], pull_ - chain_.tail());
+    const double separation = angle_ - world.pose(ids_.drum).position.x();
+    const double jumped = chain_.sample(separation, leaving_ - omega_, world.force(ids_.grip)[0],
+                                        pull_ - chain_.tail());
     if (jumped > 0.0 && parted_ == 0) now.tell(EventKind::chain_jump, ids_.drum, jumped);
     loads.add_force(ids_.chain, {-weight * radius_, 0.0, 0.0});
     loads.add_damping(ids_.chain, Eigen::Matrix<double, 1, 1>(rate * radius_ * radius_));
@@ -273,7 +273,7 @@ void WinchSystem::count_release(Prestep& now) noexcept {
 }
 
 void WinchSystem::prestep(Prestep& now, Loads& loads) noexcept {
-    look(now);
+    sample(now);
     count_slip(now);
     count_rendering(now);
     follow_layer(now);

@@ -106,7 +106,7 @@ class WinchSystem final : public System {
         std::int32_t heaves = 0;          ///< The compensation has begun.
     };
 
-    void look(const Prestep& now) noexcept;
+    void sample(const Prestep& now) noexcept;
     void count_slip(Prestep& now) noexcept;
     void count_rendering(Prestep& now) noexcept;
     void follow_layer(Prestep& now) noexcept;
@@ -128,7 +128,7 @@ class WinchSystem final : public System {
     void add_aid_signals(SignalTable& table);
     void follow_aids(Prestep& now) noexcept;
     void follow_heave(const Prestep& now) noexcept;
-    [[nodiscard]] double most_tension() const noexcept;
+    [[nodiscard]] double max_tension() const noexcept;
     void limit_overload(Orders& out) const noexcept;
     [[nodiscard]] Orders orders() noexcept;
     void order_motor(Orders& out) noexcept;

@@ -35,24 +35,24 @@ WireResolution::WireResolution(const ResolutionDef& def, std::vector<Line> lines
 }
 
 void WireResolution::visit_state(StateVisitor& v) {
-    v.visit(told_);
+    v.visit(reported_);
     v.visit(memory_);
     for (std::int32_t* x : {&known_, &wanted_}) v.visit(*x);
-    v.visit(looked_);
+    v.visit(sampled_);
     for (double* x : {&tension_, &nodes_, &shortest_, &longest_, &material_, &inserted_, &removed_})
         v.visit(*x);
 }
 
 void WireResolution::check_state(const World& world, StateRules& rules) const {
     static_cast<void>(world);
-    constexpr std::int32_t kMostLooks = 1'000'000'000;
-    rules.flag(told_, "whether a limit was reported is no flag");
+    constexpr std::int32_t kMaxSampleCount = 1'000'000'000;
+    rules.flag(reported_, "whether a limit was reported is no flag");
     rules.require(known_ >= 0 && static_cast<std::size_t>(known_) <= room_,
                   "more nodes are known than there may be");
     rules.require(wanted_ >= -1, "there is no such node");
-    rules.require(looked_ >= -1, "it looked at no step");
+    rules.require(sampled_ >= -1, "it looked at no step");
     for (std::size_t k = 2; k < memory_.size(); k += 3)
-        rules.require(memory_[k] >= -kMostLooks && memory_[k] <= kMostLooks,
+        rules.require(memory_[k] >= -kMaxSampleCount && memory_[k] <= kMaxSampleCount,
                       "the looks of a node are out of range");
     rules.require(nodes_ >= 0.0 && inserted_ >= 0.0 && removed_ >= 0.0, "a count is below 0");
 }
@@ -175,13 +175,13 @@ bool WireResolution::refine(NodeEdits& nodes) noexcept {
 bool WireResolution::coarsen(NodeEdits& nodes) noexcept {
     const std::int32_t wait = scale_ > 1.0 ? 1 : patience_;
     std::size_t least = 0;
-    double share = 1e30;
+    double fraction = 1e30;
     for (std::size_t k = 1; k + 1 < at_.size(); ++k) {
         if (at_[k].idle < wait) continue;
         const Element &a = elements_[k - 1], &b = elements_[k];
         const double now = (a.length + b.length) / std::min(a.bound_to_go, b.bound_to_go);
-        if (now >= share) continue;
-        share = now;
+        if (now >= fraction) continue;
+        fraction = now;
         least = k;
     }
     if (least == 0) return false;
@@ -218,12 +218,12 @@ void WireResolution::before_step(NodeEdits& nodes) noexcept {
     const World& world = nodes.world;
     const std::int64_t now = world.step_count();
     // No force is known before the first step.
-    if (now == 0 || now == looked_ || (now + phase_) % def_.interval != 0) return;
+    if (now == 0 || now == sampled_ || (now + phase_) % def_.interval != 0) return;
     if (!world.alive(def_.wire)) return;
     patience_ = std::max(1, static_cast<std::int32_t>(std::ceil(
                                 def_.patience / (def_.interval * world.settings().step))));
     try {
-        look(world);
+        sample(world);
         average_tension(world);
         bound_elements(world);
         recall();
@@ -236,19 +236,19 @@ void WireResolution::before_step(NodeEdits& nodes) noexcept {
     } catch (const std::exception&) {
         return;  // out of memory: retried in the next step
     }
-    looked_ = now;
+    sampled_ = now;
     tell(world);
 }
 
 void WireResolution::prestep(Prestep& now, Loads& loads) noexcept {
     static_cast<void>(loads);
-    if (wanted_ >= 0 && told_ == 0) {
+    if (wanted_ >= 0 && reported_ == 0) {
         const auto bodies = now.world.bodies();
         const auto at = std::find_if(bodies.begin(), bodies.end(),
                                      [&](BodyId id) { return id.index == wanted_; });
         if (at != bodies.end()) now.tell(EventKind::node_limit, *at, nodes_);
     }
-    told_ = wanted_ >= 0 ? 1 : 0;
+    reported_ = wanted_ >= 0 ? 1 : 0;
 }
 
 }  // namespace hawser::wire

@@ -74,7 +74,7 @@ class WireResolution final : public System {
     };
 
     [[nodiscard]] double mass_per_length_of(const InteractionDef& element) const noexcept;
-    void look(const World& world);
+    void sample(const World& world);
     void bend(const World& world) noexcept;
     void average_tension(const World& world) noexcept;
     void bound_elements(const World& world);
@@ -94,10 +94,10 @@ class WireResolution final : public System {
     // State.
     std::vector<std::int32_t> memory_;  ///< Index, generation and idle samples of known nodes.
     std::int32_t known_ = 0;
-    std::int64_t looked_ = -1;  ///< Step of the last sample.
-    double tension_ = -1.0;     ///< Averaged [N]; negative: unknown.
-    std::int32_t wanted_ = -1;  ///< Index of a node where more nodes are needed than allowed.
-    std::int32_t told_ = 0;
+    std::int64_t sampled_ = -1;  ///< Step of the last sample.
+    double tension_ = -1.0;      ///< Averaged [N]; negative: unknown.
+    std::int32_t wanted_ = -1;   ///< Index of a node where more nodes are needed than allowed.
+    std::int32_t reported_ = 0;
     double nodes_ = 0.0, shortest_ = 0.0, longest_ = 0.0, material_ = 0.0;
     double inserted_ = 0.0, removed_ = 0.0;
 

@@ -156,7 +156,7 @@ void check_mass(const InteractionDef& def, const model::Bodies& bodies) {
 }  // namespace
 
 void check(const InteractionDef& def, const model::Bodies& bodies, int count,
-           std::span<const InteractionDef> before, const base::Places& places) {
+           std::span<const InteractionDef> before, const base::Slots& slots) {
     const Where where("interaction", def.name);
     if (static_cast<int>(def.kind) >= kInteractionKindCount) refuse(where, "unknown kind");
     const KindInfo& info = kind_info(def.kind);
@@ -168,7 +168,7 @@ void check(const InteractionDef& def, const model::Bodies& bodies, int count,
         if (index < 0 || index >= count)
             refuse(where, which + " does not exist; a " + info.name + " couples " +
                               std::to_string(info.bodies) + " bodies");
-        if (!bodies.places.names(def.body[slot])) refuse(where, which + " has been removed");
+        if (!bodies.slots.names(def.body[slot])) refuse(where, which + " has been removed");
         for (int c = 0; c < b; ++c)
             if (def.body[static_cast<std::size_t>(c)] == def.body[slot])
                 refuse(where, "couples a body with itself");
@@ -198,7 +198,7 @@ void check(const InteractionDef& def, const model::Bodies& bodies, int count,
         if (!load.interaction.valid()) continue;
         if (load.interaction.index >= static_cast<int>(before.size()))
             refuse(where, "its load does not exist; interactions that load it are added before");
-        if (!places.names(load.interaction)) refuse(where, "its load has been removed");
+        if (!slots.names(load.interaction)) refuse(where, "its load has been removed");
         check_load(def, load, before[static_cast<std::size_t>(load.interaction.index)]);
     }
     for (int r = 0; r < info.rows; ++r) {

@@ -52,7 +52,7 @@ void check(const BodyDef& def);
 /// @param places  Their index table.
 /// @throws DefError
 void check(const InteractionDef& def, const model::Bodies& bodies, int count,
-           std::span<const InteractionDef> before, const base::Places& places);
+           std::span<const InteractionDef> before, const base::Slots& slots);
 /// Check a load of `def` against the interaction whose force it uses.
 /// @throws DefError
 void check_load(const InteractionDef& def, const FrictionLoad& load, const InteractionDef& other);

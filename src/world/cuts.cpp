@@ -164,8 +164,9 @@ void copy_motion(const stepper::StepContext& from, stepper::StepContext& to) {
     });
     // With other cut elements the wires differ.
     if (from.model.wires.count() != to.model.wires.count()) {
-        std::fill(to.model.wires.credit.begin(), to.model.wires.credit.end(), 0.0);
-        std::fill(to.model.wires.alert.begin(), to.model.wires.alert.end(), 0);
+        std::fill(to.model.wires.energy_allowance.begin(), to.model.wires.energy_allowance.end(),
+                  0.0);
+        std::fill(to.model.wires.flag_steps.begin(), to.model.wires.flag_steps.end(), 0);
         std::fill(to.model.wires.recoil.begin(), to.model.wires.recoil.end(), 0);
     }
     if (to.model.def.sleep_after == 0.0) {  // sleeping bodies are awake in this world
@@ -173,7 +174,7 @@ void copy_motion(const stepper::StepContext& from, stepper::StepContext& to) {
         std::fill(to.model.bodies.quiet.begin(), to.model.bodies.quiet.end(), 0);
     }
     stepper::check_asleep(to.model, to.work.stats);
-    stepper::follow_alerts(to.model);
+    stepper::update_wire_flags(to.model);
 }
 
 void copy_values(const stepper::StepContext& from, stepper::StepContext& to) {

@@ -152,14 +152,14 @@ class Joint {
         out.frame[slot] = (pose_[slot].orientation.conjugate() * frame).normalized();
     }
     /// Set the frames of both sides about an axis, with the angle and distance of the coordinates.
-    void set_axis(const Vec3& axis, double turned, double apart) {
-        if (!std::isfinite(turned) || !std::isfinite(apart))
+    void set_axis(const Vec3& axis, double turned, double separation) {
+        if (!std::isfinite(turned) || !std::isfinite(separation))
             refuse("its coordinate is not a finite number");
         const Vec3 z = direction(axis);
         const Quat frame = turn_between(Vec3::UnitZ(), z);
         set_frame(0, frame);
         set_frame(1, frame * Quat(Eigen::AngleAxisd(turned, Vec3::UnitZ())));
-        set_point(0, point_ - apart * z);
+        set_point(0, point_ - separation * z);
     }
     [[noreturn]] void refuse(const std::string& what) const {
         throw DefError(std::string(kind_info(kind_).name) + " " +

@@ -58,11 +58,11 @@ BodyId World::add_body(const BodyDef& def) {
     stepper::StepContext& c = m.ctx;
     refuse_beyond(m.body_ids.size(), c.model.def.max_bodies, "bodies");
     BodyDef kept = def;
-    base::make_room(m.body_defs, 1);
-    base::make_room(m.body_ids, 1);
-    base::make_room(c.model.regroup.by_hand, 1);
-    base::make_room(c.model.cuts.group, 1);
-    c.model.bodies.make_room();
+    base::reserve_more(m.body_defs, 1);
+    base::reserve_more(m.body_ids, 1);
+    base::reserve_more(c.model.regroup.by_hand, 1);
+    base::reserve_more(c.model.cuts.group, 1);
+    c.model.bodies.reserve_more();
     const std::int32_t place = next_place(c.model.bodies.place_for(def.kind), body_count());
     std::int32_t group = -1;
     claim_for(m.body_names, def.name, place, "body", [&] { group = m.number_of_group(def.group); });
@@ -85,12 +85,12 @@ InteractionId World::add_interaction(const InteractionDef& def) {
     stepper::StepContext& c = m.ctx;
     model::Interactions& all = c.model.interactions;
     world::check(def, c.model.bodies, body_count(),
-                 std::span(all.def).first(at(interaction_count())), all.places);
+                 std::span(all.def).first(at(interaction_count())), all.slots);
     refuse_beyond(m.interaction_ids.size(), c.model.def.max_interactions, "interactions");
     InteractionDef d = def;
     world::fill_in(d, c);
-    all.make_room(d.kind);
-    base::make_room(m.interaction_ids, 1);
+    all.reserve_more(d.kind);
+    base::reserve_more(m.interaction_ids, 1);
     stepper::reserve_edit(c);
     const std::int32_t place = next_place(all.place_for(d.kind), interaction_count());
     claim(m.interaction_names, d.name, place, "interaction");
@@ -117,18 +117,18 @@ ShapeId World::add_shape(const ShapeDef& def) {
     Impl& m = *impl_;
     world::check(def, m.ctx.model.bodies, body_count(), material_count());
     ShapeDef kept = def;
-    base::make_room(m.shape_defs, 1);
+    base::reserve_more(m.shape_defs, 1);
     stepper::reserve_edit(m.ctx);
-    base::make_room(m.shape_ids, 1);
+    base::reserve_more(m.shape_ids, 1);
     const std::int32_t place = next_place(
-        m.ctx.model.collider.places.find_vacant([](std::int32_t) { return true; }), shape_count());
+        m.ctx.model.collider.slots.find_vacant([](std::int32_t) { return true; }), shape_count());
     claim_for(m.shape_names, def.name, place, "shape",
               [&] { m.ctx.model.collider.add(def, m.ctx.model.bodies); });
     // No call below throws.
     put(m.shape_defs, place, std::move(kept));
     stepper::begin_shape_edit(m.ctx);
     stepper::settle_shape(m.ctx, place);
-    const auto id = m.ctx.model.collider.places.id<ShapeId>(place);
+    const auto id = m.ctx.model.collider.slots.id<ShapeId>(place);
     insert_id(m.shape_ids, id);
     if (m.listener != nullptr) m.listener->added(def);
     return id;
@@ -140,13 +140,13 @@ std::span<const InteractionId> World::interactions() const noexcept {
 }
 std::span<const ShapeId> World::shapes() const noexcept { return impl_->shape_ids; }
 bool World::alive(BodyId id) const noexcept {
-    return id.index < body_count() && impl_->ctx.model.bodies.places.names(id);
+    return id.index < body_count() && impl_->ctx.model.bodies.slots.names(id);
 }
 bool World::alive(InteractionId id) const noexcept {
-    return id.index < interaction_count() && impl_->ctx.model.interactions.places.names(id);
+    return id.index < interaction_count() && impl_->ctx.model.interactions.slots.names(id);
 }
-bool World::alive(ShapeId id) const noexcept { return impl_->ctx.model.collider.places.names(id); }
-bool World::alive(InputId id) const noexcept { return impl_->input_places.names(id); }
+bool World::alive(ShapeId id) const noexcept { return impl_->ctx.model.collider.slots.names(id); }
+bool World::alive(InputId id) const noexcept { return impl_->input_slots.names(id); }
 
 void World::set_change_listener(ChangeListener* listener) noexcept { impl_->listener = listener; }
 
@@ -177,9 +177,9 @@ const Removed& World::remove_input(InputId id) { return remove_one(*impl_, id, "
 /// Reserve capacity for all objects, because removing a hull may remove any of them.
 void World::Impl::reserve_removal() {
     stepper::reserve_edit(ctx);
-    ctx.model.bodies.make_room();
-    ctx.model.interactions.places.make_room();
-    input_places.make_room();
+    ctx.model.bodies.reserve_more();
+    ctx.model.interactions.slots.reserve_more();
+    input_slots.reserve_more();
     removed.bodies.reserve(body_ids.size());
     removed.interactions.reserve(interaction_ids.size());
     removed.shapes.reserve(shape_ids.size());
@@ -222,10 +222,10 @@ void World::Impl::remove(BodyId id) noexcept {
     for (std::int32_t s = ctx.model.collider.count(); s-- > 0;) {
         const std::int32_t* body = ctx.model.collider.shapes()[at(s)].body;
         if (body[0] == id.index || body[1] == id.index)
-            remove(ctx.model.collider.places.id<ShapeId>(s));
+            remove(ctx.model.collider.slots.id<ShapeId>(s));
     }
-    for (std::int32_t k = input_places.count(); k-- > 0;)
-        if (inputs[at(k)].body == id) remove(input_places.id<InputId>(k));
+    for (std::int32_t k = input_slots.count(); k-- > 0;)
+        if (inputs[at(k)].body == id) remove(input_slots.id<InputId>(k));
     stepper::begin_edit(ctx);
     world::release(body_names, body_defs[at(id.index)].name);
     body_defs[at(id.index)] = {.kind = BodyKind::fixed, .gravity = false};
@@ -236,8 +236,8 @@ void World::Impl::remove(BodyId id) noexcept {
 }
 
 void World::Impl::remove(InteractionId id) noexcept {
-    for (std::int32_t k = input_places.count(); k-- > 0;)
-        if (inputs[at(k)].interaction == id) remove(input_places.id<InputId>(k));
+    for (std::int32_t k = input_slots.count(); k-- > 0;)
+        if (inputs[at(k)].interaction == id) remove(input_slots.id<InputId>(k));
     stepper::begin_edit(ctx);
     world::release(interaction_names, ctx.model.interactions.def[at(id.index)].name);
     stepper::remove_interaction(ctx, id.index);
@@ -270,7 +270,7 @@ void World::Impl::remove(InputId id) noexcept {
     erase_id(input_ids, id);
     def = {};
     input_values[at(id.index)] = 0.0;
-    input_places.vacate(id.index);
+    input_slots.vacate(id.index);
     note(removed.inputs, id);
     const auto same = [&](const InputDef& other) { return other.interaction == driven; };
     if (!driven.valid() || std::any_of(inputs.begin(), inputs.end(), same)) return;

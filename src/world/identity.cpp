@@ -104,15 +104,15 @@ std::uint64_t layout_of(const stepper::StepContext& ctx, std::size_t inputs) {
         to.value(s.geometry.kind);
         to.value(s.body);
     }
-    for (const base::Places* places :
-         {&ctx.model.bodies.places, &ctx.model.interactions.places, &ctx.model.collider.places}) {
+    for (const base::Slots* slots :
+         {&ctx.model.bodies.slots, &ctx.model.interactions.slots, &ctx.model.collider.slots}) {
         const auto n =
-            std::min(places->generations().size(), places == &ctx.model.bodies.places ? bodies
-                                                   : places == &ctx.model.interactions.places
-                                                       ? count
-                                                       : ctx.model.collider.shapes().size());
-        to.front(places->generations(), n);
-        to.array(places->vacant());
+            std::min(slots->generations().size(), slots == &ctx.model.bodies.slots ? bodies
+                                                  : slots == &ctx.model.interactions.slots
+                                                      ? count
+                                                      : ctx.model.collider.shapes().size());
+        to.front(slots->generations(), n);
+        to.array(slots->vacant());
     }
     to.value(ctx.model.def.step);
     to.value(inputs);

@@ -39,24 +39,24 @@ struct World::Impl final : private world::InputDoor {
     std::vector<ShapeDef> shape_defs;
     std::vector<InputDef> inputs;  ///< Without a name at vacant indices.
     std::vector<double> input_values;
-    base::Places input_places;
+    base::Slots input_slots;
     std::vector<InputId> input_ids;  ///< Ids of existing inputs, ascending.
     world::Names body_names, interaction_names, input_names, material_names, shape_names;
 
     /// Return the index of an id.
     /// @throws DefError for an invalid id or a removed object.
     [[nodiscard]] std::size_t place(BodyId id) const {
-        return world::place_of(id, ctx.model.bodies.places, stepper::body_count(ctx.model), "body");
+        return world::place_of(id, ctx.model.bodies.slots, stepper::body_count(ctx.model), "body");
     }
     [[nodiscard]] std::size_t place(InteractionId id) const {
-        return world::place_of(id, ctx.model.interactions.places,
+        return world::place_of(id, ctx.model.interactions.slots,
                                stepper::interaction_count(ctx.model), "interaction");
     }
     [[nodiscard]] std::size_t place(ShapeId id) const {
-        return world::place_of(id, ctx.model.collider.places, ctx.model.collider.count(), "shape");
+        return world::place_of(id, ctx.model.collider.slots, ctx.model.collider.count(), "shape");
     }
     [[nodiscard]] std::size_t place(InputId id) const {
-        return world::place_of(id, input_places, input_places.count(), "input");
+        return world::place_of(id, input_slots, input_slots.count(), "input");
     }
 
     // Ids of existing objects, ascending.
@@ -85,7 +85,7 @@ struct World::Impl final : private world::InputDoor {
         std::int32_t quiet[2];  ///< … and the number of steps for which they had been at rest.
     };
     [[nodiscard]] Mark mark(BodyId from, BodyId to) const noexcept;
-    void tell_of(const world::Wire& made) const noexcept;
+    void report_wire(const world::Wire& made) const noexcept;
     void take_back(const Mark& before, const world::Wire& made) noexcept;
     [[nodiscard]] WireId keep_wire(world::Wire& wire);
     /// Reserve capacity for one more wire and claim its name.
@@ -99,7 +99,7 @@ struct World::Impl final : private world::InputDoor {
     // updates of the definitions of bodies and elements about a node; the capsule of an element.
     [[nodiscard]] world::Wire* wire_with(InteractionId element) noexcept;
     void know_wire_of(InteractionId element);
-    void follow_definitions(const stepper::NodePlace& place) noexcept;
+    void follow_definitions(const stepper::NodeSurroundings& place) noexcept;
     void follow_inputs(std::int32_t element) noexcept;
     void put_segment(ShapeId segment, BodyId first, BodyId second, const Vec3& point) noexcept;
     void move_segment(ShapeId segment, std::size_t side, BodyId to) noexcept;
@@ -110,7 +110,7 @@ struct World::Impl final : private world::InputDoor {
     [[nodiscard]] InteractionId element_at(BodyId node, std::size_t side) noexcept;
     /// Join a short element at an end left by a cut with the next one, if its node can be removed.
     void join_short_end(World& world, InteractionId end, std::size_t side) noexcept;
-    void check_cut_at_node(const std::string& where, stepper::NodePlace& place) const;
+    void check_cut_at_node(const std::string& where, stepper::NodeSurroundings& place) const;
     [[nodiscard]] bool carried(const world::Wire& wire, std::size_t element) const noexcept;
     [[nodiscard]] std::pair<InteractionId, double> beside_carried(const world::Wire& wire,
                                                                   std::size_t node,
@@ -119,21 +119,22 @@ struct World::Impl final : private world::InputDoor {
     void drop_folded(std::int32_t bend) noexcept;
     [[nodiscard]] world::Wire& wire_on_guide(InteractionId before, InteractionId behind,
                                              const InteractionDef& element);
-    void refuse_two_lines(BodyId node, const stepper::NodePlace& place) const;
-    [[nodiscard]] double stiffness_beside(const stepper::NodePlace& place,
+    void refuse_two_lines(BodyId node, const stepper::NodeSurroundings& place) const;
+    [[nodiscard]] double stiffness_beside(const stepper::NodeSurroundings& place,
                                           const world::Wire* wire) const noexcept;
-    [[nodiscard]] std::int32_t check_node_goes(BodyId node, stepper::NodePlace& place,
+    [[nodiscard]] std::int32_t check_node_goes(BodyId node, stepper::NodeSurroundings& place,
                                                double bend) const;
-    [[nodiscard]] std::optional<ShapeDef> next_segment(const stepper::NodePlace& place, BodyId node,
-                                                       bool first, const world::Wire* wire) const;
+    [[nodiscard]] std::optional<ShapeDef> next_segment(const stepper::NodeSurroundings& place,
+                                                       BodyId node, bool first,
+                                                       const world::Wire* wire) const;
 
     // Wires that are cut, joined and released (wire_cuts.cpp, wire_joins.cpp, wire_ends.cpp).
     std::vector<world::GearInUse> gear;
     [[nodiscard]] WireId id_of(const world::Wire& wire) const noexcept {
-        return wires.places.id<WireId>(static_cast<std::int32_t>(&wire - wires.wires.data()));
+        return wires.slots.id<WireId>(static_cast<std::int32_t>(&wire - wires.wires.data()));
     }
-    void part_lump(const stepper::NodePlace& place, BodyId end) noexcept;
-    void share_load(BodyId from, BodyId to, double share) noexcept;
+    void part_lump(const stepper::NodeSurroundings& place, BodyId end) noexcept;
+    void divide_load(BodyId from, BodyId to, double share) noexcept;
     void follow_definition(BodyId lump) noexcept;
     void turn_round(std::span<const std::int32_t> chain) noexcept;
     [[nodiscard]] world::FreeEnd free_end(BodyId lump) const;
@@ -146,7 +147,7 @@ struct World::Impl final : private world::InputDoor {
                                          const JoinDef& def) const;
     void add_gear_mass(BodyId lump, double mass) noexcept;
     void open_gear(InteractionId element, BodyId lump);
-    void free_lump(World& world, InteractionId element, std::size_t side);
+    void free_node(World& world, InteractionId element, std::size_t side);
 
     Removed removed;  ///< Objects of the last removal.
     void forget_removal() noexcept;
@@ -219,7 +220,7 @@ struct World::Impl final : private world::InputDoor {
         std::vector<ShapeDef> shape_defs;
         std::vector<InputDef> inputs;
         std::vector<double> input_values;
-        base::Places input_places;
+        base::Slots input_slots;
         std::vector<InputId> input_ids;
         world::Names groups, body_names, interaction_names, input_names, material_names,
             shape_names;
@@ -227,7 +228,7 @@ struct World::Impl final : private world::InputDoor {
         std::vector<InteractionId> interaction_ids;
         std::vector<ShapeId> shape_ids;
         std::vector<world::Wire> wires;
-        base::Places wire_places;
+        base::Slots wire_places;
         world::Names wire_names;
         std::vector<WireId> wire_ids;
         std::vector<world::GearInUse> gear;
@@ -271,7 +272,7 @@ struct World::Impl final : private world::InputDoor {
     }
     [[nodiscard]] bool empties_range(std::int32_t input) const noexcept override;
     [[nodiscard]] InputId id_of(std::int32_t input) const noexcept override {
-        return input_places.id<InputId>(input);
+        return input_slots.id<InputId>(input);
     }
     void take_back(const Before& before) noexcept override;
     void tell(const Before& before) noexcept override;

@@ -44,11 +44,11 @@ void limit_to_param(InputDef& def, const KindInfo& kind, const world::Where& whe
     }
 }
 
-constexpr double kMostInputForce = 1e30;  ///< [N, N m]
+constexpr double kMaxInputForce = 1e30;  ///< [N, N m]
 
 /// Range of values that the physics of an input supports. InputDef::min and max may be narrower.
 struct Followed {
-    double min = -kMostInputForce, max = kMostInputForce;
+    double min = -kMaxInputForce, max = kMaxInputForce;
     const char* unit = "";
 };
 
@@ -107,10 +107,10 @@ InputId World::add_input(const InputDef& def) {
         const std::size_t b = impl_->place(def.body);
         if (def.component < 0 || def.component > 5)
             throw DefError(where.text() + ": component must be 0 to 5");
-        if (def.min > kMostInputForce || def.max < -kMostInputForce)
+        if (def.min > kMaxInputForce || def.max < -kMaxInputForce)
             throw DefError(where.text() + ": the range lies outside -1e30 to 1e30 N or N m");
-        allowed.min = std::max(def.min, -kMostInputForce);
-        allowed.max = std::min(def.max, kMostInputForce);
+        allowed.min = std::max(def.min, -kMaxInputForce);
+        allowed.max = std::min(def.max, kMaxInputForce);
         if (def.local && m.ctx.model.bodies.kind[b] != BodyKind::rigid)
             throw DefError(where.text() + ": local: its body does not turn; leave it false");
     }
@@ -121,26 +121,26 @@ InputId World::add_input(const InputDef& def) {
         throw DefError(where.text() + ": spring = " + world::number(*def.spring) +
                        " is outside of its range, " + world::number(allowed.min) + " … " +
                        world::number(allowed.max));
-    base::make_room(m.inputs, 1);
-    base::make_room(m.input_values, 1);
-    base::make_room(m.input_ids, 1);
-    base::make_room(m.force_inputs, 1);
-    base::make_room(m.ctx.model.interactions.working, 1);
-    m.input_places.make_room();
+    base::reserve_more(m.inputs, 1);
+    base::reserve_more(m.input_values, 1);
+    base::reserve_more(m.input_ids, 1);
+    base::reserve_more(m.force_inputs, 1);
+    base::reserve_more(m.ctx.model.interactions.working, 1);
+    m.input_slots.reserve_more();
     if (def.local) {
-        base::make_room(m.local_inputs, 1);
+        base::reserve_more(m.local_inputs, 1);
         m.forces_before.resize(6 * (m.local_inputs.size() + 1));
     }
-    std::int32_t place = m.input_places.find_vacant([](std::int32_t) { return true; });
+    std::int32_t place = m.input_slots.find_vacant([](std::int32_t) { return true; });
     claim(m.input_names, def.name, place < 0 ? input_count() : place, "input");
     // No call below throws.
     if (def.interaction.valid()) m.ctx.model.interactions.mark_driven(def.interaction.index);
     if (place < 0) {
-        place = m.input_places.append();
+        place = m.input_slots.append();
         m.inputs.emplace_back();
         m.input_values.emplace_back();
     } else {
-        m.input_places.take(place);
+        m.input_slots.take(place);
     }
     if (def.local) m.local_inputs.push_back(place);
     if (!def.interaction.valid() && !def.local) {
@@ -150,7 +150,7 @@ InputId World::add_input(const InputDef& def) {
     }
     m.inputs[at(place)] = std::move(allowed);
     m.input_values[at(place)] = value;
-    const auto id = m.input_places.id<InputId>(place);
+    const auto id = m.input_slots.id<InputId>(place);
     m.input_ids.insert(std::lower_bound(m.input_ids.begin(), m.input_ids.end(), id), id);
     if (m.listener != nullptr) m.listener->added(def);
     return id;
@@ -160,7 +160,7 @@ int World::input_count() const noexcept { return static_cast<int>(impl_->inputs.
 std::span<const InputId> World::inputs() const noexcept { return impl_->input_ids; }
 const InputDef& World::input_def(InputId id) const { return impl_->inputs[impl_->place(id)]; }
 InputId World::find_input(std::string_view name) const noexcept {
-    return impl_->input_places.id<InputId>(lookup(impl_->input_names, name));
+    return impl_->input_slots.id<InputId>(lookup(impl_->input_names, name));
 }
 double World::input(InputId id) const { return impl_->input_values[impl_->place(id)]; }
 

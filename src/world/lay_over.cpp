@@ -103,9 +103,9 @@ std::array<InteractionId, 2> World::lay_over(InteractionId element, InteractionD
         if (!(given[end] > 0.0)) world::refuse(where, "a lump at its end has less than half of it");
     }
     m.refuse_held(element);
-    base::make_room(wire->elements, 1);
-    base::make_room(wire->nodes, 1);
-    base::make_room(wire->shapes, 2);
+    base::reserve_more(wire->elements, 1);
+    base::reserve_more(wire->nodes, 1);
+    base::reserve_more(wire->shapes, 2);
     const std::array<Vec3, 2> speed{
         stepper::speed_of(m.ctx, element.index, 0, m.ctx.model.bodies.v),
         stepper::speed_of(m.ctx, element.index, 1, m.ctx.model.bodies.v)};
@@ -210,7 +210,7 @@ InteractionId World::lift_off(InteractionId before, InteractionId behind, Intera
         try {
             out = add_interaction(element);
             if (const auto segment = world::capsule_of(*this, wire.trim, element)) {
-                base::make_room(wire.shapes, 1);
+                base::reserve_more(wire.shapes, 1);
                 capsule = add_shape(*segment);
             }
             m.reserve_removal();
@@ -245,7 +245,7 @@ InteractionId World::lift_off(InteractionId before, InteractionId behind, Intera
         std::erase_if(wire.bends, [&](InteractionId id) { return !alive(id); });
         for (const std::size_t end : {0U, 1U})
             if (half > 0.0 && is_lump(ends[end]))
-                world::share_momentum(m.ctx, ends[end].index, wheel, end);
+                world::divide_momentum(m.ctx, ends[end].index, wheel, end);
     }
     element.name = given;
     if (m.listener != nullptr) m.listener->lifted(before, behind, element);

@@ -22,14 +22,14 @@ namespace hawser::world {
 
 /// Return the index of an id; reject invalid ids and those of removed objects.
 template <class Id>
-std::size_t place_of(const Id& id, const base::Places& places, int count, const char* what) {
-    if (id.index >= 0 && id.index < count && places.names(id)) return at(id.index);
+std::size_t place_of(const Id& id, const base::Slots& slots, int count, const char* what) {
+    if (id.index >= 0 && id.index < count && slots.names(id)) return at(id.index);
     const std::string number = std::to_string(id.index);
     if (id.index < 0 || id.index >= count)
         throw DefError(std::string("there is no ") + what + " with id " + number);
     throw DefError(std::string("the ") + what + " with id " + number + " of generation " +
                    std::to_string(id.generation) + " has been removed" +
-                   (places.holds(id.index) ? "; another one has its place" : ""));
+                   (slots.holds(id.index) ? "; another one has its place" : ""));
 }
 
 /// Hash for lookups without a copy of the name, which would allocate.
@@ -64,7 +64,7 @@ class Names {
         if (known_ && copied_ == from.changes_) return;
         known_ = false;
         map_ = from.map_;
-        base::make_room(spare_, map_.size() + 1);
+        base::reserve_more(spare_, map_.size() + 1);
         copied_ = from.changes_;
         known_ = true;
     }
@@ -91,7 +91,7 @@ class Names {
     /// @throws std::bad_alloc.
     bool add(const std::string& name, std::int32_t place) {
         if (contains(name)) return false;
-        base::make_room(spare_, map_.size() + 1);  // for erase()
+        base::reserve_more(spare_, map_.size() + 1);  // for erase()
         ++changes_;
         if (spare_.empty()) {
             map_.emplace(name, place);

@@ -45,7 +45,7 @@ void World::Impl::check_node(InteractionId element, double share, double mass) c
 /// Check that two elements have one line type, so that one can replace both. Masses per length
 /// differ slightly by edits, which change rest lengths.
 /// @throws DefError.
-void World::Impl::refuse_two_lines(BodyId node, const stepper::NodePlace& place) const {
+void World::Impl::refuse_two_lines(BodyId node, const stepper::NodeSurroundings& place) const {
     constexpr double kSame = 0.1;
     const model::Interactions& in = ctx.model.interactions;
     const InteractionDef &a = in.def[at(place.first)], &b = in.def[at(place.second)];
@@ -60,7 +60,7 @@ void World::Impl::refuse_two_lines(BodyId node, const stepper::NodePlace& place)
 /// Check that a node can be removed.
 /// @return the element beside it that stays.
 /// @throws DefError with the remedy.
-std::int32_t World::Impl::check_node_goes(BodyId node, stepper::NodePlace& place,
+std::int32_t World::Impl::check_node_goes(BodyId node, stepper::NodeSurroundings& place,
                                           double bend) const {
     const world::Where where("body", body_defs[at(node.index)].name);
     if (body_defs[at(node.index)].kind != BodyKind::lump || !stepper::find_place(ctx, place))

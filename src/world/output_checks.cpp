@@ -28,7 +28,7 @@ void check_body(const std::string& where, const char* field, BodyId body, const 
                 const model::Bodies& bodies, int count, bool is_place) {
     if (body.index < 0 || body.index >= count)
         refuse(where, std::string(field) + " does not exist; give the id of a body");
-    if (!bodies.places.names(body)) refuse(where, std::string(field) + " has been removed");
+    if (!bodies.slots.names(body)) refuse(where, std::string(field) + " has been removed");
     if (!point.allFinite()) refuse(where, "a point is not finite");
     const int dof = bodies.dof(body.index);
     if (dof == 1 && is_place)
@@ -63,7 +63,7 @@ std::string check_interaction(const std::string& where, const OutputDef& def, in
                               const model::Interactions& in, int count) {
     if (def.interaction.index < 0 || def.interaction.index >= count)
         refuse(where, "its interaction does not exist; give the id of one");
-    if (!in.places.names(def.interaction)) refuse(where, "its interaction has been removed");
+    if (!in.slots.names(def.interaction)) refuse(where, "its interaction has been removed");
     const KindInfo& kind = kind_info(in.def[at(def.interaction.index)].kind);
     const KindCoordinate c = kind.coordinate;
     switch (def.kind) {
@@ -96,7 +96,7 @@ void check_line(const std::string& where, const OutputDef& def, const model::Int
                 const WireList& wires, int count) {
     if (def.wire.index != -1) {
         if (!def.line.empty()) refuse(where, "it has a wire and a line; give one of them");
-        if (!wires.places.names(def.wire))
+        if (!wires.slots.names(def.wire))
             refuse(where, "its wire does not exist or has been removed; give the id of one");
         return;
     }
@@ -105,7 +105,7 @@ void check_line(const std::string& where, const OutputDef& def, const model::Int
     for (const InteractionId id : def.line) {
         if (id.index < 0 || id.index >= count)
             refuse(where, "an element of its line does not exist");
-        if (!in.places.names(id)) refuse(where, "an element of its line has been removed");
+        if (!in.slots.names(id)) refuse(where, "an element of its line has been removed");
         const KindInfo& kind = kind_info(in.def[at(id.index)].kind);
         if (!kind.is(kPulls) && !(kind.is(kHoldsBodies) && kind.row_units[0] == 'm'))
             refuse(where, std::string("a ") + kind.name +

@@ -30,14 +30,14 @@ Vec3 turned(const model::Bodies& b, std::int32_t body, const Vec3& local) noexce
     return out;
 }
 
-Vec3 place_in_world(const model::Bodies& b, std::int32_t body, const Vec3& point) noexcept {
+Vec3 position_in_world(const model::Bodies& b, std::int32_t body, const Vec3& point) noexcept {
     const double* x = &b.x[3 * at(body)];
     return Vec3(x[0], x[1], x[2]) + turned(b, body, point);
 }
 
 double pose_component(const model::Bodies& b, std::int32_t body, const Vec3& point,
                       int component) noexcept {
-    if (component < kRoll) return place_in_world(b, body, point)[component];
+    if (component < kRoll) return position_in_world(b, body, point)[component];
     const double* q = &b.q[4 * at(body)];
     const double w = q[0], x = q[1], y = q[2], z = q[3];
     switch (component) {
@@ -80,12 +80,12 @@ double tension(const model::Interactions& in, InteractionId id) noexcept {
 
 /// Return true if all objects that an output reads exist.
 bool alive(const stepper::StepContext& ctx, const WireList& wires, const OutputDef& def) noexcept {
-    const auto body = [&](BodyId id) { return !id.valid() || ctx.model.bodies.places.names(id); };
+    const auto body = [&](BodyId id) { return !id.valid() || ctx.model.bodies.slots.names(id); };
     const auto one = [&](InteractionId id) {
-        return !id.valid() || ctx.model.interactions.places.names(id);
+        return !id.valid() || ctx.model.interactions.slots.names(id);
     };
     return body(def.body) && body(def.body_b) && one(def.interaction) &&
-           (!def.wire.valid() || wires.places.names(def.wire)) &&
+           (!def.wire.valid() || wires.slots.names(def.wire)) &&
            std::all_of(def.line.begin(), def.line.end(), one);
 }
 
@@ -93,7 +93,7 @@ bool alive(const stepper::StepContext& ctx, const WireList& wires, const OutputD
 /// removed.
 double wire_tension(const model::Interactions& in, const Wire& wire, int component) noexcept {
     double most = std::numeric_limits<double>::quiet_NaN();
-    const auto of = [&](InteractionId id) { return in.places.names(id) ? tension(in, id) : most; };
+    const auto of = [&](InteractionId id) { return in.slots.names(id) ? tension(in, id) : most; };
     if (component == kFirst) return of(wire.elements.front());
     if (component == kLast) return of(wire.elements.back());
     for (const InteractionId id : wire.elements) {
@@ -155,12 +155,12 @@ double energy_of(const stepper::StepContext& ctx, const Energy& energy, int comp
 }  // namespace
 
 OutputId Outputs::add(OutputDef def, int component) {
-    base::make_room(defs_, 1);
-    base::make_room(component_, 1);
-    base::make_room(values_, 1);
-    base::make_room(signal_, 1);
-    base::make_room(ids_, 1);
-    places_.make_room();
+    base::reserve_more(defs_, 1);
+    base::reserve_more(component_, 1);
+    base::reserve_more(values_, 1);
+    base::reserve_more(signal_, 1);
+    base::reserve_more(ids_, 1);
+    places_.reserve_more();
     std::int32_t place = places_.find_vacant([](std::int32_t) { return true; });
     claim(names_, def.name, place < 0 ? places_.count() : place, "output");
     // No call below throws.
@@ -271,8 +271,8 @@ void Outputs::evaluate(const World& world, const stepper::StepContext& ctx, cons
                 values_[i] = drum(world, ctx, systems, def.interaction, c);
                 break;
             case OutputKind::distance:
-                values_[i] = (place_in_world(b, def.body_b.index, def.point_b) -
-                              place_in_world(b, def.body.index, def.point))
+                values_[i] = (position_in_world(b, def.body_b.index, def.point_b) -
+                              position_in_world(b, def.body.index, def.point))
                                  .norm();
                 break;
             case OutputKind::statistic:

@@ -94,7 +94,7 @@ class Outputs {
     std::vector<double> values_;
     std::array<double, kStepFigures> figures_{};
     Names names_;
-    base::Places places_;
+    base::Slots places_;
     std::vector<OutputId> ids_;  ///< Ids of existing outputs, ascending.
     bool wants_energy_ = false;
 };

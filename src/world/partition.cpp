@@ -100,7 +100,7 @@ bool follow_separators(const assembly::PartGraph& g, std::span<const std::int64_
             part = out.part[at(v)];
         }
         if (joins) changed.push_back(e);
-        if (joins && graph.edge(e).size() > graph::Follower::kMostMembers) return false;
+        if (joins && graph.edge(e).size() > graph::Follower::kMaxMembers) return false;
         if (between && !joins) changed.push_back(-1 - e);
     }
     constexpr std::int64_t kFew = 20;  // one in this many
@@ -110,7 +110,7 @@ bool follow_separators(const assembly::PartGraph& g, std::span<const std::int64_
         if (e >= 0) follower.change(e, graph.edge(e));
     for (const std::int32_t e : changed)
         if (const std::int32_t b = -1 - e;
-            b >= 0 && graph.edge(b).size() <= graph::Follower::kMostMembers)
+            b >= 0 && graph.edge(b).size() <= graph::Follower::kMaxMembers)
             follower.change(b, graph.edge(b));
     follower.copy_to(out);
     return makespan(out) <= graph::Follower::kWorn * before.makespan_new;

@@ -44,7 +44,7 @@ void World::add_interactions(std::span<const InteractionDef> defs, std::span<Int
     world::Names names;
     for (const InteractionDef& d : defs) {
         world::check(d, m.ctx.model.bodies, body_count(),
-                     std::span(all.def).first(at(interaction_count())), all.places);
+                     std::span(all.def).first(at(interaction_count())), all.slots);
         for (const FrictionLoad& load : d.load)
             if (!load.interaction.valid() && load.factor != 0.0)
                 world::check_load(d, load, defs.front());

@@ -63,8 +63,8 @@ void visit_motion(Context& ctx, F&& f) {
     f(ctx.model.interactions.repeats);
     f(ctx.model.interactions.saturated);
     f(ctx.model.interactions.anchor);
-    f(ctx.model.wires.credit);
-    f(ctx.model.wires.alert);
+    f(ctx.model.wires.energy_allowance);
+    f(ctx.model.wires.flag_steps);
     f(ctx.model.wires.recoil);
 }
 
@@ -84,7 +84,7 @@ void visit_values(Context& ctx, F&& f) {
     f(ctx.state.loads.work);
     f(ctx.state.loads.water);
     f(ctx.state.loads.added);
-    f(ctx.state.judge.state);
+    f(ctx.state.monitor.state);
     f(ctx.work.stats.event_count);
 }
 
@@ -149,8 +149,8 @@ struct SavedState {
             std::vector<std::uint8_t> saturated;
         } interactions;
         struct {
-            std::vector<double> credit;
-            std::vector<std::int32_t> alert, recoil;
+            std::vector<double> energy_allowance;
+            std::vector<std::int32_t> flag_steps, recoil;
         } wires;
         struct {
             base::Array<collide::KeptContact> contacts;
@@ -184,8 +184,8 @@ struct SavedState {
             double work = 0.0, water = 0.0, added = 0.0;
         } loads;
         struct {
-            stepper::JudgeState state;
-        } judge;
+            stepper::MonitorState state;
+        } monitor;
         base::Array<double> analysed_x, analysed_r;
         std::int64_t step = 0;
         /// A byte, because values other than 0 and 1 are not a valid bool.
@@ -203,7 +203,7 @@ struct SavedState {
 };
 
 /// Allocate the arrays of an elimination order.
-[[nodiscard]] factor::AnalysisState room_for_order(const Header& header);
+[[nodiscard]] factor::AnalysisState capacity_for_order(const Header& header);
 
 /// Check that a world can continue from a state: valid indices, finite numbers, consistent counts
 /// and steps. The analysis checks that the elimination order belongs to the system's pattern.

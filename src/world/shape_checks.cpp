@@ -8,10 +8,10 @@
 namespace hawser::world {
 namespace {
 
-constexpr double kLongest = 1e6;                 ///< [m].
-constexpr std::size_t kMostNodes = 1U << 24;     ///< Nodes of a heightfield.
-constexpr std::size_t kMostVertices = 1U << 22;  ///< Vertices of a mesh, and its triangles.
-constexpr std::size_t kMostHull = 4096;          ///< Vertices of a hull.
+constexpr double kLongest = 1e6;                ///< [m].
+constexpr std::size_t kMostNodes = 1U << 24;    ///< Nodes of a heightfield.
+constexpr std::size_t kMaxVertices = 1U << 22;  ///< Vertices of a mesh, and its triangles.
+constexpr std::size_t kMostHull = 4096;         ///< Vertices of a hull.
 
 [[noreturn]] void reject(const Where& where, const std::string& what) {
     throw DefError(where.text() + ": " + what);
@@ -61,7 +61,7 @@ void check_heightfield(const Where& where, const ShapeDef& d) {
 }
 
 void check_mesh(const Where& where, const ShapeDef& d) {
-    if (d.vertices.size() > kMostVertices || d.triangles.size() > kMostVertices)
+    if (d.vertices.size() > kMaxVertices || d.triangles.size() > kMaxVertices)
         reject(where, "a mesh may have 4,194,304 vertices and triangles at most");
     if (d.triangles.empty()) reject(where, "a mesh needs triangles");
     points(where, d.vertices);
@@ -105,7 +105,7 @@ void check_bodies(const Where& where, const ShapeDef& d, const model::Bodies& bo
     auto kind = [&](BodyId id, const char* which) {
         if (id.index < 0 || id.index >= count)
             reject(where, std::string(which) + " does not exist");
-        if (!bodies.places.names(id)) reject(where, std::string(which) + " has been removed");
+        if (!bodies.slots.names(id)) reject(where, std::string(which) + " has been removed");
         return bodies.kind[static_cast<std::size_t>(id.index)];
     };
     const BodyKind a = kind(d.body, "body");

@@ -82,7 +82,7 @@ std::span<const MaterialPairDef> World::material_pairs() const noexcept {
 int World::shape_count() const noexcept { return impl_->ctx.model.collider.count(); }
 const ShapeDef& World::shape_def(ShapeId id) const { return impl_->shape_defs[impl_->place(id)]; }
 ShapeId World::find_shape(std::string_view name) const noexcept {
-    return impl_->ctx.model.collider.places.id<ShapeId>(lookup(impl_->shape_names, name));
+    return impl_->ctx.model.collider.slots.id<ShapeId>(lookup(impl_->shape_names, name));
 }
 
 std::vector<ContactView> World::contacts() const {
@@ -102,7 +102,7 @@ void World::pressing(ShapeId id, std::vector<ShapeId>& out) const {
         if ((pair[0] != shape && pair[1] != shape) ||
             (lambda[0] == 0.0 && lambda[1] == 0.0 && lambda[2] == 0.0))
             continue;
-        out.push_back(collider.places.id<ShapeId>(pair[pair[0] == shape ? 1 : 0]));
+        out.push_back(collider.slots.id<ShapeId>(pair[pair[0] == shape ? 1 : 0]));
     }
 }
 
@@ -125,7 +125,7 @@ void World::contacts(std::vector<ContactView>& out) const {
     for (std::size_t i = 0; i < ctx.state.contacts.contacts.size(); ++i) {
         const collide::Contact& c = ctx.state.contacts.contacts[i];
         ContactView v;
-        for (int k = 0; k < 2; ++k) v.shape[k] = ctx.model.collider.places.id<ShapeId>(c.shape[k]);
+        for (int k = 0; k < 2; ++k) v.shape[k] = ctx.model.collider.slots.id<ShapeId>(c.shape[k]);
         v.force.setZero();
         for (int k = 0; k < 3; ++k) {
             v.point[k] = 0.5 * (c.on[0][k] + c.on[1][k]);

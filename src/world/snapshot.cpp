@@ -123,7 +123,7 @@ void take_state(stepper::StepContext& ctx, std::vector<double>& inputs, const He
     resize_contacts(ctx, header.contacts, header.resistances);
     ctx.model.system.contacts.links.resize(header.links);
     ctx.model.system.contacts.link_used.resize(header.links);
-    factor::AnalysisState order = world::room_for_order(header);
+    factor::AnalysisState order = world::capacity_for_order(header);
     visit_state(ctx, inputs, order, [&](void* to, std::size_t n) {
         if (n > 0) std::memcpy(to, from, n);
         from += n;
@@ -131,7 +131,7 @@ void take_state(stepper::StepContext& ctx, std::vector<double>& inputs, const He
     const bool relinked = links != ctx.model.system.contacts.links;
     if (relinked) ctx.model.system.contacts.make_blocks();
     stepper::check_asleep(ctx.model, ctx.work.stats);
-    stepper::follow_alerts(ctx.model);
+    stepper::update_wire_flags(ctx.model);
     if (regrouped || relinked || asked != ctx.model.cuts.asked ||
         asleep != ctx.model.bodies.asleep || ctx.state.analysed_x != analysed_x ||
         ctx.state.analysed_r != analysed_r || ctx.model.system.analysis.state() != order)
@@ -251,8 +251,8 @@ void World::take_saved(std::span<const std::byte> bytes, bool variant) {
     // Parameters and forces follow their inputs, lines follow their drums.
     if (variant) {
         m.put_user_forces();
-        m.ctx.state.judge.state = {};
-        m.ctx.state.judge.verdict = {};
+        m.ctx.state.monitor.state = {};
+        m.ctx.state.monitor.verdict = {};
     } else {
         m.take_user_forces();
     }

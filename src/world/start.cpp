@@ -59,7 +59,7 @@ std::vector<ContactView> World::overlaps() const {
             v.normal[k] = c.normal[k];
         }
         v.force = -c.gap / found.surfaces[at(c.surface)].compliance * v.normal;
-        for (int s = 0; s < 2; ++s) v.shape[s] = ctx.model.collider.places.id<ShapeId>(c.shape[s]);
+        for (int s = 0; s < 2; ++s) v.shape[s] = ctx.model.collider.slots.id<ShapeId>(c.shape[s]);
     }
     return out;
 }

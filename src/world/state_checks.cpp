@@ -19,10 +19,10 @@ constexpr double kFar = 1e15;
 /// Limit of forces, impulses, energies [N, N s, J].
 constexpr double kHuge = 1e40;
 /// Largest number of steps that a double represents exactly.
-constexpr std::int64_t kMostSteps = std::int64_t{1} << 53;
+constexpr std::int64_t kMaxSteps = std::int64_t{1} << 53;
 constexpr double kUnit = 1e-6;  ///< Tolerance of quaternion norms and entries of rotations.
 /// Largest number of steps at rest, see step/sleep.cpp.
-constexpr std::int32_t kMostQuiet = 1'000'000'000;
+constexpr std::int32_t kMaxQuiet = 1'000'000'000;
 
 [[noreturn]] void refuse_state(const std::string& what) {
     throw DefError("snapshot: not a state that a world can have: " + what);
@@ -81,7 +81,7 @@ void check_bodies(const stepper::StepContext& ctx, const SavedState& s) {
             refuse_state("a rotation is not that of the orientation" + entry(b));
         if (s.model.bodies.asleep[b] != 0 && ctx.model.bodies.dof(static_cast<int>(b)) == 0)
             refuse_state("what cannot move is asleep" + entry(b));
-        if (s.model.bodies.quiet[b] < 0 || s.model.bodies.quiet[b] > kMostQuiet)
+        if (s.model.bodies.quiet[b] < 0 || s.model.bodies.quiet[b] > kMaxQuiet)
             refuse_state("a time at rest is out of range" + entry(b));
     }
     numbers(s.model.bodies.r, "a rotation", 2.0);
@@ -94,12 +94,12 @@ void check_interactions(const stepper::StepContext& ctx, const SavedState& s) {
     for (const std::int32_t id : ctx.model.interactions.spans)
         if (const double turns = s.model.interactions.anchor[at(id)]; turns != std::round(turns))
             refuse_state("turns of a line on its wheel are no whole number");
-    numbers(s.model.wires.credit, "what a wire lost lately", kHuge);
-    for (std::size_t k = 0; k < s.model.wires.credit.size(); ++k)
-        if (s.model.wires.credit[k] < 0.0 || s.model.wires.alert[k] < 0 ||
-            s.model.wires.alert[k] > stepper::most_alert(ctx.model.def.step) ||
+    numbers(s.model.wires.energy_allowance, "what a wire lost lately", kHuge);
+    for (std::size_t k = 0; k < s.model.wires.energy_allowance.size(); ++k)
+        if (s.model.wires.energy_allowance[k] < 0.0 || s.model.wires.flag_steps[k] < 0 ||
+            s.model.wires.flag_steps[k] > stepper::max_flag_steps(ctx.model.def.step) ||
             s.model.wires.recoil[k] < stepper::Wires::kBeginsToRecoil ||
-            s.model.wires.recoil[k] > stepper::most_recoil(ctx.model.def.step))
+            s.model.wires.recoil[k] > stepper::max_recoil(ctx.model.def.step))
             refuse_state("a wire's guard is out of range" + entry(k));
     flags(s.model.interactions.active, "which rows act");
     flags(s.model.interactions.parted, "which lines have parted");
@@ -138,7 +138,7 @@ void check_contacts(const stepper::StepContext& ctx, const SavedState& s) {
             refuse_state("contacts are not in their order" + entry(i));
         numbers(k.at, "the place of a contact", kFar);
         const assembly::ContactMemory& m = memory[i];
-        numbers(m.share, "the share of a contact", 2.0);
+        numbers(m.fraction, "the fraction of a contact between the nodes of its wire", 2.0);
         numbers(m.anchor[0], "the anchor of a contact", kFar);
         numbers(m.anchor[1], "the anchor of a contact", kFar);
         numbers(m.rolled, "the violation of a contact", kFar);
@@ -200,7 +200,7 @@ void check_order(const factor::AnalysisState& order) {
 }
 
 void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
-    if (s.state.step < 0 || s.state.step > kMostSteps) refuse_state("the step is out of range");
+    if (s.state.step < 0 || s.state.step > kMaxSteps) refuse_state("the step is out of range");
     if (s.state.started > 1) refuse_state("the start is no flag");
     const auto sleeps = [](std::uint8_t flag) { return flag != 0; };
     if (s.state.started == 0 &&
@@ -211,7 +211,7 @@ void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
         refuse_state("refinements are out of range");
     for (const std::int64_t n : s.work.stats.event_count)
         if (n < 0) refuse_state("a count of events is negative");
-    const stepper::JudgeState& j = s.state.judge.state;
+    const stepper::MonitorState& j = s.state.monitor.state;
     numbers(std::array{j.kinetic, j.potential, j.elastic, j.by_length, j.by_force, j.posed, j.held,
                        j.given, j.exchanged, j.counted, j.age, j.closed, j.closed_elastic,
                        j.unsolved, j.open_start, j.held_time},
@@ -224,10 +224,10 @@ void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
     numbers(j.wound, "a figure of the judge", 1e300);
     numbers(j.beyond, "a figure of the judge", 1e300);
     numbers(j.deep, "a figure of the judge", 1e300);
-    for (const auto& tides : {j.now_tide, j.mean_tide})
-        for (const stepper::Tide& tide : tides)
+    for (const auto& extremes : {j.now_extremes, j.mean_extremes})
+        for (const stepper::DecayingExtremes& tide : extremes)
             numbers(std::array{tide.least, tide.most}, "a figure of the judge", 1e300);
-    flags(std::span(j.told).first(kJudgeCount), "a word of the judge");
+    flags(std::span(j.reported).first(kJudgeCount), "a word of the judge");
     if (j.step < 0 || j.step > s.state.step || j.begun < 0 || j.begun > s.state.step + 1)
         refuse_state("the judge looked at no step");
     const double energies[] = {
@@ -238,7 +238,7 @@ void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
     numbers(energies, "an energy", 1e300);
     const auto& r = s.model.regroup;
     if (r.made < 0 || r.made > s.state.step || r.seen < -1 || r.seen > s.state.step ||
-        r.parts.worse_for < 0 || r.parts.worse_for > kMostQuiet ||
+        r.parts.worse_for < 0 || r.parts.worse_for > kMaxQuiet ||
         r.parts.parts != ctx.model.regroup.parts.parts)
         refuse_state("groups were made at no step");
 }

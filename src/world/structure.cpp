@@ -32,7 +32,7 @@ BodyDef placeholder(int room) {
 }
 
 template <class Def>
-void take_places(Placed<Def>& to, const base::Places& from) {
+void copy_slots(Placed<Def>& to, const base::Slots& from) {
     const auto count = to.defs.size();
     to.generations.assign(from.generations().begin(),
                           from.generations().begin() + static_cast<std::ptrdiff_t>(count));
@@ -42,8 +42,8 @@ void take_places(Placed<Def>& to, const base::Places& from) {
 
 /// Renew ids with the current generations of their indices.
 template <class Id>
-void name_anew(std::vector<Id>& ids, const base::Places& places) noexcept {
-    for (Id& id : ids) id = places.id<Id>(id.index);
+void name_anew(std::vector<Id>& ids, const base::Slots& slots) noexcept {
+    for (Id& id : ids) id = slots.id<Id>(id.index);
 }
 
 template <class Def>
@@ -74,9 +74,9 @@ Structure World::Impl::structure() const {
     Structure out;
     const auto& bodies = ctx.model.bodies;
     for (std::int32_t b = 0; b < stepper::body_count(ctx.model); ++b)
-        out.bodies.defs.push_back(bodies.places.holds(b) ? body_defs[at(b)]
-                                                         : placeholder(bodies.room[at(b)]));
-    take_places(out.bodies, bodies.places);
+        out.bodies.defs.push_back(bodies.slots.holds(b) ? body_defs[at(b)]
+                                                        : placeholder(bodies.room[at(b)]));
+    copy_slots(out.bodies, bodies.slots);
     const model::Interactions& in = ctx.model.interactions;
     for (std::int32_t i = 0; i < stepper::interaction_count(ctx.model); ++i) {
         InteractionDef& d = out.interactions.defs.emplace_back();
@@ -89,32 +89,33 @@ Structure World::Impl::structure() const {
             out.compliances.push_back(in.defined[at(in.row_begin[at(i)] + r)]);
         if (kind_info(d.kind).is(kWoundUp)) out.radii.push_back(in.defined_radius[at(i)]);
     }
-    take_places(out.interactions, in.places);
+    copy_slots(out.interactions, in.slots);
     const collide::Materials& materials = ctx.model.collider.materials;
     for (int i = 1; i < materials.count(); ++i) out.materials.push_back(materials.def(i));
     out.pairs.assign(materials.pairs().begin(), materials.pairs().end());
-    const base::Places& shapes = ctx.model.collider.places;
+    const base::Slots& shapes = ctx.model.collider.slots;
     for (std::int32_t s = 0; s < ctx.model.collider.count(); ++s)
         out.shapes.defs.push_back(shapes.holds(s) ? shape_defs[at(s)] : ShapeDef{});
-    take_places(out.shapes, shapes);
+    copy_slots(out.shapes, shapes);
     for (std::size_t k = 0; k < inputs.size(); ++k)
-        out.inputs.defs.push_back(input_places.holds(static_cast<std::int32_t>(k)) ? inputs[k]
-                                                                                   : InputDef{});
-    take_places(out.inputs, input_places);
+        out.inputs.defs.push_back(input_slots.holds(static_cast<std::int32_t>(k)) ? inputs[k]
+                                                                                  : InputDef{});
+    copy_slots(out.inputs, input_slots);
     for (std::size_t k = 0; k < wires.wires.size(); ++k) out.wires.defs.push_back(wires.wires[k]);
-    take_places(out.wires, wires.places);
+    copy_slots(out.wires, wires.slots);
     out.gear = gear;
     out.coupling = ctx.model.cuts.coupling;
     return out;
 }
 
-/// Indices are filled in order and vacated afterwards, because an addition would use a vacant one.
+/// Make the bodies. All indices are filled in order and vacated afterwards, because an addition
+/// would use a vacant one.
 void World::Impl::make_bodies(World& self, const Placed<BodyDef>& from) {
     check(from, "bodies");
     for (const BodyDef& def : from.defs) self.add_body(def);
     for (const std::int32_t b : from.vacant) (void)self.remove_body(BodyId{b});
-    ctx.model.bodies.places.set_generations(from.generations);
-    name_anew(body_ids, ctx.model.bodies.places);
+    ctx.model.bodies.slots.set_generations(from.generations);
+    name_anew(body_ids, ctx.model.bodies.slots);
 }
 
 void World::Impl::make_shapes(World& self, const Structure& from) {
@@ -128,8 +129,8 @@ void World::Impl::make_shapes(World& self, const Structure& from) {
     for (std::size_t s = 0; s < from.shapes.defs.size(); ++s)
         self.add_shape(is_vacant(from.shapes, s) ? none : from.shapes.defs[s]);
     for (const std::int32_t s : from.shapes.vacant) (void)self.remove_shape(ShapeId{s});
-    ctx.model.collider.places.set_generations(from.shapes.generations);
-    name_anew(shape_ids, ctx.model.collider.places);
+    ctx.model.collider.slots.set_generations(from.shapes.generations);
+    name_anew(shape_ids, ctx.model.collider.slots);
 }
 
 void World::Impl::make_interactions(World& self, const Placed<InteractionDef>& from) {
@@ -137,7 +138,7 @@ void World::Impl::make_interactions(World& self, const Placed<InteractionDef>& f
     model::Interactions& in = ctx.model.interactions;
     for (std::size_t i = 0; i < from.defs.size(); ++i) {
         if (is_vacant(from, i)) {
-            in.make_room(from.defs[i].kind);
+            in.reserve_more(from.defs[i].kind);
             in.append_empty(from.defs[i].kind);
             continue;
         }
@@ -145,9 +146,9 @@ void World::Impl::make_interactions(World& self, const Placed<InteractionDef>& f
         d.load = {};  // an interaction that loads it may have a later index
         self.add_interaction(d);
     }
-    for (const std::int32_t i : from.vacant) in.places.vacate(i);
-    in.places.set_generations(from.generations);
-    name_anew(interaction_ids, in.places);
+    for (const std::int32_t i : from.vacant) in.slots.vacate(i);
+    in.slots.set_generations(from.generations);
+    name_anew(interaction_ids, in.slots);
     for (const InteractionId id : interaction_ids) {
         const auto& loads = from.defs[at(id.index)].load;
         if (loads[0].interaction.valid() || loads[1].interaction.valid()) {
@@ -185,12 +186,12 @@ void World::Impl::make_inputs(World& self, const Placed<InputDef>& from) {
         }
         inputs.emplace_back();
         input_values.push_back(0.0);
-        input_places.make_room();
-        (void)input_places.append();
+        input_slots.reserve_more();
+        (void)input_slots.append();
     }
-    for (const std::int32_t k : from.vacant) input_places.vacate(k);
-    input_places.set_generations(from.generations);
-    name_anew(input_ids, input_places);
+    for (const std::int32_t k : from.vacant) input_slots.vacate(k);
+    input_slots.set_generations(from.generations);
+    name_anew(input_ids, input_slots);
 }
 
 void World::Impl::make_wires(const Placed<WirePieces>& from) {
@@ -198,22 +199,22 @@ void World::Impl::make_wires(const Placed<WirePieces>& from) {
     for (std::size_t k = 0; k < from.defs.size(); ++k) {
         world::Wire& wire = wires.wires.emplace_back();
         static_cast<WirePieces&>(wire) = from.defs[k];
-        wires.places.make_room();
-        const std::int32_t place = wires.places.append();
+        wires.slots.reserve_more();
+        const std::int32_t place = wires.slots.append();
         if (is_vacant(from, k)) continue;
         const std::string where = world::label("wire", wire.name);
         if (wire.elements.empty() || wire.nodes.size() != wire.elements.size() + 1)
             world::refuse(where, "it has a node more than elements");
         for (const InteractionId id : wire.elements)
-            if (ctx.model.interactions.places.names(id) &&
+            if (ctx.model.interactions.slots.names(id) &&
                 !kind_info(ctx.model.interactions.def[at(id.index)].kind).is(kWireElement))
                 world::refuse(where, "it is made of elements of wires");
         world::claim(wires.names, wire.name, place, "wire");
     }
-    for (const std::int32_t k : from.vacant) wires.places.vacate(k);
-    wires.places.set_generations(from.generations);
-    for (std::int32_t k = 0; k < wires.places.count(); ++k)
-        if (wires.places.holds(k)) wires.ids.push_back(wires.places.id<WireId>(k));
+    for (const std::int32_t k : from.vacant) wires.slots.vacate(k);
+    wires.slots.set_generations(from.generations);
+    for (std::int32_t k = 0; k < wires.slots.count(); ++k)
+        if (wires.slots.holds(k)) wires.ids.push_back(wires.slots.id<WireId>(k));
 }
 
 void World::Impl::make(World& self, const Structure& from) {

@@ -79,7 +79,7 @@ std::vector<LoadView> World::loads() const { return impl_->ctx.state.loads.view(
 const BadLoad& World::bad_load() const noexcept { return impl_->systems.bad; }
 
 bool World::Impl::set(InputId id, double value, Before& before) noexcept {
-    if (!input_places.names(id) || !std::isfinite(value)) return false;
+    if (!input_slots.names(id) || !std::isfinite(value)) return false;
     const InputDef& def = inputs[at(id.index)];
     before.input = id.index;
     before.value = input_values[at(id.index)];
@@ -121,7 +121,7 @@ void World::Impl::take_back(const Before& before) noexcept {
 void World::Impl::tell(const Before& before) noexcept {
     ctx.state.events.push({ctx.state.time, EventKind::input_clamped,
                            inputs[at(before.input)].interaction, before.asked,
-                           input_places.id<InputId>(before.input)});
+                           input_slots.id<InputId>(before.input)});
     ++ctx.work.stats.event_count[static_cast<std::size_t>(EventKind::input_clamped)];
 }
 

@@ -21,7 +21,7 @@ void Systems::keep_deed(const stepper::StepContext& ctx) {
     deed_.inputs.clear();
     for (const InputDoor::Before& before : set_)
         deed_.inputs.emplace_back(door_.id_of(before.input), before.asked);
-    deed_.told = told_;
+    deed_.reported = reported_;
     deed_.loads.clear();
     for (const LoadView& load : ctx.state.loads.view()) {
         Deed::Load& one = deed_.loads.emplace_back();
@@ -35,7 +35,7 @@ void Systems::keep_deed(const stepper::StepContext& ctx) {
 /// Repeat the recorded actions of the systems. Inputs and loads of removed objects are dropped.
 void Systems::repeat_deed(stepper::StepContext& ctx) {
     take_states(deed_.states);
-    told_ = deed_.told;
+    reported_ = deed_.reported;
     for (const auto& [id, value] : deed_.inputs) {
         InputDoor::Before before;
         if (door_.set_untold(id, value, before)) set_.push_back(before);
@@ -43,7 +43,7 @@ void Systems::repeat_deed(stepper::StepContext& ctx) {
     Loads loads(ctx.state.loads);
     ctx.state.loads.begin_system(0);
     for (const Deed::Load& load : deed_.loads) {
-        if (!ctx.model.bodies.places.names(load.body)) continue;
+        if (!ctx.model.bodies.slots.names(load.body)) continue;
         const BodyLoad to = loads.of(load.body);
         const auto n = static_cast<std::size_t>(to.freedom), entries = n * (n + 1) / 2;
         if (load.numbers.size() != n + 3 * entries) continue;
@@ -69,8 +69,8 @@ class Systems::NodeHands final : public NodeEdits::Hands {
     void out_of_memory() noexcept override { failed_ = true; }
     void tell(const Event& event) noexcept override {
         try {
-            of_.told_.push_back(event);
-            of_.told_.back().time = time_;
+            of_.reported_.push_back(event);
+            of_.reported_.back().time = time_;
         } catch (const std::bad_alloc&) {
             failed_ = true;
         }
@@ -85,7 +85,7 @@ class Systems::NodeHands final : public NodeEdits::Hands {
 
 Status Systems::begin_step(World& world) noexcept {
     bad = {};
-    told_.clear();
+    reported_.clear();
     forget();
     begun_known_ = false;
     try {
@@ -104,7 +104,7 @@ Status Systems::begin_step(World& world) noexcept {
 
 void Systems::undo_step() noexcept {
     if (begun_known_) take_states(begun_);
-    told_.clear();
+    reported_.clear();
     forget();
 }
 
@@ -205,16 +205,16 @@ bool has(const std::vector<Id>& list, Id id) {
 void World::Impl::refuse_held(BodyId id, InteractionId stays) const {
     systems.each_held([&](std::string_view system, const HoldTable& held) {
         const auto on = [&](InteractionId i) {
-            if (!ctx.model.interactions.places.names(i) || i == stays) return false;
+            if (!ctx.model.interactions.slots.names(i) || i == stays) return false;
             const InteractionDef& def = ctx.model.interactions.def[at(i.index)];
             return std::find(def.body.begin(), def.body.end(), id) != def.body.end();
         };
         const auto of = [&](ShapeId s) {
-            return ctx.model.collider.places.names(s) &&
+            return ctx.model.collider.slots.names(s) &&
                    (shape_defs[at(s.index)].body == id || shape_defs[at(s.index)].body_b == id);
         };
         const auto drives = [&](InputId k) {
-            if (!input_places.names(k)) return false;
+            if (!input_slots.names(k)) return false;
             const InputDef& def = inputs[at(k.index)];
             return def.body == id || (def.interaction.valid() && on(def.interaction));
         };
@@ -229,7 +229,7 @@ void World::Impl::refuse_held(BodyId id, InteractionId stays) const {
 void World::Impl::refuse_held(InteractionId id) const {
     systems.each_held([&](std::string_view system, const HoldTable& held) {
         const auto drives = [&](InputId k) {
-            return input_places.names(k) && inputs[at(k.index)].interaction == id;
+            return input_slots.names(k) && inputs[at(k.index)].interaction == id;
         };
         if (has(held.interactions, id) ||
             std::any_of(held.inputs.begin(), held.inputs.end(), drives))

@@ -39,8 +39,8 @@ class NumberCheck final : public StateVisitor {
   private:
     void bytes(void*, std::size_t) override {}
     void numbers(std::span<double> values) override {
-        constexpr double kMostNumber = 1e300;
-        for (const double x : values) good_ = good_ && std::abs(x) <= kMostNumber;
+        constexpr double kMaxNumber = 1e300;
+        for (const double x : values) good_ = good_ && std::abs(x) <= kMaxNumber;
     }
     bool good_ = true;
 };
@@ -104,7 +104,7 @@ class Systems::Hands final : public Prestep::Hands {
         event.interaction = interaction;
         event.value = value;
         try {
-            of_.told_.push_back(event);
+            of_.reported_.push_back(event);
         } catch (const std::bad_alloc&) {
             of_.untold_ = true;  // no event is lost: the step ends and is retried
         }
@@ -196,7 +196,8 @@ Status Systems::act_all(stepper::StepContext& ctx) {
     keep_states(kept_);
     if (set_.capacity() < door_.count()) set_.reserve(door_.count());
     constexpr std::size_t kEventsOfOne = 8;
-    if (told_.capacity() < kEventsOfOne * list_.size()) told_.reserve(kEventsOfOne * list_.size());
+    if (reported_.capacity() < kEventsOfOne * list_.size())
+        reported_.reserve(kEventsOfOne * list_.size());
     drive_ = ctx.state.ledger.drive;
     acted_ = true;
     const Unturned unturned(door_);
@@ -246,11 +247,11 @@ Status Systems::act(stepper::StepContext& ctx) noexcept {
 }
 
 void Systems::accept(stepper::StepContext& ctx) noexcept {
-    for (const Event& event : told_) {
+    for (const Event& event : reported_) {
         ctx.state.events.push(event);
         ++ctx.work.stats.event_count[static_cast<std::size_t>(event.kind)];
     }
-    told_.clear();
+    reported_.clear();
     for (const InputDoor::Before& before : set_)
         if (before.clamped) door_.tell(before);
     set_.clear();
@@ -263,7 +264,7 @@ void Systems::go_back(stepper::StepContext& ctx) noexcept {
     const Unturned unturned(door_);
     for (auto before = set_.rbegin(); before != set_.rend(); ++before) door_.take_back(*before);
     set_.clear();
-    told_.clear();
+    reported_.clear();
     ctx.state.ledger.drive = drive_;
     take_states(kept_);
     acted_ = false;

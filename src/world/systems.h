@@ -111,7 +111,7 @@ class Systems final : public stepper::Actors {
             if (const double paid = s->paid_out(world, element); !std::isnan(paid)) return paid;
         return kDefault;
     }
-    /// True during begin_step().
+    /// True while begin_step() runs.
     [[nodiscard]] bool editing() const noexcept { return editing_; }
     /// Return true if only systems may insert and remove nodes: a system that carries an element
     /// counts its length.
@@ -167,7 +167,7 @@ class Systems final : public stepper::Actors {
         std::vector<std::byte> states;  ///< States after the actions.
         std::vector<std::pair<InputId, double>> inputs;
         std::vector<Load> loads;
-        std::vector<Event> told;
+        std::vector<Event> reported;
         bool known = false;
     };
     void check_ranges(std::size_t first) noexcept;
@@ -188,7 +188,7 @@ class Systems final : public stepper::Actors {
     bool begun_known_ = false;            ///< … valid if there was memory for them.
     std::vector<std::byte> kept_;         ///< States before prestep().
     std::vector<InputDoor::Before> set_;  ///< Inputs set by prestep(), in order.
-    std::vector<Event> told_;             ///< Events that systems reported.
+    std::vector<Event> reported_;         ///< Events that systems reported.
     bool untold_ = false;                 ///< True if there was no capacity for an event.
     double drive_ = 0.0;                  ///< Ledger::drive before prestep().
     QueuedEdits queue_;

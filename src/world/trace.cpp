@@ -12,10 +12,10 @@ namespace hawser {
 
 void World::start_trace(std::size_t spans) {
     const world::Using use(impl_->use, "start_trace");
-    constexpr std::size_t kMost = std::size_t{1} << 28;
-    if (spans > kMost)
+    constexpr std::size_t kMaximum = std::size_t{1} << 28;
+    if (spans > kMaximum)
         throw DefError("start_trace: spans = " + std::to_string(spans) + "; give at most " +
-                       std::to_string(kMost));
+                       std::to_string(kMaximum));
     stepper::StepContext& c = impl_->ctx;
     std::unique_ptr<runtime::Trace> trace;
     if (spans > 0) trace = std::make_unique<runtime::Trace>(c.pool.threads(), spans);

@@ -36,7 +36,7 @@ void World::Impl::keep_for_undo(StepUndo& u) const {
     u.shape_defs = shape_defs;
     u.inputs = inputs;
     u.input_values = input_values;
-    u.input_places = input_places;
+    u.input_slots = input_slots;
     u.input_ids = input_ids;
     u.groups.copy(groups);
     u.body_names.copy(body_names);
@@ -48,7 +48,7 @@ void World::Impl::keep_for_undo(StepUndo& u) const {
     u.interaction_ids = interaction_ids;
     u.shape_ids = shape_ids;
     u.wires = wires.wires;
-    u.wire_places = wires.places;
+    u.wire_places = wires.slots;
     u.wire_names.copy(wires.names);
     u.wire_ids = wires.ids;
     u.gear = gear;
@@ -64,7 +64,7 @@ void World::Impl::put_back(StepUndo& u) noexcept {
     shape_defs.swap(u.shape_defs);
     inputs.swap(u.inputs);
     input_values.swap(u.input_values);
-    std::swap(input_places, u.input_places);
+    std::swap(input_slots, u.input_slots);
     input_ids.swap(u.input_ids);
     groups.go_back(u.groups);
     body_names.go_back(u.body_names);
@@ -76,7 +76,7 @@ void World::Impl::put_back(StepUndo& u) noexcept {
     interaction_ids.swap(u.interaction_ids);
     shape_ids.swap(u.shape_ids);
     wires.wires.swap(u.wires);
-    std::swap(wires.places, u.wire_places);
+    std::swap(wires.slots, u.wire_places);
     wires.names.go_back(u.wire_names);
     wires.ids.swap(u.wire_ids);
     gear.swap(u.gear);

@@ -40,8 +40,8 @@ class Use {
     void unchanged() noexcept { changed_ = false; }
 
   private:
-    /// No thread_local mark: mold places read-only data of a program wrongly behind a one-byte one,
-    /// and the program does not start.
+    /// Return the calling thread. A thread_local mark is not possible: mold misplaces read-only
+    /// data of a program after a one-byte mark, and the program does not start.
     static pthread_t this_thread() noexcept { return ::pthread_self(); }
     static constexpr pthread_t kNobody = 0;  ///< thread ids of glibc are addresses
     std::atomic<pthread_t> user_{kNobody};

@@ -39,8 +39,8 @@ AtWheel at_wheel(const stepper::StepContext& ctx, std::array<std::int32_t, 2> pa
     return out;
 }
 
-void share_momentum(stepper::StepContext& ctx, std::int32_t lump, const AtWheel& wheel,
-                    std::size_t end) noexcept {
+void divide_momentum(stepper::StepContext& ctx, std::int32_t lump, const AtWheel& wheel,
+                     std::size_t end) noexcept {
     model::Bodies& b = ctx.model.bodies;
     const auto dof = at(b.dof_begin[at(lump)]);
     const double share = std::min(1.0, wheel.mass[end] / b.mass[at(lump)]);

@@ -3,13 +3,13 @@
 /// @file wheel_momentum.h
 /// Momentum of a wire that comes to lie on a guide, and of one that leaves it.
 ///
-/// The parts at a guide, of masses m₁ and m₂, load their lumps with m₁/2 and m₂/2. The other half,
+/// The parts at a guide, of masses m₁ and m₂, load their nodes with m₁/2 and m₂/2. The other half,
 /// (m₁ + m₂)/2, lies at the wheel and moves along the wire only, with the slide:
 /// ```
 ///     a ──── m₁ ────( )──── m₂ ──── b        w = wheel + slide rate · u
 ///     m₁/2        (m₁+m₂)/2       m₂/2       speeds: v_a, w, v_b
 /// ```
-/// *Off.* The lumps get that half, each as much as the other part left at the wheel:
+/// *Off.* The nodes get that half, each as much as the other part left at the wheel:
 /// ```
 ///     (M_k + (m₁+m₂)/2) v_k' = (M_k + m_k/2) v_k + ((m₁+m₂ − m_k)/2) w_k
 /// ```
@@ -38,9 +38,9 @@ struct AtWheel {
 /// Read the mass at the wheel of two parts. @param mass  Mass of both [kg].
 [[nodiscard]] AtWheel at_wheel(const stepper::StepContext& ctx, std::array<std::int32_t, 2> part,
                                double mass) noexcept;
-/// Set the velocity of a lump that got the mass for an end, and count the energy as edited.
-void share_momentum(stepper::StepContext& ctx, std::int32_t lump, const AtWheel& wheel,
-                    std::size_t end) noexcept;
+/// Set the velocity of a node that got the mass for an end, and count the energy as edited.
+void divide_momentum(stepper::StepContext& ctx, std::int32_t lump, const AtWheel& wheel,
+                     std::size_t end) noexcept;
 
 /// Give the body of a guide the impulse of the half element that comes to lie on it.
 /// @param part  Parts of the element. @param speed  Speeds of the ends before the edit [m/s].

@@ -79,11 +79,11 @@ InteractionId World::wind_up(WireId id, int end, BodyId drum, double radius) {
     // All checks are done and capacity is reserved before the old element is removed.
     InteractionDef whole = d;
     world::check(whole, impl_->ctx.model.bodies, body_count(),
-                 std::span(in.def).first(at(interaction_count())), in.places);
+                 std::span(in.def).first(at(interaction_count())), in.slots);
     world::fill_in(whole, impl_->ctx);
     impl_->refuse_held(old);
     impl_->reserve_removal();
-    impl_->ctx.model.interactions.make_room(d.kind);
+    impl_->ctx.model.interactions.reserve_more(d.kind);
     // No call below throws: the name moves with its table node.
     world::Names::Map::node_type name = impl_->interaction_names.take(d.name);
     impl_->remove(old);

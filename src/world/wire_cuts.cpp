@@ -110,7 +110,7 @@ BodyDef end_body(const World& w, const InteractionDef& element) {
 
 }  // namespace
 
-void World::Impl::share_load(BodyId from, BodyId to, double share) noexcept {
+void World::Impl::divide_load(BodyId from, BodyId to, double share) noexcept {
     BodyDef &a = body_defs[at(from.index)], &b = body_defs[at(to.index)];
     b.force = share * a.force;
     a.force -= b.force;
@@ -124,26 +124,27 @@ void World::Impl::follow_definition(BodyId lump) noexcept {
 }
 
 /// Move the objects that begin at a node to another node at its position, which has been added.
-void World::Impl::part_lump(const stepper::NodePlace& place, BodyId end) noexcept {
+void World::Impl::part_lump(const stepper::NodeSurroundings& place, BodyId end) noexcept {
     model::Interactions& in = ctx.model.interactions;
     const BodyId node = ctx.model.bodies.id(place.node), far = in.def[at(place.second)].body[1];
-    const stepper::LumpShare part = stepper::share_of(ctx, node.index, place.first, place.second);
+    const stepper::NodeFraction part =
+        stepper::fraction_of(ctx, node.index, place.first, place.second);
     stepper::begin_edit(ctx);
-    stepper::split_lump(ctx, node.index, end.index, part);
-    share_load(node, end, part.share);
+    stepper::split_node(ctx, node.index, end.index, part);
+    divide_load(node, end, part.share);
     const ShapeId segment = segment_between(node.index, far.index);
     if (segment.valid()) move_segment(segment, 0, end);
     if (place.bend[1] >= 0) remove(in.id(place.bend[1]));
     stepper::move_end(ctx, place.second, 0, end.index);
     if (place.bend[2] >= 0) in.rewire(place.bend[2], 0, end, ctx.model.bodies);
     for (const BodyId lump : {node, end}) {
-        stepper::follow_lump(ctx, lump.index);
+        stepper::follow_node(ctx, lump.index);
         follow_definition(lump);
     }
 }
 
 InteractionId World::Impl::element_at(BodyId node, std::size_t side) noexcept {
-    stepper::NodePlace place{.node = node.index};
+    stepper::NodeSurroundings place{.node = node.index};
     (void)stepper::find_place(ctx, place);
     return ctx.model.interactions.id(side == 0 ? place.first : place.second);
 }
@@ -152,7 +153,7 @@ InteractionId World::Impl::element_at(BodyId node, std::size_t side) noexcept {
 /// @param side  0: the end is the first end of the element, 1: its last one.
 void World::Impl::join_short_end(World& world, InteractionId end, std::size_t side) noexcept {
     const model::Interactions& in = ctx.model.interactions;
-    stepper::NodePlace place{.node = in.def[at(end.index)].body[1 - side].index};
+    stepper::NodeSurroundings place{.node = in.def[at(end.index)].body[1 - side].index};
     if (!stepper::is_lump(ctx, place.node) || !stepper::find_place(ctx, place)) return;
     const std::int32_t next = side == 0 ? place.second : place.first;
     if (in.rest_length[at(end.index)] >= kShort * in.rest_length[at(next)]) return;
@@ -185,7 +186,7 @@ std::pair<InteractionId, double> World::Impl::beside_carried(const world::Wire& 
     double begin = 0.0, end = 0.0;
     for (std::size_t k = 0; k < last; ++k) {
         const InteractionId element = wire.elements[k];
-        const bool there = in.places.names(element);
+        const bool there = in.slots.names(element);
         const double length = there ? in.rest_length[at(element.index)] : 0.0;
         if (k < first) begin += length;
         end += length;
@@ -228,8 +229,8 @@ WireId World::cut(WireId id, double s) {
                       "put; give it more elements, or detach() an end");
     if (k == 0 || (share > 0.5 && k + 1 < wire.elements.size())) ++k;
     if (impl_->carried(wire, k - 1) || impl_->carried(wire, k)) {
-        const auto [beside, at_share] = impl_->beside_carried(wire, k, s);
-        return cut(beside, at_share);
+        const auto [beside, at_fraction] = impl_->beside_carried(wire, k, s);
+        return cut(beside, at_fraction);
     }
     if (!alive(wire.elements[k - 1]) || !alive(wire.elements[k]))
         world::refuse(where, "s = " + world::number(s) + " m is at a gap in it");
@@ -238,7 +239,8 @@ WireId World::cut(WireId id, double s) {
 
 /// Check that a wire can be cut at a node.
 /// @throws DefError with the remedy.
-void World::Impl::check_cut_at_node(const std::string& where, stepper::NodePlace& place) const {
+void World::Impl::check_cut_at_node(const std::string& where,
+                                    stepper::NodeSurroundings& place) const {
     if (!stepper::is_lump(ctx, place.node) || !stepper::find_place(ctx, place))
         world::refuse(where,
                       "it does not begin at a node between two elements that nothing else "
@@ -265,7 +267,7 @@ WireId World::cut(InteractionId element, double share) {
         world::refuse(where, "it is cut at a share from 0 to below 1, not " + world::number(share));
     m.know_wire_of(element);
     if (stepper::has_cuts(c.model)) stepper::begin_edit(c);  // remove duplicated rows first
-    stepper::NodePlace place{.node = def.body[0].index};
+    stepper::NodeSurroundings place{.node = def.body[0].index};
     if (share == 0.0) m.check_cut_at_node(where, place);
     m.reserve_removal();
     std::int32_t vacant = -1;

@@ -37,7 +37,7 @@ world::FreeEnd World::Impl::free_end(WireId id, int end) const {
     const std::string where = world::label("wire", of.name);
     if (end != 0 && end != 1) world::refuse(where, "end must be 0, the first one, or 1");
     const BodyId node = end == 0 ? of.nodes.front() : of.nodes.back();
-    if (!ctx.model.bodies.places.names(node))
+    if (!ctx.model.bodies.slots.names(node))
         world::refuse(where, "the lump at this end has been removed");
     const std::string name = end == 0 ? "its first end" : "its last end";
     if (!stepper::is_lump(ctx, node.index))
@@ -80,14 +80,14 @@ void World::detach(InteractionId element, int end) {
     if (stepper::is_lump(m.ctx, body.index))
         m.open_gear(element, body);
     else
-        m.free_lump(*this, element, at(end));
+        m.free_node(*this, element, at(end));
     if (m.listener != nullptr) m.listener->detached(element, end);
 }
 
 void World::Impl::open_gear(InteractionId element, BodyId lump) {
     const model::Interactions& in = ctx.model.interactions;
     const auto holds = [&](const world::GearInUse& g) {
-        if (!in.places.names(g.id) || in.parted[at(g.id.index)] != 0) return false;
+        if (!in.slots.names(g.id) || in.parted[at(g.id.index)] != 0) return false;
         const std::int32_t* body = &in.body[kMaxInteractionBodies * at(g.id.index)];
         return body[0] == lump.index || body[1] == lump.index;
     };
@@ -102,7 +102,7 @@ void World::Impl::open_gear(InteractionId element, BodyId lump) {
     stepper::begin_recoil(ctx.model, element.index, false);
     for (const world::GearInUse& g : gear)
         if (holds(g)) remove(g.id);
-    std::erase_if(gear, [&](const world::GearInUse& g) { return !in.places.names(g.id); });
+    std::erase_if(gear, [&](const world::GearInUse& g) { return !in.slots.names(g.id); });
     stepper::disturb(ctx.model, lump.index);
     stepper::push_event(ctx, EventKind::detach, element.index, tension);
 }
@@ -111,7 +111,7 @@ namespace {
 
 /// Return the node of a released end.
 BodyDef freed_body(const World& w, const stepper::StepContext& c, std::int32_t element,
-                   std::size_t side, const stepper::LumpShare& share) {
+                   std::size_t side, const stepper::NodeFraction& share) {
     const BodyDef& next = w.body_def(c.model.interactions.def[at(element)].body[1 - side]);
     const bool lump = next.kind == BodyKind::lump;
     BodyDef out{.kind = BodyKind::lump, .position = stepper::point_of(c, element, side)};
@@ -145,10 +145,10 @@ InteractionDef unwound(const stepper::StepContext& c, const std::array<std::int3
     return out;
 }
 
-void make_room_for_end(world::Wire& wire) {
-    base::make_room(wire.lumps, 1);
-    base::make_room(wire.elements, 1);
-    base::make_room(wire.shapes, 1);
+void reserve_end(world::Wire& wire) {
+    base::reserve_more(wire.lumps, 1);
+    base::reserve_more(wire.elements, 1);
+    base::reserve_more(wire.shapes, 1);
 }
 
 /// Copy the forces of one element to its replacement.
@@ -160,7 +160,7 @@ void go_on(model::Interactions& in, std::int32_t from, std::int32_t to) noexcept
 }
 
 /// Let the wire end at a node of its own.
-void end_at_lump(world::Wire& wire, std::size_t side, const world::Wire& made, InteractionId before,
+void end_at_node(world::Wire& wire, std::size_t side, const world::Wire& made, InteractionId before,
                  InteractionId now) noexcept {
     (side == 0 ? wire.nodes.front() : wire.nodes.back()) = made.lumps[0];
     std::replace(wire.elements.begin(), wire.elements.end(), before, now);
@@ -170,33 +170,33 @@ void end_at_lump(world::Wire& wire, std::size_t side, const world::Wire& made, I
 }
 
 /// Share of a node at the end of an element in a release.
-struct EndShare {
-    stepper::LumpShare share;
+struct EndFraction {
+    stepper::NodeFraction share;
     double carried;       ///< Mass of the element that its winch carries [kg].
     std::int32_t beyond;  ///< Element on the other side of the next node; −1: none.
-    bool lump_next;       ///< True if the element's other end is a node.
+    bool node_next;       ///< True if the element's other end is a node.
 };
 
-EndShare end_share(const stepper::StepContext& ctx, const world::Systems& systems,
-                   InteractionId element, BodyId next) {
+EndFraction end_fraction(const stepper::StepContext& ctx, const world::Systems& systems,
+                         InteractionId element, BodyId next) {
     const std::int32_t e = element.index;
-    EndShare out{.share = {.mass = 0.5 * stepper::mass_of_element(ctx, e)},
-                 .carried = systems.carried_mass(element),
-                 .beyond = -1,
-                 .lump_next = stepper::is_lump(ctx, next.index)};
-    if (out.lump_next) {
+    EndFraction out{.share = {.mass = 0.5 * stepper::mass_of_element(ctx, e)},
+                    .carried = systems.carried_mass(element),
+                    .beyond = -1,
+                    .node_next = stepper::is_lump(ctx, next.index)};
+    if (out.node_next) {
         const stepper::NodeLinks links = stepper::links_of(ctx, next.index);
         out.beyond = links.before == e ? links.after : links.before;
         // The new end has half of the element like the body before it, for any other mass of the
         // next node.
         const double half = out.share.mass;
         out.share = half > 0.0
-                        ? stepper::LumpShare{half, half / ctx.model.bodies.mass[at(next.index)]}
-                        : stepper::share_of(ctx, next.index, out.beyond, e);
+                        ? stepper::NodeFraction{half, half / ctx.model.bodies.mass[at(next.index)]}
+                        : stepper::fraction_of(ctx, next.index, out.beyond, e);
     }
     if (out.carried > 0.0) {
         out.share.mass = 0.5 * out.carried;
-        if (out.lump_next) out.share.share = out.share.mass / ctx.model.bodies.mass[at(next.index)];
+        if (out.node_next) out.share.share = out.share.mass / ctx.model.bodies.mass[at(next.index)];
     }
     return out;
 }
@@ -231,21 +231,21 @@ void put_back_mass(Impl& m, World& world, BodyId lump, const BodyDef& was) {
 
 /// Release an element from a body. The part on a drum stays there, broken, and another element
 /// replaces it.
-void World::Impl::free_lump(World& world, InteractionId element, std::size_t side) {
+void World::Impl::free_node(World& world, InteractionId element, std::size_t side) {
     model::Interactions& in = ctx.model.interactions;
     const std::int32_t e = element.index;
     const std::string where = world::label("interaction", in.def[at(e)].name);
     const BodyId held = in.def[at(e)].body[side], next = in.def[at(e)].body[1 - side];
     const bool wound = kind_info(in.def[at(e)].kind).is(kWoundUp);
-    const auto [share, carried, beyond, lump_next] = end_share(ctx, systems, element, next);
+    const auto [share, carried, beyond, node_next] = end_fraction(ctx, systems, element, next);
     world::check_end(where, share.mass, carried);
     const ShapeId own = segment_between(in.def[at(e)].body[0].index, in.def[at(e)].body[1].index);
     std::optional<ShapeDef> segment;
     if (!own.valid() && beyond >= 0) segment = capsule_like(*this, beyond);
     world::Wire* wire = wire_with(element);
-    if (wire != nullptr) make_room_for_end(*wire);
+    if (wire != nullptr) reserve_end(*wire);
     world::Wire made;
-    make_room_for_end(made);
+    reserve_end(made);
     const Mark before = mark(held, next);
     const stepper::Edited edited = ctx.state.ledger.edited;
     const stepper::Edited had = stepper::splice_energy(ctx, next.index, -1, e, e);
@@ -256,7 +256,7 @@ void World::Impl::free_lump(World& world, InteractionId element, std::size_t sid
         const BodyId lump = made.lumps[0];
         // Before the element that needs it, since the material at a drum may be heavier than the
         // next element.
-        if (carried > 0.0 && lump_next) world.set_mass(next, was.mass + 0.5 * carried);
+        if (carried > 0.0 && node_next) world.set_mass(next, was.mass + 0.5 * carried);
         if (wound)
             made.elements.push_back(
                 world.add_interaction(unwound(ctx, {e, beyond}, side, lump, carried)));
@@ -276,7 +276,7 @@ void World::Impl::free_lump(World& world, InteractionId element, std::size_t sid
     const double tension = stepper::tension_of(ctx, e);
     const std::int32_t bend = stepper::bend_about(ctx, next.index, held.index);
     stepper::begin_recoil(ctx.model, e, false);
-    if (lump_next && beyond >= 0)
+    if (node_next && beyond >= 0)
         stepper::begin_recoil(ctx.model, beyond, false);  // an element at a drum belongs to no wire
     stepper::begin_edit(ctx);
     if (bend >= 0)
@@ -295,7 +295,7 @@ void World::Impl::free_lump(World& world, InteractionId element, std::size_t sid
     ctx.state.ledger.edited = edited + stepper::splice_energy(ctx, next.index, -1, now, now) - had;
     ctx.state.ledger.edited.given += stepper::energy_of_body(ctx, lump.index);
     stepper::push_event(ctx, EventKind::detach, now, tension);
-    if (wire != nullptr) end_at_lump(*wire, side, made, element, in.id(now));
+    if (wire != nullptr) end_at_node(*wire, side, made, element, in.id(now));
 }
 
 }  // namespace hawser

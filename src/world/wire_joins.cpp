@@ -47,9 +47,9 @@ Vec3 triplate_hole(const JoinDef& def, int k) noexcept {
 
 namespace {
 
-void refuse_beyond(const std::string& where, double apart, double most) {
-    if (!(apart <= most))
-        world::refuse(where, "what is to be held is " + world::number(apart) +
+void refuse_beyond(const std::string& where, double separation, double most) {
+    if (!(separation <= most))
+        world::refuse(where, "what is to be held is " + world::number(separation) +
                                  " m apart, and gear and reach are " + world::number(most) +
                                  " m; bring it nearer, or give a longer reach");
 }
@@ -145,7 +145,7 @@ void World::Impl::add_gear_mass(BodyId lump, double mass) noexcept {
     const double had = stepper::energy_of_body(ctx, lump.index);
     ctx.model.bodies.mass[at(lump.index)] += mass;
     follow_definition(lump);
-    stepper::follow_lump(ctx, lump.index);
+    stepper::follow_node(ctx, lump.index);
     ctx.state.ledger.edited.given += stepper::energy_of_body(ctx, lump.index) - had;
 }
 
@@ -160,19 +160,19 @@ InteractionDef World::Impl::link_of(const World& world, BodyId a, BodyId b, cons
     out.body[1 - slot] = a;
     out.body[slot] = b;
     out.point[slot] = point;
-    const double apart = (world.world_point(b, point) - world.pose(a).position).norm();
-    refuse_beyond(world::label("gear", def.name), apart, def.length + def.reach);
-    out.set("length", std::max(def.length, apart));
+    const double separation = (world.world_point(b, point) - world.pose(a).position).norm();
+    refuse_beyond(world::label("gear", def.name), separation, def.length + def.reach);
+    out.set("length", std::max(def.length, separation));
     out.set("EA", std::isnan(def.EA) ? world.interaction_def(end.element).get("EA") : def.EA);
     if (!std::isnan(def.breaking_load)) out.set("breaking_load", def.breaking_load);
     return out;
 }
 
 Joint World::Impl::hold(World& world, BodyId a, BodyId b, const Vec3& point, const JoinDef& def) {
-    const double apart = (world.world_point(b, point) - world.pose(a).position).norm();
+    const double separation = (world.world_point(b, point) - world.pose(a).position).norm();
     InteractionDef d;
     if (def.gear == Gear::splice) {
-        refuse_beyond(world::label("gear", def.name), apart, def.reach);
+        refuse_beyond(world::label("gear", def.name), separation, def.reach);
         d.name = def.name;
         d.kind = InteractionKind::Ball;
         d.body = {b, a};
@@ -180,10 +180,9 @@ Joint World::Impl::hold(World& world, BodyId a, BodyId b, const Vec3& point, con
     } else {
         d = link_of(world, a, b, point, def);
     }
-    std::erase_if(gear, [&](const world::GearInUse& g) {
-        return !ctx.model.interactions.places.names(g.id);
-    });
-    base::make_room(gear, 1);
+    std::erase_if(
+        gear, [&](const world::GearInUse& g) { return !ctx.model.interactions.slots.names(g.id); });
+    base::reserve_more(gear, 1);
     const bool lump = stepper::is_lump(ctx, b.index);
     Joint out;
     {
@@ -194,18 +193,19 @@ Joint World::Impl::hold(World& world, BodyId a, BodyId b, const Vec3& point, con
     gear.push_back({out.held[0], def.gear});
     add_gear_mass(a, lump ? 0.5 * def.mass : def.mass);
     if (lump) add_gear_mass(b, 0.5 * def.mass);
-    stepper::push_event(ctx, EventKind::join, out.held[0].index, apart);
+    stepper::push_event(ctx, EventKind::join, out.held[0].index, separation);
     return out;
 }
 
 /// Add a plate with its first two holes on the line of the ends and the third as low as possible.
 Joint World::Impl::put_plate(World& world, BodyId a, BodyId b, const JoinDef& def) {
     const Vec3 pa = world.pose(a).position, pb = world.pose(b).position;
-    const double apart = (pb - pa).norm();
+    const double separation = (pb - pa).norm();
     const Vec3 h[2] = {triplate_hole(def, 0), triplate_hole(def, 1)};
     const double wide = (h[1] - h[0]).norm();
-    refuse_beyond(world::label("gear", def.name), apart, wide + 2.0 * (def.length + def.reach));
-    const Vec3 u = apart > 0.0 ? Vec3((pb - pa) / apart) : Vec3::UnitX();
+    refuse_beyond(world::label("gear", def.name), separation,
+                  wide + 2.0 * (def.length + def.reach));
+    const Vec3 u = separation > 0.0 ? Vec3((pb - pa) / separation) : Vec3::UnitX();
     Vec3 up = -ctx.model.def.gravity;
     if (!(up.cross(u).norm() > 1e-6 * up.norm())) up = u.unitOrthogonal();
     const Vec3 y = (up - up.dot(u) * u).normalized();
@@ -225,7 +225,7 @@ Joint World::Impl::put_plate(World& world, BodyId a, BodyId b, const JoinDef& de
     constexpr double kThick = 0.05;
     plate.half_size = def.radius * Vec3(1.0, 1.0, kThick);
     plate.group = world.body_def(a).group;
-    base::make_room(gear, 2);
+    base::reserve_more(gear, 2);
     world::Wire made;
     made.lumps.reserve(1);
     made.elements.reserve(2);
@@ -249,7 +249,7 @@ Joint World::Impl::put_plate(World& world, BodyId a, BodyId b, const JoinDef& de
         out.held[k] = made.elements[k];
         gear.push_back({out.held[k], def.gear});
     }
-    stepper::push_event(ctx, EventKind::join, out.held[0].index, apart);
+    stepper::push_event(ctx, EventKind::join, out.held[0].index, separation);
     return out;
 }
 

@@ -30,7 +30,7 @@ struct Wire : WirePieces {
 
 struct WireList {
     std::vector<Wire> wires;  ///< By index; without elements at vacant indices.
-    base::Places places;
+    base::Slots slots;
     Names names;
     std::vector<WireId> ids;  ///< Ids of existing wires, ascending.
     Wire coming;              ///< Buffer of the next wire.

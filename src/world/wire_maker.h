@@ -17,7 +17,7 @@ void check(const WireDef& def);
 
 /// Add the parts of a wire to a world and record them in `out` one by one. If this throws, the
 /// caller removes them.
-/// @param lumps  Buffer for the positions of its nodes.
+/// @param nodes  Buffer for the positions of its nodes.
 /// @throws DefError, std::bad_alloc.
 void make_wire(World& world, const WireDef& def, Wire& out, std::vector<Vec3>& lumps);
 

@@ -25,10 +25,10 @@ std::ptrdiff_t find_in(const std::vector<Id>& list, Id id) noexcept {
     return found == list.end() ? -1 : found - list.begin();
 }
 
-void make_room_for_node(world::Wire& wire) {
-    for (auto* list : {&wire.elements, &wire.bends}) base::make_room(*list, 1);
-    for (auto* list : {&wire.nodes, &wire.lumps}) base::make_room(*list, 1);
-    base::make_room(wire.shapes, 1);
+void reserve_node(world::Wire& wire) {
+    for (auto* list : {&wire.elements, &wire.bends}) base::reserve_more(*list, 1);
+    for (auto* list : {&wire.nodes, &wire.lumps}) base::reserve_more(*list, 1);
+    base::reserve_more(wire.shapes, 1);
 }
 
 /// Insert a node. Capacity has been reserved.
@@ -62,7 +62,7 @@ WireId World::wire_of(InteractionId element) const noexcept {
 
 /// Update definitions after an edit of masses and drags, and the forces of nodes that depend on
 /// mass. Also update the inputs of an element at a drum.
-void World::Impl::follow_definitions(const stepper::NodePlace& place) noexcept {
+void World::Impl::follow_definitions(const stepper::NodeSurroundings& place) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     for (const std::int32_t id : {place.first, place.second}) {
         for (std::size_t slot = 0; id >= 0 && slot < 2; ++slot) {
@@ -90,7 +90,7 @@ void World::Impl::follow_inputs(std::int32_t element) noexcept {
 
 /// Return the EI of a bend added with a node on an element [N m²]. It is that of the bend at the
 /// first end, or at the last end if line types meet at the first.
-double World::Impl::stiffness_beside(const stepper::NodePlace& place,
+double World::Impl::stiffness_beside(const stepper::NodeSurroundings& place,
                                      const world::Wire* wire) const noexcept {
     const model::Interactions& in = ctx.model.interactions;
     const auto same_line = [&](std::int32_t id) {
@@ -109,7 +109,7 @@ BodyId World::insert_node(InteractionId element, double share, double mass) {
     Impl& m = *impl_;
     model::Interactions& in = m.ctx.model.interactions;
     m.check_node(element, share, mass);
-    stepper::NodePlace place{.first = element.index};
+    stepper::NodeSurroundings place{.first = element.index};
     const bool wound = stepper::is_wound(m.ctx, element.index);
     // True if the new element comes first, because the one at a drum stays there.
     const bool first = wound && stepper::drum_side(m.ctx, element.index) == 1;
@@ -121,13 +121,13 @@ BodyId World::insert_node(InteractionId element, double share, double mass) {
                                           stepper::node_on(m.ctx, element.index, share, whole));
     const ShapeId segment = m.segment_between(a.index, b.index);
     world::Wire* wire = m.wire_with(element);
-    if (wire != nullptr) make_room_for_node(*wire);
+    if (wire != nullptr) reserve_node(*wire);
 
     const Impl::Mark before = m.mark(a, b);
     const stepper::NodeLedger was = stepper::begin_node_edit(m.ctx, place);
     world::Wire& made = m.wires.coming;
     made.begin({}, true);
-    make_room_for_node(made);
+    reserve_node(made);
     const double EI = m.stiffness_beside(place, wire);
     InteractionDef bend = world::node_bend(in, element.index, EI);
     for (const std::size_t slot : {0U, 1U})
@@ -168,7 +168,7 @@ bool World::remove_node(BodyId node, double bend) {
     Impl& m = *impl_;
     (void)m.place(node);
     if (stepper::has_cuts(m.ctx.model)) stepper::begin_edit(m.ctx);  // remove duplicated rows first
-    stepper::NodePlace place{.node = node.index};
+    stepper::NodeSurroundings place{.node = node.index};
     const std::int32_t stays = m.check_node_goes(node, place, bend);
     model::Interactions& in = m.ctx.model.interactions;
     const InteractionId kept = in.id(stays),

@@ -53,9 +53,9 @@ void World::Impl::move_segment(ShapeId segment, std::size_t side, BodyId to) noe
 /// removed with the node.
 void World::Impl::join_segments(ShapeId near, ShapeId far) noexcept {
     const ShapeDef &before = shape_defs[at(near.index)], &behind = shape_defs[at(far.index)];
-    const bool ends_at_lump = stepper::is_lump(ctx, behind.body_b.index);
-    if (!ends_at_lump && !stepper::is_lump(ctx, before.body.index)) return;
-    const Vec3 point = ends_at_lump ? before.position : behind.position;
+    const bool ends_at_node = stepper::is_lump(ctx, behind.body_b.index);
+    if (!ends_at_node && !stepper::is_lump(ctx, before.body.index)) return;
+    const Vec3 point = ends_at_node ? before.position : behind.position;
     put_segment(near, before.body, behind.body_b, point);
 }
 
@@ -69,8 +69,9 @@ ShapeId World::Impl::segment_between(std::int32_t a, std::int32_t b) const noexc
 }
 
 /// Return the capsule added with a node on an element; none if its wire touches nothing there.
-std::optional<ShapeDef> World::Impl::next_segment(const stepper::NodePlace& place, BodyId node,
-                                                  bool first, const world::Wire* wire) const {
+std::optional<ShapeDef> World::Impl::next_segment(const stepper::NodeSurroundings& place,
+                                                  BodyId node, bool first,
+                                                  const world::Wire* wire) const {
     const auto end = [&](std::size_t slot) {
         return ctx.model.bodies.id(stepper::end_of(ctx, place.first, slot));
     };

@@ -40,12 +40,12 @@ InteractionDef bend_at_splice(const model::Interactions& in, std::int32_t beside
     return out;
 }
 
-void make_room_for(world::Wire& to, const world::Wire& more) {
-    base::make_room(to.nodes, more.nodes.size() + 1);
-    base::make_room(to.elements, more.elements.size() + 1);
-    base::make_room(to.lumps, more.lumps.size() + 1);
-    base::make_room(to.bends, more.bends.size() + 1);
-    base::make_room(to.shapes, more.shapes.size() + 1);
+void reserve_for(world::Wire& to, const world::Wire& more) {
+    base::reserve_more(to.nodes, more.nodes.size() + 1);
+    base::reserve_more(to.elements, more.elements.size() + 1);
+    base::reserve_more(to.lumps, more.lumps.size() + 1);
+    base::reserve_more(to.bends, more.bends.size() + 1);
+    base::reserve_more(to.shapes, more.shapes.size() + 1);
 }
 
 /// The joined node, and the one removed.
@@ -94,7 +94,7 @@ Joint World::Impl::splice(World& world, BodyId a, BodyId b) {
     const std::string where = world::label("body", body_defs[at(b.index)].name);
     if (ea == eb) world::refuse(where, "both ends are of one element");
     refuse_held(b);
-    const double apart = (world.pose(b).position - world.pose(a).position).norm();
+    const double separation = (world.pose(b).position - world.pose(a).position).norm();
     const BodyId far_a = in.def[at(ea)].body[1 - one.slot],
                  far_b = in.def[at(eb)].body[1 - other.slot];
     if (far_a == far_b) world::refuse(where, "both elements hold one body; join by gear");
@@ -104,9 +104,9 @@ Joint World::Impl::splice(World& world, BodyId a, BodyId b) {
     world::Wire* wire_a = wire_with(one.element);
     world::Wire* wire_b = wire_with(other.element);
     if (wire_a != nullptr && wire_a == wire_b) world::refuse(where, "both are ends of one wire");
-    if (wire_a != nullptr && wire_b != nullptr) make_room_for(*wire_a, *wire_b);
+    if (wire_a != nullptr && wire_b != nullptr) reserve_for(*wire_a, *wire_b);
     reserve_removal();
-    wires.places.make_room();
+    wires.slots.reserve_more();
     const std::int32_t near[2] = {stepper::bend_about(ctx, far_a.index, a.index),
                                   stepper::bend_about(ctx, far_b.index, b.index)};
     const std::int32_t beside = near[0] >= 0 ? near[0] : near[1];
@@ -129,15 +129,15 @@ Joint World::Impl::splice(World& world, BodyId a, BodyId b) {
     if (near[1] >= 0)
         in.rewire(near[1], stepper::end_of(ctx, near[1], 0) == b.index ? 0 : 2, a,
                   ctx.model.bodies);
-    stepper::merge_lumps(ctx, a.index, b.index, ea, eb);
+    stepper::merge_nodes(ctx, a.index, b.index, ea, eb);
     remove(b);
     body_defs[at(a.index)].force += load;
     for (int i = 0; i < 3; ++i) add_up_force(a, i);
     follow_definition(a);
-    stepper::follow_lump(ctx, a.index);
+    stepper::follow_node(ctx, a.index);
     if (bend.valid()) stepper::set_bend(ctx, bend.index, ea, eb);
     ctx.state.ledger.edited = edited + stepper::splice_energy(ctx, a.index, -1, ea, eb) - had;
-    stepper::push_event(ctx, EventKind::join, ea, apart);
+    stepper::push_event(ctx, EventKind::join, ea, separation);
     if (wire_b != nullptr && !chain.empty()) {
         std::reverse(wire_b->nodes.begin(), wire_b->nodes.end());
         std::reverse(wire_b->elements.begin(), wire_b->elements.end());

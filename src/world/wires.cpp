@@ -44,12 +44,12 @@ WireId World::add_wire(const WireDef& def) {
         m.take_back(before, made);
         throw;
     }
-    m.tell_of(m.wire(id));
+    m.report_wire(m.wire(id));
     return id;
 }
 
 /// Report a wire part by part, in the order of addition.
-void World::Impl::tell_of(const world::Wire& made) const noexcept {
+void World::Impl::report_wire(const world::Wire& made) const noexcept {
     if (listener == nullptr) return;
     try {
         for (const BodyId id : made.lumps) listener->added(body_defs[at(id.index)]);
@@ -89,16 +89,16 @@ void World::Impl::take_back(const Mark& before, const world::Wire& made) noexcep
     forget_removal();
     for (const ShapeId id : made.shapes) {
         remove(id);
-        ctx.model.collider.places.step_back(id.index);
+        ctx.model.collider.slots.step_back(id.index);
     }
     for (const auto* list : {&made.bends, &made.elements})
         for (const InteractionId id : *list) {
             remove(id);
-            ctx.model.interactions.places.step_back(id.index);
+            ctx.model.interactions.slots.step_back(id.index);
         }
     for (const BodyId id : made.lumps) {
         remove(id);
-        ctx.model.bodies.places.step_back(id.index);
+        ctx.model.bodies.slots.step_back(id.index);
     }
     ctx.model.collider.truncate(before.shapes);
     ctx.model.interactions.truncate(before.interactions, ctx.model.bodies);
@@ -145,24 +145,24 @@ WireId World::adopt_wire(const std::string& name, std::span<const InteractionId>
 }
 
 std::int32_t World::Impl::claim_wire(const std::string& name) {
-    wires.places.make_room();
-    base::make_room(wires.wires, 1);
-    base::make_room(wires.ids, 1);
-    const std::int32_t vacant = wires.places.find_vacant([](std::int32_t) { return true; });
-    world::claim(wires.names, name, vacant < 0 ? wires.places.count() : vacant, "wire");
+    wires.slots.reserve_more();
+    base::reserve_more(wires.wires, 1);
+    base::reserve_more(wires.ids, 1);
+    const std::int32_t vacant = wires.slots.find_vacant([](std::int32_t) { return true; });
+    world::claim(wires.names, name, vacant < 0 ? wires.slots.count() : vacant, "wire");
     return vacant;
 }
 
 WireId World::Impl::put_wire(world::Wire& wire, std::int32_t vacant) noexcept {
-    const std::int32_t place = vacant < 0 ? wires.places.count() : vacant;
+    const std::int32_t place = vacant < 0 ? wires.slots.count() : vacant;
     if (vacant < 0) {
-        (void)wires.places.append();
+        (void)wires.slots.append();
         wires.wires.push_back(std::move(wire));
     } else {
-        wires.places.take(place);
+        wires.slots.take(place);
         std::swap(wires.wires[at(place)], wire);  // its memory serves the next one
     }
-    const auto id = wires.places.id<WireId>(place);
+    const auto id = wires.slots.id<WireId>(place);
     wires.ids.insert(std::lower_bound(wires.ids.begin(), wires.ids.end(), id), id);
     return id;
 }
@@ -173,11 +173,11 @@ void World::Impl::forget_wire(WireId id) noexcept {
     world::release(wires.names, wires.wires[at(id.index)].name);
     wires.ids.erase(std::lower_bound(wires.ids.begin(), wires.ids.end(), id));
     wires.wires[at(id.index)].begin({}, false);
-    wires.places.vacate(id.index);
+    wires.slots.vacate(id.index);
 }
 
 const world::Wire& World::Impl::wire(WireId id) const {
-    return wires.wires[world::place_of(id, wires.places, wires.places.count(), "wire")];
+    return wires.wires[world::place_of(id, wires.slots, wires.slots.count(), "wire")];
 }
 
 const Removed& World::remove_wire(WireId id) {
@@ -202,9 +202,9 @@ const Removed& World::remove_wire(WireId id) {
 }
 
 std::span<const WireId> World::wires() const noexcept { return impl_->wires.ids; }
-bool World::alive(WireId id) const noexcept { return impl_->wires.places.names(id); }
+bool World::alive(WireId id) const noexcept { return impl_->wires.slots.names(id); }
 WireId World::find_wire(std::string_view name) const noexcept {
-    return impl_->wires.places.id<WireId>(world::lookup(impl_->wires.names, name));
+    return impl_->wires.slots.id<WireId>(world::lookup(impl_->wires.names, name));
 }
 const std::string& World::wire_name(WireId id) const { return impl_->wire(id).name; }
 std::span<const BodyId> World::nodes(WireId id) const { return impl_->wire(id).nodes; }

@@ -65,7 +65,8 @@ void World::degrade_next_step(const Degradation& degradation) noexcept {
     impl_->ctx.state.imposed = degradation;
     // Clamped to 0, because bytes may not come from a step.
     impl_->ctx.state.imposed.iterations = std::max(0, degradation.iterations);
-    impl_->ctx.state.imposed.wires = std::clamp(degradation.wires, 0, stepper::Coarsening::kMost);
+    impl_->ctx.state.imposed.wires =
+        std::clamp(degradation.wires, 0, stepper::Coarsening::kMaximum);
     if (impl_->listener != nullptr) impl_->listener->degraded(degradation);
 }
 
@@ -145,7 +146,7 @@ void World::set_pose(BodyId id, const Pose& pose) {
     world::check_pose(world::Where("body", impl_->body_defs[b].name), pose.position,
                       pose.orientation);
     model::Bodies& s = impl_->ctx.model.bodies;
-    impl_->ctx.state.judge.state.begun = 0;  // not the work of a force
+    impl_->ctx.state.monitor.state.begun = 0;  // not the work of a force
     // Bodies that leaned on it are unsupported now.
     if (s.dof(id.index) == 0 || s.asleep[b] != 0) stepper::disturb_all(impl_->ctx.model);
     stepper::disturb(impl_->ctx.model, id.index);
@@ -175,7 +176,7 @@ void World::set_velocity(BodyId id, const Twist& twist) {
     // A prescribed velocity wakes its contacts in the step (step/sleep.h).
     if (dof > 0) {
         stepper::disturb(impl_->ctx.model, id.index);
-        impl_->ctx.state.judge.state.begun = 0;  // not the work of a force
+        impl_->ctx.state.monitor.state.begun = 0;  // not the work of a force
     }
     for (int i = 0; i < count; ++i) v[i] = i < 3 ? twist.linear[i] : twist.angular[i - 3];
     // The start of the next step uses it too, for lack of a better value.
@@ -245,7 +246,7 @@ int World::wire_alert(InteractionId id) const {
     const stepper::Wires& wires = impl_->ctx.model.wires;
     const std::size_t i = impl_->place(id);
     if (i >= wires.wire_of.size() || wires.wire_of[i] < 0) return 0;
-    return wires.alert[static_cast<std::size_t>(wires.wire_of[i])];
+    return wires.flag_steps[static_cast<std::size_t>(wires.wire_of[i])];
 }
 
 bool World::intact(InteractionId id) const {

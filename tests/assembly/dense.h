@@ -111,7 +111,7 @@ inline void scatter(const SlotState& s, const Matrix& k, Matrix& into, Vector& f
 }
 
 /// Return |r|/I of a body at the arm r [world frame], with I the mean of its moments across r.
-inline double swing_of(const stepper::StepContext& ctx, std::size_t body, const Vec3& arm) {
+inline double vibration_of(const stepper::StepContext& ctx, std::size_t body, const Vec3& arm) {
     const Quat q(ctx.model.bodies.q[4 * body], ctx.model.bodies.q[4 * body + 1],
                  ctx.model.bodies.q[4 * body + 2], ctx.model.bodies.q[4 * body + 3]);
     const Eigen::Map<const Mat3> inertia(&ctx.model.bodies.inertia[9 * body]);
@@ -119,13 +119,13 @@ inline double swing_of(const stepper::StepContext& ctx, std::size_t body, const 
     const Vec3 n = arm.normalized(), p = n.unitOrthogonal(), t = n.cross(p);
     return arm.norm() / (0.5 * (p.dot(world * p) + t.dot(world * t)));
 }
-/// Return the larger swing_of() of both bodies.
-inline double swing_rate(const stepper::StepContext& ctx, int id, const SlotState& s) {
+/// Return the larger vibration_of() of both bodies.
+inline double vibration_rate(const stepper::StepContext& ctx, int id, const SlotState& s) {
     double most = 0.0;
     for (std::size_t b = 0; b < 2; ++b) {
         const auto body = static_cast<std::size_t>(
             ctx.model.interactions.def[static_cast<std::size_t>(id)].body[b].index);
-        if (s.arm[b].norm() > 0.0) most = std::max(most, swing_of(ctx, body, s.arm[b]));
+        if (s.arm[b].norm() > 0.0) most = std::max(most, vibration_of(ctx, body, s.arm[b]));
     }
     return most;
 }
@@ -138,7 +138,7 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
         static_cast<std::size_t>(ctx.model.interactions.row_begin[static_cast<std::size_t>(id)]);
     const double* lambda = &ctx.model.interactions.lambda[row];
     Matrix k = Matrix::Zero(12, 12), c = Matrix::Zero(12, 12), line = k;
-    double late_share = 0.25, ahead_share = 0.0, resolved = 1.0;
+    double late_fraction = 0.25, ahead_fraction = 0.0, resolved = 1.0;
     Vec3 f1;
     double u = 0.0;  // docs/theory/stiffness.md
     if (s.geometry == generic::Geometry::line) {
@@ -157,31 +157,31 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
             if (s.dof[b] < 3) continue;
             double end = 1.0 / ctx.model.bodies.mass[body];
             if (rigid && s.arm[b].norm() > 0.0)
-                end += s.arm[b].norm() * swing_of(ctx, body, s.arm[b]);
+                end += s.arm[b].norm() * vibration_of(ctx, body, s.arm[b]);
             else if (s.dof[b] == 6)
                 end += s.arm[b].squaredNorm() *
                        Mat3(Eigen::Map<const Mat3>(&ctx.model.bodies.inertia[9 * body]).inverse())
                            .trace();
             lighter = std::max(lighter, end);
         }
-        const double swing = 4.0 * quarter * tension / s.length * lighter;
-        const double p = swing > 0.25 && !rigid ? (swing - 0.25) / (swing + 0.25) : 0.0;
-        late_share = 0.25 + 0.25 * p;
-        ahead_share = -0.1 * p;
+        const double vibration = 4.0 * quarter * tension / s.length * lighter;
+        const double p = vibration > 0.25 && !rigid ? (vibration - 0.25) / (vibration + 0.25) : 0.0;
+        late_fraction = 0.25 + 0.25 * p;
+        ahead_fraction = -0.1 * p;
         // Skip a resolved line without point masses: it needs no correction.
         const bool lumps = s.dof[0] == 3 || s.dof[1] == 3 || s.dof[0] == 1 || s.dof[1] == 1;
-        if (!lumps && swing < 0.25) resolved = 16.0 * swing * swing;
+        if (!lumps && vibration < 0.25) resolved = 16.0 * vibration * vibration;
         line *= resolved;
         f1 = -tension * along;
     } else {
         f1 = Vec3(lambda[0], lambda[1], lambda[2]) / h;
         if (s.dof[0] == 6 && s.dof[1] == 6) {
-            const double swing = h * h * f1.norm() * swing_rate(ctx, id, s);
-            if (swing > 4.0) u = (swing - 4.0) / (swing + 4.0);
+            const double vibration = h * h * f1.norm() * vibration_rate(ctx, id, s);
+            if (vibration > 4.0) u = (vibration - 4.0) / (vibration + 4.0);
             out.fastest = std::max(out.fastest, u);
             const double cc = ctx.model.def.rotation_damping * h * f1.norm() *
                               std::min(s.arm[0].norm(), s.arm[1].norm()) *
-                              std::min(1.0, 16.0 * swing * swing) * (1.0 + 9.0 * u);
+                              std::min(1.0, 16.0 * vibration * vibration) * (1.0 + 9.0 * u);
             c.block(3, 3, 3, 3) = c.block(9, 9, 3, 3) = cc * Mat3::Identity();
             c.block(3, 9, 3, 3) = c.block(9, 3, 3, 3) = -cc * Mat3::Identity();
         }
@@ -192,11 +192,11 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
         k.block(6 * b + 3, 6 * b + 3, 3, 3) +=
             resolved * (1.0 + 0.5 * u) * projected(f.dot(r) * Mat3::Identity() - r * f.transpose());
     }
-    const double share = late_share + ahead_share;
+    const double share = late_fraction + ahead_fraction;
     scatter(s, quarter * k + 4.0 * quarter * share * line, out.geometric, out.couple_fixed);
     Vector none = Vector::Zero(out.couple_fixed.size());
-    scatter(s, quarter * k + 4.0 * quarter * late_share * line, out.late, none);
-    scatter(s, 4.0 * quarter * ahead_share * line, out.ahead, none);
+    scatter(s, quarter * k + 4.0 * quarter * late_fraction * line, out.late, none);
+    scatter(s, 4.0 * quarter * ahead_fraction * line, out.ahead, none);
     // Joints damp between two rigid bodies only, so nothing couples to a prescribed velocity.
     scatter(s, (1.0 + u) * h * c, out.damping, out.couple_fixed);
     scatter(s, (1.0 - u) * h * c, out.before, out.couple_fixed);

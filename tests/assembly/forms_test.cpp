@@ -9,14 +9,14 @@ namespace {
 
 /// Return the largest difference of the velocities over the largest velocity.
 double difference(const World& a, const World& b) {
-    double most = 0.0, apart = 0.0;
+    double most = 0.0, separation = 0.0;
     for (int i = 0; i < a.body_count(); ++i) {
         const Twist p = a.velocity(BodyId{i}), q = b.velocity(BodyId{i});
         most = std::max({most, p.linear.cwiseAbs().maxCoeff(), p.angular.cwiseAbs().maxCoeff()});
-        apart = std::max({apart, (p.linear - q.linear).cwiseAbs().maxCoeff(),
-                          (p.angular - q.angular).cwiseAbs().maxCoeff()});
+        separation = std::max({separation, (p.linear - q.linear).cwiseAbs().maxCoeff(),
+                               (p.angular - q.angular).cwiseAbs().maxCoeff()});
     }
-    return apart / most;
+    return separation / most;
 }
 
 /// Expect equal velocities of the three forms after each step.

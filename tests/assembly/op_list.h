@@ -65,7 +65,7 @@ class PlainOps {
         if (kind == Op::body_block) {
             op.dof_a = op.dof_b = v_.dof[id];
             op.jac_a = op.jac_b =
-                static_cast<std::int32_t>(assembly::block_place(v_.dof_begin[id]));
+                static_cast<std::int32_t>(assembly::block_offset(v_.dof_begin[id]));
         } else if (kind == Op::contact) {
             const assembly::ContactBlock& block = s_.contacts.blocks[at(id)];
             op.dof_a = v_.dof[a != 0 ? block.b : block.a];

@@ -13,7 +13,7 @@
 namespace hawser::test {
 namespace {
 
-using assembly::Strips;
+using assembly::RowBlocks;
 
 /// Return the row block of every index, −1 if it has none. Fails if an index is in two row blocks.
 template <class Ranges>
@@ -29,7 +29,7 @@ void mark(const Ranges& ranges, int strip, std::vector<int>& of) {
 /// private items.
 void check(const stepper::StepContext& ctx) {
     const model::Interactions& in = ctx.model.interactions;
-    const Strips& strips = ctx.model.system.strips;
+    const RowBlocks& strips = ctx.model.system.strips;
     std::vector<int> body(at(ctx.model.bodies.count()), -1), own(at(in.count()), -1);
     for (int s = 0; s < strips.count(); ++s) {
         mark(strips.bodies(s), s, body);
@@ -55,7 +55,7 @@ void check(const stepper::StepContext& ctx) {
     }
 }
 
-TEST(Strips, HoldEverythingOnce) {
+TEST(RowBlocks, HoldEverythingOnce) {
     for (const std::uint32_t seed : seeds(1, 5, 20, 200))
         for (const int size : {1, 40, 400}) {
             SCOPED_TRACE("seed " + std::to_string(seed) + ", size " + std::to_string(size));
@@ -65,30 +65,30 @@ TEST(Strips, HoldEverythingOnce) {
 }
 
 /// A scene of bodies alone: the largest amount of work.
-TEST(Strips, AreLongerInLargeScenes) {
-    auto strips_of = [](std::size_t bodies) {
-        Strips strips;
+TEST(RowBlocks, AreLongerInLargeScenes) {
+    auto blocks_of = [](std::size_t bodies) {
+        RowBlocks strips;
         strips.build(std::vector<std::uint8_t>(bodies, 3), {}, model::Interactions{});
         return strips.count();
     };
-    EXPECT_EQ(strips_of(384), 1);
-    EXPECT_EQ(strips_of(32 * 384), 32);
-    EXPECT_EQ(strips_of(32 * 1000), 32);
-    EXPECT_EQ(strips_of(32 * 1536), 32);
-    EXPECT_EQ(strips_of(64 * 1536), 64);
+    EXPECT_EQ(blocks_of(384), 1);
+    EXPECT_EQ(blocks_of(32 * 384), 32);
+    EXPECT_EQ(blocks_of(32 * 1000), 32);
+    EXPECT_EQ(blocks_of(32 * 1536), 32);
+    EXPECT_EQ(blocks_of(64 * 1536), 64);
 }
 
-TEST(Strips, AreEmptyWithoutBodies) {
-    Strips strips;
+TEST(RowBlocks, AreEmptyWithoutBodies) {
+    RowBlocks strips;
     strips.build({}, {}, model::Interactions{});
     EXPECT_EQ(strips.count(), 0);
     EXPECT_EQ(strips.groups(), 0);
 }
 
-TEST(Strips, ShareFewBodiesOfAWire) {
+TEST(RowBlocks, ShareFewBodiesOfAWire) {
     const auto ctx = link_chain(2000).context();
     check(*ctx);
-    const Strips& strips = ctx->model.system.strips;
+    const RowBlocks& strips = ctx->model.system.strips;
     EXPECT_GE(strips.count(), 8);
     std::int32_t shared = 0;
     for (int g = 0; g < strips.groups(); ++g)

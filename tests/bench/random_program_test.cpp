@@ -69,13 +69,13 @@ TEST_F(RandomProgram, SaysWhyCasesDidNotEndOk_full) {
     (void)run("--count 200 --seed 3 --json " + stem_ + ".json --list " + stem_ + ".csv");
     const auto out = nlohmann::json::parse(text(".json"));
     const auto& all = out.at("categories").at("all");
-    int told = 0;
+    int reported = 0;
     for (const auto& reason : out.at("reasons")) {
         const int cases = reason.at("all");
         EXPECT_GT(cases, 0);
         EXPECT_LE(reason.at("unseen").get<int>(), cases);
         EXPECT_EQ(reason.at("contradictory joints"), 0);
-        told += cases;
+        reported += cases;
     }
     int lines = 0, not_ok = 0, all_not_ok = 0;
     std::istringstream list(text(".csv"));
@@ -92,7 +92,7 @@ TEST_F(RandomProgram, SaysWhyCasesDidNotEndOk_full) {
         all_not_ok += !ok;
     }
     EXPECT_EQ(lines, 200);
-    EXPECT_EQ(not_ok, told);
+    EXPECT_EQ(not_ok, reported);
     EXPECT_EQ(all_not_ok, 200 - all.at("ok").get<int>());
     EXPECT_EQ(run("--count 1 --list /nowhere/at/all.csv"), 1);
 }

@@ -58,11 +58,11 @@ std::int64_t run_controlled(const std::string& scene, std::uint32_t seed, const 
         ADD_FAILURE() << where << " (no summary)";
         return 0;
     }
-    const Summary told = Summary::parse(read_text(summary));
-    const bool good = told["verdict"]["grade"] == "good" && told["status"] == "ok";
+    const Summary reported = Summary::parse(read_text(summary));
+    const bool good = reported["verdict"]["grade"] == "good" && reported["status"] == "ok";
     EXPECT_FALSE(run.code != 0 && good) << "ok, but refused by the verifier: " << where;
-    EXPECT_TRUE(run.code == 0 || good || has_physical_cause(told)) << where;
-    return told["equations"].get<std::int64_t>();
+    EXPECT_TRUE(run.code == 0 || good || has_physical_cause(reported)) << where;
+    return reported["equations"].get<std::int64_t>();
 }
 
 TEST(RandomControls, LeaveASampleOfScenesValid_full) {

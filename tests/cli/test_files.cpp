@@ -41,7 +41,7 @@ std::string joined(std::initializer_list<std::string_view> parts) {
     return out;
 }
 
-/// Expect exit code 1 with these words within the time limit.
+/// Expect exit code 1 with this text within the time limit.
 void refused(const std::string& arguments, const char* words) {
     const fs::path err = fs::path(testing::TempDir()) / ("refused." + std::to_string(getpid()));
     EXPECT_EQ(shell("$H " + arguments + " >/dev/null 2>" + err.string()), 1) << arguments;

@@ -43,14 +43,14 @@ ShapeDef any_shape(Random& random, bool moves) {
 
 /// Return a position from a small set, so that bodies coincide, lines cross, and faces are
 /// coplanar.
-Vec3 any_place(Random& random) {
+Vec3 any_position(Random& random) {
     return {0.5 * random.integer(-2, 2), 0.5 * random.integer(-2, 2), 0.5 * random.integer(-2, 2)};
 }
 
 void fill(Site& site, Random& random) {
     for (int i = 0; i < 12; ++i) {
         const bool moves = random.chance(0.7);
-        const auto b = site.body(moves ? BodyKind::rigid : BodyKind::fixed, any_place(random),
+        const auto b = site.body(moves ? BodyKind::rigid : BodyKind::fixed, any_position(random),
                                  random.vector(3.0), random.vector(3.0));
         for (int k = random.integer(1, 2); k > 0; --k) {
             ShapeDef d = any_shape(random, moves);
@@ -59,7 +59,7 @@ void fill(Site& site, Random& random) {
         }
     }
     std::vector<Vec3> nodes;
-    for (int i = 0; i < 6; ++i) nodes.push_back(any_place(random));
+    for (int i = 0; i < 6; ++i) nodes.push_back(any_position(random));
     site.wire(nodes, 0.05, random.vector(50.0));
     site.prepare();
 }
@@ -116,7 +116,7 @@ TEST(Collider, AnythingAnywhereGivesSoundContacts) {
             // Move bodies at once to other positions.
             for (const std::int32_t b : site.bodies.moving)
                 if (random.chance(0.5)) {
-                    const Vec3 to = any_place(random);
+                    const Vec3 to = any_position(random);
                     for (int k = 0; k < 3; ++k)
                         site.bodies.x[static_cast<std::size_t>(3 * b + k)] = to[k];
                 }

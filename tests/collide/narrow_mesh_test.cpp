@@ -56,7 +56,7 @@ Manifold touch(const Geometry& shape, const Vec3& at, const Quat& q, const Groun
     return m;
 }
 
-double least_gap(const Manifold& m) {
+double min_gap(const Manifold& m) {
     double least = 1e300;
     for (int i = 0; i < m.count; ++i) least = std::min(least, m.point[i].gap);
     return least;
@@ -80,7 +80,7 @@ TEST(NarrowMesh, ATriangleApartDoesNotPush) {
     ASSERT_LT(gap, 0.3);
     const Manifold m = touch(slab, middle, turn(-lean, Vec3(0, 1, 0)), ground, 0.6);
     ASSERT_GE(m.count, 1);
-    EXPECT_NEAR(least_gap(m), gap, 1e-9);
+    EXPECT_NEAR(min_gap(m), gap, 1e-9);
 }
 
 TEST(NarrowMesh, WhatNoTriangleClaimsIsPushedOut) {
@@ -115,7 +115,7 @@ TEST(NarrowMesh, TheLowestPointOfARimIsFound) {
         const Quat q = turn(tilt, Vec3(std::cos(heading), std::sin(heading), 0.0));
         const Manifold m = touch(drum, {1.0, -1.5, -3.0}, q, ground, 0.02);
         ASSERT_GE(m.count, 1);
-        EXPECT_NEAR(least_gap(m), -3.0 - 0.4 * std::cos(tilt) - 0.7 * std::sin(tilt), 1e-7);
+        EXPECT_NEAR(min_gap(m), -3.0 - 0.4 * std::cos(tilt) - 0.7 * std::sin(tilt), 1e-7);
     }
 }
 
@@ -142,7 +142,7 @@ TEST(NarrowMesh, TheFrameOfAHullMayLieAnywhere) {
             ASSERT_EQ(m[0].count > 0, m[1].count > 0) << i;
             if (m[0].count == 0) continue;
             ++seen;
-            EXPECT_NEAR(least_gap(m[0]), least_gap(m[1]), 1e-6) << i;
+            EXPECT_NEAR(min_gap(m[0]), min_gap(m[1]), 1e-6) << i;
         }
         EXPECT_GT(seen, cases / 4);
     }

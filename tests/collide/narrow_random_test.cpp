@@ -43,7 +43,7 @@ TEST(NarrowRandomGround, AgreesWithTheReference) {
     const int count = pairs_of(test::kSanitized ? 20 : 100, 500);
     for (const test::Ground ground : test::grounds())
         for (const ShapeKind kind : test::ground_kinds()) {
-            const auto score = test::judge_ground(kind, ground, count, seed);
+            const auto score = test::check_ground(kind, ground, count, seed);
             const std::string text = test::describe(kind, ground, score);
             if (count > 20) {  // up to twenty, chance decides
                 EXPECT_GT(score.touching, count / 10) << text;

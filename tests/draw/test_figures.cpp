@@ -13,7 +13,7 @@ namespace hawser::test {
 
 using draw::BlockGraph;
 
-// Bodies a, b, c, d in a row, joined by rows r (a b), s (b c), t (c d).
+// Make the graph of bodies a, b, c, d in a row, joined by rows r (a b), s (b c), t (c d).
 BlockGraph row_of_four() {
     BlockGraph g;
     g.size = {6, 3, 3, 6, 1, 2, 3};

@@ -23,24 +23,24 @@ std::size_t crosses(const draw::Drawing& drawing) {
     return count;
 }
 
-TEST(PartedCables, AreFoundByTheNamesOfTheirElements) {
+TEST(BrokenCables, AreFoundByTheNamesOfTheirElements) {
     SmallScene scene;
     const auto file = fresh_folder() / "r.hwr";
     scene.record(file, 90);
     record::Recording recording = record::Recording::open(file);
     ASSERT_EQ(recording.events.size(), 1U);
-    ASSERT_EQ(draw::parted_elements(recording, 2.0).size(), 1U);
-    EXPECT_EQ(draw::parted_elements(recording, 2.0)[0].element, 1);
-    EXPECT_TRUE(draw::parted_elements(recording, 1.4).empty()) << "not yet";
+    ASSERT_EQ(draw::broken_elements(recording, 2.0).size(), 1U);
+    EXPECT_EQ(draw::broken_elements(recording, 2.0)[0].element, 1);
+    EXPECT_TRUE(draw::broken_elements(recording, 1.4).empty()) << "not yet";
     // Names that no element of a cable has, in files from any source.
     for (const char* where :
          {"wire/s2", "wire/s-1", "wire/s", "wire/s1x", "wire/s99999999999999", "wir", "", "s1"}) {
         recording.events[0].where = where;
-        EXPECT_TRUE(draw::parted_elements(recording, 2.0).empty()) << where;
+        EXPECT_TRUE(draw::broken_elements(recording, 2.0).empty()) << where;
     }
     recording.events[0].where = "wire/s0 (wire at 0.52 m)";
-    ASSERT_EQ(draw::parted_elements(recording, 2.0).size(), 1U);
-    EXPECT_EQ(draw::parted_elements(recording, 2.0)[0].element, 0);
+    ASSERT_EQ(draw::broken_elements(recording, 2.0).size(), 1U);
+    EXPECT_EQ(draw::broken_elements(recording, 2.0)[0].element, 0);
 }
 
 /// Record 1.5 s of a cable that breaks at its end.
@@ -51,7 +51,7 @@ record::Recording record_parting() {
     return record::Recording::open(file);
 }
 
-TEST(PartedCables, AreDrawnInPiecesWithTheirEndsMarked) {
+TEST(BrokenCables, AreDrawnInPiecesWithTheirEndsMarked) {
     record::Recording recording = record_parting();
     const record::Series series = record::collect_series(recording);
     const auto parted = draw::plot_views(recording, series, recording.frame_count() - 1);
@@ -64,7 +64,7 @@ TEST(PartedCables, AreDrawnInPiecesWithTheirEndsMarked) {
     EXPECT_EQ(crosses(*whole), 0U);
 }
 
-TEST(PartedCables, TensionIsDrawnAlongThem) {
+TEST(BrokenCables, TensionIsDrawnAlongThem) {
     record::Recording recording = record_parting();
     const record::Series series = record::collect_series(recording);
     const auto drawing = draw::plot_wires(recording, series, recording.frame_count() - 1);

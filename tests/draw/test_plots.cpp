@@ -24,7 +24,7 @@ bool has_text(const XmlDocument& document, const std::string& wanted) {
                        [&](const std::string& t) { return t.find(wanted) != std::string::npos; });
 }
 
-/// Every picture states its content, its scene and its parameters.
+/// Check that a picture states its content, its scene and its parameters.
 XmlDocument check_picture(const Drawing& drawing) {
     const std::string svg = draw::to_svg(drawing);
     XmlDocument document;

@@ -98,7 +98,7 @@ TEST(Chains, AreNotMadeWhereTheyWouldCarryMuch) {
     }
     const factor::Pattern pattern = factor::make_pattern(size, sign, from, to);
     const factor::Symbolic s = factor::analyse(pattern, factor::plan_elimination(pattern));
-    for (const factor::Batch& b : s.batches) EXPECT_LE(b.most_q, 48);
+    for (const factor::Batch& b : s.batches) EXPECT_LE(b.max_q, 48);
     // Without chains: 800 fronts of 7 over 6. Lanes do up to eight times the flops in that time.
     EXPECT_LE(s.flops, factor::kLaneCount * kLinks * factor::front_flops(7, 6));
 }
@@ -212,8 +212,8 @@ struct OneChain {
     std::vector<std::int32_t> position;
 };
 
-/// Bodies 5 and 6 share one row with body 4 and have no other coupling. @param with_row  False:
-/// the row couples to body 4 alone.
+/// Make a chain in which bodies 5 and 6 share one row with body 4 and have no other coupling.
+/// @param with_row  False: the row couples to body 4 only.
 OneChain chain_with_three_body_row(bool with_row) {
     constexpr std::int32_t kBodies = 10, kRow = kBodies;
     std::vector<std::int8_t> size(kBodies, 6), sign(kBodies, 1);

@@ -99,7 +99,8 @@ TEST(Degrees, AreBoundsForLargeGraphs) {
 /// Knots precede strings: a knot has two rows left, not three scalars. Counted in nodes, strings
 /// come first and leave the matrix of the knots.
 TEST(Degrees, CountScalars) {
-    for (const int side : {12, 30, 40}) {  // the last two have more than MinimumDegree::kMost nodes
+    for (const int side :
+         {12, 30, 40}) {  // the last two have more than MinimumDegree::kMaximum nodes
         const Pattern p = net(side);
         factor::Orderer orderer;
         Order scalars, nodes;

@@ -261,9 +261,9 @@ TEST(Pivots, ZeroNotANumberAndInfinityAreCounted) {
     }
 }
 
-void expect_same_bits(const BlockMatrix& m, std::size_t least_tasks) {
+void expect_same_bits(const BlockMatrix& m, std::size_t min_tasks) {
     const factor::Symbolic s = factor::analyse(m.pattern, factor::order_nodes(m.pattern));
-    EXPECT_GE(s.tasks.size(), least_tasks) << "nothing to run in parallel";
+    EXPECT_GE(s.tasks.size(), min_tasks) << "nothing to run in parallel";
     Random random(1);
     const Vector b = random_vector(random, m.scalars());
     base::SerialExecutor serial;

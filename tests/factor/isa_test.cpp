@@ -82,7 +82,7 @@ TEST(InstructionSets, UniteRowsOfBits) {
     Random random(first_seed(3));
     const int rounds = by_tier(1, 4, 40);
     for (int round = 0; round < rounds; ++round)
-        for (int words = 8; words <= factor::MinimumDegree::kMost / 64; words += 8)
+        for (int words = 8; words <= factor::MinimumDegree::kMaximum / 64; words += 8)
             for (const Set& set : sets()) {
                 if (!set.available) continue;
                 constexpr std::size_t kRows = 6;
@@ -101,7 +101,7 @@ TEST(InstructionSets, UniteRowsOfBits) {
                     const std::int32_t nodes[] = {4, 0, 2};
                     factor::NodeWeights weights;
                     weights.least = random.integer(1, 6);
-                    weights.count = random.integer(0, factor::NodeWeights::kMost);
+                    weights.count = random.integer(0, factor::NodeWeights::kMaximum);
                     base::Array<std::uint64_t> heavy(static_cast<std::size_t>(weights.count) * n);
                     std::vector<std::int32_t> weight_of(64 * n, weights.least);
                     for (std::int32_t c = 0; c < weights.count; ++c)

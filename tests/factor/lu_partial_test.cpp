@@ -97,7 +97,7 @@ TEST(Unsymmetric, PartialHasTheBitsOfAFullFactorisation) {
     EXPECT_GT(share, 0.01);
 }
 
-/// Two scalars whose second pivot is 1 − 2·2.
+/// Set a node to two scalars whose second pivot is 1 − 2·2.
 void break_pivot(BlockMatrix& m, int node) {
     m.block(node, node)(0, 1) = 2.0 * m.block(node, node)(0, 0);
     m.block(node, node)(1, 0) = 2.0 * m.block(node, node)(1, 1);

@@ -104,7 +104,7 @@ inline BlockMatrix random_quasi_definite(Random& random, int nodes, double densi
 /// Make hubs with random links, joined by wires of any length. Each wire has one size of bodies.
 /// Variants: with or without bending over two neighbours, with or without rows, attached to a hub,
 /// free at an end, with a row of its own at an end.
-inline BlockMatrix wires(Random& random, int most_wires, int longest) {
+inline BlockMatrix wires(Random& random, int max_wires, int longest) {
     std::vector<std::int8_t> size, sign;
     std::vector<std::pair<int, int>> edges;
     auto node = [&](int scalars, int s) {
@@ -117,7 +117,7 @@ inline BlockMatrix wires(Random& random, int most_wires, int longest) {
         hubs.push_back(node(6, 1));
         if (hubs.size() > 1 && random.chance(0.5)) edges.emplace_back(hubs[0], hubs.back());
     }
-    for (int wire = random.integer(1, most_wires); wire > 0; --wire) {
+    for (int wire = random.integer(1, max_wires); wire > 0; --wire) {
         const int length = random.integer(1, longest), scalars = random.chance(0.5) ? 3 : 6;
         const bool bends = random.chance(0.5), rows = random.chance(0.6);
         const int hub = hubs[static_cast<std::size_t>(

@@ -216,7 +216,7 @@ TEST(Ordering, HasTheLeastDegreeFirst) {
         orderer.order(p, order);
         ASSERT_EQ(order, least_degree_first(p)) << trial;
     }
-    for (const int nodes : {511, 512, 513, 1100, 1500, factor::MinimumDegree::kMost}) {
+    for (const int nodes : {511, 512, 513, 1100, 1500, factor::MinimumDegree::kMaximum}) {
         if (kSanitized && nodes > 600) continue;
         std::vector<std::int32_t> from, to;
         for (int v = 1; v < nodes; ++v) {
@@ -234,8 +234,8 @@ TEST(Ordering, HasTheLeastDegreeFirst) {
         ASSERT_EQ(order, least_degree_first(p)) << nodes;
     }
     const Pattern large =
-        factor::make_pattern(std::vector<std::int8_t>(factor::MinimumDegree::kMost + 1, 3),
-                             std::vector<std::int8_t>(factor::MinimumDegree::kMost + 1, 1),
+        factor::make_pattern(std::vector<std::int8_t>(factor::MinimumDegree::kMaximum + 1, 3),
+                             std::vector<std::int8_t>(factor::MinimumDegree::kMaximum + 1, 1),
                              std::vector<std::int32_t>{5}, std::vector<std::int32_t>{7});
     orderer.order(large, order);
     ASSERT_EQ(order, order_of_the_library(large));

@@ -32,11 +32,11 @@ T pick(Random& random, std::initializer_list<T> from) {
 }
 
 inline std::int32_t odd_index(Random& random, std::int32_t old) {
-    constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
+    constexpr std::int32_t kMaximum = std::numeric_limits<std::int32_t>::max();
     switch (random.integer(0, 3)) {
         case 0:
             return pick<std::int32_t>(random,
-                                      {-1, -2, 0, 1, kMost, -kMost - 1, 1 << 20, 0x7FF80000});
+                                      {-1, -2, 0, 1, kMaximum, -kMaximum - 1, 1 << 20, 0x7FF80000});
         case 1:
             return random.integer(0, 64);
         case 2:  // as unsigned: the old value may be the largest integer

@@ -41,7 +41,7 @@ class Watch {
         start_ = std::chrono::steady_clock::now();
         alarm(kEndless);
     }
-    /// Processor time excludes waiting, and wall time includes other programs: both must be short.
+    /// Return the wall time since the start [s].
     [[nodiscard]] double seconds() const {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     }

@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 
 /// Tolerances relative to the scale: smallest, largest of a scene, largest of a single figure.
-constexpr double kLeast = 1e-9, kMost = 1e-6, kLoose = 1e-4;
+constexpr double kMinimum = 1e-9, kMaximum = 1e-6, kLoose = 1e-4;
 
 Entry parse(const json& in) {
     Entry entry;
@@ -137,7 +137,7 @@ std::string compare(const Entry& reference, const Figures& figures) {
 Entry entry_of(const Figures& figures, int steps) {
     Entry entry;
     entry.steps = steps;
-    entry.tolerance = kLeast;
+    entry.tolerance = kMinimum;
     entry.texts = figures.texts;
     for (const auto& [name, count] : figures.counts)
         if (count != 0) entry.counts[name] = count;
@@ -153,7 +153,7 @@ std::pair<std::string, double> widen(Entry& entry, const Figures& figures) {
         const auto found = entry.reals.find(name);
         const double error = error_of(found != entry.reals.end() ? found->second : Real{}, real);
         if (error > most.second) most = {name, error};
-        if (kMargin * error <= kMost) {
+        if (kMargin * error <= kMaximum) {
             entry.tolerance = std::max(entry.tolerance, kMargin * error);
         } else {
             Real& own = entry.reals.try_emplace(name, Real{0.0, real.scale, 0.0}).first->second;

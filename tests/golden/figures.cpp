@@ -12,7 +12,7 @@ namespace hawser::golden {
 
 namespace {
 
-/// Finaliser of the generator splitmix64 (G. Steele, D. Lea, C. Flood, "Fast splittable
+/// Apply the finaliser of the generator splitmix64 (G. Steele, D. Lea, C. Flood, "Fast splittable
 /// pseudorandom number generators", 2014).
 std::uint64_t scramble(std::uint64_t x) {
     x += 0x9E3779B97F4A7C15ULL;

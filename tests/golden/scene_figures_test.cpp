@@ -67,8 +67,8 @@ void write(const std::string& name, const Figures& figures, int steps) {
         if (most > kReported)
             std::printf("%-26s %-7s differs by %.1e of the scale in %s\n", name.c_str(),
                         instruction_set(), most, figure.c_str());
-        constexpr double kMostDifference = 2e-5;
-        EXPECT_LE(most, kMostDifference) << name << ": give it fewer steps in the file";
+        constexpr double kMaxDifference = 2e-5;
+        EXPECT_LE(most, kMaxDifference) << name << ": give it fewer steps in the file";
     }
     write_entries(kFile, entries);
 }

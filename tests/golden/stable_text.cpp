@@ -217,18 +217,18 @@ std::string stable_json(const std::string& text, const std::string& folder) {
 std::string compare_texts(std::string_view reference, std::string_view text,
                           const NumberTolerance& tolerance) {
     const std::vector<std::string_view> a = lines_of(reference), b = lines_of(text);
-    constexpr int kMost = 8;
+    constexpr int kMaximum = 8;
     std::string out;
     int count = 0;
     for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
         const std::string_view expected = i < a.size() ? a[i] : "(no line)";
         const std::string_view found = i < b.size() ? b[i] : "(no line)";
         const std::size_t at = first_difference(expected, found, tolerance);
-        if (at == kSame || ++count > kMost) continue;
+        if (at == kSame || ++count > kMaximum) continue;
         out += fmt::format("  line {}:\n    - {}\n    + {}\n", i + 1, about(expected, at),
                            about(found, at));
     }
-    if (count > kMost) out += fmt::format("  and {} lines more\n", count - kMost);
+    if (count > kMaximum) out += fmt::format("  and {} lines more\n", count - kMaximum);
     return out;
 }
 

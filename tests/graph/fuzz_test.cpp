@@ -33,14 +33,14 @@ struct Hostile {
 };
 
 std::int32_t hostile_weight(Random& random) {
-    constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
+    constexpr std::int32_t kMaximum = std::numeric_limits<std::int32_t>::max();
     switch (random.integer(0, 5)) {
         case 0:
             return 0;
         case 1:
             return kNeverCut;
         case 2:
-            return kMost - 1;
+            return kMaximum - 1;
         case 3:
             return -1;
         case 4:
@@ -133,7 +133,7 @@ TEST(PartitionFuzz, EditsKeepSeparatorsApart) {
         for (int k = 0; k < 20 && h.view().edges() > 0 && last >= 0; ++k) {
             const int e = random.integer(0, h.view().edges() - 1);
             std::vector<std::int32_t> members(h.view().edge(e).begin(), h.view().edge(e).end());
-            if (members.size() > graph::Follower::kMostMembers) continue;
+            if (members.size() > graph::Follower::kMaxMembers) continue;
             for (std::int32_t& v : members) v = random.integer(0, last);
             std::copy(members.begin(), members.end(),
                       h.graph.members.begin() + h.graph.begin[at(e)]);

@@ -130,7 +130,7 @@ TEST(Partition, ShortWiresFillAsManyPartsAsTheyCan) {
                 partitioner.separate({parts}, p);
                 expect_separated(g, p);
                 ASSERT_EQ(p.cost.size(), at(parts));
-                const int most = std::min(parts, std::max(1, n / graph::Partitioner::kLeastNodes));
+                const int most = std::min(parts, std::max(1, n / graph::Partitioner::kMinNodes));
                 EXPECT_GE(5 * used(), 4 * most);
                 if (HasFailure()) return;
             }
@@ -335,7 +335,7 @@ TEST(Partition, LongestFirstSharesOut) {
     const std::vector<std::int64_t> cost{3, 7, 5, 5, 4, 6};
     std::vector<std::int32_t> lane(cost.size()), order;
     std::vector<std::int64_t> load(3, 0);
-    graph::share_out(cost, lane, load, order);
+    graph::distribute(cost, lane, load, order);
     EXPECT_EQ(load, (std::vector<std::int64_t>{10, 10, 10}));
 }
 

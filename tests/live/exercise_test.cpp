@@ -326,14 +326,14 @@ TEST(LiveExercise, page_headless_run_and_replay_have_the_same_score) {
         shown.stop();
         page = exercise::to_json(shown.own.run->result());
         const exercise::Result& result = shown.own.run->result();
-        const json& told = instructor.last["exercise"];
-        EXPECT_EQ(told["points"].get<double>(), result.points);
-        EXPECT_EQ(told["outcome"], exercise::to_string(result.outcome));
+        const json& reported = instructor.last["exercise"];
+        EXPECT_EQ(reported["points"].get<double>(), result.points);
+        EXPECT_EQ(reported["outcome"], exercise::to_string(result.outcome));
         for (std::size_t k = 0; k < result.goals.size(); ++k)
-            EXPECT_EQ(told["goals"][k]["reached"].is_null(), !result.goals[k].reached);
+            EXPECT_EQ(reported["goals"][k]["reached"].is_null(), !result.goals[k].reached);
         for (std::size_t k = 0; k < result.penalties.size(); ++k) {
-            EXPECT_EQ(told["penalties"][k]["points"].get<double>(), result.penalties[k].points);
-            EXPECT_EQ(told["penalties"][k]["times"], result.penalties[k].times);
+            EXPECT_EQ(reported["penalties"][k]["points"].get<double>(), result.penalties[k].points);
+            EXPECT_EQ(reported["penalties"][k]["times"], result.penalties[k].times);
         }
         EXPECT_EQ(result.penalties[0].times, 1);
         hash = shown.own.session->world().motion_hash();

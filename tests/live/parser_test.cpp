@@ -124,7 +124,7 @@ void expect_sane(const std::string& text) {
         EXPECT_FALSE(reason.empty());
         return;
     }
-    EXPECT_LE(out.commands.size(), live::kMostInputs);
+    EXPECT_LE(out.commands.size(), live::kMaxInputs);
     for (const Command& command : out.commands) {
         EXPECT_TRUE(std::isfinite(command.value));
         EXPECT_TRUE(std::isfinite(command.stiffness));

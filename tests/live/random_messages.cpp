@@ -29,7 +29,7 @@ double thread_seconds() {
     return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// The tow of live_scene() with an input without a range, which makes steps fail.
+/// Return the tow of live_scene() with an input without a range, which makes steps fail.
 std::string rangeless_tow() {
     std::string text = live_scene();
     const std::string before = R"("inputs": [)";
@@ -122,7 +122,7 @@ class Driven {
               &static_cast<StepBreaker&>(run.world().add_system(std::make_unique<StepBreaker>()))) {
         breaker_->world = &run.world();
         run.record(file);
-        driver_.emplace(run, hub_, live::DriverOptions{.paused = true, .states_share = 1e6});
+        driver_.emplace(run, hub_, live::DriverOptions{.paused = true, .states_fraction = 1e6});
         figures.by_status.resize(16);
     }
 

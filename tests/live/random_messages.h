@@ -37,7 +37,7 @@ inline constexpr std::size_t kMessageScenes = 5;
 class Sender {
   public:
     Sender(const World& world, std::uint32_t seed);
-    /// @param failed  True if the last step failed.
+    /// Return the next message. @param failed  True if the last step failed.
     [[nodiscard]] std::string next(bool failed);
 
   private:

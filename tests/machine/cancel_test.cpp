@@ -106,9 +106,9 @@ TEST(Cancel, AnywhereInAStepLeavesTheStateAndTheBits) {
         CancelLater later(w);
         int cancelled = 0;
         // The scheduler determines how many attempts a step takes: continue until enough were made.
-        constexpr int kEnough = 20, kMostSteps = 400;
+        constexpr int kEnough = 20, kMaxSteps = 400;
         const int least = kSanitized ? 10 : 40;
-        for (int i = 0; (i < least || cancelled <= kEnough) && i < kMostSteps && !HasFailure();
+        for (int i = 0; (i < least || cancelled <= kEnough) && i < kMaxSteps && !HasFailure();
              ++i) {
             ASSERT_EQ(twin.step(), Status::ok);
             cancelled += attempt_until_done(w, later);

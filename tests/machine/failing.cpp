@@ -23,7 +23,7 @@ void* plain(std::size_t bytes, std::size_t alignment) noexcept {
     return std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
 }
 
-/// A separate function, which compilers cannot inline.
+/// Free memory in a separate function, which compilers cannot inline.
 [[gnu::noinline]] void give_back(void* p) noexcept { std::free(p); }
 
 void* get_or_throw(std::size_t bytes, std::size_t alignment) {

@@ -148,8 +148,8 @@ TEST(RodsWorld, SavedStateAndTwinGoOnWithTheSameBits) {
 
 /// Return the largest difference of loads that separate code computes for `p` with the sea of
 /// `told`.
-double difference(Platform& p, const World& told, int steps) {
-    verify::SeaVerifier verifier(told);
+double difference(Platform& p, const World& reported, int steps) {
+    verify::SeaVerifier verifier(reported);
     double worst = 0.0;
     std::vector<Pose> pose(static_cast<std::size_t>(p.w.body_count()));
     std::vector<Twist> twist(pose.size());

@@ -53,15 +53,15 @@ TEST(SeaDefinition, SignalsBeyondTheirRangeAreEvents) {
     EXPECT_EQ(w.system_signal("sea.current"), -10.0);
     w.set_system_signal("sea.level", -60.0);
     EXPECT_DOUBLE_EQ(w.system_signal("sea.level"), -0.99 * 48.0);
-    const std::vector<Event> told = w.take_events();
-    ASSERT_EQ(told.size(), 3U);
+    const std::vector<Event> reported = w.take_events();
+    ASSERT_EQ(reported.size(), 3U);
     const char* names[] = {"sea.waves", "sea.current", "sea.level"};
     const double asked[] = {1e6, -30.0, -60.0};
     for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_EQ(told[i].kind, EventKind::input_clamped);
-        EXPECT_EQ(told[i].value, asked[i]);
-        EXPECT_FALSE(told[i].input.valid());
-        EXPECT_EQ(record::input_label(w, told[i]), names[i]);
+        EXPECT_EQ(reported[i].kind, EventKind::input_clamped);
+        EXPECT_EQ(reported[i].value, asked[i]);
+        EXPECT_FALSE(reported[i].input.valid());
+        EXPECT_EQ(record::input_label(w, reported[i]), names[i]);
     }
 }
 

@@ -13,11 +13,11 @@ namespace {
 /// G (v₀, ω₀, v₁, ω₁) is the velocity of the joint's point on body 1 minus that of body 0.
 TEST(Arms, UnpackToTheRowsOfABallJoint) {
     const double record[kArms] = {0.3, -1.1, 2.0, 0.7, 0.5, -0.9, 5.0, 6.0};
-    double room[kArmRoom];
-    std::fill_n(room, kArmRoom, std::nan(""));
-    const double* packed = packed_rows(record, true, room);
+    double buffer[kArmBufferSize];
+    std::fill_n(buffer, kArmBufferSize, std::nan(""));
+    const double* packed = packed_rows(record, true, buffer);
     // Vectors that start within the last row end behind it.
-    for (int k = kArmRows * kArmWidth; k < kArmRoom; ++k) EXPECT_EQ(packed[k], 0.0);
+    for (int k = kArmRows * kArmWidth; k < kArmBufferSize; ++k) EXPECT_EQ(packed[k], 0.0);
     const Eigen::Map<const Eigen::Matrix<double, 3, 12, Eigen::RowMajor>> g(packed);
     Eigen::Matrix<double, 12, 1> u;
     u << 1, 2, 3, -0.5, 0.25, 2, 4, -1, 0.5, 1.5, -2, 0.75;
@@ -29,8 +29,8 @@ TEST(Arms, UnpackToTheRowsOfABallJoint) {
 
 TEST(Arms, ArePackedRowsWhereTheyAreNotInShort) {
     const double rows[3] = {1, 2, 3};
-    double room[kArmRoom];
-    EXPECT_EQ(packed_rows(rows, false, room), rows);
+    double buffer[kArmBufferSize];
+    EXPECT_EQ(packed_rows(rows, false, buffer), rows);
 }
 
 }  // namespace

@@ -70,11 +70,11 @@ void make_solution(Cone& c, Touch touch, Random& random) {
     const double angle = random.uniform(0, 6.28), x = std::cos(angle), y = std::sin(angle);
     const double radius = c.friction * n * (touch == Touch::stick ? random.uniform(0, 0.95) : 1.0);
     const double slip = touch == Touch::slip ? random.uniform(1e-3, 1.0) : 0.0;
-    const double apart = touch == Touch::open ? random.uniform(1e-3, 1.0) : 0.0;
+    const double separation = touch == Touch::open ? random.uniform(1e-3, 1.0) : 0.0;
     c.lambda[0] = n;
     c.lambda[1] = -radius * x;
     c.lambda[2] = -radius * y;
-    const double r[3] = {apart, slip * x, slip * y};
+    const double r[3] = {separation, slip * x, slip * y};
     for (int i = 0; i < 3; ++i)
         c.u[i] = r[i] + c.b[i] - (i == 0 ? c.sigma_n : c.sigma_t) * c.lambda[i];
 }

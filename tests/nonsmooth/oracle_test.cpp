@@ -205,7 +205,7 @@ double merit(const Problem& p) {
     return sum;
 }
 
-/// Newton's method with the line search of the stepper. @return largest natural map.
+/// Run Newton's method with the line search of the stepper. @return largest natural map.
 double newton(Problem& p, int iterations) {
     double left = 1.0;
     for (int it = 0; it < iterations && left > 1e-11; ++it) {

@@ -171,23 +171,23 @@ TEST(WorldRepair, EqualsAnAnalysisFromNothing) {
     auto repaired = heap(kSeed, 1e-12), rebuilt = heap(kSeed, 1e-12);
     ASSERT_EQ(stepper::step(*repaired), Status::ok);
     ASSERT_EQ(stepper::step(*rebuilt), Status::ok);
-    double worst = 0.0, apart = 0.0;
+    double worst = 0.0, separation = 0.0;
     std::int64_t repairs = 0;
     for (int i = 0; i < 50; ++i) {
         ASSERT_EQ(stepper::step(*repaired), Status::ok);
         const factor::AnalysisState none;
         stepper::analyse(*rebuilt, &none);
         ASSERT_EQ(stepper::step(*rebuilt), Status::ok);
-        apart += repaired->model.system.symbolic.order != rebuilt->model.system.symbolic.order
-                     ? 1.0
-                     : 0.0;
+        separation += repaired->model.system.symbolic.order != rebuilt->model.system.symbolic.order
+                          ? 1.0
+                          : 0.0;
         for (std::size_t k = 0; k < repaired->model.bodies.v.size(); ++k)
             worst =
                 std::max(worst, std::abs(repaired->model.bodies.v[k] - rebuilt->model.bodies.v[k]));
     }
     repairs = repaired->work.stats.repairs;
     EXPECT_GT(repairs, 3);
-    EXPECT_GT(apart, 3.0) << "steps with different orders";
+    EXPECT_GT(separation, 3.0) << "steps with different orders";
     // [m/s]: 3e-10 measured. Colliding balls amplify rounding errors; somewhat later one world has
     // an impact a step before the other.
     EXPECT_LT(worst, 1e-7);

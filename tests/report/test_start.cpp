@@ -19,15 +19,15 @@ std::string box(const std::string& name, double z, const std::string& more) {
 }
 
 TEST(Start, OverlapsAreErrorsFromHalfTheNarrowerBody) {
-    const auto apart = [](double z) {
+    const auto separation = [](double z) {
         return start_of(R"("bodies": [)" + box("low", 0.0, "") + "," + box("high", z, "") + "]");
     };
-    EXPECT_TRUE(apart(1.0).found.list.empty());
-    const Finding shallow = only(apart(0.6), FindingKind::overlap);
+    EXPECT_TRUE(separation(1.0).found.list.empty());
+    const Finding shallow = only(separation(0.6), FindingKind::overlap);
     EXPECT_FALSE(shallow.error);
     EXPECT_NEAR(shallow.value, 0.4, 1e-9);
     EXPECT_EQ(shallow.about, (Names{"low", "high"}));
-    EXPECT_TRUE(only(apart(0.4), FindingKind::overlap).error);
+    EXPECT_TRUE(only(separation(0.4), FindingKind::overlap).error);
 }
 
 /// A wire through a solid is rejected with the positions of both in the file.

@@ -136,8 +136,8 @@ TEST(StartJoints, RodsTooShortForTheirTriangleContradictEachOther) {
              "points": [[3, 0, 0], [0, 0, 0]], "length": )" +
                         std::to_string(length) + "}]");
     };
-    const Started apart = rods(2.0);
-    const Finding f = only(apart, FindingKind::contradiction);
+    const Started separation = rods(2.0);
+    const Finding f = only(separation, FindingKind::contradiction);
     EXPECT_EQ(f.about, (Names{"left", "right"}));
     EXPECT_NEAR(f.value, 1.0, 1e-3) << "each is a metre short when the bob is between both";
     // If long enough, they start open and close: not inconsistent.
@@ -239,8 +239,8 @@ TEST(StartJoints, MotorsAgainstAClosedRangeAndAHold) {
 
 TEST(StartJoints, TwoMotorsOfOneJoint) {
     const std::string a = motor("a", R"("speed": 2)"), b = motor("b", R"("speed": 1.5)");
-    const Started apart = start_of(driven(a + b, false));
-    EXPECT_EQ(apart.of(FindingKind::motor).size(), 2U) << apart.text();
+    const Started separation = start_of(driven(a + b, false));
+    EXPECT_EQ(separation.of(FindingKind::motor).size(), 2U) << separation.text();
     // The same speed twice is consistent.
     const Started alike = start_of(driven(a + motor("b", R"("speed": 2)"), false));
     EXPECT_EQ(alike.found.errors(), 0U) << alike.text();

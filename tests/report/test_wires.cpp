@@ -97,7 +97,7 @@ TEST(ReportedWires, TellWhereTheyPart) {
     EXPECT_EQ(json["parted"][0]["wire"], "rope");
     EXPECT_EQ(json["parted"][0]["s"], 35.0);
     EXPECT_EQ(json["wires"]["rope"]["parted"][0]["element"], "rope/s3");
-    EXPECT_EQ(record::parted_label(h.w, h.w.elements(h.wire)[3]), "rope/s3 (rope at 35 m)");
+    EXPECT_EQ(record::broken_label(h.w, h.w.elements(h.wire)[3]), "rope/s3 (rope at 35 m)");
 }
 
 TEST(ReportedWires, FollowNodesThatComeAndGo) {

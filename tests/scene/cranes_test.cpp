@@ -80,9 +80,9 @@ TEST(SceneCranes, AreRefusedAtTheirPlace) {
              {"cranes.crane.loads.0.body=world", "/cranes/0: ", "a rigid body or a lump"},
              {"cranes.crane.take=tug", "/cranes/0/take: ", "none of its loads"},
              {"cranes.crane.point=[0, 0]", "/cranes/0/point: ", "expected"}}) {
-        const std::string told = refused_with(row.set);
-        EXPECT_TRUE(told.starts_with(row.path)) << row.set << ": " << told;
-        EXPECT_NE(told.find(row.words), std::string::npos) << row.set << ": " << told;
+        const std::string reported = refused_with(row.set);
+        EXPECT_TRUE(reported.starts_with(row.path)) << row.set << ": " << reported;
+        EXPECT_NE(reported.find(row.words), std::string::npos) << row.set << ": " << reported;
     }
 }
 

@@ -42,7 +42,8 @@ class Folder {
     fs::path path_;
 };
 
-// Expected of all formats: heave and sway-roll at four frequencies, 0 and 90 degrees.
+// Return the expected values of all formats: heave and sway-roll at four frequencies, 0 and 90
+// degrees.
 inline double added(int i, int j, double omega) {
     const double a[6] = {1e5, 2e5, 3e5, 4e6, 5e6, 6e6};
     if (i == j) return a[i] * (1.0 + 0.1 / omega);

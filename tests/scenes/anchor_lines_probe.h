@@ -57,7 +57,7 @@ class AnchorLinesProbe {
         }
         return names;
     }
-    [[nodiscard]] double least_force() const {
+    [[nodiscard]] double min_force() const {
         double least = std::numeric_limits<double>::infinity();
         for (const double f : force_max_) {
             least = std::min(least, f);

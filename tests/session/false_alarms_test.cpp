@@ -218,7 +218,8 @@ TEST(FalseAlarms, ABridleWhoseLinesMeetInOneNode) {
     for (const double step : {1.0 / 60.0, 0.05}) expect_good(bridle(step));
 }
 
-/// Two weights on a rope over two eyes: the end of the lighter one is hauled to its eye and stops.
+/// Return a scene with two weights on a rope over two eyes. The end of the lighter one is hauled to
+/// its eye and stops.
 std::string hauled_to_eye(double light, double heavy, double step) {
     return fmt::format(
         R"({{"version": 1, "name": "hauled", "settings": {{"step": {}, "duration": 3}},

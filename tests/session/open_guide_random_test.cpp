@@ -29,17 +29,17 @@ constexpr double kLengthKept = 1e-6;
 /// their material in the guide. Node edits make the two differ by 1e-4.
 constexpr double kMomentumKept = 1e-3;
 /// A wire that bounces off once or twice is right; before, it bounced until the run failed.
-constexpr int kMostReturns = 4;
+constexpr int kMaxReturns = 4;
 
 /// Rest length of a wire [m], its momentum and that of the deck under its guide [kg m/s].
 struct WireSums {
     double length = 0.0;
     Vec3 momentum = Vec3::Zero();
-    double moving = 0.0;  ///< Sum of |m v| of the lumps.
+    double moving = 0.0;  ///< Sum of |m v| of the nodes.
 };
 
-/// Sum up the lumps of a wire and the elements at its guide. Half of the mass of such an element
-/// moves with its lump, the other half runs over the wheel with the slide.
+/// Sum up the nodes of a wire and the elements at its guide. Half of the mass of such an element
+/// moves with its node, the other half runs over the wheel with the slide.
 WireSums sums_of(const World& w, WireId wire) {
     WireSums out{.length = w.length(wire)};
     const auto add = [&](double mass, const Vec3& v) {
@@ -161,7 +161,7 @@ void check_route(std::uint32_t seed) {
     const auto happened = events();
     EXPECT_GE(happened[0], 1);
     EXPECT_EQ(happened[0], happened[1]);
-    EXPECT_LE(happened[0], kMostReturns);
+    EXPECT_LE(happened[0], kMaxReturns);
     EXPECT_GT(w.system_signal("roller.angle"), 0.1) << "the wire lies on the roller at the end";
     EXPECT_NE(w.verdict().grade, Grade::wrong);
 }

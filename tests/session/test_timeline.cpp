@@ -107,7 +107,7 @@ TEST(SessionTimeline, IsVerifiedFromItsFirstStepOn) {
 /// Each operation is reported once, after the next step, and again in a run that goes back.
 TEST(SessionTimeline, SaysWhatItDid) {
     Session session({.scene_text = kTow});
-    const auto told = [&](double until) {
+    const auto reported = [&](double until) {
         std::vector<double> at;
         while (session.time() < until) {
             EXPECT_EQ(session.step(), Status::ok);
@@ -116,14 +116,14 @@ TEST(SessionTimeline, SaysWhatItDid) {
         return at;
     };
     EXPECT_TRUE(session.operations().empty());
-    EXPECT_EQ(told(2.5), (std::vector<double>{0.5, 1.0, 2.0}));
+    EXPECT_EQ(reported(2.5), (std::vector<double>{0.5, 1.0, 2.0}));
     const Structure made_of = session.world().structure();
     const std::vector<std::byte> state = session.world().save();
     const std::vector<double> rest{3.0, 4.0, 4.0};
-    EXPECT_EQ(told(5.0), rest);
+    EXPECT_EQ(reported(5.0), rest);
     session.restore(made_of, state);
     EXPECT_TRUE(session.operations().empty());
-    EXPECT_EQ(told(5.0), rest);
+    EXPECT_EQ(reported(5.0), rest);
 }
 
 /// An input that sets a signal does so from a timeline too, with its factor and in its range.

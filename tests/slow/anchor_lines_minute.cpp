@@ -40,7 +40,7 @@ TEST(AnchorLinesMinute, StaysPhysicalAndEveryInteractionCarriesForce_full) {
     for (const std::string& name : probe.idle(0.1)) {
         ADD_FAILURE() << name << " carries no force";
     }
-    std::printf("    least loaded interaction: %.3g N or N m\n", probe.least_force());
+    std::printf("    least loaded interaction: %.3g N or N m\n", probe.min_force());
 }
 
 TEST(AnchorLinesMinute, ARowOfSitesStaysPhysical_full) {

@@ -32,7 +32,7 @@ TEST(NarrowPairs, AHundredThousandOfEachAgreeWithTheReference_long) {
 TEST(NarrowPairs, AHundredThousandOnGroundAgreeWithTheReference_long) {
     for (const test::Ground ground : test::grounds())
         for (const ShapeKind kind : test::ground_kinds()) {
-            const auto score = test::judge_ground(kind, ground, 100'000, 1000);
+            const auto score = test::check_ground(kind, ground, 100'000, 1000);
             std::printf("    %s\n", test::describe(kind, ground, score).c_str());
             std::fflush(stdout);
             EXPECT_EQ(score.wrong_verdicts, 0);

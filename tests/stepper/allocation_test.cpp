@@ -106,7 +106,7 @@ TEST(Allocation, NoneInWhatAClientReads) {
 }
 
 /// Make a wire in two groups chosen by the world; drag brings it to rest.
-Recipe parted_wire(int every) {
+Recipe broken_wire(int every) {
     Recipe r = wire(40);
     for (BodyDef& b : r.bodies) b.linear_damping = {50.0, 50.0, 50.0};
     r.world.coupling = Coupling::kinematic;
@@ -119,7 +119,7 @@ Recipe parted_wire(int every) {
 /// Regrouping without changes does not allocate either, after the first one.
 TEST(Allocation, NoneWhereGroupsAreLookedAtAndStay) {
     if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
-    World w = parted_wire(7).make();
+    World w = broken_wire(7).make();
     for (int i = 0; i < 600; ++i) ASSERT_EQ(w.step(), Status::ok);  // it comes to rest
     const std::int64_t before = w.stats().regroupings;
     long seen = 0;
@@ -142,7 +142,7 @@ TEST(Allocation, NoneWhereGroupsAreLookedAtAndStay) {
 /// one, and the next call succeeds.
 TEST(Allocation, WhereMemoryEndsInARegroupingItIsAStatus) {
     if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
-    const Recipe recipe = parted_wire(20);
+    const Recipe recipe = broken_wire(20);
     World good = recipe.make();
     const int round = static_cast<int>(stepper::Regroup::kSettle);
     for (int i = 0; i <= round; ++i) ASSERT_EQ(good.step(), Status::ok);

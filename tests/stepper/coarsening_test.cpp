@@ -32,7 +32,7 @@ TEST(Coarsening, RisesWhereStepsStayTooLong) {
     EXPECT_EQ(level_after(c, 1, 1.3), 1);
     EXPECT_EQ(level_after(c, Coarsening::kAct - 1, 1.3), 1);
     EXPECT_EQ(level_after(c, 1, 1.3), 2) << "nothing has changed";
-    EXPECT_EQ(level_after(c, 1000, 1.3), Coarsening::kMost);
+    EXPECT_EQ(level_after(c, 1000, 1.3), Coarsening::kMaximum);
 }
 
 TEST(Coarsening, WaitsWhileItActs) {

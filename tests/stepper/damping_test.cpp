@@ -11,11 +11,11 @@ namespace hawser::test {
 namespace {
 
 TEST(Damping, ShareGoesFromHalfToOne) {
-    EXPECT_EQ(model::late_share(0.0), 0.5);
-    EXPECT_EQ(model::late_share(std::numeric_limits<double>::infinity()), 1.0);
+    EXPECT_EQ(model::late_fraction(0.0), 0.5);
+    EXPECT_EQ(model::late_fraction(std::numeric_limits<double>::infinity()), 1.0);
     double last = 0.5;
     for (double z = 1e-6; z < 1e12; z *= 1.5) {
-        const double share = model::late_share(z);
+        const double share = model::late_fraction(z);
         // Near 1/2 the fraction increases by less than the rounding of 1/z near the change of
         // formula.
         EXPECT_GE(share, last - 1e-13) << z;
@@ -67,9 +67,9 @@ TEST(Damping, DamperBetweenBodiesIsExact) {
     for (int k = 1; k <= 60; ++k) {
         ASSERT_EQ(w.step(), Status::ok);
         const double rate = kDamper * (1.0 + 1.0 / 3.0), t = k * r.world.step;
-        const double apart = w.velocity(b).linear.x() - w.velocity(a).linear.x();
+        const double separation = w.velocity(b).linear.x() - w.velocity(a).linear.x();
         // The spring of 1e-6 N/m, at most 0.05 m long, in a second.
-        EXPECT_NEAR(apart, 0.1 * std::exp(-rate * t), 1e-7);
+        EXPECT_NEAR(separation, 0.1 * std::exp(-rate * t), 1e-7);
     }
     // Its damping dissipates the difference; half a step before the start the spring was 0.8 mm
     // shorter.

@@ -97,7 +97,7 @@ TEST(DeckWire, AFirstStepThatDescendsTakesFewFactorisations) {
     EXPECT_LE(s.natural_map, site.world.settings().contact_tolerance);
 }
 
-/// φ* of a contact with a disk of fixed radius: normal and tangential part.
+/// Return φ* of a contact with a disk of fixed radius: normal plus tangential part.
 double held_energy(const nonsmooth::Cone& c, const double u[3], double radius) {
     const double n = std::max(0.0, c.b[0] - u[0]);
     const double t = std::hypot(c.b[1] - u[1], c.b[2] - u[2]);
@@ -151,7 +151,7 @@ TEST(ConvexPhase, LineSearchFindsTheZeroOfASlope) {
             return t <= kink ? low * t : low * kink + high * (t - kink);
         };
         const auto slope = [&](double t) { return piecewise(t) - piecewise(zero); };
-        const double t = stepper::share_without_slope(slope);
+        const double t = stepper::fraction_without_slope(slope);
         if (zero >= 1.0)
             ASSERT_EQ(t, 1.0) << trial;
         else

@@ -60,8 +60,8 @@ class Coming {
   private:
     [[nodiscard]] InteractionDef line(BodyId a, BodyId b) const {
         InteractionDef d{.kind = InteractionKind::Stretch, .body = {a, b}};
-        const double apart = (w_.pose(a).position - w_.pose(b).position).norm();
-        return d.set("EA", 1e5).set("length", 1.01 * apart);
+        const double separation = (w_.pose(a).position - w_.pose(b).position).norm();
+        return d.set("EA", 1e5).set("length", 1.01 * separation);
     }
     void add_lump() {
         lump_ = w_.add_body({.name = "l",
@@ -90,9 +90,9 @@ class Coming {
     WireId id_{};
 };
 
-/// Expect no allocations. @param most_grown  Number of steps that may grow because of more contacts
+/// Expect no allocations. @param max_grown  Number of steps that may grow because of more contacts
 /// than ever before.
-void expect_none(World& w, int warm, int rounds, int most_grown) {
+void expect_none(World& w, int warm, int rounds, int max_grown) {
     Coming coming(w);
     const std::vector<Edit> edits = coming.edits();
     int grown = 0;
@@ -121,7 +121,7 @@ void expect_none(World& w, int warm, int rounds, int most_grown) {
             EXPECT_EQ(seen - in_edit, 0) << "in the step after: " << edit.name << ", " << round;
             EXPECT_EQ(w.memory_bytes(), held) << edit.name;
         }
-    EXPECT_LE(grown, most_grown);
+    EXPECT_LE(grown, max_grown);
     // A wire is more than an eighth of a small world.
     if (w.body_count() > 1000) {
         EXPECT_EQ(planned, 0);

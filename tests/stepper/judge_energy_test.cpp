@@ -8,8 +8,8 @@ namespace hawser::stepper {
 namespace {
 
 /// Make a sample of a body of 50 J and a spring, with the spring's energy by three accounts.
-JudgePart shown(double by_rows, double by_length, double by_force) {
-    JudgePart p;
+MonitorPart shown(double by_rows, double by_length, double by_force) {
+    MonitorPart p;
     p.kinetic = 50.0;
     p.elastic = by_rows;
     p.by_length = by_length;
@@ -20,9 +20,9 @@ JudgePart shown(double by_rows, double by_length, double by_force) {
 
 /// Return the exchanged energy after ten steps in which the spring alternates between a given
 /// energy and 0.
-double exchanged(const JudgePart& most) {
+double exchanged(const MonitorPart& most) {
     constexpr double kStep = 0.01;  // [s]
-    JudgeState state;
+    MonitorState state;
     begin_energy(shown(0.0, 0.0, 0.0), {}, state);
     for (int i = 1; i <= 10; ++i)
         (void)follow_energy(i % 2 == 1 ? most : shown(0.0, 0.0, 0.0), {}, kStep, state);
@@ -30,13 +30,13 @@ double exchanged(const JudgePart& most) {
 }
 
 /// A spring that oscillates in all accounts: half the change of 8 J in each of ten steps.
-TEST(JudgeEnergy, CountsWhatSpringsExchange) {
+TEST(MonitorEnergy, CountsWhatSpringsExchange) {
     EXPECT_NEAR(exchanged(shown(8.0, 8.0, 8.0)), 40.0, 1e-12);
 }
 
 /// An under-resolved stiff spring shows, in one account, energy that it never exchanges. If it
 /// counted, an error of a hundred joules would be relatively small.
-TEST(JudgeEnergy, TakesTheAccountByWhichSpringsExchangeLeast) {
+TEST(MonitorEnergy, TakesTheAccountByWhichSpringsExchangeLeast) {
     EXPECT_EQ(exchanged(shown(1e6, 0.0, 1e6)), 0.0);
     EXPECT_EQ(exchanged(shown(1e6, 1e6, 0.0)), 0.0);
     EXPECT_EQ(exchanged(shown(0.0, 1e6, 1e6)), 0.0);

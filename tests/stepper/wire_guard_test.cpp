@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires of lumps at steps that do not resolve their swing (solve/wires.h, assembly/geo.h).
+/// Wires of nodes at steps that do not resolve their vibration (solve/wires.h, assembly/geo.h).
 #include "support/random.h"
 #include "support/recipe.h"
 #include "support/tier.h"
@@ -174,8 +174,8 @@ TEST(WireGuard, SameBitsForAnyThreadsAndAfterRestoring) {
     EXPECT_EQ(again.state_hash(), hashes.front());
 }
 
-/// Boxes that slide into each other, which take several iterations a step; beside the wire or
-/// alone.
+/// Make boxes that slide into each other, which take several iterations per step; next to the wire
+/// or alone.
 World boxes_and(Recipe r, double budget_work) {
     r.world.gravity = {0, 0, -9.81};
     r.world.budget_work = budget_work;

@@ -11,8 +11,8 @@
 namespace hawser::test {
 namespace {
 
-constexpr std::size_t kMostBodies = 60, kMostInteractions = 80;
-constexpr int kMostSystems = 4;
+constexpr std::size_t kMaxBodies = 60, kMaxInteractions = 80;
+constexpr int kMaxSystems = 4;
 constexpr double kFar = 30.0;  ///< Distance beyond which no new joints are made [m].
 
 }  // namespace
@@ -96,8 +96,9 @@ bool Editor::add_joint() {
             def.point[k] = p.orientation.conjugate() * (middle - p.position);
         def.frame[k] = p.orientation.conjugate();
     }
-    const double apart = (first().pose(a).position - first().pose(b).position).norm();
-    if (apart > kFar || (def.kind == InteractionKind::Distance && apart < 0.2)) return false;
+    const double separation = (first().pose(a).position - first().pose(b).position).norm();
+    if (separation > kFar || (def.kind == InteractionKind::Distance && separation < 0.2))
+        return false;
     add(def);
     return true;
 }
@@ -170,7 +171,7 @@ bool Editor::act(Edit kind) {
         case Edit::input:
             return add_input();
         case Edit::system:
-            return first().system_count() < kMostSystems ? add_system() : remove_system();
+            return first().system_count() < kMaxSystems ? add_system() : remove_system();
         case Edit::part:
             return part_wire();
         case Edit::remove:
@@ -182,8 +183,8 @@ bool Editor::act(Edit kind) {
 
 void Editor::edit() {
     for (;;) {
-        const bool full = first().bodies().size() > kMostBodies ||
-                          first().interactions().size() > kMostInteractions;
+        const bool full = first().bodies().size() > kMaxBodies ||
+                          first().interactions().size() > kMaxInteractions;
         auto kind = static_cast<Edit>(random_.integer(0, static_cast<int>(Edit::count) + 2));
         if (kind >= Edit::count || (full && kind < Edit::input)) kind = Edit::remove;
         if (!act(kind)) continue;  // nothing to do

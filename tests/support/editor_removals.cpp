@@ -79,10 +79,10 @@ bool Editor::add_wire() {
     if (random_.chance(0.5)) def.radius = 0.03;
     if (random_.chance(0.3)) def.breaking_load = 2000.0;
     if (random_.chance(0.5) && from != to && holds(to)) {
-        const double apart = (first().pose(from).position - first().pose(to).position).norm();
-        if (apart < 0.3 || apart > 8.0) return false;
+        const double separation = (first().pose(from).position - first().pose(to).position).norm();
+        if (separation < 0.3 || separation > 8.0) return false;
         def.to = to;
-        def.length = 1.02 * apart;
+        def.length = 1.02 * separation;
     }
     for (World* w : worlds_) (void)w->add_wire(def);
     return true;

@@ -177,24 +177,24 @@ TEST(SystemSignals, AreOutputs) {
 }
 
 TEST(Forces, OfUserInputsAndSystemsAddUp) {
-    Yard apart, together;
-    for (Yard* y : {&apart, &together}) y->w.remove_interaction(y->rod);
-    World& w = apart.w;
-    const InputId one = w.add_input({.name = "one", .body = apart.bob, .component = 0});
-    const InputId two = w.add_input({.name = "two", .body = apart.bob, .component = 0});
+    Yard separation, together;
+    for (Yard* y : {&separation, &together}) y->w.remove_interaction(y->rod);
+    World& w = separation.w;
+    const InputId one = w.add_input({.name = "one", .body = separation.bob, .component = 0});
+    const InputId two = w.add_input({.name = "two", .body = separation.bob, .component = 0});
     add_doer(w, [](Prestep& now, Loads& loads) {
         loads.add_force(now.world.find_body("bob"), {8, 0, 0});
     });
-    w.set_force(apart.bob, {1, 0, 0}, Vec3::Zero());
+    w.set_force(separation.bob, {1, 0, 0}, Vec3::Zero());
     w.set_input(one, 2.0);
     w.set_input(two, 4.0);
-    w.set_force(apart.bob, {16, 0, 0}, Vec3::Zero());  // replaces only the user's own force
+    w.set_force(separation.bob, {16, 0, 0}, Vec3::Zero());  // replaces only the user's own force
     together.w.set_force(together.bob, {30, 0, 0}, Vec3::Zero());
     const std::vector<std::byte> saved = w.save();
     double speed = 0.0;
     for (int round = 0; round < 2; ++round) {
         for (int i = 0; i < 20; ++i) ASSERT_EQ(w.step(), Status::ok);
-        const double now = w.velocity(apart.bob).linear.x();
+        const double now = w.velocity(separation.bob).linear.x();
         if (round == 1) {
             EXPECT_EQ(now, speed);  // also after a restore
         }
@@ -207,7 +207,7 @@ TEST(Forces, OfUserInputsAndSystemsAddUp) {
     EXPECT_NEAR(speed, 15.0 * (20 - 0.5) * 0.01, 1e-12);
     // Values set by an input remain after its removal.
     w.remove_input(two);
-    EXPECT_EQ(w.body_def(apart.bob).force.x(), 20.0);
+    EXPECT_EQ(w.body_def(separation.bob).force.x(), 20.0);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace hawser::test {
 namespace {
 
-constexpr double kWireEA = 2e6, kPostsApart = 10.0;  // [N], [m]
+constexpr double kWireEA = 2e6, kPostSeparation = 10.0;  // [N], [m]
 
 /// A straight wire between two posts, without gravity, longer than its rest length by a strain.
 struct StraightWire {
@@ -22,7 +22,7 @@ struct StraightWire {
     StraightWire() : w({.step = 0.01, .gravity = Vec3::Zero()}) {
         first = w.add_body({.name = "first", .kind = BodyKind::fixed});
         last = w.add_body(
-            {.name = "last", .kind = BodyKind::fixed, .position = {kPostsApart, 0.0, 0.0}});
+            {.name = "last", .kind = BodyKind::fixed, .position = {kPostSeparation, 0.0, 0.0}});
         add(0.01);
     }
     void add(double strain) {
@@ -30,7 +30,7 @@ struct StraightWire {
                            .from = first,
                            .to = last,
                            .elements = 8,
-                           .length = kPostsApart / (1.0 + strain),
+                           .length = kPostSeparation / (1.0 + strain),
                            .EA = kWireEA,
                            .mass_per_length = 3.0,
                            .consistent_mass = true});
@@ -43,7 +43,7 @@ struct StraightWire {
 };
 
 double held_by_strain(double strain) {
-    return 0.5 * kWireEA * strain * strain * kPostsApart / (1.0 + strain);
+    return 0.5 * kWireEA * strain * strain * kPostSeparation / (1.0 + strain);
 }
 
 // A wire of another rest length in its place: its stretch comes from nowhere.

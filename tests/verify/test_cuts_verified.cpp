@@ -31,7 +31,7 @@ TEST_P(CutVerified, SeparateCodeAgrees) {
 }
 
 // Near an end of an element, in its middle, near both ends of the wire [m].
-INSTANTIATE_TEST_SUITE_P(Places, CutVerified, ::testing::Values(60.3, 165.8, 168.2, 200.0, 318.0));
+INSTANTIATE_TEST_SUITE_P(Slots, CutVerified, ::testing::Values(60.3, 165.8, 168.2, 200.0, 318.0));
 
 WinchDef small_winch(WireId wire, double stored) {
     return {.name = "winch",
@@ -70,7 +70,7 @@ struct Lively {
         w.add(small_winch(wire, 50.0));
         w.set_force(end, Vec3(1e5, 0, 0), Vec3::Zero());
     }
-    [[nodiscard]] int most_alert() const {
+    [[nodiscard]] int max_flag_steps() const {
         int most = 0;
         for (const InteractionId id : w.interactions()) most = std::max(most, w.wire_alert(id));
         return most;
@@ -84,7 +84,7 @@ TEST(CutsVerified, AWireWhoseSwingsAreDamped) {
     for (int i = 0; i < 200; ++i) {
         if (i == 4) l.w.set_force(l.end, Vec3(2e4, 0, 0), Vec3::Zero());
         if (i == 6) {
-            EXPECT_GT(l.most_alert(), 0);
+            EXPECT_GT(l.max_flag_steps(), 0);
             l.w.detach(l.wire, 0);
         }
         verifier.before_step(l.w);

@@ -21,7 +21,7 @@ using vessel::ThrusterNow;
 
 constexpr double kAlPi = std::numbers::pi;
 
-/// Minimum of ½xᵀHx + gᵀx over a box by coordinate descent, which converges for H > 0.
+/// Return the minimum of ½xᵀHx + gᵀx over a box by coordinate descent, which converges for H > 0.
 Eigen::VectorXd box_minimum(const Eigen::MatrixXd& h, const Eigen::VectorXd& g,
                             const Eigen::VectorXd& low, const Eigen::VectorXd& high) {
     Eigen::VectorXd x = low.cwiseMax(Eigen::VectorXd::Zero(g.size())).cwiseMin(high);
@@ -108,7 +108,7 @@ Vec3 effect(const std::vector<AllocatedThruster>& ship, const std::vector<double
     return out;
 }
 
-/// The cost of the header, written again.
+/// Return the cost function of the header, computed independently.
 double cost_of(const std::vector<AllocatedThruster>& ship, const Vec3& tau,
                const std::vector<double>& f) {
     double sum = 0.0, arm = 1.0, out = 0.0;
@@ -134,7 +134,8 @@ bool allowed(const AllocatedThruster& t, double x, double y, double slack) {
     });
 }
 
-/// Local search from many starts: steps of each force in eight directions, halved when none helps.
+/// Search locally from many starts: steps of each force in eight directions, halved when none
+/// improves.
 double searched_cost(const std::vector<AllocatedThruster>& ship, const Vec3& tau,
                      std::mt19937& rng) {
     std::uniform_real_distribution<double> any(-1.0, 1.0);

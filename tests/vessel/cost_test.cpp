@@ -17,7 +17,7 @@
 namespace hawser::test {
 namespace {
 
-/// Two propellers, two rudders, four thrusters, power bus and losses, on the supply vessel.
+/// Make the supply vessel with two propellers, two rudders, four thrusters, power bus and losses.
 VesselDef full_ship(const PublishedShip& ship) {
     VesselDef def = ship.vessel;
     def.propulsors.clear();

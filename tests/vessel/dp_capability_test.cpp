@@ -102,7 +102,7 @@ TEST(DpCapability, ZonesSkegAndRudder) {
     EXPECT_NEAR(f.y, 0.4158, 5e-6);
 }
 
-/// One azimuth at the origin and two tunnels without loads in yaw.
+/// Make a ship with one azimuth at the origin and two tunnels, without loads in yaw.
 DpShip plain_ship() {
     DpShip s = solved_ship();
     s.skegs.clear();

@@ -89,9 +89,9 @@ TEST(Vessel, CurrentCarriesTheTrack) {
                 s->set("port", 1.0), s->set("bow1", -0.5);
             s->run(100.0);
         }
-        const Vec3 apart = b.place() - a.place() - 100.0 * flow;
+        const Vec3 separation = b.place() - a.place() - 100.0 * flow;
         // Rounding of sums over 6,000 steps.
-        EXPECT_LT(apart.norm(), 1e-6) << name;
+        EXPECT_LT(separation.norm(), 1e-6) << name;
         EXPECT_NEAR(a.signal("speed"), b.signal("speed"), 1e-8) << name;
     }
 }

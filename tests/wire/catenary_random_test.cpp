@@ -40,11 +40,11 @@ CatenaryDef random_wire(Draw& draw) {
     def.to = somewhere(draw, size);
     if (draw.one_in(7)) def.to = {def.from.x(), def.from.y(), def.to.z()};
     if (draw.one_in(7)) def.to.z() = def.from.z();
-    const double apart = (def.to - def.from).norm();
+    const double separation = (def.to - def.from).norm();
     const double slack = draw.one_in(5)   ? draw.between(0.9, 1.0)
                          : draw.one_in(4) ? 1.0 + draw.power(-9.0, -2.0)
                                           : draw.between(1.0, 3.0);
-    const double length = std::max(slack * apart, 1e-3 * size);
+    const double length = std::max(slack * separation, 1e-3 * size);
     const int parts = draw.one_in(3) ? 3 : 1;
     for (int i = 0; i < parts; ++i) {
         const double share = length / parts, weight = draw.power(-1.0, 4.0);

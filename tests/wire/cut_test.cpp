@@ -72,8 +72,8 @@ WireAccount account(const World& w) {
             w.body_def(ends[1]).kind != BodyKind::lump)
             continue;
         const Vec3 u = w.velocity(ends[1]).linear - w.velocity(ends[0]).linear;
-        const Vec3 apart = w.pose(ends[1]).position - w.pose(ends[0]).position - half * u;
-        a.angular -= d.get("mass") / 6.0 * apart.cross(u);
+        const Vec3 separation = w.pose(ends[1]).position - w.pose(ends[0]).position - half * u;
+        a.angular -= d.get("mass") / 6.0 * separation.cross(u);
     }
     return a;
 }

@@ -27,7 +27,7 @@ TEST(DrumGeometry, AnyLengthEndsInALayer) {
          {1e308, inf, 1e12, 1e7, 0.0, -0.0, -1.0, -1e308, -inf, none, 5e-324}) {
         const DrumGeometry::Place at = kDrum.place(length);
         EXPECT_GE(at.layer, 1) << length;
-        EXPECT_LE(at.layer, DrumGeometry::kMostLayers) << length;
+        EXPECT_LE(at.layer, DrumGeometry::kMaxLayers) << length;
         EXPECT_TRUE(std::isfinite(at.radius) && at.radius >= kDrum.radius(1)) << length;
         EXPECT_TRUE(std::isfinite(at.wraps) && std::isfinite(at.across)) << length;
         (void)kDrum.inertia(length, 25.0);
@@ -37,8 +37,8 @@ TEST(DrumGeometry, AnyLengthEndsInALayer) {
     DrumGeometry huge = kDrum;
     huge.width = 1e30;
     huge.flange_radius = 1e30;
-    EXPECT_EQ(huge.wraps_a_layer(), DrumGeometry::kMostLayers);
-    EXPECT_EQ(huge.layers(), DrumGeometry::kMostLayers);
+    EXPECT_EQ(huge.wraps_a_layer(), DrumGeometry::kMaxLayers);
+    EXPECT_EQ(huge.layers(), DrumGeometry::kMaxLayers);
 }
 
 TEST(DrumGeometry, CountsLayersAsASumWrapByWrap) {

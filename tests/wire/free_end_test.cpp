@@ -62,7 +62,7 @@ TEST(FreeEnds, RunOffARollerAndFallWithWhatTheyHoldUp) {
     for (int i = 0; i < 120; ++i) ASSERT_EQ(r.w.step(), Status::ok);
     const WireId piece = r.w.cut(r.wire, 8.0);
     (void)r.w.take_events();
-    int told = 0, left = 0;
+    int reported = 0, left = 0;
     for (int i = 0; i < 480; ++i) {
         ASSERT_EQ(r.w.step(), Status::ok)
             << i << ": " << to_string(r.w.verdict().judge) << " "
@@ -72,11 +72,11 @@ TEST(FreeEnds, RunOffARollerAndFallWithWhatTheyHoldUp) {
             << " v " << r.w.velocity(r.weight).linear.z();
         for (const Event& e : r.w.take_events())
             if (e.kind == EventKind::detach && e.body == r.deck) {
-                ++told;
+                ++reported;
                 left = i;
             }
     }
-    EXPECT_EQ(told, 1);
+    EXPECT_EQ(reported, 1);
     EXPECT_GT(left, 60) << "12 m have to run over it first";
     EXPECT_EQ(r.w.verdict().grade, Grade::good);
     // The roller is empty, and no material is lost.

@@ -34,7 +34,7 @@ struct Wiring {
     std::array<Vec3, 3> place;
     std::array<bool, 3> moving, upright;
     int cut_at;
-    double cut_share;
+    double cut_fraction;
     bool slides;
     struct Order {
         int step;
@@ -67,7 +67,7 @@ struct Wiring {
             orders.push_back({step, 1.5 * random.uniform(-1.0, 1.0),
                               Vec3(1.5e4, 0, 1e4) + random.vector(2.5e4)});
         cut_at = random.chance(0.5) ? random.integer(300, 900) : kSteps;
-        cut_share = random.uniform(0.05, 0.95);
+        cut_fraction = random.uniform(0.05, 0.95);
         for (std::size_t k = 1; near && k < 3; ++k) {
             upright[k] = upright[0];
             moving[k] = moving[0];
@@ -184,7 +184,7 @@ struct Yard {
             w.set_system_signal("winch.speed", o.speed);
             w.set_force(load, o.push, Vec3::Zero());
         }
-        if (number == x.cut_at) cut_at_share(x.cut_share);
+        if (number == x.cut_at) cut_at_share(x.cut_fraction);
         return w.step();
     }
 };

@@ -214,9 +214,9 @@ struct Thrown {
         constexpr double kElement = 5.0, kPull = 10.0;
         // Aimed at the pin: its position on the wire is `offset` from the middle at the impact.
         const Vec3 start = -0.12 * velocity;
-        const double apart = kElement * (1.0 + kPull / kPostEA);
+        const double separation = kElement * (1.0 + kPull / kPostEA);
         const auto at = [&](int k) {
-            return Vec3(start + Vec3(0, (k - 0.5 * kElements) * apart - offset, 0));
+            return Vec3(start + Vec3(0, (k - 0.5 * kElements) * separation - offset, 0));
         };
         first = w.add_body({.name = "first",
                             .kind = BodyKind::lump,

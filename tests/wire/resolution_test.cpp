@@ -154,7 +154,7 @@ TEST(WireResolution, DoesNotChatter) {
         }
 }
 
-/// The end oscillates, so that bounds by waves and sag apply in turn.
+/// Return a resolution for an oscillating end, so that bounds by waves and by sag apply in turn.
 ResolutionDef lively() {
     return {.min_length = 1.5,
             .max_length = 12.0,

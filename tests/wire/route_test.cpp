@@ -20,7 +20,7 @@ namespace {
 using test::Post;
 
 class Posts : public testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Places, Posts, testing::Values(1, 2, 8, 64));
+INSTANTIATE_TEST_SUITE_P(Slots, Posts, testing::Values(1, 2, 8, 64));
 
 TEST_P(Posts, SlideAtEulersRatio) {
     for (const double turns : {0.5, 1.5, 3.0}) {
@@ -227,7 +227,7 @@ TEST(Routes, EndsStopAtTheirEye) {
             return std::uniform_real_distribution<double>(a, b)(random);
         };
         const double light = draw(0.5, 50.0), heavy = light * draw(1.5, 20.0);
-        const double left = draw(0.5, 6.0), right = draw(0.5, 6.0), apart = draw(0.5, 4.0);
+        const double left = draw(0.5, 6.0), right = draw(0.5, 6.0), separation = draw(0.5, 4.0);
         World w;
         const BodyId top = w.add_body({.kind = BodyKind::fixed});
         const auto lump = [&](double x, double z, double mass) {
@@ -236,12 +236,12 @@ TEST(Routes, EndsStopAtTheirEye) {
                                .mass = mass,
                                .linear_damping = Vec3::Constant(0.2 * mass)});
         };
-        const BodyId a = lump(0.0, left, light), b = lump(apart, right, heavy);
+        const BodyId a = lump(0.0, left, light), b = lump(separation, right, heavy);
         const Route r =
             w.add(RouteDef{.name = "rope",
                            .EA = 1e6,
                            .first = {.body = a},
-                           .places = {{.body = top}, {.body = top, .point = {apart, 0, 0}}},
+                           .places = {{.body = top}, {.body = top, .point = {separation, 0, 0}}},
                            .last = {.body = b},
                            .damping_time = 0.05});
         const double length = left + right;

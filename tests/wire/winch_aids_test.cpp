@@ -121,7 +121,8 @@ TEST(WinchAids, InertiaIsThatOfTheDrumWhileNothingYields) {
                 0.05 * std::abs(a));  // damping of the wire's mode with the lighter drum
 }
 
-/// Heave of a load below a ship that heaves by 1 m at 0.1 Hz, over that of the ship.
+/// Return the heave of a load below a ship that heaves by 1 m at 0.1 Hz, relative to the ship's
+/// heave.
 double compensated_heave(WinchMode mode, double speed) {
     constexpr double kShip = 1e7, kLoad = 1e4, kOmega = 0.6283185307179586;
     World w(WorldDef{.step = 1.0 / 60.0});

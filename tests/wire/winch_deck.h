@@ -11,7 +11,7 @@
 
 namespace hawser::test {
 
-/// 31 turns per layer, 9 layers of 1,500 m.
+/// Return a winch with 31 turns per layer and 9 layers for 1,500 m.
 inline WinchDef big_winch() {
     return {.name = "winch",
             .core_radius = 0.6,

@@ -20,7 +20,7 @@ constexpr double kWireRadius = 0.0025, kElement = 0.5;
 
 /// Add point masses of 0.1 kg from `from` on, at intervals of `apart`, joined by elements; with
 /// fixed or free ends.
-std::vector<BodyId> add_fast_wire(World& w, int nodes, const Vec3& from, const Vec3& apart,
+std::vector<BodyId> add_fast_wire(World& w, int nodes, const Vec3& from, const Vec3& separation,
                                   const Vec3& velocity, double length, bool held) {
     std::vector<BodyId> wire;
     for (int i = 0; i < nodes; ++i) {
@@ -28,7 +28,7 @@ std::vector<BodyId> add_fast_wire(World& w, int nodes, const Vec3& from, const V
         const bool end = held && (i == 0 || i + 1 == nodes);
         d.kind = end ? BodyKind::fixed : BodyKind::lump;
         d.mass = 0.1;
-        d.position = from + i * apart;
+        d.position = from + i * separation;
         d.velocity = velocity;
         wire.push_back(w.add_body(d));
         if (i == 0) continue;

@@ -28,7 +28,7 @@ Status run_steps(World& w, int steps) {
     return status;
 }
 
-TEST(JudgeBearing, AnElementFarBeyondItsStrengthFailsAlthoughItPartsInThatStep) {
+TEST(MonitorBearing, AnElementFarBeyondItsStrengthFailsAlthoughItPartsInThatStep) {
     // 500 m/s at 1/60 s: 8 m in the first step, at most m v/h = 30 MN, four times its length.
     World w = shot(500.0, 1e5);
     EXPECT_EQ(run_steps(w, 5), Status::diverged);
@@ -39,7 +39,7 @@ TEST(JudgeBearing, AnElementFarBeyondItsStrengthFailsAlthoughItPartsInThatStep) 
     EXPECT_TRUE(v.of(Judge::cable).interaction.valid());
 }
 
-TEST(JudgeBearing, ALineThatPartsUnderABlowIsGood) {
+TEST(MonitorBearing, ALineThatPartsUnderABlowIsGood) {
     // 2 m/s: T = v √(EA m/l) = 200 kN at most, 2 % of strain, 40 times its breaking load.
     World w = shot(2.0, 5e3);
     EXPECT_EQ(run_steps(w, 60), Status::ok);
@@ -62,7 +62,7 @@ World wound(InteractionKind kind) {
     return r.make();
 }
 
-TEST(JudgeBearing, ADrumKeepsTheLeastOfItsElement) {
+TEST(MonitorBearing, ADrumKeepsTheLeastOfItsElement) {
     World w = wound(InteractionKind::WinchStretch);
     EXPECT_EQ(run_steps(w, 300), Status::ok);
     EXPECT_EQ(w.verdict().grade, Grade::good) << to_string(w.verdict().judge);
@@ -74,7 +74,7 @@ TEST(JudgeBearing, ADrumKeepsTheLeastOfItsElement) {
     }
 }
 
-TEST(JudgeBearing, ASlideThatTakesInMoreThanThereIsFails) {
+TEST(MonitorBearing, ASlideThatTakesInMoreThanThereIsFails) {
     World w = wound(InteractionKind::EndSpan);
     EXPECT_EQ(run_steps(w, 300), Status::diverged);
     // 2 m at 0.8 m/s.
@@ -124,7 +124,7 @@ TEST(EnergyAccounts, EditsAreNotDriven) {
     EXPECT_NEAR(e.edited, -(2.5 * v.squaredNorm() + 5.0 * 9.81 * height), 0.35);
 }
 
-TEST(JudgeStart, ASpringThatMovesAtTheStartMakesNoEnergy) {
+TEST(MonitorStart, ASpringThatMovesAtTheStartMakesNoEnergy) {
     // (ωh)² = 0.14: half a step before the start the spring has ½ k (v h/2)², 3.5 % of ½ m v².
     for (const bool carried : {false, true}) {
         Recipe r;

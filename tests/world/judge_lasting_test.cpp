@@ -39,7 +39,7 @@ Status run(World& w, int steps) {
     return status;
 }
 
-TEST(JudgeLasting, RangesThatContradictEachOtherEndTheRun) {
+TEST(MonitorLasting, RangesThatContradictEachOtherEndTheRun) {
     Wheel m;
     m.range("left", 0.5, 0.6).range("right", -0.6, -0.5);
     EXPECT_EQ(run(m.world, 60), Status::diverged);
@@ -49,7 +49,7 @@ TEST(JudgeLasting, RangesThatContradictEachOtherEndTheRun) {
     EXPECT_TRUE(name == "left" || name == "right") << name;
 }
 
-TEST(JudgeLasting, AMotorThatPushesBeyondARangeEndsTheRun) {
+TEST(MonitorLasting, AMotorThatPushesBeyondARangeEndsTheRun) {
     Wheel m;
     m.range("stop", -0.1, 0.1);
     InteractionDef motor{.kind = InteractionKind::HingeMotor, .body = {m.ground, m.wheel}};
@@ -59,7 +59,7 @@ TEST(JudgeLasting, AMotorThatPushesBeyondARangeEndsTheRun) {
     EXPECT_EQ(m.world.verdict().judge, Judge::violation);
 }
 
-TEST(JudgeLasting, WhatStrikesTheEndOfItsRangeIsGood) {
+TEST(MonitorLasting, WhatStrikesTheEndOfItsRangeIsGood) {
     // In a step it moves 0.033 rad beyond, 14 mm at its edge: above the limit of suspect.
     Wheel m(2.0);
     m.range("stop", -0.3, 0.3);
@@ -81,7 +81,7 @@ World ball_on_plate(double mass, double height) {
     return w;
 }
 
-TEST(JudgeLasting, WhatSinksThroughAPlateEndsTheRun) {
+TEST(MonitorLasting, WhatSinksThroughAPlateEndsTheRun) {
     World w = ball_on_plate(3e7, 0.1);
     EXPECT_EQ(run(w, 300), Status::diverged);
     const Verdict v = w.verdict();
@@ -89,7 +89,7 @@ TEST(JudgeLasting, WhatSinksThroughAPlateEndsTheRun) {
     EXPECT_EQ(w.body_def(v.of(v.judge).body).name, "plate");
 }
 
-TEST(JudgeLasting, AShapeThatCameWhileTheWorldRanIsJudgedAsWell) {
+TEST(MonitorLasting, AShapeThatCameWhileTheWorldRanIsJudgedAsWell) {
     World w({.step = 1.0 / 60.0});
     const BodyId plate = w.add_body({.name = "plate", .kind = BodyKind::fixed});
     w.add_shape(
@@ -109,13 +109,13 @@ TEST(JudgeLasting, AShapeThatCameWhileTheWorldRanIsJudgedAsWell) {
     EXPECT_EQ(w.body_def(v.of(v.judge).body).name, "plate");
 }
 
-TEST(JudgeLasting, WhatFallsOnAPlateIsGood) {
+TEST(MonitorLasting, WhatFallsOnAPlateIsGood) {
     World w = ball_on_plate(1e3, 3.0);
     ASSERT_EQ(run(w, 300), Status::ok);
     EXPECT_EQ(w.verdict().grade, Grade::good);
 }
 
-TEST(JudgeLasting, ARestoredWorldGivesTheSameVerdictAtTheSameStep) {
+TEST(MonitorLasting, ARestoredWorldGivesTheSameVerdictAtTheSameStep) {
     World w = ball_on_plate(3e7, 0.1), other = ball_on_plate(3e7, 0.1);
     int steps = 0;
     std::vector<std::byte> saved;

@@ -69,7 +69,7 @@ World make(const Start& s) {
     return w;
 }
 
-TEST(JudgeStart, ForcesThatStayMakeNoEnergy) {
+TEST(MonitorStart, ForcesThatStayMakeNoEnergy) {
     std::mt19937 dice(test::first_seed(20261127));
     const int starts = test::by_tier(300, 1000, 10'000);
     double most = 0.0;

@@ -160,7 +160,8 @@ TEST(Outputs, FollowTheSteps) {
         c.add({.kind = OutputKind::drum, .interaction = c.winch, .component = "paid_out"});
     const OutputId length =
         c.add({.kind = OutputKind::drum, .interaction = c.winch, .component = "length"});
-    const OutputId apart = c.add({.kind = OutputKind::distance, .body = c.hull, .body_b = c.load});
+    const OutputId separation =
+        c.add({.kind = OutputKind::distance, .body = c.hull, .body_b = c.load});
     const OutputId first =
         c.add({.kind = OutputKind::tension, .line = c.wire, .component = "first"});
     const OutputId last = c.add({.kind = OutputKind::tension, .line = c.wire, .component = "last"});
@@ -184,7 +185,7 @@ TEST(Outputs, FollowTheSteps) {
         const double turned = c.world.pose(c.drum).position.x();
         EXPECT_NEAR(c.world.output(paid), 0.4 * turned, 1e-15);
         EXPECT_NEAR(c.world.output(length), 9.8 + 0.4 * turned, 1e-14);
-        EXPECT_NEAR(c.world.output(apart),
+        EXPECT_NEAR(c.world.output(separation),
                     (c.world.pose(c.hull).position - c.world.pose(c.load).position).norm(), 1e-13);
         EXPECT_EQ(c.world.output(first), -c.world.force(c.wire[0])[0]);
         EXPECT_EQ(c.world.output(last), -c.world.force(c.wire[2])[0]);

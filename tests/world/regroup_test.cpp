@@ -56,7 +56,8 @@ TEST(Regroup, ACutMovesAlongACableThatStartsToTurn) {
     EXPECT_LT(weight_of_cuts(moves), weight_of_cuts(stays));
 }
 
-/// Oscillations due to the pull decay within some seconds.
+/// Check that groups no longer change after the oscillations due to a pull have decayed, within
+/// some seconds.
 void leave_alone(Coupling coupling, Predictor predictor) {
     Cables t(3);
     t.recipe.world.coupling = coupling;

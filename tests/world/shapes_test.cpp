@@ -21,7 +21,7 @@ std::string refusal(const std::function<void()>& f) {
     return "";
 }
 
-BodyDef lump_at(const Vec3& x) {
+BodyDef node_at(const Vec3& x) {
     BodyDef d;
     d.kind = BodyKind::lump;
     d.position = x;
@@ -50,7 +50,7 @@ World falling_wire(int threads = 1) {
     w.add_shape(plane);
     BodyId last{};
     for (int i = 0; i < 12; ++i) {
-        const BodyId now = w.add_body(lump_at({1.0 * i, 0.0, 0.052 + 0.001 * i}));
+        const BodyId now = w.add_body(node_at({1.0 * i, 0.0, 0.052 + 0.001 * i}));
         if (last.valid()) {
             InteractionDef line{.kind = InteractionKind::Distance, .body = {last, now}};
             w.add_interaction(line.set("length", 1.0));
@@ -81,7 +81,7 @@ TEST(Shapes, FindsThemByName) {
 
 TEST(Shapes, RefusesWhatMakesNoSense) {
     World w;
-    const BodyId lump = w.add_body(lump_at({0, 0, 0})), other = w.add_body(lump_at({1, 0, 0}));
+    const BodyId lump = w.add_body(node_at({0, 0, 0})), other = w.add_body(node_at({1, 0, 0}));
     BodyDef b;
     b.mass = 1.0;
     b.inertia = Mat3::Identity();

@@ -18,8 +18,8 @@
 namespace hawser::test::regrouping {
 
 inline constexpr int kNodes = 40;
-inline constexpr double kApart = 1.0;  // m
-inline constexpr int kEvery = 20;      // steps
+inline constexpr double kSeparation = 1.0;  // m
+inline constexpr int kEvery = 20;           // steps
 
 /// A hull with three equal cables that extend in a plane, without gravity: they differ only in
 /// motion and pull.
@@ -42,12 +42,12 @@ struct Cables {
     void add_cable(std::size_t c) {
         std::vector<BodyId> row{hull};
         for (int i = 1; i <= kNodes; ++i)
-            row.push_back(recipe.lump(direction(c) * (kApart * i), 10.0));
+            row.push_back(recipe.lump(direction(c) * (kSeparation * i), 10.0));
         for (std::size_t i = 0; i + 1 < row.size(); ++i) {
             InteractionDef d = between(InteractionKind::Distance, {row[i], row[i + 1]});
             d.compliance[0] = 1e-7;
             d.damping_time[0] = 0.1;
-            recipe.add(d.set("length", kApart));
+            recipe.add(d.set("length", kSeparation));
         }
         cable[c].assign(row.begin() + 1, row.end());
     }
@@ -57,7 +57,7 @@ struct Cables {
         const Vec3 across = Vec3(0, 0, 1).cross(direction(c));
         for (int i = 0; i < kNodes; ++i)
             w.set_velocity(cable[c][static_cast<std::size_t>(i)],
-                           {across * (1.0 * kApart * (i + 1)), Vec3::Zero()});
+                           {across * (1.0 * kSeparation * (i + 1)), Vec3::Zero()});
     }
     /// Pull its end, so that tension is constant along it.
     void pull(World& w, std::size_t c) const {

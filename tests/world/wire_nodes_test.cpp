@@ -40,11 +40,11 @@ Account account_of(const World& w, WireId wire) {
     }
     for (const InteractionId id : w.elements(wire)) {
         const InteractionDef& d = w.interaction_def(id);
-        const Vec3 apart = point(d.body[1]) - point(d.body[0]);
+        const Vec3 separation = point(d.body[1]) - point(d.body[0]);
         const Vec3 u = w.velocity(d.body[1]).linear - w.velocity(d.body[0]).linear;
-        a.angular -= d.get("mass") / 6.0 * apart.cross(u);
+        a.angular -= d.get("mass") / 6.0 * separation.cross(u);
         a.energy -= d.get("mass") / 12.0 * u.squaredNorm();
-        const double longer = apart.norm() - d.get("length");
+        const double longer = separation.norm() - d.get("length");
         if (longer > 0.0) a.energy += 0.5 * d.get("EA") / d.get("length") * longer * longer;
     }
     return a;

@@ -23,11 +23,12 @@ struct Taut {
     Taut(int wires, int elements, double element, double damping, double step)
         : w({.step = step, .gravity = Vec3::Zero()}) {
         for (int k = 0; k < wires; ++k) {
-            const double apart = elements * element * (1.0 + kTaut / kStiff);
+            const double separation = elements * element * (1.0 + kTaut / kStiff);
             WireDef def;
             def.name = "wire" + std::to_string(k);
             def.from = w.add_body({.kind = BodyKind::fixed, .position = Vec3(0, 10.0 * k, 0)});
-            def.to = w.add_body({.kind = BodyKind::fixed, .position = Vec3(apart, 10.0 * k, 0)});
+            def.to =
+                w.add_body({.kind = BodyKind::fixed, .position = Vec3(separation, 10.0 * k, 0)});
             def.elements = elements;
             def.length = elements * element;
             def.EA = kStiff;

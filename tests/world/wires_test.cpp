@@ -243,8 +243,8 @@ TEST(Wires, AreAdoptedFromElementsEndToEnd) {
     const WireId part = w.adopt_wire("lower", lower);
     EXPECT_DOUBLE_EQ(w.length(part), 20.0);
     EXPECT_EQ(w.nodes(part).front(), w.nodes(h.wire)[2]);
-    const std::vector<InteractionId> apart{all[0], all[2]};
-    EXPECT_THROW((void)w.adopt_wire("apart", apart), DefError);
+    const std::vector<InteractionId> separation{all[0], all[2]};
+    EXPECT_THROW((void)w.adopt_wire("apart", separation), DefError);
     (void)w.remove_wire(part);
     EXPECT_EQ(w.elements(h.wire).size(), 5U) << "it did not own them";
     EXPECT_TRUE(w.alive(w.elements(h.wire)[2]));

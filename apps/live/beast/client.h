@@ -13,13 +13,11 @@
 
 namespace hawser::live::net {
 
-inline constexpr std::size_t kMostWaiting =
+inline constexpr std::size_t kMaxWaiting =
     4096;  ///< Largest number of waiting texts for a client …
-inline constexpr std::size_t kMostWaitingBytes = 1
-                                                 << 20;  ///< … and of their bytes, without scenes.
-inline constexpr double kMostRate =
-    200.0;                             ///< Largest number of messages per second from a client.
-inline constexpr int kMostFaults = 3;  ///< Number of faults after which a client is disconnected.
+inline constexpr std::size_t kMaxWaitingBytes = 1 << 20;  ///< … and of their bytes, without scenes.
+inline constexpr double kMaxRate = 200.0;  ///< Largest number of messages per second from a client.
+inline constexpr int kMaxFaults = 3;  ///< Number of faults after which a client is disconnected.
 /// Time to wait for the closing handshake of a client without hello, so that our close frame is
 /// sent [s].
 inline constexpr double kStrangersGoodbye = 0.5;
@@ -49,7 +47,7 @@ class Client : public std::enable_shared_from_this<Client> {
         socket_.set_option(limits);
         // Beast's own limit is reported only after the other side has disconnected.
         socket_.read_message_max(0);
-        socket_.next_layer().most = kMostMessage;
+        socket_.next_layer().most = kMaxMessage;
         socket_.next_layer().announced = [this] {
             // Do not call too_big() within a read of Beast.
             asio::post(socket_.get_executor(), [self = shared_from_this()] { self->too_big(); });
@@ -120,15 +118,15 @@ class Client : public std::enable_shared_from_this<Client> {
   private:
     void read() {
         socket_.async_read_some(
-            buffer_, kMostMessage + 1 - buffer_.size(),
+            buffer_, kMaxMessage + 1 - buffer_.size(),
             [self = shared_from_this()](Error error, std::size_t) { self->got(error); });
     }
 
     void got(Error error) {
         if (gone_) return;
         if (error) return drop();
-        if (buffer_.size() > kMostMessage) too_big();  // of several frames
-        if (closing_) {                                // data after the close frame is discarded
+        if (buffer_.size() > kMaxMessage) too_big();  // of several frames
+        if (closing_) {                               // data after the close frame is discarded
             buffer_.consume(buffer_.size());
             return read();
         }
@@ -155,7 +153,7 @@ class Client : public std::enable_shared_from_this<Client> {
     /// of one second.
     bool within_rate() {
         const double now = clock_now();
-        allowance_ = std::min(kMostRate, allowance_ + kMostRate * (now - allowance_since_));
+        allowance_ = std::min(kMaxRate, allowance_ + kMaxRate * (now - allowance_since_));
         allowance_since_ = now;
         if (allowance_ < 1.0) return false;
         allowance_ -= 1.0;
@@ -176,7 +174,7 @@ class Client : public std::enable_shared_from_this<Client> {
             return error("too many commands are waiting; try again", request.id, request.kind);
         for (Command& command : request.commands) {
             command.client = number_;
-            (void)command.role.assign(shortened(role_->name, command.role.kMost));
+            (void)command.role.assign(shortened(role_->name, command.role.kMaximum));
             // NOLINTNEXTLINE(performance-move-const-arg): the ring takes rvalues.
             (void)floor_.hub_.commands.push(std::move(command));
         }
@@ -213,7 +211,7 @@ class Client : public std::enable_shared_from_this<Client> {
     void fault(const std::string& reason, bool last = false, std::int64_t id = kNoId,
                CommandKind of = CommandKind::none) {
         ++faults_;
-        last = last || faults_ >= kMostFaults;
+        last = last || faults_ >= kMaxFaults;
         floor_.refuse(from_ + (role_ ? " (" + role_->name + ")" : std::string()) + ": " + reason +
                       (last ? "; closed" : ""));
         error(reason, id, of);
@@ -235,8 +233,8 @@ class Client : public std::enable_shared_from_this<Client> {
         if (gone_) return;
         waiting_bytes_ += text->size();
         texts_.push_back(std::move(text));
-        if (texts_.size() > kMostWaiting ||
-            (texts_.size() > 4 && waiting_bytes_ > kMostWaitingBytes + texts_.front()->size())) {
+        if (texts_.size() > kMaxWaiting ||
+            (texts_.size() > 4 && waiting_bytes_ > kMaxWaitingBytes + texts_.front()->size())) {
             floor_.log("dropped: " + from_ + " takes no messages");
             floor_.dropped_.fetch_add(1, std::memory_order_relaxed);
             return drop();
@@ -293,7 +291,7 @@ class Client : public std::enable_shared_from_this<Client> {
     static constexpr double kVersionOfHello = 1.0;
     Floor& floor_;
     websocket::stream<AnnouncedStream> socket_;
-    beast::flat_static_buffer<kMostMessage + 1024> buffer_;
+    beast::flat_static_buffer<kMaxMessage + 1024> buffer_;
     std::uint32_t number_;
     std::string address_, from_;
     const Role* role_ = nullptr;
@@ -303,7 +301,7 @@ class Client : public std::enable_shared_from_this<Client> {
     bool writing_ = false, closing_ = false, gone_ = false;
     int faults_ = 0;
     double born_, writing_since_ = 0.0, closing_since_ = 0.0;
-    double allowance_ = kMostRate, allowance_since_;
+    double allowance_ = kMaxRate, allowance_since_;
     std::pair<websocket::close_code, std::string> close_reason_{websocket::close_code::normal, ""};
 };
 

@@ -12,8 +12,8 @@
 
 namespace hawser::live::net {
 
-inline constexpr std::size_t kMostHeader = 8 * 1024;  ///< Largest header of a request [bytes].
-inline constexpr int kMostStrangers = 32;             ///< Largest number of sockets without hello.
+inline constexpr std::size_t kMaxHeader = 8 * 1024;  ///< Largest header of a request [bytes].
+inline constexpr int kMaxStrangers = 32;             ///< Largest number of sockets without hello.
 inline constexpr int kSendBuffer =
     128 * 1024;  ///< Size of the kernel's send buffer of a client [bytes].
 
@@ -34,7 +34,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     Connection& operator=(const Connection&) = delete;
 
     void begin() {
-        parser_.header_limit(kMostHeader);
+        parser_.header_limit(kMaxHeader);
         parser_.body_limit(0);
         stream_.expires_after(
             std::chrono::milliseconds(static_cast<int>(1e3 * floor_.options_.handshake_seconds)));
@@ -98,7 +98,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
             floor_.refuse(from_ + ": no socket " + shown(view_of(request.target())));
             return answer(http::status::not_found, "The socket is /live.\n");
         }
-        make_room_for_strangers();
+        free_stranger_slot();
         const std::uint32_t number = floor_.next_number();
         auto client = std::make_shared<Client>(floor_, std::move(stream_), number, address_, from_);
         floor_.clients_.emplace(number, client);
@@ -107,7 +107,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
     /// Limit the number of sockets without hello. They count as no clients, but need memory. Close
     /// the oldest socket of the address with the most sockets.
-    void make_room_for_strangers() {
+    void free_stranger_slot() {
         int strangers = 0, most = 0;
         std::map<std::string, int> by_address;
         for (const auto& [number, client] : floor_.clients_) {
@@ -115,7 +115,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
             ++strangers;
             most = std::max(most, ++by_address[client->address()]);
         }
-        if (strangers < kMostStrangers) return;
+        if (strangers < kMaxStrangers) return;
         std::shared_ptr<Client> oldest;  // in the order of rising numbers
         for (const auto& [number, client] : floor_.clients_) {
             if (client->known() || by_address[client->address()] < most) continue;
@@ -170,7 +170,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
     Floor& floor_;
     beast::tcp_stream stream_;
-    beast::flat_static_buffer<kMostHeader + 1024> buffer_;
+    beast::flat_static_buffer<kMaxHeader + 1024> buffer_;
     http::request_parser<http::empty_body> parser_;
     std::string address_, from_, host_;
     std::optional<std::list<OpenConnection>::iterator> at_;  ///< Position in Floor::connections_.

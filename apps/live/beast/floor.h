@@ -64,7 +64,7 @@ class Floor {
 
     /// Write one line to the log. If too many lines follow each other, only count them.
     void log(const std::string& line) {
-        constexpr int kMostLines = 20;
+        constexpr int kMaxLines = 20;
         constexpr double kWhile = 10.0;  // Interval for counting lines [s].
         const double now = clock_now();
         if (now - log_since_ > kWhile) {
@@ -73,7 +73,7 @@ class Floor {
             log_since_ = now;
             lines_ = unsaid_ = 0;
         }
-        if (++lines_ > kMostLines)
+        if (++lines_ > kMaxLines)
             ++unsaid_;
         else if (options_.log)
             options_.log(line);
@@ -90,7 +90,7 @@ class Floor {
     }
     /// Close the oldest connection of the address with the most connections, so that one address
     /// cannot block others.
-    void make_room_for_connections() {
+    void free_connection_slot() {
         std::map<std::string, int> by_address;
         int most = 0;
         for (const OpenConnection& one : connections_)

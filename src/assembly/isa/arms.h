@@ -16,12 +16,12 @@ namespace hawser::HAWSER_ISA {
 template <class T>
 struct ArmsT {
     V3T<T> r0, r1;
-    T damping, swing;
+    T damping, vibration;
 };
 
 inline ArmsT<double> load_arms(const double* record) {
     return {load3(record), load3(record + 3), record[model::kArmsDamping],
-            record[model::kArmsSwing]};
+            record[model::kArmsVibration]};
 }
 
 /// Load eight records, record l from record + from[l].
@@ -105,15 +105,15 @@ inline void eight_products(const assembly::View& view, std::int32_t id, const Ar
 /// Apply first_rhs() to eight_arms().
 inline void first_joints_rhs(const assembly::View& view, std::int32_t id, bool moving) {
     const V8 active = load(view.active + id), none{};
-    V8 on[3], idle[3];
+    V8 on[3], inactive[3];
     as_threes(active, active, active, on);
-    as_threes((one(active) - active) * load(view.held + id), none, none, idle);
+    as_threes((one(active) - active) * load(view.held + id), none, none, inactive);
     for (int k = 0; k < 3; ++k) {
         const std::int32_t r = view.row_begin[id] + kLanes * k;
         const V8 speed = moving ? load(view.residual + r) : none;
         const V8 asked = on[k] * (load(view.c + r) - speed);
-        store(view.residual + r, asked + load(view.sigma + r) * idle[k]);
-        store(view.multiplier + r, load(view.inv_sigma + r) * asked + idle[k]);
+        store(view.residual + r, asked + load(view.sigma + r) * inactive[k]);
+        store(view.multiplier + r, load(view.inv_sigma + r) * asked + inactive[k]);
     }
 }
 

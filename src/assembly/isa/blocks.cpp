@@ -53,11 +53,11 @@ void damp_arms(const View& view, const Op& op, Place out) {
 
 /// Apply condense() to a compact joint, with its damping.
 void condense_arms(const View& view, const Op& op, Place out) {
-    double room[model::kArmRoom], w[model::kArmRows];
-    model::unpack_arms(view.jacobian + op.jac_a, room);
+    double buffer[model::kArmBufferSize], w[model::kArmRows];
+    model::unpack_arms(view.jacobian + op.jac_a, buffer);
     for (int r = 0; r < model::kArmRows; ++r)
         w[r] = view.active[op.id] * view.inv_sigma[view.row_begin[op.id] + r];
-    outer<6, 6>(room + 6 * op.a, room + 6 * op.b, model::kArmWidth, w, model::kArmRows, out);
+    outer<6, 6>(buffer + 6 * op.a, buffer + 6 * op.b, model::kArmWidth, w, model::kArmRows, out);
     damp_arms(view, op, out);
 }
 
@@ -146,7 +146,7 @@ void geometric(const View& view, const Op& op, Place out) {
 }
 
 void body_block(const View& view, const Op& op, Place out) {
-    const double* block = view.body_block + assembly::block_place(view.dof_begin[op.id]);
+    const double* block = view.body_block + assembly::block_offset(view.dof_begin[op.id]);
     const int dof = view.dof[op.id];
     if (dof == 1) {
         out(0, 0) += block[0];
@@ -170,10 +170,10 @@ void kept(const View& view, const Op& op, Place out) {
     const double* jac = view.jacobian + (below ? op.jac_b : op.jac_a);
     const int dof = below ? op.dof_b : op.dof_a;
     int width = op.width;
-    double room[model::kArmRoom];
+    double buffer[model::kArmBufferSize];
     if (width == 0) {
-        model::unpack_arms(jac, room);
-        jac = room + 6 * (below ? op.b : op.a);
+        model::unpack_arms(jac, buffer);
+        jac = buffer + 6 * (below ? op.b : op.a);
         width = model::kArmWidth;
     }
     const double on = view.active[op.id];

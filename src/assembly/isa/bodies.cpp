@@ -20,7 +20,7 @@ void momentum_rhs(const View& view, std::int32_t body, const double* y, double* 
     const double* v = view.v_new + view.dof_begin[body];
     double mv[8] = {};
     if constexpr (!kAtRest)
-        block_times(view.body_block + assembly::block_place(view.dof_begin[body]), dof, v, mv);
+        block_times(view.body_block + assembly::block_offset(view.dof_begin[body]), dof, v, mv);
     V8 acc = load_at_least(view.a + view.dof_begin[body], dof);
     const std::int32_t end = view.incident_begin[body + 1];
     for (std::int32_t k = view.incident_begin[body]; k < end; ++k) {
@@ -82,13 +82,13 @@ void first_rhs(const View& view, std::int32_t begin, std::int32_t end, bool movi
         // Read `held` only if the row is inactive, like Σ: most rows are active.
         const double held = on == 0.0 ? view.held[id] : 0.0;
         for (int r = 0; r < view.rows[id]; ++r) {
-            const double idle = r == 0 ? held : 0.0;
+            const double inactive = r == 0 ? held : 0.0;
             const double speed = moving ? view.residual[row + r] : 0.0;
             const double asked = on * (view.c[row + r] - speed);
             double residual = asked;
-            if (held != 0.0) residual += view.sigma[row + r] * idle;
+            if (held != 0.0) residual += view.sigma[row + r] * inactive;
             view.residual[row + r] = residual;
-            view.multiplier[row + r] = view.inv_sigma[row + r] * asked + idle;
+            view.multiplier[row + r] = view.inv_sigma[row + r] * asked + inactive;
             if (view.interaction_offset[id] >= 0)
                 view.solution[view.interaction_offset[id] + r] = residual;
         }

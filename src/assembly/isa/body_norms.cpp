@@ -23,7 +23,7 @@ double drag_work(const View& view, std::int32_t body, const double* v, const dou
     const int dof = view.dof[body];
     if (dof == 1) return view.h * (d[0] * u[0] + e[0] * v[0]) * mean[0];
     double work = 0.0;
-    if (dof == 3) {  // the axes of a lump are the world axes
+    if (dof == 3) {  // the axes of a point mass are the world axes
         for (int i = 0; i < 3; ++i) work += (d[i] * u[i] + e[i] * v[i]) * mean[i];
         return view.h * work;
     }
@@ -41,10 +41,11 @@ double drag_work(const View& view, std::int32_t body, const double* v, const dou
 
 /// Return pᵀ M⁻¹ p for an impulse p on a body. For a scalar body M includes the terms of systems.
 /// Reason: without the wire that it moves, the slide of a guide has a millionth of the mass of a
-/// lump. It would determine all norms.
+/// point mass. It would determine all norms.
 double inverse_mass_norm(const View& view, std::int32_t body, const double* p) {
     const int dof = view.dof[body];
-    if (dof == 1) return p[0] * p[0] / view.body_block[assembly::block_place(view.dof_begin[body])];
+    if (dof == 1)
+        return p[0] * p[0] / view.body_block[assembly::block_offset(view.dof_begin[body])];
     const double inverse = 1.0 / view.mass[body];
     double norm = inverse * dot(load3(p), load3(p));
     if (dof == 6) {
@@ -66,7 +67,7 @@ void one_body(const View& view, std::int32_t body, const double* residual, Norms
         n.finite += u[j];
     }
     n.drag += drag_work(view, body, v, u, mean);
-    block_times(view.body_block + assembly::block_place(view.dof_begin[body]), dof, v, mv);
+    block_times(view.body_block + assembly::block_offset(view.dof_begin[body]), dof, v, mv);
     for (int j = 0; j < dof; ++j) diff[j] = view.a[begin + j] - mv[j];
     if (const double* b = coupled_block(view, body)) subtract_coupled(b, v, diff);
     n.momentum += inverse_mass_norm(view, body, residual);
@@ -77,8 +78,8 @@ void one_body(const View& view, std::int32_t body, const double* residual, Norms
 void eight_residuals(const View& view, std::int32_t body, V8 (&p)[kLanes]) {
     double* kept = view.momentum ? view.momentum + view.dof_begin[body] : nullptr;
     if (!eight_links(view, body)) {
-        double room[6 * kLanes + 2] = {};  // vectors end behind the last
-        double* out = kept ? kept : room;
+        double buffer[6 * kLanes + 2] = {};  // vectors end behind the last
+        double* out = kept ? kept : buffer;
         for (int l = 0; l < kLanes; ++l) momentum_residual(view, body + l, out + 6 * l);
         load_bodies(out, 6, p);
         return;
@@ -98,8 +99,8 @@ void eight_bodies(const View& view, std::int32_t body, Norms& n) {
     load_bodies(view.v_new + begin, 6, u);
     load_bodies(view.a + begin, 6, a);
     V8 low[kLanes], high[kLanes];  // entries 0-7 and 4-11
-    load_bodies(view.body_block + assembly::block_place(view.dof_begin[body]), kBodyBlock, low);
-    load_bodies(view.body_block + assembly::block_place(view.dof_begin[body]) + 4, kBodyBlock,
+    load_bodies(view.body_block + assembly::block_offset(view.dof_begin[body]), kBodyBlock, low);
+    load_bodies(view.body_block + assembly::block_offset(view.dof_begin[body]) + 4, kBodyBlock,
                 high);
     const WM3 r = load_bodies9(view.r + 9L * body);
     const V8 per_mass = 1.0 / load(view.mass + body);
@@ -156,8 +157,8 @@ void body_norms(const View& view, std::int32_t begin, std::int32_t end, Norms* n
             eight_bodies(view, body, n);
             body += kLanes - 1;
         } else if (view.dof[body] > 0) {
-            double room[6];
-            double* residual = view.momentum ? view.momentum + view.dof_begin[body] : room;
+            double buffer[6];
+            double* residual = view.momentum ? view.momentum + view.dof_begin[body] : buffer;
             momentum_residual(view, body, residual);
             one_body(view, body, residual, n);
         }

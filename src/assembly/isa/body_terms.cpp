@@ -33,7 +33,7 @@ M3 world_diagonal(const double* r, const double* d) {
 void own_terms(const View& view, std::int32_t body) {
     const double h = view.h;
     const int dof = view.dof[body];
-    double* block = view.body_block + assembly::block_place(view.dof_begin[body]);
+    double* block = view.body_block + assembly::block_offset(view.dof_begin[body]);
     const double* v = view.v + view.dof_begin[body];
     double* a = view.a + view.dof_begin[body];
     const double* f = view.force + 6 * body;
@@ -45,7 +45,7 @@ void own_terms(const View& view, std::int32_t body) {
         return;
     }
     M3 lin{{m, 0, 0, 0, m, 0, 0, 0, m}};
-    if (dof == 3) {  // the axes of a lump are the world axes
+    if (dof == 3) {  // the axes of a point mass are the world axes
         for (int i = 0; i < 3; ++i) lin.a[4 * i] += h * d[i];
     } else if (any3(d)) {
         const M3 drag = world_diagonal(view.r + 9 * body, d);
@@ -82,7 +82,7 @@ void add_arm(const View& view, const assembly::Incidence& in, const double* v, d
     const double sign = in.slot == 0 ? -1.0 : 1.0;
     const V3 f = (view.active[in.geo_arm] / view.h) * load3(view.lambda + in.row);
     const double n0 = norm(arms.r0), n1 = norm(arms.r1), nf = norm(f);
-    const double stiff = joint_terms(view, nf, n0, n1, arms.swing).stiff;
+    const double stiff = joint_terms(view, nf, n0, n1, arms.vibration).stiff;
     double arm[6];
     arm_stiffness(sign * f, nf, in.slot == 0 ? arms.r0 : arms.r1, in.slot == 0 ? n0 : n1, stiff,
                   arm);
@@ -93,7 +93,7 @@ void add_arm(const View& view, const assembly::Incidence& in, const double* v, d
 /// Add the geometric stiffness of interactions to the own terms of a body.
 void add_geometric(const View& view, std::int32_t body) {
     const int dof = view.dof[body];
-    double* block = view.body_block + assembly::block_place(view.dof_begin[body]);
+    double* block = view.body_block + assembly::block_offset(view.dof_begin[body]);
     const double* v = view.v + view.dof_begin[body];
     double* a = view.a + view.dof_begin[body];
     for (std::int32_t k = view.incident_begin[body]; k < view.incident_begin[body + 1]; ++k) {
@@ -138,7 +138,7 @@ HAWSER_INLINE void store_blocks(const View& view, std::int32_t body, const WM3& 
                        world.a[2], world.a[4], world.a[5], world.a[8]};
     transpose(low);
     transpose(high);
-    double* block = view.body_block + assembly::block_place(view.dof_begin[body]);
+    double* block = view.body_block + assembly::block_offset(view.dof_begin[body]);
     for (int l = 0; l < kLanes; ++l) {
         store(block + kBodyBlock * l, low[l]);
         store(block + kBodyBlock * l + 4, high[l]);

@@ -35,9 +35,9 @@ M3 product(const M3& a, const M3& b) {
 }
 
 /// Return the pose of a body after `time` [s] with packed velocities u. @param fixed  Velocities of
-/// fixed bodies. @param room  Buffer for its rotation.
+/// fixed bodies. @param buffer  Buffer for its rotation.
 BodyRef moved_pose(const View& view, std::int32_t body, const double* u, const double* fixed,
-                   double time, M3& room) {
+                   double time, M3& buffer) {
     const int dof = view.dof[body];
     const V3 x = load3(view.x + 3 * body);
     if (dof == 3 || dof == 1) {
@@ -45,8 +45,8 @@ BodyRef moved_pose(const View& view, std::int32_t body, const double* u, const d
         return {x + time * (dof == 3 ? load3(v) : V3{v[0], 0.0, 0.0}), view.r + 9 * body, false};
     }
     const double* v = dof == 6 ? u + view.dof_begin[body] : fixed + 6 * body;
-    room = product(step_rotation((0.5 * time) * load3(v + 3)), load9(view.r + 9 * body));
-    return {x + time * load3(v), room.a, true};
+    buffer = product(step_rotation((0.5 * time) * load3(v + 3)), load9(view.r + 9 * body));
+    return {x + time * load3(v), buffer.a, true};
 }
 
 /// Compute the violations at poses moved in this way.
@@ -54,17 +54,17 @@ template <class K>
 void moved_rows(const View& view, std::int32_t id, const typename K::Data& data, const double* u,
                 const double* fixed, double time, Rows<K::kBodies, K::kRows>& rows) {
     BodyRef refs[K::kBodies];
-    M3 room[K::kBodies];
+    M3 buffer[K::kBodies];
     for (int b = 0; b < K::kBodies; ++b)
-        refs[b] = moved_pose(view, view.body[kSlots * id + b], u, fixed, time, room[b]);
+        refs[b] = moved_pose(view, view.body[kSlots * id + b], u, fixed, time, buffer[b]);
     K::evaluate(data, refs, rows);
 }
 
 /// Compute G u of the rows of one interaction.
 template <int R>
 void row_speeds(const View& view, std::int32_t id, const double* u, double (&speed)[R]) {
-    double room[model::kArmRoom];
-    const double* jac = packed_rows(view, id, room);
+    double buffer[model::kArmBufferSize];
+    const double* jac = packed_rows(view, id, buffer);
     for (int r = 0; r < R; ++r) {
         speed[r] = 0.0;
         for (int b = 0; b < view.bodies[id]; ++b) {

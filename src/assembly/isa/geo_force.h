@@ -18,10 +18,10 @@ inline void slot_velocity(const assembly::View& view, const double* v, std::int3
     ang = dof == 6 || dof == 0 ? load3(p + 3) : V3{0, 0, 0};
 }
 
-/// Add the part of a of a line to its two bodies. @param share  Fraction of K that acts on v; the
-/// rest acts on v_ahead.
-inline void line_past(const assembly::View& view, std::int32_t id, double share) {
-    const assembly::GeoPlace& place = view.geo[id];
+/// Add the part of a of a line to its two bodies. @param fraction  Fraction of K that acts on v;
+/// the rest acts on v_ahead.
+inline void line_past(const assembly::View& view, std::int32_t id, double fraction) {
+    const assembly::GeoSlot& place = view.geo[id];
     const double* rec = view.geo_record + place.record;
     double* out[2] = {view.geo_force + place.slot(0) + place.dof,
                       view.geo_force + place.slot(1) + place.dof};
@@ -38,8 +38,8 @@ inline void line_past(const assembly::View& view, std::int32_t id, double share)
         slot_velocity(view, view.v, body[b], lin[b], ang[b]);
         slot_velocity(view, view.v_ahead, body[b], ahead, turn);
         moved = b == 0 ? lin[0] : moved - lin[1];
-        lin[b] = share * lin[b] + (1.0 - share) * ahead;
-        ang[b] = share * ang[b] + (1.0 - share) * turn;
+        lin[b] = fraction * lin[b] + (1.0 - fraction) * ahead;
+        ang[b] = fraction * ang[b] + (1.0 - fraction) * turn;
     }
     if (place.dof == 3) {  // no arms: one slot for both
         const V3 u = load3(rec + 1), rel = lin[0] - lin[1];
@@ -52,10 +52,10 @@ inline void line_past(const assembly::View& view, std::int32_t id, double share)
 }
 
 /// Compute the part of M̃ v of an interaction on its two bodies, see geo.h. With `damping` (see
-/// geo_product()), compute the part of a. @param from  0 or dof: half of the slot, see GeoPlace.
+/// geo_product()), compute the part of a. @param from  0 or dof: half of the slot, see GeoSlot.
 inline void geo_force(const assembly::View& view, std::int32_t id, const double* v,
                       double damping = 1.0, int from = 0) {
-    const assembly::GeoPlace& place = view.geo[id];
+    const assembly::GeoSlot& place = view.geo[id];
     const double* rec = view.geo_record + place.record;
     double* out[2] = {view.geo_force + place.slot(0) + from, view.geo_force + place.slot(1) + from};
     const std::int32_t* body = view.body + kMaxInteractionBodies * id;

@@ -30,15 +30,15 @@ class JointRows {
         id_ = ids[0];
         const std::int32_t* body = view_.body + kMaxInteractionBodies * id_;
         const std::int32_t first = body[0];
-        std::int32_t last = 0, apart = 0;
+        std::int32_t last = 0, separation = 0;
         for (int l = 0; l < kLanes; ++l)
             for (int b = 0; b < 2; ++b) {
                 const std::int32_t i = body[kMaxInteractionBodies * l + b];
                 body_[b][l] = i;
                 last = std::max(last, i);
-                apart |= i - first - l - b;
+                separation |= i - first - l - b;
             }
-        chain_ = apart == 0;
+        chain_ = separation == 0;
         return kExactLoads || chain_ ||
                (last + 3 <= view_.body_count && view_.dof_begin[last] + kLanes <= view_.dof_count);
     }
@@ -158,13 +158,14 @@ class JointRows {
         const W8 on = (1.0 / view_.h) * W8(load(view_.active + id_));
         const W3 f = on * load_threes(view_.lambda + view_.row_begin[id_]);
         double* out = view_.jacobian + view_.jac_begin[id_];
-        const double* last = out + model::kArmsSwing;
-        const W8 swing{last[0],  last[8],  last[16], last[24],
-                       last[32], last[40], last[48], last[56]};
+        const double* last = out + model::kArmsVibration;
+        const W8 vibration{last[0],  last[8],  last[16], last[24],
+                           last[32], last[40], last[48], last[56]};
         static_assert(model::kArms == 8);
-        const JointTerms<W8> terms = joint_terms(view_, norm(f), norm(arm[0]), norm(arm[1]), swing);
+        const JointTerms<W8> terms =
+            joint_terms(view_, norm(f), norm(arm[0]), norm(arm[1]), vibration);
         V8 t[kLanes] = {arm[0].x, arm[0].y, arm[0].z,      arm[1].x,
-                        arm[1].y, arm[1].z, terms.damping, swing};
+                        arm[1].y, arm[1].z, terms.damping, vibration};
         transpose(t);
         for (int l = 0; l < kLanes; ++l) store(out + model::kArms * l, t[l]);
         return terms;

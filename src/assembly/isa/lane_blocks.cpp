@@ -16,7 +16,7 @@ using assembly::Op;
 using assembly::View;
 
 /// A block of eight lanes in the panels.
-struct LanePlace {
+struct LaneTarget {
     double* first;
     long step;
     void add(int i, int j, const V8& v) const {
@@ -46,7 +46,7 @@ struct LaneRow {
 
 /// Add rows [r, r + N) of Σ_r w_r ja_rᵀ jb_r; on the diagonal only the lower triangle.
 template <bool kDiagonal, int DA, int DB, int N>
-inline void outer_rows(const View& view, const LaneOp& op, int r, LanePlace out) {
+inline void outer_rows(const View& view, const LaneOp& op, int r, LaneTarget out) {
     V8 a[N][kLanes], b[N][kLanes];
     const V8 on = used_lanes(op) * pick(view.active, op.id);
     const LaneRow rows(view, op);
@@ -69,7 +69,7 @@ inline void outer_rows(const View& view, const LaneOp& op, int r, LanePlace out)
 }
 
 template <bool kDiagonal, int DA, int DB>
-inline void outer_side(const View& view, const LaneOp& op, LanePlace out) {
+inline void outer_side(const View& view, const LaneOp& op, LaneTarget out) {
     if (op.rows == 3) return outer_rows<kDiagonal, DA, DB, 3>(view, op, 0, out);
     int r = 0;
     for (; r + 2 <= op.rows; r += 2) outer_rows<kDiagonal, DA, DB, 2>(view, op, r, out);
@@ -77,14 +77,14 @@ inline void outer_side(const View& view, const LaneOp& op, LanePlace out) {
 }
 
 template <int DA, int DB>
-inline void outer(const View& view, const LaneOp& op, LanePlace out) {
+inline void outer(const View& view, const LaneOp& op, LaneTarget out) {
     if constexpr (DA == DB)
         if (op.a == op.b) return outer_side<true, DA, DB>(view, op, out);
     outer_side<false, DA, DB>(view, op, out);
 }
 
 /// Apply condense() to compact joints with their damping. Most of G is constant.
-void condense_arms(const View& view, const LaneOp& op, LanePlace out) {
+void condense_arms(const View& view, const LaneOp& op, LaneTarget out) {
     const ArmsT<W8> arms = lane_arms(view.jacobian, op.from);
     const V8 used = used_lanes(op), on = used * pick(view.active, op.id);
     const V8 damping = used * arms.damping;
@@ -130,7 +130,7 @@ void condense_arms(const View& view, const LaneOp& op, LanePlace out) {
         }
 }
 
-void condense(const View& view, const LaneOp& op, LanePlace out) {
+void condense(const View& view, const LaneOp& op, LaneTarget out) {
     if (op.width == 0) return condense_arms(view, op, out);
     switch (8 * op.dof_a + op.dof_b) {
         case 8 * 3 + 3:
@@ -157,7 +157,7 @@ void condense(const View& view, const LaneOp& op, LanePlace out) {
 }
 
 /// Add the blocks of geo.h, see geometric() in blocks.cpp.
-void geometric(const View& view, const LaneOp& op, LanePlace out) {
+void geometric(const View& view, const LaneOp& op, LaneTarget out) {
     const bool rigid_a = op.dof_a == 6, rigid_b = op.dof_b == 6;
     const bool same = op.a == op.b;
     const V8 sign = used_lanes(op) * (same ? 1.0 : -1.0);
@@ -214,7 +214,7 @@ void geometric(const View& view, const LaneOp& op, LanePlace out) {
     }
 }
 
-void body_block(const View& view, const LaneOp& op, LanePlace out) {
+void body_block(const View& view, const LaneOp& op, LaneTarget out) {
     constexpr int kLower[6][2] = {{0, 0}, {1, 0}, {2, 0}, {1, 1}, {2, 1}, {2, 2}};
     const V8 used = used_lanes(op);
     V8 block[kLanes];
@@ -238,7 +238,7 @@ void body_block(const View& view, const LaneOp& op, LanePlace out) {
     }
 }
 
-void kept(const View& view, const LaneOp& op, LanePlace out) {
+void kept(const View& view, const LaneOp& op, LaneTarget out) {
     if (op.kind == Op::kept_sigma) {
         const LaneRow rows(view, op);
         for (int r = 0; r < op.rows; ++r)
@@ -275,7 +275,7 @@ void gather_lane_blocks(const View& view, const LaneOp* ops, std::int64_t begin,
                         double* panel) noexcept {
     for (std::int64_t k = begin; k < end; ++k) {
         const LaneOp& op = ops[k];
-        const LanePlace out{panel + op.address, op.step};
+        const LaneTarget out{panel + op.address, op.step};
         switch (op.kind) {
             case Op::condensed:
                 condense(view, op, out);

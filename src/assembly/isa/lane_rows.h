@@ -2,7 +2,7 @@
 #pragma once
 /// @file lane_rows.h
 /// Version of evaluate() for eight interactions of one kind at once, one per lane, if all of their
-/// bodies are lumps. The formulas are the scalar ones: evaluate() of the kinds and geo.h are
+/// bodies are point masses. The formulas are the scalar ones: evaluate() of the kinds and geo.h are
 /// templates over the number type.
 
 #include "assembly/geo.h"
@@ -17,8 +17,8 @@
 
 namespace hawser::HAWSER_ISA {
 
-/// One lump of each of eight interactions, in the interface that evaluate() needs.
-struct LumpLanes {
+/// One point mass of each of eight interactions, in the interface that evaluate() needs.
+struct NodeLanes {
     V3T<W8> x;
     [[nodiscard]] V3T<W8> arm(const W8*) const { return {W8{}, W8{}, W8{}}; }
 };
@@ -33,7 +33,7 @@ struct LaneRows {
     std::int32_t id[kLanes], row[kLanes], body[B][kLanes];
     bool in_a_row = false;  ///< True if ids and rows are consecutive.
 
-    /// Select eight interactions of View::among_lumps from ids[0] on. @return true if all qualify.
+    /// Select eight interactions of View::among_nodes from ids[0] on. @return true if all qualify.
     bool take(const std::int32_t* ids) {
         for (int l = 0; l < kLanes; ++l) {
             id[l] = ids[l];
@@ -71,8 +71,8 @@ struct LaneRows {
         return (all & mask) != 0;
     }
 
-    /// Load the data that evaluate() needs. Lumps have no attachment points: only lengths are read.
-    /// The length of a wire element is stored separately.
+    /// Load the data that evaluate() needs. Point masses have no attachment points: only lengths
+    /// are read. The length of a wire element is stored separately.
     void load_data(const typename K::Data* data, typename K::template DataT<W8>& fields) const {
         const auto of_each = [&](auto member) {
             double value[kLanes];
@@ -88,7 +88,7 @@ struct LaneRows {
     }
 
     void evaluate(const typename K::Data* data) {
-        LumpLanes refs[B];
+        NodeLanes refs[B];
         V8 v[B][D], start[B][D];
         for (int b = 0; b < B; ++b) {
             std::int32_t place[kLanes], from[kLanes];
@@ -190,8 +190,8 @@ struct LaneRows {
         put<Begin, Count>(view.geo_force, [&](std::int32_t i) { return view.geo[i].force; }, t);
     }
 
-    /// Compute the record of a line between lumps, and its parts of M̃ v and of a.
-    void line(const LumpLanes* refs, const Rows<B, R, W8>& rows, const V8 (&v)[B][D],
+    /// Compute the record of a line between point masses, and its parts of M̃ v and of a.
+    void line(const NodeLanes* refs, const Rows<B, R, W8>& rows, const V8 (&v)[B][D],
               const V8 (&start)[B][D]) const {
         const double scale = view.h * view.h * view.geometric_stiffness;
         V8 lambda[R];
@@ -203,7 +203,7 @@ struct LaneRows {
         const W8 pulls = positive_part(tension) * load_each(view.active);
         const W8 full = scale * pulls * (1.0 / size);  // h² T/l
         const auto [late, ahead] =
-            across_shares(W8(full * load_each(view.lightness)), load_each(view.alert));
+            across_fractions(W8(full * load_each(view.lightness)), load_each(view.flagged));
         const W8 w = (late + ahead) * full;
         const V3T<W8> u{rows.J[1][0][0], rows.J[1][0][1], rows.J[1][0][2]};
         V8 record[kLanes] = {w, u.x, u.y, u.z, none, none, none, none};

@@ -15,7 +15,7 @@ using assembly::View;
 /// second end.
 template <class T>
 struct Ends {
-    V3T<T> apart;        ///< Vector between the points at the begin of the step [m].
+    V3T<T> separation;   ///< Vector between the points at the begin of the step [m].
     V3T<T> back, ahead;  ///< Vectors between the points half a step before and after [m].
     V3T<T> mean;         ///< Relative velocity, mean of before and after [m/s].
     V3T<T> along;        ///< Direction of the row.
@@ -30,8 +30,8 @@ struct Ends {
 };
 
 template <class T>
-inline T longer_by(const Ends<T>& e, const V3T<T>& apart, const T& rest) {
-    const T longer = root(dot(apart, apart)) - rest;
+inline T longer_by(const Ends<T>& e, const V3T<T>& separation, const T& rest) {
+    const T longer = root(dot(separation, separation)) - rest;
     return select_greater(e.pulls, zero(rest), positive_part(longer), longer);
 }
 template <class T>
@@ -51,7 +51,7 @@ inline T booked_loss(const Ends<T>& e, double half) {
 
 template <class T>
 inline void gain_of(const Ends<T>& e, double half, T& gain, T& exchanged, T& noise, T& unbooked) {
-    const T rest = root(dot(e.apart, e.apart)) - e.g;
+    const T rest = root(dot(e.separation, e.separation)) - e.g;
     const T before = longer_by(e, e.back, rest), after = longer_by(e, e.ahead, rest);
     const T change = 0.5 * e.stiffness * (after * after - before * before);
     constexpr double kRounding = 1e-15;  // rounding of a few sums
@@ -70,7 +70,7 @@ inline V3 turned(const V3& r, const V3& b) {
 
 void one_gain(const View& view, std::int32_t id, LineGain* sum) {
     if (view.parted[id]) return;
-    const assembly::GeoPlace& place = view.geo[id];
+    const assembly::GeoSlot& place = view.geo[id];
     const double *record = view.geo_record + place.record, *f = view.geo_force + place.force;
     const std::int32_t* body = view.body + kMaxInteractionBodies * id;
     const std::int32_t row = view.row_begin[id];
@@ -112,13 +112,13 @@ void one_gain(const View& view, std::int32_t id, LineGain* sum) {
     gain_of(e, 0.5 * h, sum->gain, sum->exchanged, sum->noise, sum->unbooked);
 }
 
-/// Add the gains of eight interactions of View::among_lumps. @return false if one is broken.
+/// Add the gains of eight interactions of View::among_nodes. @return false if one is broken.
 bool eight_gains(const View& view, const std::int32_t* ids, LineGain* sum) {
     std::int32_t x[2][kLanes], v[2][kLanes], row[kLanes], jac[kLanes], force[kLanes];
     double pulls[kLanes], acts[kLanes];
     for (int l = 0; l < kLanes; ++l) {
         const std::int32_t id = ids[l];
-        if (view.parted[id] || !view.among_lumps[id]) return false;
+        if (view.parted[id] || !view.among_nodes[id]) return false;
         for (int b = 0; b < 2; ++b) {
             const std::int32_t body = view.body[kMaxInteractionBodies * id + b];
             x[b][l] = 3 * body;
@@ -133,13 +133,13 @@ bool eight_gains(const View& view, const std::int32_t* ids, LineGain* sum) {
     const bool points[2] = {follow_each_other<3>(x[0]), follow_each_other<3>(x[1])};
     const bool speeds[2] = {follow_each_other<3>(v[0]), follow_each_other<3>(v[1])};
     V8 at[2][3];
-    auto apart = [&](const double* base, const std::int32_t(&from)[2][kLanes],
-                     const bool(&in_turn)[2]) {
+    auto separation = [&](const double* base, const std::int32_t(&from)[2][kLanes],
+                          const bool(&in_turn)[2]) {
         for (int b = 0; b < 2; ++b) load_lanes_of_three(base, from[b], in_turn[b], at[b]);
         return V3T<W8>{at[1][0] - at[0][0], at[1][1] - at[0][1], at[1][2] - at[0][2]};
     };
-    const V3T<W8> u = apart(view.v, v, speeds), w = apart(view.v_new, v, speeds);
-    const V3T<W8> d = apart(view.x, x, points);
+    const V3T<W8> u = separation(view.v, v, speeds), w = separation(view.v_new, v, speeds);
+    const V3T<W8> d = separation(view.x, x, points);
     const W8 size = size_of(W8(at[0][0])) + size_of(W8(at[0][1])) + size_of(W8(at[0][2]));
     V8 f[kLanes], line[kLanes];
     load_lanes(view.geo_force, force, f);
@@ -150,7 +150,7 @@ bool eight_gains(const View& view, const std::int32_t* ids, LineGain* sum) {
     };
     const W8 half = constant(W8(f[0]), 0.5 * view.h), lambda = of_rows(view.lambda);
     const V3T<W8> across{f[3] - f[0], f[4] - f[1], f[5] - f[2]};
-    const V3T<W8> n{line[3], line[4], line[5]};  // Jacobian of the second lump
+    const V3T<W8> n{line[3], line[4], line[5]};  // Jacobian of the second point mass
     V3T<W8> impulse = lambda * n - across;
     if (view.pair_mass) {
         double pair[kLanes];

@@ -27,7 +27,7 @@ struct LinkJoints {
         const double* last = record + model::kArms * kLanes;
         second = {shift_in(first.r0, last), shift_in(first.r1, last + 3),
                   shift_in(first.damping, last[model::kArmsDamping]),
-                  shift_in(first.swing, last[model::kArmsSwing])};
+                  shift_in(first.vibration, last[model::kArmsVibration])};
     }
 };
 
@@ -79,8 +79,9 @@ inline void stiffen_links(const assembly::View& view, const LinkJoints& joints, 
     const W3 g = W8(load(active + 1) * per_h) * load_threes(lambda + 3);
     const ArmsT<W8>&a = joints.first, &b = joints.second;
     const W8 nf = norm(f), ng = norm(g), n1 = norm(a.r1), n0 = norm(b.r0);
-    arm_stiffness(f, nf, a.r1, n1, joint_terms(view, nf, norm(a.r0), n1, a.swing).stiff, out.first);
-    arm_stiffness(-g, ng, b.r0, n0, joint_terms(view, ng, n0, norm(b.r1), b.swing).stiff,
+    arm_stiffness(f, nf, a.r1, n1, joint_terms(view, nf, norm(a.r0), n1, a.vibration).stiff,
+                  out.first);
+    arm_stiffness(-g, ng, b.r0, n0, joint_terms(view, ng, n0, norm(b.r1), b.vibration).stiff,
                   out.second);
 }
 
@@ -101,7 +102,7 @@ inline void eight_rhs(const assembly::View& view, std::int32_t body, const doubl
         const W3 next = shift_in(in, torques + 6 * kLanes);
         V8 v[kLanes], low[kLanes], high[kLanes];  // block: entries 0-7 and 4-11
         load_bodies(view.v_new + begin, 6, v);
-        const double* block = view.body_block + assembly::block_place(view.dof_begin[body]);
+        const double* block = view.body_block + assembly::block_offset(view.dof_begin[body]);
         load_bodies(block, assembly::kBodyBlock, low);
         load_bodies(block + 4, assembly::kBodyBlock, high);
         linear = linear - mul6(low, W3{v[0], v[1], v[2]});

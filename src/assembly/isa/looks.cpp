@@ -98,18 +98,18 @@ std::int32_t rigid_energies(const View& view, const std::int32_t* bodies, std::i
     return done;
 }
 
-std::int32_t widest_row(const double* g, const double* share, std::int32_t begin, std::int32_t end,
-                        double* most) noexcept {
+std::int32_t widest_row(const double* g, const double* fraction, std::int32_t begin,
+                        std::int32_t end, double* most) noexcept {
     std::int32_t found = -1;
     const auto take = [&](std::int32_t row) {
-        const double open = __builtin_fabs(g[row]) * share[row];
+        const double open = __builtin_fabs(g[row]) * fraction[row];
         if (open <= *most) return;
         *most = open;
         found = row;
     };
     std::int32_t row = begin;
     for (; row + kLanes <= end; row += kLanes) {
-        const V8 some = load(g + row) * load(share + row);
+        const V8 some = load(g + row) * load(fraction + row);
         const V8 open = select_greater(some, -some, some, -some);
         if (!any_not_below(open, *most)) continue;
         for (int l = 0; l < kLanes; ++l) take(row + l);

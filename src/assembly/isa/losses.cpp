@@ -20,7 +20,7 @@ inline double rigid_up_to(const View& view, std::int32_t id) {
 constexpr int kPullsOnly = 1, kRange = 2, kByInput = 16, kCarried = 32, kFriction = 128;
 constexpr int kVelocityRow = 1, kTurns = 16;
 /// Values as in model::half_step_gap().
-constexpr double kMostTurn = 2.0, kUnbounded = 1e300;
+constexpr double kMaxTurn = 2.0, kUnbounded = 1e300;
 
 /// Properties of the rows of consecutive interactions: counted, tension only, completed. Also the
 /// compliance above which they store energy, and the largest possible violation of a difference of
@@ -49,7 +49,7 @@ bool any_faded(const View& view, std::int32_t first, std::int32_t rows) {
         const int n = rows - i < kLanes ? rows - i : kLanes;
         const V8 recall = load_first(view.recall + first + i, n);
         const V8 size = select_greater(recall, none, recall, -recall);
-        const V8 less = select_greater(none + assembly::kLeastRecall, size, none + 1.0, none);
+        const V8 less = select_greater(none + assembly::kMinRecall, size, none + 1.0, none);
         faded += n == kLanes ? less : first_lanes(less, n);
     }
     return any(faded);
@@ -85,25 +85,25 @@ int mark(const View& view, std::int32_t begin, std::int32_t end, std::int32_t fi
     int count = 0;
     for (std::int32_t id = begin; id < end; ++id) {
         const int flags = view.flags[id], row = view.row_begin[id], rows = view.rows[id];
-        const bool idle = view.active[id] == 0.0, pulls = (flags & kPullsOnly) != 0;
-        const bool none = (flags & kFriction) || view.parted[id] || (idle && !pulls);
-        bool own = none || idle || (flags & (kCarried | kRange));
+        const bool inactive = view.active[id] == 0.0, pulls = (flags & kPullsOnly) != 0;
+        const bool none = (flags & kFriction) || view.parted[id] || (inactive && !pulls);
+        bool own = none || inactive || (flags & (kCarried | kRange));
         int any_of = 0, all_of = 0xff;
         for (int r = row; r < row + rows; ++r) {
             any_of |= view.row_flags[r];
             all_of &= view.row_flags[r];
-            if (faded) own |= __builtin_fabs(view.recall[r]) < assembly::kLeastRecall;
+            if (faded) own |= __builtin_fabs(view.recall[r]) < assembly::kMinRecall;
         }
         if (own && !none) left[count++] = id;
         const double rigid = rigid_up_to(view, id);
         marks.set(row - first, own ? 0.0 : 1.0, pulls ? 1.0 : 0.0, rigid, view.completed[id],
-                  all_of & kTurns ? kMostTurn : kUnbounded);
+                  all_of & kTurns ? kMaxTurn : kUnbounded);
         if (any_of == all_of && !(any_of & kVelocityRow) && !(flags & kByInput)) continue;
         for (int r = row; r < row + rows; ++r) {
             const bool driven = (view.row_flags[r] & kVelocityRow) ||
                                 ((flags & kByInput) && !(view.epsilon[r] > rigid));
             if (driven) marks.counts[r - first] = 0.0;
-            marks.most[r - first] = view.row_flags[r] & kTurns ? kMostTurn : kUnbounded;
+            marks.most[r - first] = view.row_flags[r] & kTurns ? kMaxTurn : kUnbounded;
         }
     }
     return count;

@@ -26,12 +26,12 @@ constexpr bool kCompactKind = requires { requires K::kMayBeCompact; };
 /// Return the fraction of the geometric stiffness that applies to an interaction with the force nf.
 double fade(const View& view, std::int32_t id, double nf) {
     if (!view.completed[id]) return 1.0;
-    return completed_stiffness(4.0 * view.h * view.h * nf * view.swing[id]);
+    return completed_stiffness(4.0 * view.h * view.h * nf * view.vibration[id]);
 }
 
-/// Return the fraction of the geometric stiffness of a line between turning bodies without lumps.
-/// It vanishes if the vibration is resolved, because the stiffness preserves angular momentum to
-/// second order only. @param s  As in across_shares().
+/// Return the fraction of the geometric stiffness of a line between turning bodies without point
+/// masses. It vanishes if the vibration is resolved, because the stiffness preserves angular
+/// momentum to second order only. @param s  As in across_fractions().
 double line_fade(const View& view, const std::int32_t* body, double s) {
     for (int b = 0; b < 2; ++b)
         if (view.dof[body[b]] == 3 || view.dof[body[b]] == 1) return 1.0;
@@ -57,12 +57,12 @@ struct Arms {
 template <class K>
 double geometry(const View& view, const typename K::Data& data, const BodyRef* refs,
                 std::int32_t id, const Rows<K::kBodies, K::kRows>& rows) {
-    const assembly::GeoPlace& place = view.geo[id];
+    const assembly::GeoSlot& place = view.geo[id];
     if (place.record < 0) return 1.0;
     double* rec = view.geo_record + place.record;
     const std::int32_t* body = view.body + kSlots * id;
     const bool rigid0 = view.dof[body[0]] == 6, rigid1 = view.dof[body[1]] == 6;
-    const int size = place.dof == 3 ? assembly::kGeoLine : assembly::kGeoSwing;
+    const int size = place.dof == 3 ? assembly::kGeoLine : assembly::kGeoVibration;
     for (int i = 0; i < size; ++i) rec[i] = 0.0;
     if constexpr (K::kGeometry == Geometry::line) {
         store3(rec + 1, load3(rows.J[1][0]));
@@ -79,7 +79,7 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
     const double* lambda = view.lambda + view.row_begin[id];
     const Arms<K> arm(data, refs);
     const V3 r0 = arm.at[0], r1 = arm.at[1];
-    double share = 1.0, resolved = 1.0;
+    double fraction = 1.0, resolved = 1.0;
     V3 f1;  // force on body 1
     if constexpr (K::kGeometry == Geometry::line) {
         const V3 u = load3(rows.J[1][0]);
@@ -91,29 +91,29 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
             4.0 * scale * fade(view, id, tension) * tension / (length > 1e-9 ? length : 1e-9);
         const double s = full * view.lightness[id];
         // Bodies that turn with a line between two rigid bodies would lose momentum.
-        const auto [late, ahead] = across_shares(rigid0 && rigid1 ? 0.0 : s, view.alert[id]);
+        const auto [late, ahead] = across_fractions(rigid0 && rigid1 ? 0.0 : s, view.flagged[id]);
         resolved = line_fade(view, body, s);
         rec[0] = resolved * (late + ahead) * full;
-        share = late / (late + ahead);
+        fraction = late / (late + ahead);
         f1 = -tension * u;
     } else {
         f1 = per_h * load3(lambda);
     }
-    if (place.dof == 3) return share;
+    if (place.dof == 3) return fraction;
     store3(rec + 4, r0);
     store3(rec + 7, r1);
-    if (!rigid0 && !rigid1) return share;
+    if (!rigid0 && !rigid1) return fraction;
     const double nf = norm(f1), n0 = norm(r0), n1 = norm(r1);
     const bool joint = K::kGeometry == Geometry::joint && rigid0 && rigid1;
     const bool completed = view.completed[id] != 0;
-    const JointTerms<double> t = joint_terms(view, nf, n0, n1, rec[assembly::kGeoSwing]);
+    const JointTerms<double> t = joint_terms(view, nf, n0, n1, rec[assembly::kGeoVibration]);
     const double stiff =
         completed ? scale * fade(view, id, nf) : (joint ? t.stiff : resolved * scale);
     if (rigid0) arm_stiffness(-f1, nf, r0, n0, stiff, rec + 10);
     if (rigid1) arm_stiffness(f1, nf, r1, n1, stiff, rec + 16);
-    if (completed) return share;  // without damping
+    if (completed) return fraction;  // without damping
     if (joint) rec[22] = t.damping;
-    if (K::kGeometry == Geometry::line) return share;
+    if (K::kGeometry == Geometry::line) return fraction;
     return joint && t.damping > 0.0 ? t.back / t.damping : 1.0;
 }
 
@@ -125,7 +125,7 @@ void evaluate_arms(const View& view, const typename K::Data& data, const BodyRef
     const V3 r0 = refs[0].arm(data.point[0]), r1 = refs[1].arm(data.point[1]);
     const V3 f = (view.active[id] / view.h) * load3(view.lambda + view.row_begin[id]);
     const JointTerms<double> t =
-        joint_terms(view, norm(f), norm(r0), norm(r1), record[model::kArmsSwing]);
+        joint_terms(view, norm(f), norm(r0), norm(r1), record[model::kArmsVibration]);
     store3(record, r0);
     store3(record + 3, r1);
     record[model::kArmsDamping] = t.damping;
@@ -144,9 +144,9 @@ template <class Lanes, class Data, class Goes>
 std::int32_t by_eights(const View& view, const std::int32_t* ids, const Data* data,
                        std::int32_t count, Goes goes) {
     // Limit a run, so that entries rejected in one run are not tested repeatedly.
-    constexpr std::int32_t kMost = 16 * kLanes;
+    constexpr std::int32_t kMaximum = 16 * kLanes;
     std::int32_t run = 0;
-    while (run < std::min(count, kMost) && goes(run)) ++run;
+    while (run < std::min(count, kMaximum) && goes(run)) ++run;
     if (run < kLanes) return 0;
     for (std::int32_t k = 0; k < run; k += kLanes) {
         const std::int32_t from = k + kLanes <= run ? k : run - kLanes;
@@ -165,7 +165,7 @@ std::int32_t evaluate_lanes(const View& view, const std::int32_t* ids, const typ
         });
     } else if constexpr (requires { K::kInLanes; }) {
         return by_eights<LaneRows<K>>(view, ids, data, count, [&](std::int32_t k) {
-            return view.among_lumps[ids[k]] != 0 && view.completed[ids[k]] == 0;
+            return view.among_nodes[ids[k]] != 0 && view.completed[ids[k]] == 0;
         });
     } else {
         return 0;
@@ -255,8 +255,9 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
         Speeds<R> speed;
         int width = 0;
         for (int b = 0; b < B; ++b) width += view.dof[body[b]];
-        double room[model::kArmRoom];
-        double* out = kCompactKind<K> && view.arms[id] ? room : view.jacobian + view.jac_begin[id];
+        double buffer[model::kArmBufferSize];
+        double* out =
+            kCompactKind<K> && view.arms[id] ? buffer : view.jacobian + view.jac_begin[id];
         int at = 0;
         for (int b = 0; b < B; ++b) {
             const std::int32_t i = body[b];

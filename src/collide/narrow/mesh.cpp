@@ -198,7 +198,7 @@ HAWSER_PAIR(convex_mesh) {
             continue;
         }
         for (int t = node.first; t < node.first + node.count; ++t) {
-            make_room(points, shape);
+            reserve_more(points, shape);
             touch_triangle(shape, triangle_of(seen, t), margin, points, nearest);
         }
     }

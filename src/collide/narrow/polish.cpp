@@ -22,7 +22,7 @@ struct Nearby {
 constexpr double kNear = 0.05;
 
 /// Collect the faces of `s` with normals near n, and the edges nearly perpendicular to n.
-void look_around(const Convex& s, const V3& n, Nearby& out) {
+void collect_nearby(const Convex& s, const V3& n, Nearby& out) {
     const double near_cos = 1.0 - 0.5 * kNear * kNear;
     switch (s.kind) {
         case ShapeKind::box:
@@ -166,8 +166,8 @@ Separation polish(const Convex& a, const Convex& b, const V3& guess, double most
     // An exact normal at the upper bound ends the search; an iterated one may still be 1e-6 off.
     const double enough = most - 1e-13 * size;
     Nearby of_a, of_b;
-    look_around(a, guess, of_a);
-    look_around(b, -guess, of_b);
+    collect_nearby(a, guess, of_a);
+    collect_nearby(b, -guess, of_b);
     for (int i = 0; i < of_a.faces; ++i) propose(of_a.face[i]);
     for (int i = 0; i < of_b.faces; ++i) propose(-of_b.face[i]);
     if (exact && best.s >= enough) return best;

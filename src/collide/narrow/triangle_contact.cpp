@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kLean = 1e-6;       ///< A neighbour that rises by less counts as flat [rad].
 constexpr double kGroup = 0.99;      ///< Minimum cosine between normals of one group.
-constexpr double kSamePlace = 1e-6;  ///< Tolerance of equal points, relative to the size.
+constexpr double kSamePoint = 1e-6;  ///< Tolerance of equal points, relative to the size.
 /// Minimum additional depth of an added point, relative to the size.
 constexpr double kDeeperFace = 1e-8;
 
@@ -57,7 +57,7 @@ void along_normal(const Convex& shape, const SurfaceTriangle& t, const V3& n, do
                   Points& out) {
     Poly below, face;
     facing(t.triangle, n, kTilt, face);
-    const double snap = kSamePlace * (shape.size + t.triangle.size);
+    const double snap = kSamePoint * (shape.size + t.triangle.size);
     // If no flat part touches, accept a facing part with a larger tilt: an edge deep across a
     // ridge.
     for (const double tilt : {kTilt, 0.5}) {
@@ -137,7 +137,7 @@ void touch_triangle(const Convex& shape, const SurfaceTriangle& t, double margin
         add_points(shape, triangle, best.n, best.s, margin, found);
     else
         along_normal(shape, t, n, margin, found);
-    const double same = 4.0 * kSamePlace * (shape.size + shape.rounding + triangle.size);
+    const double same = 4.0 * kSamePoint * (shape.size + shape.rounding + triangle.size);
     // A shape separated from a two-sided triangle but with deep points lies over its other side.
     if (!t.solid && best.s > shape.rounding + same && !none_overlaps(found)) return;
     for (int i = 0; i < found.count; ++i) {
@@ -203,7 +203,7 @@ void thin(Points& points, const Convex& shape, int most) {
 
 }  // namespace
 
-void make_room(Points& points, const Convex& shape) {
+void reserve_more(Points& points, const Convex& shape) {
     // One triangle adds at most twelve points.
     if (points.count <= kMaxPoints - 16) return;
     thin(points, shape, 4);

@@ -14,11 +14,11 @@ namespace hawser::draw {
 Drawing draw_timelines(const std::vector<NamedTimeline>& timelines, const std::string& title,
                        const std::vector<std::string>& notes) {
     constexpr double kWide = 3 * kFigureWidth + 36, kLeft = 150, kRight = 40, kTop = 124;
-    constexpr double kCaption = 30, kLine = 34, kApart = 16;
+    constexpr double kCaption = 30, kLine = 34, kSeparation = 16;
     double height = kTop, until = 0.0;
     std::vector<Timeline> all;
     for (const NamedTimeline& t : timelines) {
-        height += kCaption + kApart + (t.note.empty() ? kLine * t.timeline.threads : 0.0);
+        height += kCaption + kSeparation + (t.note.empty() ? kLine * t.timeline.threads : 0.0);
         if (!t.note.empty()) continue;
         until = std::max(until, t.timeline.seconds);
         all.push_back(t.timeline);
@@ -50,7 +50,7 @@ Drawing draw_timelines(const std::vector<NamedTimeline>& timelines, const std::s
             draw_timeline(d, {kLeft, y, axes.frame.width, high + 8}, t.timeline, until);
             y += high;
         }
-        y += kApart;
+        y += kSeparation;
     }
     return d;
 }

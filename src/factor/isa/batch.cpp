@@ -161,33 +161,33 @@ inline void add_window(double* panel, const BatchStep& step, const Shift& shift,
 
 /// Offsets of a slot in a window, as a row and as a column. Entry (r, c), r ≥ c, of lane 0 is at
 /// the sum of both.
-struct SlotPlace {
+struct SlotRecord {
     std::int32_t row, column;
 };
-constexpr int kPlaceSize = sizeof(SlotPlace) / sizeof(double);  ///< Size in doubles.
+constexpr int kRecordSize = sizeof(SlotRecord) / sizeof(double);  ///< Size in doubles.
 
-/// Store the SlotPlace of each slot.
+/// Store the SlotRecord of each slot.
 inline void write_places(int slots, double* room) {
     for (int i = 0; i < slots; ++i) {
-        const SlotPlace p{
+        const SlotRecord p{
             static_cast<std::int32_t>(tile_at(i / kTile, 0)) + kLanes * kTile * (i % kTile),
             static_cast<std::int32_t>(tile_at(0, i / kTile)) + kLanes * (i % kTile)};
-        std::memcpy(room + kPlaceSize * i, &p, sizeof p);
+        std::memcpy(room + kRecordSize * i, &p, sizeof p);
     }
 }
-HAWSER_INLINE SlotPlace place_of(const double* room, int slot) {
-    SlotPlace p;
-    std::memcpy(&p, room + kPlaceSize * slot, sizeof p);
+HAWSER_INLINE SlotRecord place_of(const double* room, int slot) {
+    SlotRecord p;
+    std::memcpy(&p, room + kRecordSize * slot, sizeof p);
     return p;
 }
 
 /// Store the last window as update matrices of the parents, lane by lane. The rows of a parent
 /// follow another order than the slots. An entry with swapped slots belongs to the other side.
-/// @param room  Buffer with a SlotPlace for each slot.
+/// @param room  Buffer with a SlotRecord for each slot.
 template <int kSides>
 inline void store_tails(const FactorView& view, const Batch& batch, double* const (&window)[kSides],
                         double* room) {
-    write_places(batch.most_q, room);
+    write_places(batch.max_q, room);
     for (int lane = 0; lane < factor::kLaneCount; ++lane) {
         if (batch.front[lane] < 0) continue;
         const Front& front = view.fronts[batch.front[lane]];
@@ -196,9 +196,9 @@ inline void store_tails(const FactorView& view, const Batch& batch, double* cons
         if constexpr (kSides == 2) update[1] = view.upper_work + front.update;
         for (int j = 0; j < front.q; ++j) {
             const long column = static_cast<long>(j) * front.ldu;
-            const SlotPlace at_j = place_of(room, slot[j]);
+            const SlotRecord at_j = place_of(room, slot[j]);
             for (int i = j; i < front.q; ++i) {
-                const SlotPlace at_i = place_of(room, slot[i]);
+                const SlotRecord at_i = place_of(room, slot[i]);
                 const bool turned = at_i.row < at_j.row;
                 const long entry =
                     lane + (turned ? at_j.row + at_i.column : at_i.row + at_j.column);
@@ -215,7 +215,7 @@ HAWSER_INLINE int count(const V8& v) { return static_cast<int>(sum(v)); }
 template <int kSides>
 inline int factor_steps(const FactorView& view, const Batch& batch, std::int32_t begin,
                         std::int32_t end, double* scratch) {
-    const long tiles = batch.most_q / kTile, size = kTileSize * (tiles * (tiles + 1) / 2);
+    const long tiles = batch.max_q / kTile, size = kTileSize * (tiles * (tiles + 1) / 2);
     const long turned = (begin - batch.step_begin) % 2;  // windows are swapped at each step
     double *window[kSides], *next[kSides];
     Columns<kSides> m{};

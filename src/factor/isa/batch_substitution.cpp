@@ -101,8 +101,8 @@ inline void backward_rigid(const FactorView& view, const BatchStep& step, const 
 void forward_batch(const FactorView& view, const Batch& batch, std::int32_t begin, std::int32_t end,
                    const double* x, double* scratch) noexcept {
     const long turned = (begin - batch.step_begin) % 2;
-    double* carried = scratch + turned * 8 * batch.most_q;
-    double* next = scratch + (1 - turned) * 8 * batch.most_q;
+    double* carried = scratch + turned * 8 * batch.max_q;
+    double* next = scratch + (1 - turned) * 8 * batch.max_q;
     Shift shift = shift_before(view, batch, begin);
     for (std::int32_t k = begin; k < end; ++k) {
         const BatchStep& step = view.batch_steps[k];
@@ -155,7 +155,7 @@ void backward_batch(const FactorView& view, const Batch& batch, double* x,
                     double* scratch) noexcept {
     const double* halves = view.is_unsymmetric(batch.front[0]) ? view.upper : view.panel;
     double* behind = scratch;
-    const int q = batch.most_q;
+    const int q = batch.max_q;
     for (int i = 0; i < q; ++i) store(behind + 8 * i, V8{});
     for (int lane = 0; lane < factor::kLaneCount; ++lane) {
         if (batch.front[lane] < 0) continue;

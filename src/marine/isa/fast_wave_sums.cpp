@@ -16,13 +16,14 @@ typedef int FloatBits __attribute__((vector_size(4 * kFloats)));
 
 #define HAWSER_FAST __attribute__((always_inline)) inline
 
-/// Adding and subtracting it leaves the nearest whole number; its lowest bits are that number.
+/// Adding and subtracting this number rounds to the nearest whole number, whose value is in the
+/// lowest bits of the sum.
 constexpr float kFastWhole = 12582912.0F;                // 1.5 · 2^23
 constexpr double kFastWholeDouble = 6755399441055744.0;  // 1.5 · 2^52
 
 HAWSER_FAST Floats floats_at(const float* p) { return *reinterpret_cast<const Floats*>(p); }
 HAWSER_FAST void put_floats(float* p, Floats v) { *reinterpret_cast<Floats*>(p) = v; }
-/// Sum of the lanes, by halves.
+/// Return the sum of the lanes, by halves.
 HAWSER_FAST double total_of(Floats v) {
 #if defined(__AVX512F__)
     v += __builtin_shuffle(v, FloatBits{8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7});
@@ -34,7 +35,8 @@ HAWSER_FAST double total_of(Floats v) {
            (static_cast<double>(v[2]) + static_cast<double>(v[3]));
 }
 
-/// √2 sin πx by x times a polynomial of x², √2 cos πx by one, on [−½, ½], and 2^x on [−½, ½].
+/// Polynomials on [−½, ½]: √2 sin πx as x times a polynomial of x², √2 cos πx as a polynomial of
+/// x², and 2^x.
 constexpr float kFastSine[] = {4.44288283489F, -7.30824118466F, 3.6062893314F, -0.845765402968F,
                                0.109208754876F};
 constexpr float kFastCosine[] = {1.41421349657F, -6.97885098845F, 5.73946117522F, -1.8835630185F,
@@ -43,7 +45,7 @@ constexpr float kFastPower[] = {1.00000000055F,    0.693147205736F,   0.24022646
                                 0.0555032877851F,  0.00961848889795F, 0.00133999307896F,
                                 0.000153458273815F};
 
-/// e^x on [−¼, ¼], 1e-8 of itself.
+/// Polynomial of e^x on [−¼, ¼], with a relative error of 1e-8.
 constexpr float kFastExp[] = {1.00000001033F,  0.99999995637F,   0.499996979273F,
                               0.166669130515F, 0.0417964627807F, 0.00831475695214F};
 
@@ -53,7 +55,7 @@ HAWSER_FAST Floats fast_series(const float (&c)[N], Floats x) {
     for (int i = N - 2; i >= 0; --i) y = y * x + c[i];
     return y;
 }
-/// 2^x; below x = −126 that of −126.
+/// Return 2^x; x is limited to at least −126.
 HAWSER_FAST Floats fast_power(Floats x) {
     x = x > -126.0F ? x : Floats{} - 126.0F;
     const Floats shifted = x + kFastWhole,
@@ -98,7 +100,7 @@ void fast_surface(const marine::FastTable& table, int groups, const float* turns
 
 /// e^(−k ζ) of the middle wave numbers of the first groups, for all points of a batch at once.
 struct GroupPowers {
-    alignas(64) float of[marine::kWavePoints][marine::kMostFastGroups];
+    alignas(64) float of[marine::kWavePoints][marine::kMaxFastGroups];
 
     HAWSER_FAST GroupPowers(const float* middle, int groups, const float* depth) {
         for (int g = 0; g < groups; g += kFloats) {
@@ -109,12 +111,13 @@ struct GroupPowers {
         }
     }
 };
-/// How e^(−k ζ) of a group is computed: from that of its middle, by a series of (k − that of the
-/// middle) ζ, or of a quarter of it and two squarings; or by itself.
+/// Method to compute e^(−k ζ) of a group. With δ = k − k of the group's middle: `near` multiplies
+/// the middle's value by a series in δ ζ; `far` uses δ ζ/4 and two squarings; `alone` computes each
+/// component.
 enum class Falling { near, far, alone };
 constexpr float kNearest = 0.25F, kFarthest = 1.0F;
 
-/// e^(−k ζ) of the components from i on, over that of their group's middle unless `alone`.
+/// Return e^(−k ζ) of the components from i on, relative to their group's middle unless `alone`.
 template <Falling By>
 HAWSER_FAST Floats falling(const marine::FastTable& table, int i, float depth) {
     if constexpr (By == Falling::alone)
@@ -130,8 +133,8 @@ struct FastSums {
     Floats u[3]{}, a[3]{};
 };
 
-/// One group, with the mirror image below the bottom or without.
-/// @param middle  e^(−k ζ) of its middle, or 1.
+/// Add one group. @tparam Bottom  Include its mirror image below the bottom. @param middle  e^(−k
+/// ζ) of the group's middle, or 1.
 template <Falling By, bool Bottom>
 HAWSER_FAST void add_group(const marine::FastTable& table, int group, const float* circle,
                            float depth, float middle, FastSums& to) {
@@ -159,22 +162,22 @@ HAWSER_FAST void add_group(const marine::FastTable& table, int group, const floa
     }
 }
 
-/// Groups [begin, end) of one point.
+/// Add the groups [begin, end) at one point.
 template <bool Bottom>
 HAWSER_FAST void add_groups(const marine::FastTable& table, int begin, int end, const float* circle,
                             float depth, const float* middle, FastSums& to) {
     for (int g = begin; g < end; ++g) {
-        const float apart = table.width[g] * depth;
-        if (apart <= kNearest)
+        const float separation = table.width[g] * depth;
+        if (separation <= kNearest)
             add_group<Falling::near, Bottom>(table, g, circle, depth, middle[g], to);
-        else if (apart <= kFarthest)
+        else if (separation <= kFarthest)
             add_group<Falling::far, Bottom>(table, g, circle, depth, middle[g], to);
         else
             add_group<Falling::alone, Bottom>(table, g, circle, depth, 1.0F, to);
     }
 }
 
-/// Depths in single precision; slots beyond `count` repeat the last one.
+/// Convert depths to single precision; slots beyond `count` repeat the last one.
 HAWSER_FAST int first_depths(const marine::FastExtent* of, const double* depth, int count,
                              float* out) {
     int groups = 0;
@@ -204,7 +207,7 @@ void fast_sums(const marine::FastTable& table, const marine::FastExtent* of, con
     }
 }
 
-/// One group of all points of a batch.
+/// Add the pressure of one group at all points of a batch.
 template <Falling By, bool Bottom>
 HAWSER_FAST void add_pressure(const marine::FastTable& table, int group, const float* circle,
                               const float* depth, const GroupPowers& middle, Floats* to) {
@@ -223,16 +226,17 @@ HAWSER_FAST void add_pressure(const marine::FastTable& table, int group, const f
     }
 }
 
-/// Groups [begin, end) of all points. @param deepest  Depth of the deepest one.
+/// Add the pressure of the groups [begin, end) at all points. @param deepest  Depth of the deepest
+/// point.
 template <bool Bottom>
 HAWSER_FAST void add_pressures(const marine::FastTable& table, int begin, int end,
                                const float* circle, const float* depth, float deepest,
                                const GroupPowers& middle, Floats* to) {
     for (int g = begin; g < end; ++g) {
-        const float apart = table.width[g] * deepest;
-        if (apart <= kNearest)
+        const float separation = table.width[g] * deepest;
+        if (separation <= kNearest)
             add_pressure<Falling::near, Bottom>(table, g, circle, depth, middle, to);
-        else if (apart <= kFarthest)
+        else if (separation <= kFarthest)
             add_pressure<Falling::far, Bottom>(table, g, circle, depth, middle, to);
         else
             add_pressure<Falling::alone, Bottom>(table, g, circle, depth, middle, to);

@@ -15,7 +15,7 @@ typedef double Sides __attribute__((vector_size(8 * kSides), aligned(8), may_ali
 
 #define HAWSER_HULL __attribute__((always_inline)) inline
 
-/// Of corners: x, y, z, depth, pressure.
+/// Number of entries of a corner: x, y, z, depth, pressure.
 constexpr int kEntries = 5;
 
 struct Corner {
@@ -31,7 +31,7 @@ HAWSER_HULL Arrow cross(const Arrow& a, const Arrow& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// As HullSums::add_wet().
+/// Add completely wet triangles, like HullSums::add_wet().
 HAWSER_HULL void add(const Corner& a, const Corner& b, const Corner& c, Sides* to) {
     const Arrow twice = cross(between(a, b), between(a, c));  // normal by twice the area
     const Sides p = a.pressure + b.pressure + c.pressure, push = p * (1.0 / 6.0);
@@ -67,8 +67,8 @@ HAWSER_HULL void add(const Corner& a, const Corner& b, const Corner& c, Sides* t
 
 int wet(const double* corners, const std::int32_t* triangles, int count, int* cut,
         double* sums) noexcept {
-    // By entry of a corner, then triangle. What is wet is gathered first: a vector read just after
-    // its parts were written would wait for them.
+    // Gather the wet triangles first, by entry of a corner, then triangle. Reading a vector
+    // directly after its parts were written would stall.
     alignas(64) double gathered[3 * kEntries][marine::kHullBlock];
     int whole = 0, cuts = 0;
     for (int t = 0; t < count; ++t) {
@@ -89,7 +89,7 @@ int wet(const double* corners, const std::int32_t* triangles, int count, int* cu
             for (int e = 0; e < kEntries; ++e) gathered[kEntries * c + e][whole] = corner[c][e];
         ++whole;
     }
-    for (; whole % kSides != 0; ++whole)  // of no area
+    for (; whole % kSides != 0; ++whole)  // pad with triangles of no area
         for (int e = 0; e < 3 * kEntries; ++e) gathered[e][whole] = 0.0;
     Sides all[marine::kHullSums]{};
     for (int t = 0; t < whole; t += kSides) {

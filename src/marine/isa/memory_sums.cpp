@@ -24,10 +24,10 @@ __attribute__((always_inline)) inline double total_of(Lanes v) {
 
 using marine::kMemoryBlock;
 
-/// Blocks of a tile: of six motions and their pairs what the first cache holds.
+/// Number of blocks of a tile: six motions and their pairs fit into the first-level cache.
 constexpr std::int64_t kTile = 16;
 
-/// All pairs of six motions: each sample of a motion is loaded once for all that it meets.
+/// Sum all pairs of six motions. Each sample of a motion is loaded once for all its pairs.
 void all_pairs(const double* k, const double* v, std::int64_t count, std::int64_t newest,
                double* out) noexcept {
     const std::int64_t stride = marine::memory_stride(count);
@@ -53,7 +53,7 @@ void all_pairs(const double* k, const double* v, std::int64_t count, std::int64_
     for (int i = 0; i < 6; ++i) out[i] += total_of(low[i] + high[i]);
 }
 
-/// Blocks that lie in the ring without a gap, pair by pair.
+/// Sum blocks that are contiguous in the ring, pair by pair.
 void some_pairs(const double* k, const double* v, std::int64_t stride, std::int64_t blocks,
                 const int* pairs, int pair_count, double* out) noexcept {
     const std::int64_t next = pair_count * kMemoryBlock;

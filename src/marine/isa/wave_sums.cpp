@@ -16,14 +16,15 @@ typedef long long WideBits __attribute__((vector_size(8 * kWide)));
 
 #define HAWSER_WAVES __attribute__((always_inline)) inline
 
-/// Adding and subtracting it leaves the nearest whole number; its lowest bits are that number.
+/// Adding and subtracting this number rounds to the nearest whole number, whose value is in the
+/// lowest bits of the sum.
 constexpr double kWhole = 6755399441055744.0;  // 1.5 · 2^52
 
 HAWSER_WAVES Wide wide(double x) { return Wide{} + x; }
 HAWSER_WAVES Wide at(const double* p) { return *reinterpret_cast<const Wide*>(p); }
 HAWSER_WAVES void put(double* p, Wide v) { *reinterpret_cast<Wide*>(p) = v; }
 HAWSER_WAVES Wide nearest(Wide x) { return (x + kWhole) - kWhole; }
-/// By halves, which wait for each other less than one lane after the other.
+/// Return the sum of the lanes, by halves: shorter chains of dependent additions than lane by lane.
 HAWSER_WAVES double total(Wide v) {
 #if defined(__AVX512F__)
     v += __builtin_shuffle(v, WideBits{4, 5, 6, 7, 0, 1, 2, 3});
@@ -61,7 +62,7 @@ HAWSER_WAVES Wide series(const double (&c)[N], Wide x) {
     for (int i = N - 2; i >= 0; --i) y = y * x + c[i];
     return y;
 }
-/// Of every second coefficient, in x².
+/// Evaluate the polynomial of every second coefficient, in x².
 template <int First, int N>
 HAWSER_WAVES Wide every_second(const double (&c)[N], Wide square) {
     constexpr int kLast = N - 1 - (N - 1 - First) % 2;
@@ -73,13 +74,13 @@ HAWSER_WAVES Wide every_second(const double (&c)[N], Wide square) {
 HAWSER_WAVES Wide scaled(Wide x, WideBits exponent) {
     return reinterpret_cast<Wide>(reinterpret_cast<WideBits>(x) + exponent);
 }
-/// 2^(a b) of a b ≥ −1000.
+/// Return 2^(a b) for a b ≥ −1000.
 HAWSER_WAVES Wide power(Wide a, double b) {
     const Wide shifted = a * b + kWhole;
     return scaled(series(kPower, a * b - (shifted - kWhole)), reinterpret_cast<WideBits>(shifted)
                                                                   << 52);
 }
-/// 2^x and 2^−x; below x = −1000 those of it.
+/// Compute 2^x and 2^−x; x is limited to at least −1000.
 HAWSER_WAVES void powers(Wide x, Wide& up, Wide& down) {
     x = x > -1000.0 ? x : wide(-1000.0);
     const Wide shifted = x + kWhole, rest = x - (shifted - kWhole), square = rest * rest,
@@ -90,7 +91,7 @@ HAWSER_WAVES void powers(Wide x, Wide& up, Wide& down) {
     down = scaled(even - odd, -exponent);
 }
 
-/// Components of a group have the same bounds of depth: of eight, whatever a vector holds.
+/// Number of components that share bounds of depth, for any length of vectors.
 constexpr int kGroup = 8;
 
 template <int N>

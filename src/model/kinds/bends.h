@@ -51,7 +51,7 @@ struct Bend {
             s[r].compliance =
                 given(d.compliance.data()[r], d.params.data()[1] / d.params.data()[0]);
             s[r].turns = true;
-            damping_or_calm(d, h, r, s[r]);
+            damping_or_flagged(d, h, r, s[r]);
         }
     }
     template <class T, class Ref>
@@ -117,7 +117,7 @@ struct Twist {
     using Data = JointData;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
         s[0].compliance = given(d.compliance.data()[0], d.params.data()[1] / d.params.data()[0]);
-        damping_or_calm(d, h, 0, s[0]);
+        damping_or_flagged(d, h, 0, s[0]);
     }
     static void evaluate(const Data& d, const BodyRef* b, Rows<2, 1>& out) {
         V3 t;

@@ -59,15 +59,15 @@ struct Rows {
 
 /// Constant properties of a row.
 struct RowSpec {
-    double compliance = 1e-12;  ///< ε or γ.
-    double damping_time = 0.0;  ///< τ [s].
-    bool velocity = false;      ///< G v = u instead of g = 0.
-    bool calmed = false;        ///< τ is the scheme's own and belongs to no damper.
-    bool gap = false;           ///< Translational constraint: counts in violation_max.
-    bool turns = false;         ///< g is a difference of directions, at most 2.
-    bool one_sided = false;     ///< Only pulls (λ ≤ 0).
-    bool range = false;         ///< Inactive while inside its range.
-    bool friction = false;      ///< Its force is bounded, and its anchor slides at the bound.
+    double compliance = 1e-12;      ///< ε or γ.
+    double damping_time = 0.0;      ///< τ [s].
+    bool velocity = false;          ///< G v = u instead of g = 0.
+    bool damped_by_scheme = false;  ///< τ is the scheme's own and belongs to no damper.
+    bool gap = false;               ///< Translational constraint: counts in violation_max.
+    bool turns = false;             ///< g is a difference of directions, at most 2.
+    bool one_sided = false;         ///< Only pulls (λ ≤ 0).
+    bool range = false;             ///< Inactive while inside its range.
+    bool friction = false;          ///< Its force is bounded, and its anchor slides at the bound.
 };
 
 /// Type of geometric stiffness: none; from the arms of a joint; from a line between two points.
@@ -79,10 +79,10 @@ inline constexpr double kStopCompliance = 1e-12;
 inline double given(double value, double fallback) { return value == value ? value : fallback; }
 
 /// Set τ as defined, else to two steps without a damper.
-inline void damping_or_calm(const InteractionDef& def, double h, int row, RowSpec& out) {
+inline void damping_or_flagged(const InteractionDef& def, double h, int row, RowSpec& out) {
     const double defined = def.damping_time.data()[row];
     out.damping_time = given(defined, 2.0 * h);
-    out.calmed = defined != defined;
+    out.damped_by_scheme = defined != defined;
 }
 
 /// Set ε and τ of an ordinary constraint: as defined, else rigid (or `compliance`) and two steps.
@@ -90,7 +90,7 @@ inline void constraint_rows(const InteractionDef& def, double h, int first, int 
                             RowSpec* out, double compliance = 0.0) {
     for (int r = first; r < first + count; ++r) {
         out[r].compliance = given(def.compliance.data()[r], compliance);
-        damping_or_calm(def, h, r, out[r]);
+        damping_or_flagged(def, h, r, out[r]);
         out[r].gap = gap;
     }
 }

@@ -92,7 +92,7 @@ inline constexpr ParamInfo kStretchParams[] = {
 
 inline void stretch_rows(const InteractionDef& d, double h, RowSpec* s) {
     s[0].compliance = given(d.compliance.data()[0], d.params.data()[0] / d.params.data()[1]);
-    damping_or_calm(d, h, 0, s[0]);
+    damping_or_flagged(d, h, 0, s[0]);
     s[0].one_sided = d.params.data()[2] > 0.5;
 }
 

@@ -80,10 +80,10 @@ inline constexpr double kSteepest = 0.999;
 /// Return the direction u of the tangent, which leaves a wheel of signed radius s at s u × n from
 /// its centre. @param d  Vector between the centres. @param n  Axis of the wheels. @param apart
 /// Second signed radius minus the first one.
-inline V3 tangent_direction(const V3& d, const V3& n, double apart) {
+inline V3 tangent_direction(const V3& d, const V3& n, double separation) {
     const V3 flat = d - dot(d, n) * n;
     const double size = norm(flat), most = kSteepest * size;
-    const double s = apart > most ? most : apart < -most ? -most : apart;
+    const double s = separation > most ? most : separation < -most ? -most : separation;
     const double c = __builtin_sqrt(size * size - s * s);
     // Unit length in the plane, with d·(u × n) = −s.
     const double scale = 1.0 / (size * size);
@@ -91,9 +91,9 @@ inline V3 tangent_direction(const V3& d, const V3& n, double apart) {
 }
 
 /// True if the tangent is within the limit kSteepest.
-inline bool keeps_apart(const V3& d, const V3& n, double apart) {
+inline bool keeps_apart(const V3& d, const V3& n, double separation) {
     const V3 flat = d - dot(d, n) * n;
-    return apart * apart <= kSteepest * kSteepest * dot(flat, flat);
+    return separation * separation <= kSteepest * kSteepest * dot(flat, flat);
 }
 
 inline SpanShape span_shape(const SpanEnd (&e)[2], const BodyRef* b) {
@@ -205,7 +205,7 @@ struct SpanData {
 
 inline void span_rows(const InteractionDef& d, double h, RowSpec* s) {
     s[0].compliance = given(d.compliance.data()[0], d.params.data()[0] / d.params.data()[1]);
-    damping_or_calm(d, h, 0, s[0]);
+    damping_or_flagged(d, h, 0, s[0]);
     s[0].one_sided = d.params.data()[2] > 0.5;
 }
 
@@ -339,7 +339,7 @@ struct BodySpan {
     };
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
         s[0].compliance = given(d.compliance.data()[0], d.params.data()[1] / d.params.data()[2]);
-        damping_or_calm(d, h, 0, s[0]);
+        damping_or_flagged(d, h, 0, s[0]);
         s[0].one_sided = d.params.data()[3] > 0.5;
     }
     static void evaluate(const Data& d, const BodyRef* b, Rows<2, 1>& out) {

@@ -7,7 +7,7 @@
 
 namespace hawser::report::start {
 
-Findings check_start(const record::SceneInfo& scene, const World& world, std::size_t most_rows) {
+Findings check_start(const record::SceneInfo& scene, const World& world, std::size_t max_rows) {
     Findings out;
     check_bodies(world, out);
     check_cable_density(scene, world, out);
@@ -24,11 +24,11 @@ Findings check_start(const record::SceneInfo& scene, const World& world, std::si
     check_motor_friction(world, out);
     check_steps(scene, world, out);
     JointRows rows(world);
-    if (rows.rows() > most_rows) {
+    if (rows.rows() > max_rows) {
         out.add(false, FindingKind::unexamined, {}, static_cast<double>(rows.rows()),
                 fmt::format("the {} rows of joints are more than {}: gaps, and joints that repeat "
                             "or contradict each other, were not looked for",
-                            rows.rows(), most_rows));
+                            rows.rows(), max_rows));
     } else if (rows.rows() > 0) {
         if (rows.update(world)) {
             check_gaps(world, rows, out);

@@ -13,10 +13,10 @@ namespace hawser::report::start {
 
 /// Number of joint rows above which redundancy is not checked. At this size the check needs a few
 /// seconds and some hundred megabytes.
-inline constexpr std::size_t kMostRows = 600'000;
+inline constexpr std::size_t kMaxRows = 600'000;
 
 /// Return all findings, sorted. The world stays unchanged. @throws std::bad_alloc.
 [[nodiscard]] Findings check_start(const record::SceneInfo& scene, const World& world,
-                                   std::size_t most_rows = kMostRows);
+                                   std::size_t max_rows = kMaxRows);
 
 }  // namespace hawser::report::start

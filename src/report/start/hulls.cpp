@@ -107,10 +107,10 @@ double volume_of(const WaterRod& rod) { return rod.water.area() * (rod.to - rod.
 
 /// Warn once for each body about water that both its hull and its rods displace.
 void check_rods(const World& world, const SeaDef& sea, Findings& out) {
-    std::vector<BodyId> told;
+    std::vector<BodyId> reported;
     for (const WaterHull& hull : sea.hulls) {
-        if (std::find(told.begin(), told.end(), hull.body) != told.end()) continue;
-        told.push_back(hull.body);
+        if (std::find(reported.begin(), reported.end(), hull.body) != reported.end()) continue;
+        reported.push_back(hull.body);
         double volume = 0.0;
         for (const WaterRod& rod : sea.rods)
             if (rod.body == hull.body) volume += volume_of(rod);

@@ -107,10 +107,10 @@ std::vector<Range> rigid_ranges(const World& world) {
 /// first body.
 bool same_coordinate(const World& world, const Range& a, const Range& b) {
     if (a.bodies != b.bodies || a.coordinate != b.coordinate) return false;
-    const double apart = std::abs(world.coordinate(a.id) - world.coordinate(b.id));
+    const double separation = std::abs(world.coordinate(a.id) - world.coordinate(b.id));
     const InteractionDef &d = world.interaction_def(a.id), &e = world.interaction_def(b.id);
     const Vec3 u = d.frame[0] * Vec3::UnitZ(), v = e.frame[0] * Vec3::UnitZ();
-    return apart < 1e-9 && (u - v).norm() < 1e-9;
+    return separation < 1e-9 && (u - v).norm() < 1e-9;
 }
 
 }  // namespace
@@ -141,10 +141,10 @@ void check_ranges(const World& world, Findings& out) {
         for (std::size_t k = i + 1; k < ranges.size(); ++k) {
             const Range& other = ranges[k];
             if (!same_coordinate(world, r, other)) continue;
-            const double apart = std::max(r.min, other.min) - std::min(r.max, other.max);
-            if (apart <= 0.0) continue;
+            const double separation = std::max(r.min, other.min) - std::min(r.max, other.max);
+            if (separation <= 0.0) continue;
             out.add(true, FindingKind::contradiction,
-                    {name, record::interaction_label(world, other.id)}, apart,
+                    {name, record::interaction_label(world, other.id)}, separation,
                     fmt::format("{} and {} contradict each other: no value lies in {} and in {}",
                                 record::interaction_in_words(world, r.id),
                                 record::name_in_quotes(record::interaction_label(world, other.id)),

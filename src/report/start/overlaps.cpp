@@ -28,7 +28,7 @@ constexpr double kWeights = 4.0;
 constexpr double kWireDeep = 4.0;
 
 /// Largest number of errors with a text each: a heap of thousands has one cause.
-constexpr std::size_t kMostPairs = 1000;
+constexpr std::size_t kMaxPairs = 1000;
 
 /// Interval that a shape covers along a direction, from its lowest to its highest point [m].
 struct Reach {
@@ -99,12 +99,12 @@ class Overlaps {
         std::stable_sort(worst.begin(), worst.end(), [](const auto& a, const auto& b) {
             return a.second.depth / a.second.width > b.second.depth / b.second.width;
         });
-        for (std::size_t i = 0; i < std::min(kMostPairs, worst.size()); ++i)
+        for (std::size_t i = 0; i < std::min(kMaxPairs, worst.size()); ++i)
             report(worst[i].second, out);
-        if (worst.size() > kMostPairs)
+        if (worst.size() > kMaxPairs)
             out.add(false, FindingKind::unexamined, {}, static_cast<double>(worst.size()),
                     fmt::format("{} pairs of bodies overlap at the start; the worst {} are listed",
-                                worst.size(), kMostPairs));
+                                worst.size(), kMaxPairs));
     }
 
   private:

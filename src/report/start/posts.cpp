@@ -39,7 +39,7 @@ bool touches_alone(const World& world, const record::CableInfo& cable) {
 }
 
 /// Return the distance from a post's middle to the nearest node [m].
-double apart(const World& world, const ShapeDef& post, const record::CableInfo& cable) {
+double separation(const World& world, const ShapeDef& post, const record::CableInfo& cable) {
     const Vec3 at = world.world_point(post.body, post.position);
     double least = HUGE_VAL;
     for (const BodyId node : cable.nodes)
@@ -58,7 +58,7 @@ void check_posts(const record::SceneInfo& scene, const World& world, Findings& o
         for (const ShapeId id : world.shapes()) {
             const ShapeDef& post = world.shape_def(id);
             if (std::find(names.begin(), names.end(), post.name) == names.end()) continue;
-            const double near = apart(world, post, cable);
+            const double near = separation(world, post, cable);
             if (!(near <= kBeside * cable.length)) continue;
             out.add(
                 false, FindingKind::post, {post.name, cable.name}, near,

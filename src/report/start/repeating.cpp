@@ -15,7 +15,7 @@ namespace {
 constexpr double kPart = 1e-3;
 
 /// Largest number of joint rows that are compared one by one, which takes some tenths of a second.
-constexpr std::size_t kMostDense = 500;
+constexpr std::size_t kMaxDense = 500;
 
 /// Disjoint sets of joints.
 class Sets {
@@ -105,7 +105,7 @@ class GroupFinder {
             const auto joint_of = [&](std::int32_t row) {
                 return joint_of_row_[static_cast<std::size_t>(row)];
             };
-            if (rows.size() > kMostDense) {
+            if (rows.size() > kMaxDense) {
                 for (const std::int32_t row : rows) fine.unite(joint_of(row), joint_of(rows[0]));
                 continue;
             }

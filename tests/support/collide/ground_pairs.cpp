@@ -34,7 +34,7 @@ Real off_boundary(Body a, Vec p, Vec n) {
 }
 
 /// Compare the normal with those of all claims that have this gap.
-void judge_normal(const std::vector<Claim>& claims, Real gap, const Body& a, Vec n,
+void check_normal(const std::vector<Claim>& claims, Real gap, const Body& a, Vec n,
                   std::uint64_t seed, GroundScore& score) {
     Real error = 1e30L;
     bool known = false, as_good = false;
@@ -51,13 +51,13 @@ void judge_normal(const std::vector<Claim>& claims, Real gap, const Body& a, Vec
     score.normal_pair = seed;
 }
 
-void judge_gap(Real error, std::uint64_t seed, GroundScore& score) {
+void check_joint_gap(Real error, std::uint64_t seed, GroundScore& score) {
     if (std::fabs(static_cast<double>(error)) <= score.worst_gap) return;
     score.worst_gap = std::fabs(static_cast<double>(error));
     score.gap_pair = seed;
 }
 
-void judge_inside(const Claims& claims, const Body& a, const ManifoldPoint& p, std::uint64_t seed,
+void check_inside(const Claims& claims, const Body& a, const ManifoldPoint& p, std::uint64_t seed,
                   GroundScore& score) {
     const Vec n{p.normal[0], p.normal[1], p.normal[2]};
     const Vec on0{p.on[0][0], p.on[0][1], p.on[0][2]}, on1{p.on[1][0], p.on[1][1], p.on[1][2]};
@@ -78,13 +78,13 @@ void judge_inside(const Claims& claims, const Body& a, const ManifoldPoint& p, s
     }
     if (own != nullptr) {
         ++score.own;
-        judge_gap(own->gap - p.gap, seed, score);
-        return judge_normal(claims.list, p.gap, a, n, seed, score);
+        check_joint_gap(own->gap - p.gap, seed, score);
+        return check_normal(claims.list, p.gap, a, n, seed, score);
     }
-    if (sure < 0) return judge_gap(sure - p.gap, seed, score);
+    if (sure < 0) return check_joint_gap(sure - p.gap, seed, score);
     ++score.left;
-    judge_gap(claims.left.gap - p.gap, seed, score);
-    judge_normal({claims.left}, p.gap, a, n, seed, score);
+    check_joint_gap(claims.left.gap - p.gap, seed, score);
+    check_normal({claims.left}, p.gap, a, n, seed, score);
 }
 
 struct GroundPair {
@@ -110,7 +110,7 @@ GroundPair random_ground_pair(ShapeKind kind, Ground ground, std::uint64_t seed)
     return pair;
 }
 
-void judge_ground_pair(const GroundPair& pair, std::uint64_t seed, GroundScore& score) {
+void check_ground_pair(const GroundPair& pair, std::uint64_t seed, GroundScore& score) {
     const Surface& s = pair.surface;
     const Body body = body_of(pair.shape, pair.placed);
     const Claims claims = claims_on(s, body, body.c, pair.margin);
@@ -122,7 +122,7 @@ void judge_ground_pair(const GroundPair& pair, std::uint64_t seed, GroundScore& 
     collide::collide_function(shape.kind, geometry.kind)(shape, pair.placed, geometry, s.placed,
                                                          pair.margin, m);
     ++score.pairs;
-    ++(claims.inside ? score.touching : score.apart);
+    ++(claims.inside ? score.touching : score.separation);
     if (!well_formed(m, pair.margin)) ++score.bad_points;
     const ManifoldPoint* deepest = &m.point[0];
     for (int i = 1; i < m.count; ++i)
@@ -131,24 +131,24 @@ void judge_ground_pair(const GroundPair& pair, std::uint64_t seed, GroundScore& 
     if (claims.inside) {
         const bool touches = m.count > 0 && deepest->gap < 0;
         if (!touches && std::fabs(truth) > kBand) score.wrong(seed);
-        if (touches) judge_inside(claims, body, *deepest, seed, score);
+        if (touches) check_inside(claims, body, *deepest, seed, score);
         return;
     }
     if ((m.count > 0) != (truth < pair.margin) && std::fabs(truth - pair.margin) > kBand)
         score.wrong(seed);
     if (m.count == 0 || !(truth < pair.margin)) return;
-    judge_gap(truth - deepest->gap, seed, score);
+    check_joint_gap(truth - deepest->gap, seed, score);
     const Vec n{deepest->normal[0], deepest->normal[1], deepest->normal[2]};
-    judge_normal(claims.nearest, truth, body, n, seed, score);
+    check_normal(claims.nearest, truth, body, n, seed, score);
 }
 
 }  // namespace
 
-GroundScore judge_ground(ShapeKind a, Ground ground, int count, std::uint64_t seed) {
+GroundScore check_ground(ShapeKind a, Ground ground, int count, std::uint64_t seed) {
     GroundScore score;
     for (int i = 0; i < count; ++i) {
         const std::uint64_t s = seed + static_cast<std::uint64_t>(i);
-        judge_ground_pair(random_ground_pair(a, ground, s), s, score);
+        check_ground_pair(random_ground_pair(a, ground, s), s, score);
     }
     return score;
 }

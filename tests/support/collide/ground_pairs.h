@@ -19,7 +19,7 @@ struct GroundScore : Score {
     void wrong(std::uint64_t seed) { ++wrong_verdicts, wrong_pair = seed; }
 };
 
-GroundScore judge_ground(ShapeKind a, Ground ground, int count, std::uint64_t seed);
+GroundScore check_ground(ShapeKind a, Ground ground, int count, std::uint64_t seed);
 /// Return the kinds that touch surfaces.
 std::vector<ShapeKind> ground_kinds();
 std::vector<Ground> grounds();

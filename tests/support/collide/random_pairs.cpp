@@ -195,7 +195,7 @@ Body body_of(const RandomShape& s, const Placement& placed) {
 
 namespace {
 
-void judge_one(const Pair& pair, std::uint64_t seed, Draw draw, Score& score) {
+void check_one(const Pair& pair, std::uint64_t seed, Draw draw, Score& score) {
     const Body a = body_of(pair.a, pair.pa), b = body_of(pair.b, pair.pb);
     const Geometry &ga = pair.a.geometry, &gb = pair.b.geometry;
     Answer truth =
@@ -203,7 +203,7 @@ void judge_one(const Pair& pair, std::uint64_t seed, Draw draw, Score& score) {
     Manifold m;
     collide::collide_function(ga.kind, gb.kind)(ga, pair.pa, gb, pair.pb, pair.margin, m);
     ++score.pairs;
-    ++(truth.gap < 0 ? score.touching : score.apart);
+    ++(truth.gap < 0 ? score.touching : score.separation);
     if (!well_formed(m, pair.margin)) ++score.bad_points;
     const bool expected = truth.gap < pair.margin;
     if (expected != (m.count > 0) && std::fabs(truth.gap - pair.margin) > 1e-6L)
@@ -243,7 +243,7 @@ Score judge(ShapeKind a, ShapeKind b, int count, std::uint64_t seed, Draw draw) 
         draw == Draw::random ? random_pair : (draw == Draw::aligned ? aligned_pair : extreme_pair);
     for (int i = 0; i < count; ++i) {
         const std::uint64_t s = seed + static_cast<std::uint64_t>(i);
-        judge_one(make(a, b, s), s, draw, score);
+        check_one(make(a, b, s), s, draw, score);
     }
     return score;
 }

@@ -29,7 +29,7 @@ RandomShape random_shape(Random& random, ShapeKind kind);
 reference::Body body_of(const RandomShape& shape, const collide::Placement& placed);
 
 struct Score {
-    int pairs = 0, touching = 0, apart = 0, ambiguous = 0;
+    int pairs = 0, touching = 0, separation = 0, ambiguous = 0;
     int wrong_verdicts = 0;                       ///< Wrong results outside a band of 1e-6 m.
     double worst_gap = 0.0, worst_normal = 0.0;   ///< [m], [-].
     std::uint64_t gap_pair = 0, normal_pair = 0;  ///< Seeds of the worst pairs.
