@@ -19,6 +19,7 @@ Faults are inserted into a copy of the work tree, build/mutants/tree, with its o
 each fault, the quick tests of one test folder after another are built and run, nearest first
 (scripts/affected.py). This ends when a test fails, crashes or does not end, or after --limit
 seconds. A fault that does not compile is replaced by the next site of the same folder and kind.
+On a machine with other work, --slack multiplies the time limits.
 
 Results are JSON lines, by default in build/mutants/SEED.jsonl; a later run with the same seed
 continues there. The file tests/equivalent_faults.txt lists faults without effect as "ID reason", at
@@ -353,7 +354,7 @@ def run(command: list[str], deadline: float, watch=lambda line: False, limits=No
     @param watch  Called with each line, and with "" several times a second. True: stop.
     """
     process = subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                               text=True, errors="replace", start_new_session=True,
+                               text=True, errors="replace", process_group=0,
                                preexec_fn=limits, env=ENVIRONMENT)
     lines: queue.Queue[str | None] = queue.Queue()
     threading.Thread(target=lambda: [*map(lines.put, process.stdout), lines.put(None)],
@@ -409,8 +410,9 @@ def refresh() -> str:
 class Builder:
     """Build folder of the copied tree."""
 
-    def __init__(self, jobs: int) -> None:
+    def __init__(self, jobs: int, slack: float) -> None:
         self.jobs = str(jobs)
+        self.slack = slack  # factor of the time limits
         self.seconds: dict[str, float] = {}  # duration of each entry of ctest
 
     def prepare(self) -> None:
@@ -463,7 +465,7 @@ class Builder:
                 if "***" in result and not failed:  # its output follows within a second
                     failed, stop = name, now + 1
             for name, since in started.items():
-                if not failed and now - since > 4 * self.seconds.get(name, 10) + 20:
+                if not failed and now - since > self.slack * (4 * self.seconds.get(name, 10) + 20):
                     failed, stop = f"{name} (endless)", now
             return folder != "" and now >= stop
 
@@ -512,14 +514,14 @@ class Builder:
             path.write_bytes((site.text[:site.begin] + site.new + site.text[site.end:]).encode())
             for folder in self.order(site.folder, records):
                 folders.append(folder)
-                result, test = self.attempt(folder, start + limit)
+                result, test = self.attempt(folder, start + self.slack * limit)
                 if result != "missed":
                     break
         finally:
             path.write_bytes(site.text.encode())
         seconds = time.monotonic() - start
         records.add(site, result, test, folders[-1] if result == "caught" else "", seconds)
-        if seconds > 60:  # otherwise many objects of this fault would count for the next one
+        if seconds > 60 * self.slack:  # many objects have this fault and count for the next one
             self.require("rebuild", *self.build(folders, NEVER))
 
 
@@ -560,6 +562,7 @@ def main() -> int:
     parser.add_argument("--report", type=pathlib.Path, metavar="FILE", help="file for the summary")
     parser.add_argument("--list", action="store_true", help="list the faults, do not test")
     parser.add_argument("--limit", type=float, default=180, help="build and tests of a fault [s]")
+    parser.add_argument("--slack", type=float, default=1, help="factor of time limits")
     parser.add_argument("--only", default="", metavar="ID,...", help="repeat these faults")
     parser.add_argument("--equivalent", type=pathlib.Path, metavar="FILE",
                         default=ROOT / "tests/equivalent_faults.txt", help="faults without effect")
@@ -585,7 +588,7 @@ def main() -> int:
     HOME.mkdir(parents=True, exist_ok=True)
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, signal.default_int_handler)
-    builder, status, done = Builder(options.jobs), 0, 0
+    builder, status, done = Builder(options.jobs, options.slack), 0, 0
     with (HOME / "lock").open("w") as lock:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)

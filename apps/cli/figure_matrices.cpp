@@ -86,7 +86,7 @@ OrderedMatrix order_matrix(const draw::BlockGraph& graph, std::int32_t parts, Or
     return m;
 }
 
-void time_matrices(std::vector<OrderedMatrix*> matrices, int samples, double max_flops) {
+void time_matrices(const std::vector<OrderedMatrix*>& matrices, int samples, double max_flops) {
     std::vector<Job> jobs;
     for (OrderedMatrix* m : matrices) {
         if (!m->missing.empty() || static_cast<double>(m->counts.flops) > max_flops) continue;

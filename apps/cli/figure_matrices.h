@@ -38,6 +38,6 @@ struct OrderedMatrix {
 /// values and factors on one thread, and is measured by processor time. Values are random; times do
 /// not depend on them. A matrix with long times gets fewer samples. @throws std::runtime_error if a
 /// factorisation fails. @param max_flops  Orders that need more are not factored: samples stays 0.
-void time_matrices(std::vector<OrderedMatrix*> matrices, int samples, double max_flops);
+void time_matrices(const std::vector<OrderedMatrix*>& matrices, int samples, double max_flops);
 
 }  // namespace hawser::cli

@@ -97,7 +97,7 @@ void print_groups(const World& world) {
     std::vector<std::int64_t> bodies;
     for (const std::int32_t g : world.groups()) {
         // A user-defined group without a name has no number.
-        const auto k = static_cast<std::size_t>(g + 1);
+        const auto k = static_cast<std::size_t>(g) + 1;
         if (k >= bodies.size()) bodies.resize(k + 1);
         ++bodies[k];
     }

@@ -85,9 +85,12 @@ std::string only(const std::vector<std::string>& files, bool json) {
     std::string out;
     for (const std::string& file : files) {
         if (is_json(file) != json) continue;
-        if (!out.empty())
-            throw std::runtime_error("--control: " + out + " and " + file +
+        if (!out.empty()) {
+            std::string both = out + " and ";
+            both += file;
+            throw std::runtime_error("--control: " + both +
                                      ": give one CSV file and one JSON file at most");
+        }
         out = file;
     }
     return out;

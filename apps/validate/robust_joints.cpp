@@ -134,7 +134,6 @@ void case_long_motions(Report& report) {
         // Each rotates about its own centre so that the joints' points agree.
         const double w0 = i % 2 == 0 ? 12.0 : -12.0;
         rod.angular_velocity = {0, 0, w0};
-        rod.velocity = {0, i % 2 == 0 ? 0.0 : 0.0, 0};
         const BodyId id = chain.add_body(rod);
         if (i > 0)
             chain.add_interaction(joint(chain, InteractionKind::Ball, last, id, {0.8 * i, 0, 0}));
