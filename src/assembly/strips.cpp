@@ -9,11 +9,11 @@
 namespace hawser::assembly {
 namespace {
 
-/// Minimum number of bodies and interactions of a strip. They need some hundred kilobytes, a
+/// Minimum number of bodies and interactions of a row block. They need some hundred kilobytes, a
 /// fraction of the cache of a core, and some twenty microseconds.
 constexpr std::int32_t kBlockWork = 384;
-/// Large scenes with enough strips use longer ones: 6 % less time. The probable cause is
-/// prefetching of longer parts of the forty arrays that a strip reads in turn. It outweighs the
+/// Large scenes with enough row blocks use longer ones: 6 % less time. The probable cause is
+/// prefetching of longer parts of the forty arrays that a row block reads in turn. It outweighs the
 /// data that remain in the cache for the next sweep.
 constexpr std::int32_t kLongBlockWork = 1536, kStrips = 32;
 constexpr std::int32_t kGroup = 128;  ///< Shared bodies per group.
@@ -44,7 +44,7 @@ void RowBlocks::sort_into(const std::vector<std::int32_t>& bucket, std::int32_t 
     each_range(n, of, [&](std::int32_t k, IndexRange r) { ranges[at(cursor_[at(k)]++)] = r; });
 }
 
-/// Sort pools by strip, then by kind.
+/// Sort pools by row block, then by kind.
 void RowBlocks::sort_pools(const model::Interactions& in, std::int32_t strips) {
     auto each = [&](auto&& f) {
         for (std::size_t kind = 0; kind < kInteractionKindCount; ++kind) {
@@ -68,7 +68,7 @@ void RowBlocks::sort_pools(const model::Interactions& in, std::int32_t strips) {
 void RowBlocks::build(std::span<const std::uint8_t> dof, std::span<const std::uint8_t> rests,
                       const model::Interactions& in) {
     const auto body_count = static_cast<std::int32_t>(dof.size());
-    // An interaction belongs to the strip of the last of its bodies that move.
+    // An interaction belongs to the row block of the last of its bodies that move.
     last_.assign(at(in.count()), 0);
     work_.assign(dof.size(), 1);
     for (std::int32_t i = 0; i < in.count(); ++i) {

@@ -7,18 +7,18 @@
 /// interactions. The residual of a row needs the new velocities of its bodies. With separate sweeps
 /// a large scene would be read from memory each time.
 ///
-/// A *strip* is a range of consecutive bodies with the interactions whose last body lies in it.
-/// Bodies without interactions of other strips are own bodies of the strip. Two sweeps become one:
-/// rows of a strip, then its own bodies. The few *shared* bodies (hulls, and two or three of a wire
-/// at each border) are processed after all strips.
+/// A *row block* is a range of consecutive bodies with the interactions whose last body lies in it.
+/// Bodies without interactions of other row blocks are own bodies of the row block. Two sweeps
+/// become one: rows of a row block, then its own bodies. The few *shared* bodies (hulls, and two or
+/// three of a wire at each border) are processed after all row blocks.
 ///
 /// ```
 ///   bodies        0 ······│·······│·······     strips are tasks: no other strip reads the output
 ///   interactions    ─── ──┼── ────┼─ ─────     of a strip before the shared bodies are processed
 ///   shared        S      S S     S S
 /// ```
-/// Strips depend on the scene alone, so that sums merged by strip do not depend on threads. If
-/// bodies are numbered at random, all are shared, and the sweeps are separate again.
+/// Row blocks depend on the scene alone, so that sums merged by row block do not depend on threads.
+/// If bodies are numbered at random, all are shared, and the sweeps are separate again.
 
 #include "model/bodies.h"
 #include "model/interactions.h"

@@ -108,8 +108,8 @@ struct Before {
 struct SolveWork {
     bool rhs_ready = false;  ///< The solver's vector holds the right-hand side of the first solve.
     bool factor_whole = false;                ///< Never in part: for tests, to compare bits.
-    std::vector<assembly::Norms> norms;       ///< One a strip or group, merged in order.
-    std::vector<double> losses;               ///< One a strip, of row_losses().
+    std::vector<assembly::Norms> norms;       ///< One for each row block or group, merged in order.
+    std::vector<double> losses;               ///< One for each row block, of row_losses().
     bool losses_known = false;                ///< True if they belong to the current λ and v₊.
     double step_work = 0.0, step_drag = 0.0;  ///< Work and drag of the current step [J].
     std::int64_t step_flops = 0;              ///< Flops of all factorisations of the step.
@@ -120,7 +120,7 @@ struct SolveWork {
 
 /// Joints completed and closed.
 struct JointWork {
-    std::vector<assembly::Turning> turnings;  ///< One a strip or group.
+    std::vector<assembly::Turning> turnings;  ///< One for each row block or group.
     std::vector<double> closing;              ///< Gaps of rows, a solution.
     std::vector<double> taken;                ///< By row: self-stress, see solve/self_stress.h.
     std::vector<std::pair<std::int32_t, std::int32_t>> edges;  ///< Bodies of each rigid joint.

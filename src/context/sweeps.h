@@ -39,8 +39,8 @@ void each(std::span<const assembly::IndexRange> ranges, F&& f) noexcept {
     for (const assembly::IndexRange& r : ranges) f(r.begin, r.end);
 }
 
-/// Call rows(strip) and then own(begin, end, slot) for the strip's own bodies, strip by strip. Then
-/// call own() for the shared bodies. The last argument of own() is an index in
+/// Call rows(strip) and then own(begin, end, slot) for the row block's own bodies, row block by row
+/// block. Then call own() for the shared bodies. The last argument of own() is an index in
 /// ctx.work.solve.norms; it equals `strip` in the calls that follow rows().
 template <class Rows, class Own>
 void sweep(const Model& model, runtime::Pool& pool, Rows&& rows, Own&& own) noexcept {

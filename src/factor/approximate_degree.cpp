@@ -86,7 +86,7 @@ void ApproximateDegree::run(const Pattern& pattern, std::vector<std::int32_t>& o
         remove(pivot);
         finish(pivot);
         left_ -= weight_[at(pivot)];
-        reserve_more(pivot);
+        compact_if_needed(pivot);
         form_element(pivot);
         measure_elements(pivot);
         shorten_lists(pivot);
@@ -97,7 +97,7 @@ void ApproximateDegree::run(const Pattern& pattern, std::vector<std::int32_t>& o
 }
 
 /// Compact the lists if the element of the pivot might not fit behind them.
-void ApproximateDegree::reserve_more(std::int32_t pivot) noexcept {
+void ApproximateDegree::compact_if_needed(std::int32_t pivot) noexcept {
     std::int64_t most = length_[at(pivot)] - elements_[at(pivot)];
     for (std::int32_t k = 0; k < elements_[at(pivot)]; ++k)
         most += length_[at(lists_[at(start_[at(pivot)] + k)])];

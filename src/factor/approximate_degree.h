@@ -39,7 +39,7 @@ class ApproximateDegree {
     void insert(std::int32_t node) noexcept;
     void remove(std::int32_t node) noexcept;
     void finish(std::int32_t variable) noexcept;
-    void reserve_more(std::int32_t pivot) noexcept;
+    void compact_if_needed(std::int32_t pivot) noexcept;
     void form_element(std::int32_t pivot) noexcept;
     void gather(std::int32_t pivot, std::int32_t list, std::int32_t begin,
                 std::int32_t end) noexcept;

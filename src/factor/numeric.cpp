@@ -8,7 +8,7 @@
 
 namespace hawser::factor {
 
-void SymmetricNumeric::reserve_more(const Symbolic& symbolic, int threads, int sides) {
+void SymmetricNumeric::reserve_buffers(const Symbolic& symbolic, int threads, int sides) {
     const std::int64_t work = work_size(symbolic, threads);
     const auto carried = static_cast<std::int64_t>(symbolic.rows.size());
     // Arrays of a structure that follows a pattern become too small one after another, so they grow

@@ -35,7 +35,7 @@ class SymmetricNumeric {
   public:
     /// Reserve memory for a structure and a number of threads. Memory only grows.
     /// @throws std::bad_alloc.
-    void reserve(const Symbolic& symbolic, int threads) { reserve_more(symbolic, threads, 1); }
+    void reserve(const Symbolic& symbolic, int threads) { reserve_buffers(symbolic, threads, 1); }
 
     /// Zero the panels.
     void clear(const Symbolic& symbolic, base::Executor& executor) noexcept;
@@ -71,7 +71,7 @@ class SymmetricNumeric {
     }
     /// Reserve memory.
     /// @param sides  2: with scratch for unsymmetric fronts.
-    void reserve_more(const Symbolic& symbolic, int threads, int sides);
+    void reserve_buffers(const Symbolic& symbolic, int threads, int sides);
     template <class Batches, class Fronts>
     void run_tasks(const Symbolic& s, TaskPass pass, base::Executor& executor, Batches&& on_batch,
                    Fronts&& on_fronts) noexcept;

@@ -10,7 +10,7 @@
 namespace hawser::factor {
 
 void Numeric::reserve(const Symbolic& s, int threads, bool unsymmetric) {
-    reserve_more(s, threads, unsymmetric ? 2 : 1);
+    reserve_buffers(s, threads, unsymmetric ? 2 : 1);
     make_pieces(s);
     find_stage(s, threads);
     use(s, nullptr);

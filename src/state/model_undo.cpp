@@ -23,7 +23,7 @@ void ModelUndo::keep(const StepContext& ctx) {
     cuts_ = m.cuts;
     wires_ = m.wires;
     parts_ = m.regroup.parts;
-    by_hand_ = m.regroup.by_hand;
+    manual_groups_ = m.regroup.by_hand;
     made_ = m.regroup.made;
     seen_ = m.regroup.seen;
     stale_ = m.regroup.stale;
@@ -63,7 +63,7 @@ void ModelUndo::go_back(StepContext& ctx) noexcept {
     std::swap(m.cuts, cuts_);
     std::swap(m.wires, wires_);
     std::swap(m.regroup.parts, parts_);
-    m.regroup.by_hand.swap(by_hand_);
+    m.regroup.by_hand.swap(manual_groups_);
     m.regroup.made = made_;
     m.regroup.seen = seen_;
     m.regroup.stale = stale_;

@@ -42,7 +42,7 @@ class ModelUndo {
     Cuts cuts_;
     Wires wires_;
     graph::Partition parts_;
-    std::vector<std::int32_t> by_hand_;
+    std::vector<std::int32_t> manual_groups_;
     std::int64_t made_ = 0, seen_ = -1;
     bool stale_ = true;
     std::int32_t grouped_interactions_ = 0;

@@ -87,13 +87,13 @@ Status Systems::begin_step(World& world) noexcept {
     bad = {};
     reported_.clear();
     forget();
-    begun_known_ = false;
+    begun_valid_ = false;
     try {
         keep_states(begun_);
     } catch (const std::bad_alloc&) {
         return Status::out_of_memory;
     }
-    begun_known_ = true;
+    begun_valid_ = true;
     NodeHands hands(*this, world.time());
     NodeEdits nodes(world, hands);
     editing_ = true;
@@ -103,7 +103,7 @@ Status Systems::begin_step(World& world) noexcept {
 }
 
 void Systems::undo_step() noexcept {
-    if (begun_known_) take_states(begun_);
+    if (begun_valid_) take_states(begun_);
     reported_.clear();
     forget();
 }

@@ -185,7 +185,7 @@ class Systems final : public stepper::Actors {
     bool acted_ = false;                  ///< True if systems have acted in the current step.
     bool editing_ = false;                ///< True during begin_step().
     std::vector<std::byte> begun_;        ///< States at the start of the step, …
-    bool begun_known_ = false;            ///< … valid if there was memory for them.
+    bool begun_valid_ = false;            ///< … valid if there was memory for them.
     std::vector<std::byte> kept_;         ///< States before prestep().
     std::vector<InputDoor::Before> set_;  ///< Inputs set by prestep(), in order.
     std::vector<Event> reported_;         ///< Events that systems reported.

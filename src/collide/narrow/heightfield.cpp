@@ -160,7 +160,7 @@ HAWSER_PAIR(convex_heightfield) {
                                          ground.node(i + 1, j).z, ground.node(i + 1, j + 1).z});
             if (top <= lowest) continue;
             for (const bool upper : {false, true}) {
-                reserve_more(points, shape);
+                reduce_if_full(points, shape);
                 touch_triangle(shape, triangle_of(ground, i, j, upper), margin, points, nearest);
             }
         }

@@ -198,7 +198,7 @@ HAWSER_PAIR(convex_mesh) {
             continue;
         }
         for (int t = node.first; t < node.first + node.count; ++t) {
-            reserve_more(points, shape);
+            reduce_if_full(points, shape);
             touch_triangle(shape, triangle_of(seen, t), margin, points, nearest);
         }
     }

@@ -203,7 +203,7 @@ void thin(Points& points, const Convex& shape, int most) {
 
 }  // namespace
 
-void reserve_more(Points& points, const Convex& shape) {
+void reduce_if_full(Points& points, const Convex& shape) {
     // One triangle adds at most twelve points.
     if (points.count <= kMaxPoints - 16) return;
     thin(points, shape, 4);

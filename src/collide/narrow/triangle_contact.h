@@ -59,6 +59,6 @@ void touch_triangle(const Convex& shape, const SurfaceTriangle& surface, double 
 void finish_surface(Points& points, const Placement& surface, const V3& centre, const Convex& shape,
                     Manifold& out);
 /// Reduce each group to at most four points if the buffer is nearly full.
-void reserve_more(Points& points, const Convex& shape);
+void reduce_if_full(Points& points, const Convex& shape);
 
 }  // namespace hawser::collide::narrow
