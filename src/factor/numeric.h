@@ -134,7 +134,7 @@ class Numeric : public SymmetricNumeric {
     /// refactorisation, in the order of elimination. Later wrong pivots on a subtree's path may be
     /// consequences of the first.
     [[nodiscard]] std::span<const std::int32_t> wrong_nodes() const noexcept {
-        return wrong_nodes_;
+        return failed_nodes_;
     }
 
     /// Factor a part again. A front that became unsymmetric or symmetric must be dirty. It is, if
@@ -176,8 +176,8 @@ class Numeric : public SymmetricNumeric {
     base::Array<double> stage_;  ///< A piece of a batch for each thread, if pieces are streamed.
     std::int64_t stage_stride_ = 0;  ///< 0: pieces are not streamed.
     std::vector<Piece> pieces_;
-    std::vector<std::int32_t> task_piece_;   ///< First piece of each node of the graph.
-    std::vector<std::int32_t> wrong_nodes_;  ///< Nodes of wrong pivots in unsymmetric fronts.
+    std::vector<std::int32_t> task_piece_;    ///< First piece of each node of the graph.
+    std::vector<std::int32_t> failed_nodes_;  ///< Nodes of wrong pivots in unsymmetric fronts.
 };
 
 }  // namespace hawser::factor

@@ -19,7 +19,7 @@ void Numeric::reserve(const Symbolic& s, int threads, bool unsymmetric) {
     grow(upper_work_, work_size(s, threads), s.updates_kept);
     grow(kind_, static_cast<std::int64_t>(s.fronts.size()));
     grow(wrong_mark_, s.scalars);
-    wrong_nodes_.reserve(s.order.size());
+    failed_nodes_.reserve(s.order.size());
 }
 
 double Numeric::bytes_for(const Symbolic& s, int threads, bool unsymmetric) noexcept {
@@ -33,7 +33,7 @@ double Numeric::bytes_for(const Symbolic& s, int threads, bool unsymmetric) noex
 }
 
 void Numeric::use(const Symbolic& s, const Unsymmetric* set) noexcept {
-    wrong_nodes_.clear();
+    failed_nodes_.clear();
     unsymmetric_ = set != nullptr && !set->empty();
     if (unsymmetric_) std::copy_n(set->marks().begin(), s.fronts.size(), kind_.begin());
 }
@@ -53,7 +53,7 @@ int Numeric::refactor(const Symbolic& s, const DirtyParts& dirty, base::Executor
 std::size_t Numeric::bytes() const noexcept {
     return SymmetricNumeric::bytes() + base::bytes(stage_) + base::bytes(upper_) +
            base::bytes(upper_work_) + base::bytes(kind_) + base::bytes(wrong_mark_) +
-           base::bytes(wrong_nodes_);
+           base::bytes(failed_nodes_);
 }
 
 void Numeric::copy_front(const Front& front) noexcept {
@@ -117,7 +117,7 @@ int Numeric::find_wrong(const Symbolic& s, int wrong) noexcept {
                              ? wrong_mark_.begin() + s.node_offset[at(s.order[k + 1])]
                              : wrong_mark_.begin() + s.scalars;
         if (std::find(begin, end, 1) == end) continue;
-        wrong_nodes_.push_back(s.order[k]);
+        failed_nodes_.push_back(s.order[k]);
         std::fill(begin, end, std::int8_t{0});
     }
     return wrong;

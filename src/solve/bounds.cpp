@@ -68,14 +68,14 @@ bool pulls_on(const View& v, std::int32_t id) noexcept {
 }
 
 /// Status of a row, and the status that the law requires.
-struct Wish {
+struct SwitchRequest {
     bool was_active, active;
     bool across;       ///< True if it moves from one end of its range to the other.
     double projected;  ///< Its impulse, clamped to the range [N s].
     [[nodiscard]] bool asks() const noexcept { return active != was_active || across; }
 };
-Wish wish_of(const Model& model, const Newton& newton, const View& v, std::size_t i,
-             const BoundedRow& p, const ImpulseRange& range) noexcept {
+SwitchRequest request_of(const Model& model, const Newton& newton, const View& v, std::size_t i,
+                         const BoundedRow& p, const ImpulseRange& range) noexcept {
     const std::int32_t id = model.system.bounded[i];
     const bool was_active = v.active[id] != 0.0;
     // An inactive row first follows its bound. Then the rule decides whether it stays inactive.
@@ -94,7 +94,7 @@ bool stays(const Model& model, const View& v, std::int32_t id, const ImpulseRang
 }
 
 /// Return true if a request to switch a turning point of a run is due to rounding of its tensions.
-bool is_rounding(const Model& model, std::int32_t id, const Wish& wish, double lambda,
+bool is_rounding(const Model& model, std::int32_t id, const SwitchRequest& wish, double lambda,
                  const ImpulseRange& range) noexcept {
     const double way = std::fabs(wish.projected - lambda), width = range.high - range.low;
     // A stop without a finite bound gives no scale.
@@ -255,7 +255,7 @@ std::int32_t switch_bounds(Model& model, Work& work, double floor, std::int32_t 
         if (stays(model, v, id, range)) continue;
         const BoundedRow p = work.newton.row[i];
         double& held = model.interactions.held[at(id)];
-        const Wish wish = wish_of(model, work.newton, v, i, p, range);
+        const SwitchRequest wish = request_of(model, work.newton, v, i, p, range);
         if (wish.active && wish.was_active) continue;
         if (wish.asks() && is_rounding(model, id, wish, p.lambda, range)) continue;
         if (wish.asks()) {
@@ -285,7 +285,7 @@ bool any_asks(const Model& model, const Newton& newton, const View& v) noexcept 
         const ImpulseRange range = impulse_range(model, newton, id);
         if (stays(model, v, id, range)) continue;
         const BoundedRow p = row_now(v, id);
-        const Wish wish = wish_of(model, newton, v, i, p, range);
+        const SwitchRequest wish = request_of(model, newton, v, i, p, range);
         if (wish.asks() && std::fabs(wish.projected - p.lambda) > 0.0 &&
             !is_rounding(model, id, wish, p.lambda, range))
             return true;

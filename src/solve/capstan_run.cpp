@@ -12,7 +12,7 @@ namespace {
 constexpr double kRounding = 2e-15;
 
 /// Write the speed w of a turning point as a linear function of the impulses before and behind it.
-void give_way(RunPoint& p) noexcept {
+void write_speed(RunPoint& p) noexcept {
     if (p.side == 0) {
         const double scale = 1.0 / (1.0 + p.sigma * p.mass);
         p.w0 = scale * (p.hold + p.sigma * p.mass * p.free);
@@ -28,7 +28,7 @@ void give_way(RunPoint& p) noexcept {
 
 /// Solve the tridiagonal system for the impulses λ of all parts, with the present statuses.
 void solve_run(std::size_t n, RunPoint* place, RunPart* part) noexcept {
-    for (std::size_t k = 0; k < n; ++k) give_way(place[k]);
+    for (std::size_t k = 0; k < n; ++k) write_speed(place[k]);
     double above = 0.0, above_right = 0.0;  // of the part before: upper/diagonal, right/diagonal
     for (std::size_t i = 0; i <= n; ++i) {
         RunPart& p = part[i];

@@ -155,7 +155,7 @@ constexpr double kCorrected = 1e-11;
 
 /// Return true if a residual requires a correction: relative for momentum, in their units for rows
 /// [m/s, rad/s].
-bool wants_refinement(const Model& model, const StepStats& stats, const Norms& n) noexcept {
+bool needs_refinement(const Model& model, const StepStats& stats, const Norms& n) noexcept {
     const double good = stats.refinements > 0 ? kCorrected : model.def.solution_tolerance;
     return momentum_residual(model, n) > good || n.constraint > good;
 }
@@ -170,7 +170,7 @@ int max_refinements(const Model& model) noexcept {
 Status finish_solve(Model& model, Work& work, runtime::Pool& pool, const View& v, Norms n,
                     int most) noexcept {
     for (int extra = 0; extra < most; ++extra) {
-        if (!wants_refinement(model, work.stats, n)) break;
+        if (!needs_refinement(model, work.stats, n)) break;
         const Norms before = n;
         over(pool, v.body_count,
              [&](std::int32_t a, std::int32_t b) { assembly::kernels().body_rhs(v, a, b); });
@@ -211,7 +211,7 @@ Status factor_and_solve(StepContext& ctx) noexcept {
     if (ctx.model.completion.any) return report(ctx.model, ctx.work, n);
     if (measured_first) {
         const bool asks =
-            ctx.model.def.refinements > 0 && wants_refinement(ctx.model, ctx.work.stats, n);
+            ctx.model.def.refinements > 0 && needs_refinement(ctx.model, ctx.work.stats, n);
         ctx.state.refine_unasked = !asks ? 0 : asked_once ? kAWhile : kAskedOnce;
     }
     return finish_solve(ctx.model, ctx.work, ctx.pool, v, n,

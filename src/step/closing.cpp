@@ -143,7 +143,7 @@ double move_some(Model& model, JointWork& joints, const View& v, double gap) noe
 /// Close gaps with Jacobians and factors at the poses reached: Newton's method. Each factorisation
 /// is used for more iterations while they reduce the gap by more than 10 %. Light bodies between
 /// heavy ones slow an iteration down by their contribution to Σ.
-void close_anew(StepContext& ctx, const View& v) noexcept {
+void close_again(StepContext& ctx, const View& v) noexcept {
     constexpr int kMaxFactors = 8, kMaxIterationsEach = 8;
     constexpr double kGoesOn = 0.9;
     for (int i = 0; i < kMaxFactors; ++i) {
@@ -178,7 +178,7 @@ void close_joints(StepContext& ctx) noexcept {
     double* const gaps = ctx.work.joints.closing.data();
     read_spring_gaps(ctx.model, ctx.state, gaps);
     ctx.pool.shield(true);  // poses have begun to move
-    if (!(close_with_factor(ctx.model, ctx.work, ctx.pool, v, gap) <= kOpen)) close_anew(ctx, v);
+    if (!(close_with_factor(ctx.model, ctx.work, ctx.pool, v, gap) <= kOpen)) close_again(ctx, v);
     ctx.pool.shield(false);
     judged.closed = height(ctx.model) - before;
     judged.closed_elastic = held_by_closing(ctx.model, ctx.state, gaps);

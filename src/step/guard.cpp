@@ -98,7 +98,7 @@ bool refuse(Model& model, const Before& kept) noexcept {
 
 }  // namespace
 
-void calm_start(Model& model, const Before& kept) noexcept {
+void keep_start_velocities(Model& model, const Before& kept) noexcept {
     if (!on_guard(model)) return;
     Wires& w = model.wires;
     const View v = row_view(model);

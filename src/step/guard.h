@@ -30,6 +30,6 @@ namespace hawser::stepper {
 /// Set the velocities of nodes of fast wires to the given ones after the staggered start, although
 /// these are half a step late. The velocity half a step earlier would come from a trial step, which
 /// does not resolve the axial vibration.
-void calm_start(Model& model, const Before& kept) noexcept;
+void keep_start_velocities(Model& model, const Before& kept) noexcept;
 
 }  // namespace hawser::stepper

@@ -143,7 +143,7 @@ bool wake_islands(StepContext& ctx) noexcept {
 }
 
 /// Analyse the system without sleeping bodies. @throws std::bad_alloc, LimitError.
-void analyse_anew(StepContext& ctx) {
+void reanalyse(StepContext& ctx) {
     const StageTimer timer(ctx, Stage::analyse);
     // An analysis evaluates active limits; the step is to determine and report them.
     const base::Array<double> active = ctx.model.interactions.active;
@@ -172,7 +172,7 @@ Status wake_disturbed(StepContext& ctx) noexcept {
     if (disturbed(ctx.model, ctx.state)) {
         const Status status = guarded(ctx, [&] {
             keep_state(ctx, Undo::Depth::system);
-            if (wake_islands(ctx)) analyse_anew(ctx);
+            if (wake_islands(ctx)) reanalyse(ctx);
         });
         if (status != Status::ok) return status;
     }

@@ -98,7 +98,7 @@ bool slow_springs(Model& model, bool add) noexcept {
     constexpr double kResolvedFraction = 0.25;
     bool any = false;
     for (std::int32_t id = 0; id < interaction_count(model); ++id) {
-        // Wires are treated by calm_start().
+        // Wires are treated by keep_start_velocities().
         if (model.system.rests(id) || v.active[id] == 0.0 || model.wires.wire_of[at(id)] >= 0)
             continue;
         double room[model::kArmBufferSize];
@@ -149,7 +149,7 @@ Status try_stagger(StepContext& ctx) noexcept {
         std::copy(lambda.begin(), lambda.end(), ctx.model.interactions.lambda.begin());
     }
     for (std::int32_t i = 0; i < ctx.model.bodies.dofs; ++i) v.v[i] -= 0.5 * (v.v_new[i] - v.v[i]);
-    calm_start(ctx.model, ctx.work.before);
+    keep_start_velocities(ctx.model, ctx.work.before);
     // The first step determines and reports which lines are slack.
     std::copy(active.begin(), active.end(), ctx.model.interactions.active.begin());
     return Status::ok;

@@ -59,7 +59,7 @@ void Verifier::begin_at(const World& world) {
     const Verification before = result_;
     *this = Verifier(world, checks_);
     sea_ = std::move(sea);
-    sea_.begin_anew();
+    sea_.restart();
     if (before.steps > 0) result_ = before;
 }
 
@@ -153,7 +153,7 @@ void Verifier::before_step(const World& world) {
 std::string Verifier::after_step(const World& world) {
     if (!knows(world)) {
         follow(world);
-        std::string edits = checks_.states ? states_.begin_anew(world) : std::string{};
+        std::string edits = checks_.states ? states_.restart(world) : std::string{};
         result_.states = states_.result();
         seen_ = 1;  // the change of spin is known from the next step on
         impacts_ = world.stats().impacts;

@@ -136,7 +136,7 @@ void StateVerifier::excuse_joints(const World& world, const std::vector<Interact
                                               limit::kOpen.doubtful);
 }
 
-std::string StateVerifier::begin_anew(const World& world) {
+std::string StateVerifier::restart(const World& world) {
     follow(world);
     std::string wrong = check_edits(world);
     for (std::vector<Vec3>* v : {&force_, &torque_, &other_, &other_torque_})

@@ -55,7 +55,7 @@ class StateVerifier {
     [[nodiscard]] std::string after_step(const World& world);
     /// Restart, because the step itself added or removed objects. The next step is treated as the
     /// first. Check the stretch of wires alone. @return as after_step().
-    [[nodiscard]] std::string begin_anew(const World& world);
+    [[nodiscard]] std::string restart(const World& world);
     [[nodiscard]] const StateFigures& result() const noexcept { return result_; }
 
   private:

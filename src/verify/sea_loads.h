@@ -19,7 +19,7 @@ class SeaVerifier {
   public:
     explicit SeaVerifier(const World& world);
     /// Restart after another state was restored: memories of hulls begin with those of the library.
-    void begin_anew() noexcept { past_.clear(); }
+    void restart() noexcept { past_.clear(); }
     /// Read inputs and time of the next step.
     void before_step(const World& world);
     /// Compare the loads of a step.

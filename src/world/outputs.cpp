@@ -164,7 +164,7 @@ OutputId Outputs::add(OutputDef def, int component) {
     std::int32_t place = places_.find_vacant([](std::int32_t) { return true; });
     claim(names_, def.name, place < 0 ? places_.count() : place, "output");
     // No call below throws.
-    wants_energy_ = wants_energy_ || (def.kind == OutputKind::statistic && component >= kGravity);
+    needs_energy_ = needs_energy_ || (def.kind == OutputKind::statistic && component >= kGravity);
     if (place < 0) {
         place = places_.append();
         defs_.emplace_back();
@@ -200,10 +200,10 @@ void Outputs::remove(std::size_t place) noexcept {
     values_[place] = std::numeric_limits<double>::quiet_NaN();
     std::erase(ids_, id(static_cast<std::int32_t>(place)));
     places_.vacate(static_cast<std::int32_t>(place));
-    wants_energy_ = false;
+    needs_energy_ = false;
     for (std::size_t i = 0; i < defs_.size(); ++i)
-        wants_energy_ =
-            wants_energy_ || (defs_[i].kind == OutputKind::statistic && component_[i] >= kGravity);
+        needs_energy_ =
+            needs_energy_ || (defs_[i].kind == OutputKind::statistic && component_[i] >= kGravity);
 }
 
 void Outputs::remove_signals(std::string_view system) noexcept {

@@ -81,7 +81,7 @@ class Outputs {
     /// Clear figures that belong to another state.
     void forget_figures() noexcept { figures_.fill(0.0); }
     /// Return true if an output needs an energy that requires a pass over all interactions.
-    [[nodiscard]] bool wants_energy() const noexcept { return wants_energy_; }
+    [[nodiscard]] bool wants_energy() const noexcept { return needs_energy_; }
     /// Evaluate all outputs.
     /// @param energy  Used if wants_energy().
     void evaluate(const World& world, const stepper::StepContext& ctx, const WireList& wires,
@@ -96,7 +96,7 @@ class Outputs {
     Names names_;
     base::Slots places_;
     std::vector<OutputId> ids_;  ///< Ids of existing outputs, ascending.
-    bool wants_energy_ = false;
+    bool needs_energy_ = false;
 };
 
 /// Check a definition and fill in its component and unit.

@@ -42,7 +42,7 @@ void copy_slots(Placed<Def>& to, const base::Slots& from) {
 
 /// Renew ids with the current generations of their indices.
 template <class Id>
-void name_anew(std::vector<Id>& ids, const base::Slots& slots) noexcept {
+void renew_ids(std::vector<Id>& ids, const base::Slots& slots) noexcept {
     for (Id& id : ids) id = slots.id<Id>(id.index);
 }
 
@@ -114,7 +114,7 @@ void World::Impl::make_bodies(World& self, const Placed<BodyDef>& from) {
     for (const BodyDef& def : from.defs) self.add_body(def);
     for (const std::int32_t b : from.vacant) (void)self.remove_body(BodyId{b});
     ctx.model.bodies.slots.set_generations(from.generations);
-    name_anew(body_ids, ctx.model.bodies.slots);
+    renew_ids(body_ids, ctx.model.bodies.slots);
 }
 
 void World::Impl::make_shapes(World& self, const Structure& from) {
@@ -129,7 +129,7 @@ void World::Impl::make_shapes(World& self, const Structure& from) {
         self.add_shape(is_vacant(from.shapes, s) ? none : from.shapes.defs[s]);
     for (const std::int32_t s : from.shapes.vacant) (void)self.remove_shape(ShapeId{s});
     ctx.model.collider.slots.set_generations(from.shapes.generations);
-    name_anew(shape_ids, ctx.model.collider.slots);
+    renew_ids(shape_ids, ctx.model.collider.slots);
 }
 
 void World::Impl::make_interactions(World& self, const Placed<InteractionDef>& from) {
@@ -147,7 +147,7 @@ void World::Impl::make_interactions(World& self, const Placed<InteractionDef>& f
     }
     for (const std::int32_t i : from.vacant) in.slots.vacate(i);
     in.slots.set_generations(from.generations);
-    name_anew(interaction_ids, in.slots);
+    renew_ids(interaction_ids, in.slots);
     for (const InteractionId id : interaction_ids) {
         const auto& loads = from.defs[at(id.index)].load;
         if (loads[0].interaction.valid() || loads[1].interaction.valid()) {
@@ -190,7 +190,7 @@ void World::Impl::make_inputs(World& self, const Placed<InputDef>& from) {
     }
     for (const std::int32_t k : from.vacant) input_slots.vacate(k);
     input_slots.set_generations(from.generations);
-    name_anew(input_ids, input_slots);
+    renew_ids(input_ids, input_slots);
 }
 
 void World::Impl::make_wires(const Placed<WirePieces>& from) {

@@ -16,33 +16,33 @@
 namespace hawser {
 namespace world {
 
-void Systems::keep_deed(const stepper::StepContext& ctx) {
-    keep_states(deed_.states);
-    deed_.inputs.clear();
+void Systems::keep_action(const stepper::StepContext& ctx) {
+    keep_states(action_.states);
+    action_.inputs.clear();
     for (const InputDoor::Before& before : set_)
-        deed_.inputs.emplace_back(door_.id_of(before.input), before.asked);
-    deed_.reported = reported_;
-    deed_.loads.clear();
+        action_.inputs.emplace_back(door_.id_of(before.input), before.asked);
+    action_.reported = reported_;
+    action_.loads.clear();
     for (const LoadView& load : ctx.state.loads.view()) {
-        Deed::Load& one = deed_.loads.emplace_back();
+        SystemAction::Load& one = action_.loads.emplace_back();
         one.body = load.body;
         for (const auto& part : {load.force, load.mass, load.damping, load.stiffness})
             one.numbers.insert(one.numbers.end(), part.begin(), part.end());
     }
-    deed_.known = true;
+    action_.known = true;
 }
 
 /// Repeat the recorded actions of the systems. Inputs and loads of removed objects are dropped.
-void Systems::repeat_deed(stepper::StepContext& ctx) {
-    take_states(deed_.states);
-    reported_ = deed_.reported;
-    for (const auto& [id, value] : deed_.inputs) {
+void Systems::repeat_action(stepper::StepContext& ctx) {
+    take_states(action_.states);
+    reported_ = action_.reported;
+    for (const auto& [id, value] : action_.inputs) {
         InputDoor::Before before;
         if (door_.set_untold(id, value, before)) set_.push_back(before);
     }
     Loads loads(ctx.state.loads);
     ctx.state.loads.begin_system(0);
-    for (const Deed::Load& load : deed_.loads) {
+    for (const SystemAction::Load& load : action_.loads) {
         if (!ctx.model.bodies.slots.names(load.body)) continue;
         const BodyLoad to = loads.of(load.body);
         const auto n = static_cast<std::size_t>(to.freedom), entries = n * (n + 1) / 2;
@@ -110,7 +110,7 @@ void Systems::undo_step() noexcept {
 
 void Systems::forget() noexcept {
     queue_.clear();
-    deed_.known = false;
+    action_.known = false;
 }
 
 Status Systems::make_edits(World& world) noexcept {

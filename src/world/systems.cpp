@@ -201,8 +201,8 @@ Status Systems::act_all(stepper::StepContext& ctx) {
     drive_ = ctx.state.ledger.drive;
     acted_ = true;
     const Unturned unturned(door_);
-    if (deed_.known) {
-        repeat_deed(ctx);
+    if (action_.known) {
+        repeat_action(ctx);
         return ctx.state.loads.out_of_memory() ? Status::out_of_memory : Status::ok;
     }
     Hands hands(*this, ctx);
@@ -223,7 +223,7 @@ Status Systems::act_all(stepper::StepContext& ctx) {
         return Status::bad_load;
     }
     if (queue_.size() == 0) return Status::ok;
-    keep_deed(ctx);
+    keep_action(ctx);
     return Status::bad_edit;
 }
 

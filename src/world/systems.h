@@ -120,7 +120,7 @@ class Systems final : public stepper::Actors {
     }
     /// True if the step has ended and been undone because systems requested edits. They are made
     /// next, and the step is repeated with the recorded actions of the systems.
-    [[nodiscard]] bool wants_edits() const noexcept { return queue_.size() > 0 && deed_.known; }
+    [[nodiscard]] bool wants_edits() const noexcept { return queue_.size() > 0 && action_.known; }
     /// Make the requested edits.
     /// @return the fault, also in BadLoad; Status::ok if all are made.
     Status make_edits(World& world) noexcept;
@@ -159,7 +159,7 @@ class Systems final : public stepper::Actors {
     class Hands;
     class NodeHands;
     /// Recorded actions of systems in a step that ended for their edits, to be repeated.
-    struct Deed {
+    struct SystemAction {
         struct Load {
             BodyId body;
             std::vector<double> numbers;  ///< f, A, D, K.
@@ -174,8 +174,8 @@ class Systems final : public stepper::Actors {
     Status act_all(stepper::StepContext& ctx);
     void keep_states(std::vector<std::byte>& to) const;
     void take_states(const std::vector<std::byte>& from) const;
-    void keep_deed(const stepper::StepContext& ctx);
-    void repeat_deed(stepper::StepContext& ctx);
+    void keep_action(const stepper::StepContext& ctx);
+    void repeat_action(stepper::StepContext& ctx);
 
     InputDoor& door_;
     const World* world_ = nullptr;
@@ -192,7 +192,7 @@ class Systems final : public stepper::Actors {
     bool untold_ = false;                 ///< True if there was no capacity for an event.
     double drive_ = 0.0;                  ///< Ledger::drive before prestep().
     QueuedEdits queue_;
-    Deed deed_;
+    SystemAction action_;
     std::string edit_fault_;  ///< BadLoad::reason of an edit.
 };
 

@@ -205,13 +205,13 @@ TEST(LiveExercise, a_scene_has_no_faults) {
 }
 
 /// An action and its step, with and without a page.
-struct Deed {
+struct SystemAction {
     std::int64_t step;
     json message;
     const char* by;
 };
 
-std::vector<Deed> half_a_minute(int load) {
+std::vector<SystemAction> half_a_minute(int load) {
     const json drag = {{"type", "drag"}, {"body", load}, {"target", {2, 12, 7}}};
     return {{0, {{"type", "save"}, {"name", "first"}}, "instructor"},
             {10, set("hoist.speed", -0.8), "winch"},
@@ -239,28 +239,28 @@ class Headless {
             ASSERT_EQ(own_.run->step(), Status::ok);
         }
     }
-    void perform(const Deed& deed) {
+    void perform(const SystemAction& action) {
         World& world = own_.session->world();
-        const std::string type = deed.message["type"];
-        const std::string name = deed.message.value("name", "");
+        const std::string type = action.message["type"];
+        const std::string name = action.message.value("name", "");
         if (type == "set") {
-            own_.run->set_input(deed.by, deed.message["input"].get<std::string>(),
-                                deed.message["value"]);
+            own_.run->set_input(action.by, action.message["input"].get<std::string>(),
+                                action.message["value"]);
         } else if (type == "drag") {
-            const auto at = deed.message["target"].get<std::vector<double>>();
+            const auto at = action.message["target"].get<std::vector<double>>();
             for (const BodyId id : world.bodies())
-                if (id.index == deed.message["body"].get<int>())
+                if (id.index == action.message["body"].get<int>())
                     drags_.begin(world, 1, id, Vec3::Zero(), Vec3(at.data()), 0.0);
         } else if (type == "release") {
             drags_.end(world, 1);
         } else if (type == "part") {
-            const WireId wire = world.find_wire(deed.message["wire"].get<std::string>());
-            world.part(wire, deed.message["s"].get<double>() * world.length(wire));
+            const WireId wire = world.find_wire(action.message["wire"].get<std::string>());
+            world.part(wire, action.message["s"].get<double>() * world.length(wire));
         } else if (type == "fault") {
-            if (deed.message["active"])
-                own_.run->trigger(deed.by, name);
+            if (action.message["active"])
+                own_.run->trigger(action.by, name);
             else
-                own_.run->clear(deed.by, name);
+                own_.run->clear(action.by, name);
         } else if (type == "save") {
             keep(name);
         } else if (type == "restore") {
@@ -294,7 +294,7 @@ TEST(LiveExercise, page_headless_run_and_replay_have_the_same_score) {
     std::string page, by_page;
     std::uint64_t hash = 0;
     int load = -1;
-    std::vector<Deed> deeds;
+    std::vector<SystemAction> actions;
     {
         ShownExercise shown(yard, text, file);
         std::map<std::string, std::unique_ptr<Hearer>> who;
@@ -303,7 +303,7 @@ TEST(LiveExercise, page_headless_run_and_replay_have_the_same_score) {
         Hearer& instructor = *who["instructor"];
         for (const auto& body : instructor.last["scene"]["bodies"])
             if (body["name"] == "load") load = body["id"].get<int>();
-        deeds = half_a_minute(load);
+        actions = half_a_minute(load);
         instructor.tell({{"type", "rate"}, {"value", 10}});
         std::int64_t now = 0;
         const auto go_to = [&](std::int64_t to) {
@@ -311,10 +311,10 @@ TEST(LiveExercise, page_headless_run_and_replay_have_the_same_score) {
                 instructor.steps(static_cast<int>(std::min<std::int64_t>(1000, to - now)),
                                  now + std::min<std::int64_t>(1000, to - now));
         };
-        for (const Deed& deed : deeds) {
-            go_to(deed.step);
-            who[deed.by]->tell(deed.message);
-            if (deed.message["type"] == "restore") {
+        for (const SystemAction& action : actions) {
+            go_to(action.step);
+            who[action.by]->tell(action.message);
+            if (action.message["type"] == "restore") {
                 now = 70;
                 instructor.hear([&] { return instructor.frame.step == now; });
             }
@@ -342,9 +342,9 @@ TEST(LiveExercise, page_headless_run_and_replay_have_the_same_score) {
     {
         Running own(yard.load(text));
         Headless headless(own);
-        for (const Deed& deed : deeds) {
-            headless.to(deed.step);
-            headless.perform(deed);
+        for (const SystemAction& action : actions) {
+            headless.to(action.step);
+            headless.perform(action);
         }
         headless.to(kEnd);
         EXPECT_EQ(exercise::to_json(own.run->result()), page);
