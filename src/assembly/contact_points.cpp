@@ -121,13 +121,13 @@ double slot_mobility(const model::Bodies& b, const ContactSlot& s) {
 V3 hold(const ContactRow& row, const model::Bodies& bodies, const V3& n, const V3& p,
         ContactMemory& m) {
     V3 gap_t{0, 0, 0};
-    bool anew = m.body[0][0] < 0;
-    if (!anew) {
+    bool renewed = m.body[0][0] < 0;
+    if (!renewed) {
         const V3 a0 = anchor_point(bodies, m, 0), a1 = anchor_point(bodies, m, 1);
-        anew = norm(tangential(0.5 * (a0 + a1) - p, n)) > kWander;
-        gap_t = tangential(anew ? load3(m.rolled) : a1 - a0, n);
+        renewed = norm(tangential(0.5 * (a0 + a1) - p, n)) > kWander;
+        gap_t = tangential(renewed ? load3(m.rolled) : a1 - a0, n);
     }
-    if (anew) {
+    if (renewed) {
         take_sides(row, m);
         set_anchor(bodies, m, 0, p);
         set_anchor(bodies, m, 1, p + gap_t);

@@ -114,19 +114,19 @@ void Resistances::recall_turn(std::size_t index, std::int32_t previous, const Co
     const M3 frame = load9(&bodies.r[9 * at(side0)]);
     const Q between = conjugate(load4(&bodies.q[4 * at(side0)])) * load4(&bodies.q[4 * at(side1)]);
     V3 g = load3(m.turned);
-    if (m.anew == 0) {
+    if (m.renewed == 0) {
         const Q since = between * conjugate(load4(m.reference));
         const bool far = norm(since.v) > 0.5 * kTurned * std::fabs(since.w);
         if (far)
-            m.anew = 1;
+            m.renewed = 1;
         else
             g = frame * ((2.0 / since.w) * since.v);
     }
-    if (m.anew != 0) {
+    if (m.renewed != 0) {
         const Q reference = conjugate(turn_by(tmul(frame, g))) * between;
         m.reference[0] = reference.w;
         store3(m.reference + 1, reference.v);
-        m.anew = 0;
+        m.renewed = 0;
     }
     store3(rows[index].gap, load9(contact.axis) * g);
 }
@@ -176,7 +176,7 @@ void Resistances::remember(const base::Array<ContactRow>& contacts, double h) no
                 g[i] = row.gap[i] + h * a.u[i];
                 continue;
             }
-            m.anew = 1;
+            m.renewed = 1;
             if (touch[i] == Touch::slip) g[i] = -row.epsilon / h * a.lambda[i];
         }
         store3(m.turned, tmul(e, V3{g[0], g[1], g[2]}));

@@ -29,7 +29,7 @@ namespace hawser::assembly {
 /// State of a resistance that is kept between steps. Plain data: part of the state.
 struct ResistanceMemory {
     std::int32_t contact;  ///< Index of the contact in the set of its step; ascending.
-    std::int32_t anew;     ///< 1: the reference is reset, with g from `turned`.
+    std::int32_t renewed;  ///< 1: the reference is reset, with g from `turned`.
     double reference[4];   ///< q₀* q₁ at g = 0.
     double turned[3];      ///< g from the velocities, world axes [rad].
     double lambda[3];      ///< Impulse of the last step, world axes [N m s].

@@ -63,7 +63,7 @@ bool read_elements(const Model& model, Newton& newton, const View& v, std::int32
         e.id = model.system.bounded[at(e.index)];
         e.sigma = v.sigma[v.row_begin[e.id]];
         e.mobility = model.system.bounded_mobility[at(e.index)];
-        if (!(e.sigma > 0.0) || model.wires.gives_way(e.id)) return false;
+        if (!(e.sigma > 0.0) || model.wires.is_replaced(e.id)) return false;
         e.from = e.to = newton.row[at(e.index)];
         e.active = v.active[e.id] != 0.0 && v.parted[e.id] == 0;
         std::fill_n(&e.g[0][0], 6, 0.0);

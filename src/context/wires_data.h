@@ -56,7 +56,7 @@ struct Wires {
     bool stale = false;      ///< True if alerts of elements lag behind those of wires.
 
     [[nodiscard]] std::size_t count() const noexcept { return energy_allowance.size(); }
-    [[nodiscard]] bool gives_way(std::int32_t id) const noexcept {
+    [[nodiscard]] bool is_replaced(std::int32_t id) const noexcept {
         return replacing && replaced[static_cast<std::size_t>(id)] != 0;
     }
 };

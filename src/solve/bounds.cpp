@@ -89,7 +89,7 @@ SwitchRequest request_of(const Model& model, const Newton& newton, const View& v
 }
 /// Return true for rows that never switch: broken or replaced rows, and ranges with equal ends.
 bool stays(const Model& model, const View& v, std::int32_t id, const ImpulseRange& range) noexcept {
-    return v.parted[id] || model.wires.gives_way(id) ||
+    return v.parted[id] || model.wires.is_replaced(id) ||
            ((v.flags[id] & model::kRange) && range.low == range.high);
 }
 
@@ -296,7 +296,7 @@ bool any_asks(const Model& model, const Newton& newton, const View& v) noexcept 
 void show_held(Model& model) noexcept {
     const View v = row_view(model);
     for (const std::int32_t id : model.system.bounded) {
-        if (v.active[id] != 0.0 || v.parted[id] || model.wires.gives_way(id)) continue;
+        if (v.active[id] != 0.0 || v.parted[id] || model.wires.is_replaced(id)) continue;
         double& lambda = v.lambda[v.row_begin[id]];
         if (lambda != v.held[id]) lambda = v.held[id];
     }

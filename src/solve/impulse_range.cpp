@@ -73,7 +73,7 @@ double power_excess(const Model& model, const Newton& newton, std::int32_t id) n
 ImpulseRange impulse_range(const Model& model, const Newton& newton, std::int32_t id) noexcept {
     const model::Interactions& in = model.interactions;
     const int flags = in.flags[at(id)];
-    if (in.parted[at(id)] || model.wires.gives_way(id)) return {0.0, 0.0};
+    if (in.parted[at(id)] || model.wires.is_replaced(id)) return {0.0, 0.0};
     if (flags & model::kRange) {
         constexpr double kAll = model::kUnbounded;
         const double g = in.g[at(in.row_begin[at(id)])];

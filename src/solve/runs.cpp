@@ -67,7 +67,7 @@ void read_part(const Model& model, const View& v, std::int32_t id, std::int32_t 
     p.pulls = v.active[id] != 0.0;
     // A broken or replaced part never pulls again.
     p.one_sided =
-        (v.flags[id] & model::kOneSided) != 0 && v.parted[id] == 0 && !model.wires.gives_way(id);
+        (v.flags[id] & model::kOneSided) != 0 && v.parted[id] == 0 && !model.wires.is_replaced(id);
     p.lambda = p.pulls ? v.lambda[p.row] : 0.0;
     double speed = 0.0, mobility = 0.0;
     const double* jac = v.jacobian + v.jac_begin[id];

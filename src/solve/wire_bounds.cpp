@@ -179,7 +179,7 @@ void read_chain(Model& model, Newton& newton, const View& v, std::int32_t begin,
         row.residual = newton.row[at(index)].r;
         row.start = -newton.row[at(index)].lambda;
         row.active = v.active[id] != 0.0;
-        row.fixed = v.parted[id] != 0 || model.wires.gives_way(id) || model.system.rests(id);
+        row.fixed = v.parted[id] != 0 || model.wires.is_replaced(id) || model.system.rests(id);
     }
 }
 

@@ -159,9 +159,10 @@ void check_resistances(const SavedState& s) {
         if (m.contact <= before || at(m.contact) >= s.model.collider.contacts.size())
             refuse_state("a resistance is of a contact that there is not" + entry(i));
         before = m.contact;
-        if (m.anew != 0 && m.anew != 1) refuse_state("a resistance has no such flag" + entry(i));
+        if (m.renewed != 0 && m.renewed != 1)
+            refuse_state("a resistance has no such flag" + entry(i));
         numbers(m.reference, "the reference of a resistance", 2.0);
-        if (m.anew == 0 && !unit(m.reference, kUnit))
+        if (m.renewed == 0 && !unit(m.reference, kUnit))
             refuse_state("the reference of a resistance is no rotation" + entry(i));
         numbers(m.turned, "the turn of a resistance", kFar);
         numbers(m.lambda, "the impulse of a resistance", kHuge);
