@@ -13,13 +13,13 @@
 /// failed step pauses the run, with a message about the time, the cause and the remedy.
 
 #include "live/drag.h"
+#include "live/event_reports.h"
 #include "live/frame_plan.h"
 #include "live/frame_writer.h"
 #include "live/hub.h"
 #include "live/lesson.h"
 #include "live/outbox.h"
 #include "live/playing.h"
-#include "live/told.h"
 
 #include <hawser/session.h>
 #include <hawser/structure.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "live/player.h"
 
+#include "live/event_reports.h"
 #include "live/scene_text.h"
-#include "live/told.h"
 #include "record/commands.h"
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "live/told.h"
+#include "live/event_reports.h"
 
 #include <gtest/gtest.h>
 

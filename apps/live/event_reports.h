@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// @file told.h
+/// @file event_reports.h
 /// Report the events of a step, and the cause of a failed step, to clients.
 
 #include "live/outbox.h"
