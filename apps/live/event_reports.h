@@ -16,7 +16,7 @@ namespace hawser::live {
 /// of `slack` and `taut`; the others are counted.
 void send_events(const World& world, std::span<const Event> events, Outbox& out);
 
-/// Return an event in words, such as "work1/s3 (work1 at 12.5 m) parted at 3.4 MN".
+/// Return an event in words, such as "work1/s3 (work1 at 12.5 m) broke at 3.4 MN".
 [[nodiscard]] std::string event_words(const std::string& where, EventKind kind, double value);
 
 /// Cause of the last step's failure, its source and the remedy.

@@ -10,7 +10,7 @@
 
 namespace hawser::record {
 
-/// Return a sentence such as "joint 'l' stood open by 1.2 m at 0.4 s". @param where  Joint, element
+/// Return a sentence such as "joint 'l' was open by 1.2 m at 0.4 s". @param where  Joint, element
 /// or body; "": the whole scene.
 [[nodiscard]] std::string sentence(const World& world, Judge judge, const Finding& finding,
                                    const std::string& where);
