@@ -9,7 +9,7 @@
 namespace hawser::bench::split {
 namespace {
 
-/// Make a world with cut interactions stiffer by a factor, in the same state.
+/// Return a world in the same state in which the cut interactions are stiffer by a factor.
 World stiffened(const World& from, const std::vector<InteractionId>& cuts, double factor,
                 const std::vector<Coupling>& coupling) {
     World out(from.settings());

@@ -15,12 +15,12 @@ namespace hawser::cli {
 /// their brakes. @throws DefError if a system cannot be cloned.
 [[nodiscard]] World still_world(const World& from);
 
-/// Return such a world with drag on every body, which alone would stop it within `stop_time` [s].
-/// Drag is implicit in the step and does not change the equilibrium, which has no motion. Scaling
-/// or zeroing velocities between steps instead would make stiff rows unstable. The scheme keeps
-/// half of their force in the velocity of the previous step. Contacts lose their stored friction
-/// forces, so that a scene settles to a state with little friction. Without systems no element
-/// breaks. With systems one may, and an event reports it. @throws DefError
+/// Return a world with the same definitions and drag on every body. Drag alone would stop it within
+/// `stop_time` [s]. Drag is implicit in the step and does not change the equilibrium, which has no
+/// motion. Scaling or zeroing velocities between steps instead would make stiff rows unstable. The
+/// scheme keeps half of their force in the velocity of the previous step. Contacts lose their
+/// stored friction forces, so that a scene settles to a state with little friction. Without systems
+/// no element breaks. With systems one may, and an event reports it. @throws DefError
 [[nodiscard]] World with_drag(const World& still, double stop_time);
 
 }  // namespace hawser::cli

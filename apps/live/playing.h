@@ -58,7 +58,8 @@ class Playing {
         pace_.begin();
     }
 
-    /// Record a step of this length [s], also a failed one. The next step is due after it.
+    /// Record that a step was taken, also a failed one. The next step is due after it. @param step
+    /// Its length [s].
     void took(double step) noexcept { pace_.took(step, rate_); }
     /// Count a requested single step. @return true if it was the last one.
     bool count_step() noexcept {

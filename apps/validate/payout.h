@@ -65,7 +65,8 @@ struct Changes {
     double at_edits = 0.0;   ///< … and within half a second of one.
     double tension = 0.0;    ///< Largest [N].
 };
-/// Compute the changes. @param edits  Steps after which nodes were added or removed, ascending.
+/// Return the largest changes of a tension per step, near edits and elsewhere. @param edits  Steps
+/// after which nodes were added or removed, ascending.
 inline Changes changes_of(const std::vector<double>& pull, const std::vector<std::size_t>& edits) {
     Changes r;
     std::size_t next = 0;

@@ -55,7 +55,7 @@ void advance(World& world, long steps);
 /// Return the times at which a signal crosses zero upwards [s]. It is sampled every `step` from
 /// time 0. Interpolation is cubic, so that the error is of fourth order in the step.
 [[nodiscard]] std::vector<double> upward_zeros(std::span<const double> signal, double step);
-/// Interpolate a signal in the same way. @param at In steps.
+/// Interpolate a signal by a cubic. @param at  Time, in steps.
 [[nodiscard]] double interpolate(std::span<const double> signal, double at);
 
 /// Counts the rotation about a fixed axis beyond ±π.

@@ -20,7 +20,7 @@ struct NamedDpShip {
 /// Return true if a file has the data of one ship by itself: an object without "bodies" whose key
 /// "dp_capability" is an object. @throws SceneError if it cannot be read.
 [[nodiscard]] bool is_dp_ship_file(const std::filesystem::path& file);
-/// Read such a file: {"name": NAME, "dp_capability": {…}}. @throws SceneError.
+/// Read a file with the data of one ship: {"name": NAME, "dp_capability": {…}}. @throws SceneError
 [[nodiscard]] NamedDpShip load_dp_ship(const std::filesystem::path& file);
 
 }  // namespace hawser::scene

@@ -62,7 +62,8 @@ struct BodyLoad {
     double* damping = nullptr;    ///< D [N s/m, N s, N m s], as many.
     double* stiffness = nullptr;  ///< K [N/m, N, N m], as many.
 };
-/// Return the index of entry (row, column), column ≤ row, of such a matrix.
+/// Return the index of entry (row, column), column ≤ row, of a symmetric matrix stored by rows of
+/// its lower triangle.
 [[nodiscard]] constexpr int triangle(int row, int column) noexcept {
     return row * (row + 1) / 2 + column;
 }
@@ -332,8 +333,8 @@ class System {
     [[nodiscard]] virtual std::string_view name() const noexcept = 0;
     /// Apply loads, inputs and edits in a step. Allocate nothing after warm-up.
     virtual void prestep(Prestep& now, Loads& loads) noexcept = 0;
-    /// Insert and remove nodes before a step begins, in the same order; prestep() of all systems
-    /// follows.
+    /// Insert and remove nodes before a step begins. Systems are called in the order of prestep(),
+    /// which follows.
     virtual void before_step(NodeEdits& nodes) noexcept { static_cast<void>(nodes); }
     /// Visit all values that later steps depend on, in a fixed order and number. They are saved,
     /// restored, hashed, copied to twins, and undone if a step fails.

@@ -53,8 +53,8 @@ class OpHistory {
     void done() noexcept { known_ = true; }
     /// Report that the list is about to be changed in place.
     void forget() noexcept { known_ = false; }
-    /// Report that the list was changed, with these numbers of contact blocks. @throws
-    /// std::bad_alloc.
+    /// Report that the list was changed, with the new numbers of contact blocks. @throws
+    /// std::bad_alloc
     void renumber_blocks(std::span<const ContactBlock> blocks);
     /// Return the step of the last list that corresponds to a step of a batch; −1 if there is none.
     [[nodiscard]] std::int32_t step_before(std::int32_t step) const noexcept {
@@ -64,11 +64,12 @@ class OpHistory {
         return std::count_if(step_before_.begin(), step_before_.end(),
                              [](std::int32_t step) { return step >= 0; });
     }
-    /// Return the displacement of the panel of such a step.
+    /// Return the displacement of the panel of a step since the last list.
     [[nodiscard]] std::int64_t moved(std::int32_t step) const noexcept {
         return moved_[static_cast<std::size_t>(step)];
     }
-    /// Convert an op of such a step from the last list to the next one.
+    /// Convert an op of the last list to the present list. @param moved  Result of moved() for its
+    /// step.
     void carry(std::int64_t moved, Op& op) const noexcept;
     void carry(std::int64_t moved, LaneOp& op) const noexcept;
     [[nodiscard]] std::size_t bytes() const noexcept;

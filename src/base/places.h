@@ -56,7 +56,7 @@ class Slots {
         const auto found = std::find_if(vacant_.begin(), vacant_.end(), fits);
         return found == vacant_.end() ? -1 : *found;
     }
-    /// Occupy a vacant slot again.
+    /// Occupy a vacant slot.
     void take(std::int32_t place) noexcept {
         vacant_.erase(std::lower_bound(vacant_.begin(), vacant_.end(), place));
     }

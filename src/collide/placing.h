@@ -42,7 +42,8 @@ struct Motion {
 };
 [[nodiscard]] Motion motion_of(const model::Bodies& bodies, std::int32_t body) noexcept;
 
-/// Return Shape::held of a shape with these bodies and this point.
+/// Return Shape::held of a shape: the end of its segment that a body holds, 0 or 1; −1 if there is
+/// none.
 [[nodiscard]] std::int32_t held_end(const Shape& shape, const model::Bodies& bodies) noexcept;
 
 /// A shape in one step.

@@ -12,8 +12,8 @@ namespace hawser::stepper {
 /// @param first  True: all blocks.
 void adopt_laws(Model& model, const Newton& newton, runtime::Pool& pool, bool first) noexcept;
 
-/// Adopt the laws of contacts that differ by much from those in the matrix. Other contacts keep S;
-/// their p follows, so that the impulse at the iterate is that of the new law.
+/// Adopt the new laws of contacts if they differ by much from the laws in the matrix. Other
+/// contacts keep S; their p follows, so that the impulse at the iterate is that of the new law.
 void adopt_far_laws(Model& model, const Newton& newton, runtime::Pool& pool) noexcept;
 
 /// Keep v₊, λ, and u, λ of the contacts, to come back to.

@@ -53,7 +53,8 @@ struct NodeChain {
 
 [[nodiscard]] NodeChain chain_about(const StepContext& ctx, const NodeSurroundings& place) noexcept;
 
-/// Return the same material without the node: the piece before it extends to the next node.
+/// Return the chain with the same material without the node: the piece before it extends to the
+/// next node.
 [[nodiscard]] NodeChain without_node(const NodeChain& chain) noexcept;
 
 /// Return kinetic and elastic energy [J].

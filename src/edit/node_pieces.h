@@ -21,7 +21,8 @@ struct NodeLinks {
 /// Return the bend with a body in its middle and another one on a given side; −1: none.
 [[nodiscard]] std::int32_t bend_at(const StepContext& ctx, std::int32_t middle, std::int32_t other,
                                    std::size_t side) noexcept;
-/// Return the bend of these bodies with the lowest index above `after`, −1: none.
+/// Return the bend between the given bodies with the lowest index above `after`; −1 if there is
+/// none.
 [[nodiscard]] std::int32_t next_bend(const StepContext& ctx, std::span<const std::int32_t> bodies,
                                      std::int32_t after) noexcept;
 

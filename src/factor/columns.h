@@ -56,7 +56,7 @@ class Columns {
         const auto n = static_cast<std::size_t>(node);
         return {pool_.data() + begin_[n], static_cast<std::size_t>(count_[n])};
     }
-    /// Return the number of scalar rows of these nodes.
+    /// Return the number of scalar rows below the diagonal block of a node.
     [[nodiscard]] std::int32_t below(std::int32_t node) const noexcept {
         return below_[static_cast<std::size_t>(node)];
     }

@@ -48,7 +48,7 @@ double integral(const F& f, double a, double b, int pieces) noexcept {
     return sum * h / 3.0;
 }
 
-/// Build the table of wave_sums.h for these components, padded to a multiple of eight columns.
+/// Build the table of wave_sums.h for wave components, padded to a multiple of eight columns.
 [[nodiscard]] base::Array<double> wave_table(std::span<const WaveComponent> waves, double depth);
 
 }  // namespace hawser::marine

@@ -268,10 +268,10 @@ struct Interactions {
     /// whole turns [rad].
     [[nodiscard]] std::array<double, 2> wheel_angles(int id,
                                                      const Bodies& bodies_in) const noexcept;
-    /// Return these angles with the whole turns [rad].
+    /// Return the angles of wheel_angles() including whole turns [rad].
     [[nodiscard]] std::array<double, 2> wrapped(int id, const Bodies& bodies_in) const noexcept;
-    /// Count the whole turns of these angles. @param before  wheel_angles() before bodies moved or
-    /// were replaced, by less than half a turn.
+    /// Count the whole turns of the angles of wheel_angles(). @param before  Angles before bodies
+    /// moved or were replaced, by less than half a turn.
     void follow_turns(int id, const std::array<double, 2>& before,
                       const Bodies& bodies_in) noexcept;
     /// Return the coordinate of the hinge, slider or scalar body that the interaction holds,

@@ -190,7 +190,7 @@ class Description {
     /// Return the bits of the groups named by a word or a list of words. A new name makes a new
     /// group.
     std::uint32_t groups(const Json& names, const Place& place);
-    /// Return the bits of the groups that a shape touches, given in the same way. check_groups()
+    /// Return the bits of the groups that a shape touches, from a list of names. check_groups()
     /// rejects names that no shape has.
     std::uint32_t touched(const Json& names, const Place& place);
     void check_groups() const;

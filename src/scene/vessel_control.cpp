@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kControlDegree = std::numbers::pi / 180.0;
 
-/// Return the name if the vessel has such a propulsor. @throws SceneError.
+/// Return a name if the vessel has a propulsor with this name. @throws SceneError
 std::string propulsor_name(const Json& json, const std::vector<PropulsorDef>& propulsors,
                            const Place& place) {
     const std::string name = json.get<std::string>();

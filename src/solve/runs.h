@@ -33,7 +33,7 @@ void note_runs(Model& model) noexcept;
 /// @param friction  Friction of one of its turning points.
 [[nodiscard]] double largest_in_run(const Model& model, std::int32_t friction) noexcept;
 
-/// Set the statuses of runs from their own problem, after rows were switched.
+/// Set the statuses of runs from a solution of each run by itself, after rows were switched.
 void settle_runs(Model& model, Newton& newton) noexcept;
 
 }  // namespace hawser::stepper

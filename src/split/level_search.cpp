@@ -34,7 +34,7 @@ std::vector<double> interface_weights(Model& model) {
     return weight;
 }
 
-/// Return the work of the matrix if these interfaces are cut.
+/// Return the work of the matrix if the given interfaces are cut [flops].
 double analysed_work(StepContext& ctx, std::uint64_t interfaces) {
     keep_state(ctx, Undo::Depth::system);
     assembly::System beside;

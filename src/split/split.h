@@ -79,7 +79,7 @@ void part_all(Model& model, std::int32_t id) noexcept;
 /// Return the interfaces that have a cut of Coupling::deadline in force.
 [[nodiscard]] std::uint64_t open_interfaces(const Model& model) noexcept;
 
-/// Leave out of a second system the interactions that would be cut if these interfaces were
+/// Leave out of a second system the interactions that would be cut if the given interfaces were
 /// requested. The cuts of the world are restored afterwards.
 void leave_out(Model& model, std::uint64_t interfaces, assembly::System& beside);
 

@@ -29,7 +29,8 @@ struct Wrenches {
     bool known = true;
 };
 
-/// Return the wrenches of the rows with these forces [N or N m].
+/// Return the wrenches that forces of the rows exert on the bodies. @param force  By row [N or N
+/// m].
 [[nodiscard]] Wrenches row_wrenches(const World& world, InteractionId id,
                                     std::span<const Pose> pose, std::span<const double> force);
 

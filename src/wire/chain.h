@@ -41,7 +41,7 @@ struct WetHalves {
 /// Sum the weights of half elements at the nodes, less the buoyancy of their wet fractions.
 /// @return the largest change of a weight [N].
 double weigh_nodes(Chain& chain, const WetHalves& wet);
-/// Return the same chain counted from its last end.
+/// Return the chain in reversed order, counted from its last end.
 [[nodiscard]] Chain reversed(const Chain& chain);
 
 /// Return the rounding error of the sums of its chords for ends at this distance [m].
@@ -64,8 +64,8 @@ struct Pulled {
 };
 [[nodiscard]] Pulled pulled(double length, double compliance, double h, double v) noexcept;
 
-/// Return a polyline of these lengths from the origin to (chord, 0) as an arc of constant curvature
-/// towards positive y. If it cannot close, the elements are shortened.
+/// Return a polyline with given element lengths from the origin to (chord, 0), as an arc of
+/// constant curvature towards positive y. If it cannot close, the elements are shortened.
 [[nodiscard]] std::vector<Vec3> arc(std::span<const double> lengths, double chord);
 
 }  // namespace hawser::wire

@@ -104,7 +104,7 @@ class GuideSystem final : public System {
     }
     /// Return true if a side is nearly used up and still running out.
     [[nodiscard]] bool nearly_used_up(const World& world, std::size_t side) const noexcept;
-    /// Release a wire that ends where it runs out.
+    /// Release a wire from the guide if its end has reached the turning point.
     void run_off(NodeEdits& nodes) noexcept;
     /// Release a wire that would pull at a guide without upper roller, and accept one that returns
     /// (guide_open.cpp).

@@ -43,8 +43,8 @@ struct Crossing {
     double across[2];  ///< The straight parts, across the axis [m]; above 0.
 };
 
-/// Return f at a position [rad].
-/// @param s  Relative to the present position [m].
+/// Return f(s) of the law of sideways friction in the file header, at a position [rad].
+/// @param s  Position relative to the present one [m].
 [[nodiscard]] double lean(const Crossing& c, double s) noexcept;
 
 /// Return the displacement of the position, at most a quarter of the shorter part [m]; 0: it

@@ -63,7 +63,7 @@ class Outputs {
     void remove(std::size_t place) noexcept;
     /// Remove all signals of a system that is removed.
     void remove_signals(std::string_view system) noexcept;
-    /// Bind signals of other systems with the same definition, after a copy.
+    /// Replace the signals by those of systems with the same definition, after a copy of the world.
     void bind(std::span<const SystemSignal> signals) noexcept;
     [[nodiscard]] bool alive(OutputId id) const noexcept { return places_.names(id); }
     [[nodiscard]] std::span<const OutputId> ids() const noexcept { return ids_; }

@@ -43,7 +43,7 @@ Matrix assembled(const assembly::System& s, const double* panel) {
     return k;
 }
 
-/// Compute the same matrix from the dense equations: condensed rows eliminated, kept rows bordered.
+/// Compute the matrix from the dense equations: condensed rows eliminated, kept rows bordered.
 Matrix expected(const StepContext& ctx, const DenseStep& d) {
     const assembly::System& s = ctx.model.system;
     const model::Interactions& in = ctx.model.interactions;

@@ -149,7 +149,8 @@ bool same_number(std::string_view a, std::string_view b, const NumberTolerance& 
     return std::abs(x - y) <= std::max(tolerance.absolute, tolerance.relative * larger);
 }
 
-/// Skip the spaces before two numbers that differ: their lengths set the columns of a table.
+/// Skip the spaces before two numbers that differ. The padding of table columns depends on the
+/// lengths of the numbers.
 void skip_padding(std::string_view a, std::size_t& i, std::string_view b, std::size_t& j) {
     const std::size_t p = a.find_first_not_of(' ', i), q = b.find_first_not_of(' ', j);
     if (p == a.npos || q == b.npos || p == i || q == j) return;

@@ -37,7 +37,7 @@ struct Started {
     [[nodiscard]] std::string text() const { return to_text(found, ""); }
 };
 
-/// Check a scene with these members of its document, and "version" and "name".
+/// Check a scene whose document consists of the given members, "version" and "name".
 inline Started start_of(const std::string& members) {
     return Started(
         scene::load_text(R"({"version": 1, "name": "start", )" + members + "}", "start.json"));

@@ -52,7 +52,7 @@ ContactForces contact_forces(const World& world) {
     return f;
 }
 
-/// Return the largest |g| of stiff rows of these interactions.
+/// Return the largest |g| over the stiff rows of the given interactions.
 double violation(const World& world, const std::vector<InteractionId>& of) {
     double most = 0.0;
     for (const InteractionId id : of) {

@@ -41,7 +41,7 @@ struct CraneYard {
     }
     CraneYard(Def (*make)(BodyId), double mass) : CraneYard(make, mass, [](Def&) {}) {}
 
-    /// Return the position of the hook of such a crane at the start.
+    /// Return the position of the hook of a crane of this type at the start.
     static Vec3 point_of(Def (*make)(BodyId)) {
         World w;
         const Def def = make(w.add_body({.kind = BodyKind::fixed}));

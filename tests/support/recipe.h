@@ -16,7 +16,7 @@
 
 namespace hawser::test {
 
-/// Make a definition of a kind between these bodies.
+/// Make a definition of a kind between the given bodies.
 inline InteractionDef between(InteractionKind kind, const std::vector<BodyId>& ids) {
     InteractionDef d;
     d.kind = kind;

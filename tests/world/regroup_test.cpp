@@ -8,7 +8,7 @@
 namespace hawser::test::regrouping {
 namespace {
 
-/// Return the sum of the weights of cuts at these interactions, from the state.
+/// Return the sum of the weights of the cuts, computed from the state.
 double weight_of_cuts(const World& w) {
     PartitionRequest request{.use = PartitionUse::cuts, .parts = 2, .exact_cost = false};
     request.group = w.groups();

@@ -29,8 +29,9 @@ V3T<T> half_step_momentum(const Inertia& inertia, const V3T<T>& w, const T& half
     return momentum + half * cross(w, momentum);
 }
 
-/// Return the part of `a` from the spin, body frame. This is the momentum before the step, minus
-/// the momentum after it, plus the I ω₊ of the matrix.
+/// Return the contribution of the rotation of a body to the right-hand side `a`, body frame [N m
+/// s]. It is the angular momentum before the step, minus that after it, plus I ω₊, which is in the
+/// matrix.
 template <class T, class Inertia>
 V3T<T> spin_impulse(const Inertia& inertia, const V3T<T>& before, const V3T<T>& now,
                     const T& half) {

@@ -184,7 +184,7 @@ HAWSER_INLINE bool is_rigid(const factor::FactorView& view, const factor::Batch&
     return batch.body == kRigid && view.batch_steps[k].p == kRigid;
 }
 
-/// Eliminate the pivots of the first of several such steps. Its window is in memory.
+/// Eliminate the pivots of the first of several consecutive rigid steps. Its window is in memory.
 inline void begin_rigid(const RigidStep& m, const Shift& shift, const double* window, V8& bad) {
     RigidBlock a;
     if (shift.before > 0)
