@@ -86,7 +86,7 @@ struct StabilityDef {
     double hysteresis = 0.05;                  ///< [1].
 };
 
-/// Return HM [N m].
+/// Return the heeling moment HM of a towline [N m].
 [[nodiscard]] double towing_moment(double force, double alpha, double beta, double height,
                                    double y) noexcept;
 /// Return β of the largest moment [rad], at least acos(1.5 BP/(F cos α)) if that exists.

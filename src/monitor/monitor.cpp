@@ -36,7 +36,7 @@ void take(const Finding& f, Finding& worst) noexcept {
 }
 
 /// Run all monitors on a state and advance `state` to it.
-Findings judged(StepContext& ctx, MonitorState& state) noexcept {
+Findings run_all(StepContext& ctx, MonitorState& state) noexcept {
     const MonitorPart p = sample(ctx.model, ctx.state, ctx.pool, At::half_step);
     const double time = ctx.model.def.step * static_cast<double>(ctx.state.step - state.step);
     if (state.begun == 0) state.open_start = p.open;  // the poses were set by the user
@@ -205,7 +205,7 @@ Status run_monitors(StepContext& ctx) noexcept {
         return Status::ok;
     }
     if (all) {
-        const Findings seen = judged(ctx, next);
+        const Findings seen = run_all(ctx, next);
         for (std::size_t k = 0; k < now.size(); ++k) take(seen[k], now[k]);
     }
     const Grade grade = add(now, d.verdict);
@@ -227,7 +227,7 @@ Verdict verdict(StepContext& ctx) noexcept {
                           ctx.model.system.bounded);
     evaluate_rows(ctx.model, ctx.pool);
     MonitorState next = ctx.state.monitor.state;
-    (void)add(judged(ctx, next), out);
+    (void)add(run_all(ctx, next), out);
     return out;
 }
 

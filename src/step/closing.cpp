@@ -166,8 +166,8 @@ void close_again(StepContext& ctx, const View& v) noexcept {
 }  // namespace
 
 void close_joints(StepContext& ctx) noexcept {
-    MonitorState& judged = ctx.state.monitor.state;
-    judged.closed = judged.closed_elastic = 0.0;
+    MonitorState& monitors = ctx.state.monitor.state;
+    monitors.closed = monitors.closed_elastic = 0.0;
     if (has_cuts(ctx.model) || ctx.model.def.nonsmooth != Nonsmooth::newton ||
         !may_be_open(ctx.model, ctx.work.stats))
         return;
@@ -180,8 +180,8 @@ void close_joints(StepContext& ctx) noexcept {
     ctx.pool.shield(true);  // poses have begun to move
     if (!(close_with_factor(ctx.model, ctx.work, ctx.pool, v, gap) <= kOpen)) close_again(ctx, v);
     ctx.pool.shield(false);
-    judged.closed = height(ctx.model) - before;
-    judged.closed_elastic = held_by_closing(ctx.model, ctx.state, gaps);
+    monitors.closed = height(ctx.model) - before;
+    monitors.closed_elastic = held_by_closing(ctx.model, ctx.state, gaps);
 }
 
 }  // namespace hawser::stepper

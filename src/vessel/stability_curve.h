@@ -26,7 +26,7 @@ class StabilityCurve {
     [[nodiscard]] std::array<double, 2> most() const noexcept { return most_; }
     /// Return y of the towline's point, y₀ + x tan α, limited to the half breadth of the mesh [m].
     [[nodiscard]] double outreach(double alpha) const noexcept;
-    /// Return h [m].
+    /// Return the height h of the pin above the line of thrust [m].
     [[nodiscard]] double height() const noexcept { return def_.pin.z() - def_.thrust_height; }
     [[nodiscard]] StabilityCheck check(double force, double alpha, double beta) const noexcept;
     /// Return the permissible tension. @param halvings  Number of bisections of the interval up to
