@@ -75,7 +75,7 @@ void friction(Out out, const Summary& s) {
                    f.steps);
     fmt::format_to(out,
                    "               factorisations a step median {:.3g}, p90 {:.3g}, max {:.3g}; "
-                   "friction took {}, contact {}\n",
+                   "lost by friction {}, by contact {}\n",
                    f.factorisations.median, f.factorisations.p90, f.factorisations.max,
                    record::with_unit(s.energy_end.friction - s.energy_start.friction, "J"),
                    record::with_unit(s.energy_end.contact - s.energy_start.contact, "J"));
@@ -123,9 +123,9 @@ void coupling(Out out, const Summary& s) {
                    "               against an exact step from the same state: tension at cuts off "
                    "by {:.3g} % rms, {:.3g} % at most\n",
                    100.0 * c.tension_error_rms, 100.0 * c.tension_error_max);
-    fmt::format_to(out,
-                   "               jerk at most {:.3g} m/s³, exact {:.3g} m/s³, apart {:.3g}\n",
-                   c.jerk_max, c.jerk_exact_max, c.jerk_difference_max);
+    fmt::format_to(
+        out, "               jerk at most {:.3g} m/s³, exact {:.3g} m/s³, difference {:.3g}\n",
+        c.jerk_max, c.jerk_exact_max, c.jerk_difference_max);
 }
 
 void quality(Out out, const Summary& s) {
@@ -157,8 +157,8 @@ void quality(Out out, const Summary& s) {
                        s.stretch_error_max, s.stretch_error_time);
     const double drift = s.energy_drift();
     fmt::format_to(out,
-                   "  energy       {} changed by {}: applied {}, driven {}, drag took {}, "
-                   "rows {}, other {}",
+                   "  energy       {} changed by {}: applied {}, driven {}, lost by drag {}, "
+                   "by damping {}, other {}",
                    record::with_unit(s.energy_start.mechanical(), "J"),
                    record::with_unit(s.energy_end.mechanical() - s.energy_start.mechanical(), "J"),
                    record::with_unit(s.energy_end.applied - s.energy_start.applied, "J"),
@@ -167,14 +167,14 @@ void quality(Out out, const Summary& s) {
                    record::with_unit(s.energy_end.damped - s.energy_start.damped, "J"),
                    record::with_unit(drift, "J"));
     if (s.energy_end.edited != s.energy_start.edited)
-        fmt::format_to(out, "; edits of wires brought {}",
+        fmt::format_to(out, "; from edits of wires {}",
                        record::with_unit(s.energy_end.edited - s.energy_start.edited, "J"));
     if (s.energy_end.added != 0.0 || s.energy_end.system != 0.0)
-        fmt::format_to(out, "; systems did {}, their added mass holds {}",
+        fmt::format_to(out, "; work of systems {}, energy of added mass {}",
                        record::with_unit(s.energy_end.system - s.energy_start.system, "J"),
                        record::with_unit(s.energy_end.added, "J"));
     if (s.energy_end.water != s.energy_start.water)
-        fmt::format_to(out, "; water did {} in all",
+        fmt::format_to(out, "; work of water {}",
                        record::with_unit(s.energy_end.water - s.energy_start.water, "J"));
     // At rest no energy is exchanged, so a fraction of it is meaningless.
     if (s.energy_scale > 1e-6 * std::abs(s.energy_start.mechanical()))

@@ -38,7 +38,7 @@ constexpr std::array<Pattern, 24> kPatterns{{
     {"state hash   *"},
     {"machine      *"},
     {", other @ @"},
-    {"(# % of what was exchanged)"},
+    {"(# % of the exchanged energy)"},
     // Progress on the terminal, which depends on the clock.
     {" s  #x real time", true},
     // Times of other commands.
@@ -53,7 +53,7 @@ constexpr std::array<Pattern, 24> kPatterns{{
     {"<text x=\"28\" y=\"76\" font-size=@ fill=@ = *"},
     {"   factor *"},
     {"factorisation # ms"},
-    {"not solved to 1e-8 *"},
+    {"less accurate than 1e-8 *"},
 }};
 
 /// Members of JSON documents that are volatile, by key.

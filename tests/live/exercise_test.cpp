@@ -172,7 +172,7 @@ TEST(LiveExercise, each_role_does_and_hears_what_is_its_own) {
     instructor.steps(30, 91);
     instructor.hear([&] { return instructor.last["exercise"]["penalties"][0]["points"] == -3.0; });
     EXPECT_EQ(instructor.refused({{"type", "fault"}, {"name", "part"}, {"active", false}}),
-              "the fault \"part\": a line that has parted stays so");
+              "the fault \"part\": a broken line stays broken");
     watcher.hear([&] { return watcher.heard("penalty") >= 1 && watcher.frame.step == 91; });
     EXPECT_EQ(watcher.last["exercise"]["penalties"][0]["times"], 1);
     EXPECT_EQ(instructor.heard("fault"), 2);
