@@ -26,14 +26,13 @@ constexpr const char* kCheckFooter = R"(Examples:
   hawser check scenes/*.json
   hawser check scene.json --step 0.1 --json
 
-Reads each scene completely and lists every mistake in it: file, place in the document, what was
-expected. Then looks at its start: joints that contradict or repeat each other, shapes inside each
-other, gaps, lines beyond their breaking load, masses and inertias that fit no body, motors against
-what holds, wires and joints that the step does not resolve, numbers of the sea that do not fit each
-other. An exercise is read with its scene. Contradictions and bodies that lie more
-than half in each other are errors, all else warnings. Of a single scene, and with --cables, it says with
-what tension each cable starts. Exit codes: 0 all scenes are good, with
-warnings or without, 1 at least one is not.)";
+Reads each scene completely and lists every mistake: file, position in the document, expected value.
+Then checks the start: inconsistent or redundant joints, overlapping shapes, gaps, lines beyond their
+breaking load, implausible masses and inertias, motors against fixed coordinates, wires and joints
+that the step does not resolve, inconsistent numbers of the sea. An exercise is read with its scene.
+Inconsistent joints and bodies that overlap by more than half are errors; other findings are
+warnings. For a single scene, or with --cables, it prints the tension with which each cable starts.
+Exit codes: 0 all scenes are good, with or without warnings, 1 at least one is not.)";
 
 /// Largest number of cables of a scene that are listed line by line.
 constexpr std::size_t kMaxCables = 40;
@@ -182,14 +181,14 @@ int check(const CheckOptions& options) {
 
 void add_check(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<CheckOptions>();
-    CLI::App* command = app.add_subcommand("check", "Say whether scenes are good");
+    CLI::App* command = app.add_subcommand("check", "Check scenes for mistakes");
     command->footer(kCheckFooter);
     command->add_option("SCENE", options->files, "Scene files (JSON)")->required();
     options->scene.add_changes_to(*command);
     command->add_flag("--signals", options->signals, "List inputs and outputs with their units");
     command->add_flag("--cables", options->cables,
-                      "Say with what tension each cable starts, of more than one scene, too");
-    command->add_flag("--json", options->json, "Write what was found as JSON to standard output");
+                      "Print the tension at the start of each cable, also for several scenes");
+    command->add_flag("--json", options->json, "Write the findings as JSON to standard output");
     command->callback([&chosen, options] { chosen = [options] { return check(*options); }; });
 }
 

@@ -222,7 +222,7 @@ void add_exercise(CLI::App& app, Command& chosen) {
     command->add_option("--summary", options->summary, "Write the score as JSON");
     command
         ->add_option("--replay", options->replay,
-                     "Score of a recording of this exercise, whose motion is repeated")
+                     "Score a recording of this exercise by repeating its motion")
         ->excludes(control)
         ->excludes(record);
     command
@@ -230,10 +230,9 @@ void add_exercise(CLI::App& app, Command& chosen) {
         ->check(CLI::Range(1, kMostThreads))
         ->capture_default_str();
     command
-        ->add_flag(
-            "--verify", options->verify,
-            "Compute contacts, momentum and bounds of every step anew, by separate code, and "
-            "fail where they disagree")
+        ->add_flag("--verify", options->verify,
+                   "Check contacts, momentum and bounds of every step by separate code, and fail "
+                   "if they disagree")
         ->excludes("--replay");
     command->add_flag("--quiet", options->quiet, "No progress and no score on the terminal");
     command->callback([&chosen, options] { chosen = [options] { return perform(*options); }; });

@@ -54,12 +54,11 @@ exporting::Frames frames_of(const record::Recording& recording, const ExportOpti
 /// Report the branches of a recording that are not in the file.
 void say_takes(const record::Recording& recording) {
     if (recording.takes.empty()) return;
-    fmt::print(stderr,
-               "{}: the run went back {} {}; exporting what came after the last one, from {:.6g} "
-               "s on\n",
-               recording.file, recording.takes.size(),
-               recording.takes.size() == 1 ? "time" : "times",
-               recording.frame_head(exporting::first_frame(recording)).time);
+    fmt::print(
+        stderr,
+        "{}: the run went back {} {}; exporting the part after the last return, from {:.6g} s on\n",
+        recording.file, recording.takes.size(), recording.takes.size() == 1 ? "time" : "times",
+        recording.frame_head(exporting::first_frame(recording)).time);
 }
 
 int export_recording(const ExportOptions& options) {
@@ -135,9 +134,7 @@ void add_export(CLI::App& app, Command& chosen) {
     command->add_flag("--quiet", options->quiet, "No progress and no report");
     command->callback([&chosen, options] {
         if (options->contacts && options->format != "vtk")
-            throw CLI::ValidationError("--contacts",
-                                       "is for --to vtk: a glTF has no place for "
-                                       "forces");
+            throw CLI::ValidationError("--contacts", "needs --to vtk: glTF cannot store forces");
         chosen = [options] { return export_recording(*options); };
     });
 }

@@ -124,7 +124,7 @@ int plot_frames(const PlotOptions& options, const record::Recording& recording,
     std::filesystem::create_directories(options.folder);
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         const auto drawing = draw::plot_views(recording, series, chosen[i], view);
-        if (!drawing) throw record::RecordingError(options.file + ": nothing has a place");
+        if (!drawing) throw record::RecordingError(options.file + ": no object has a position");
         draw::write_png(draw::rasterise(*drawing, pixels),
                         std::filesystem::path(options.folder) / frame_name(i), *drawing);
     }
@@ -183,10 +183,10 @@ int plot(const PlotOptions& options) {
         "the scene has no moving bodies");
     write(
         "scene", [&] { return draw::plot_views(recording, series, frame, view); },
-        "nothing in the scene has a place");
+        "no object of the scene has a position");
     write(
         "space", [&] { return draw::plot_space(recording, series, frame, view); },
-        "nothing in the scene has a place");
+        "no object of the scene has a position");
     write(
         "details", [&] { return draw::plot_details(recording, frame); },
         "no plotted body is small in the scene");
@@ -215,19 +215,19 @@ void add_plot(CLI::App& app, Command& chosen) {
         ->delimiter(',');
     command
         ->add_option("--view", options->view,
-                     "What `scene` shows: side, top or 3d; by default side and top")
+                     "Views of `scene`: side, top or 3d; by default side and top")
         ->check(CLI::IsMember({"side", "top", "3d"}));
     command->add_option("--size", options->size,
                         "Of the pictures of the scene, WIDTHxHEIGHT in pixels");
     command
         ->add_option("--axes", options->axes,
-                     "What they show: lower corner x,y,z and upper corner x,y,z [m]")
+                     "Visible box: lower corner x,y,z and upper corner x,y,z [m]")
         ->delimiter(',')
         ->expected(6);
     command
         ->add_option("--frames", options->frames,
-                     "So many pictures of the scene from the start to the end, with the same axes, "
-                     "as frame_0000.png and on; nothing else")
+                     "Draw this number of pictures of the scene from start to end, with the same "
+                     "axes, as frame_0000.png and on; nothing else")
         ->check(CLI::Range(1, 100000));
     command
         ->add_option("--azimuth", options->scene.azimuth,

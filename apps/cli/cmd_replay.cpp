@@ -64,7 +64,7 @@ void describe_difference(const record::Recording& recording, const record::Frame
         }
     }
     if (worst > 0.0)
-        fmt::print("largest distance of a body from its recorded place: {:.3g} m ({})\n", worst,
+        fmt::print("largest distance of a body from its recorded position: {:.3g} m ({})\n", worst,
                    where);
     else
         fmt::print("no body is off by more than the recording's single precision\n");
@@ -136,7 +136,7 @@ class Replay {
             fmt::print("the recorded run failed in the step from {:.6g} s\n", world_.time());
         if (recording_.damage.empty()) return kOk;
         fmt::print(stderr,
-                   "hawser: {}: the recording is not complete: {}; only what comes before, to "
+                   "hawser: {}: the recording is not complete: {}; only the part before it, up to "
                    "{:.6g} s, was repeated\n",
                    recording_.file, recording_.damage, world_.time());
         return kUsageError;

@@ -72,12 +72,11 @@ void add_run(CLI::App& app, Command& chosen) {
         ->add_option("--budget-work", options->scene.budget_mflop,
                      "The same as work [Mflop], which makes no difference between machines")
         ->check(positive());
-    command->add_flag(
-        "--verify", options->verify,
-        "Compute contacts, momentum and bounds of every step anew, by separate code, and "
-        "fail where they disagree");
+    command->add_flag("--verify", options->verify,
+                      "Check contacts, momentum and bounds of every step by separate code, and "
+                      "fail if they disagree");
     command->add_flag("--unchecked", options->unchecked,
-                      "Run a scene whose start `hawser check` finds impossible");
+                      "Run a scene even if `hawser check` rejects its start");
     command->add_flag("--quiet", options->quiet, "No progress and no report");
     command->callback([&chosen, options, save_at, save] {
         if (save->count() > 0) std::tie(options->save_time, options->save_file) = *save_at;

@@ -147,7 +147,7 @@ class Settler {
     [[nodiscard]] std::string other_than_stored(const World& world) const {
         if (const EventExtremes part = world.event_extremes(EventKind::line_break); part.count > 0)
             return "the element " + record::interaction_label(world, part.first.interaction) +
-                   " parted on the way; start nearer to rest, or give it a larger breaking load";
+                   " broke on the way; start nearer to rest, or give it a larger breaking load";
         const auto now = world.bodies(), stored = scene_.world.bodies();
         if (std::equal(now.begin(), now.end(), stored.begin(), stored.end())) return {};
         std::string where;

@@ -27,10 +27,10 @@ const exporting::ContactForces& RepeatedContacts::at(const record::Frame& frame,
                                                      failure(world)));
     }
     if (world.motion_hash() != frame.hash)
-        throw record::RecordingError(fmt::format(
-            "{}: repeated, the state at {:.6g} s is another one, so that contact forces would be "
-            "those of another run; `hawser replay` says more",
-            recording_.file, frame.time));
+        throw record::RecordingError(
+            fmt::format("{}: the repeated state at {:.6g} s differs from the recording, so that "
+                        "contact forces cannot be computed; `hawser replay` shows the difference",
+                        recording_.file, frame.time));
     world.contacts(contacts_);
     out_.points.clear();
     out_.forces.clear();

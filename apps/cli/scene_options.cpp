@@ -42,7 +42,7 @@ void SceneOptions::add_to(CLI::App& command, bool required) {
         ->check(CLI::IsMember({"exact", "kinematic", "compliant", "deadline"}));
     command
         .add_option("--predictor", predictor,
-                    "What a side of a cut takes the other's velocity for: hold, forces or clique")
+                    "Prediction of the velocity on the other side of a cut: hold, forces or clique")
         ->check(CLI::IsMember({"hold", "forces", "clique"}));
     command
         .add_option("--parts", parts,

@@ -69,9 +69,9 @@ int close_streams(int code) noexcept {
     (void)std::fflush(stdout);
     if (g_out.lost == 0) return code;
     char text[200];
-    const int size = std::snprintf(text, sizeof text,
-                                   "hawser: standard output: %s; what was to be printed is lost\n",
-                                   std::strerror(g_out.lost));
+    const int size =
+        std::snprintf(text, sizeof text, "hawser: standard output: %s; the output is lost\n",
+                      std::strerror(g_out.lost));
     if (size > 0) (void)std::fwrite(text, 1, std::strlen(text), stderr);
     return code == kOk ? kUsageError : code;
 }

@@ -44,7 +44,7 @@ std::string predict_more_threads(const TraceView& trace) {
 void TraceOptions::add_to(CLI::App& command) {
     command
         .add_option("--trace", files,
-                    "Write what each thread did: FILE.json for chrome://tracing and Perfetto, "
+                    "Write a timeline of the threads: FILE.json for chrome://tracing and Perfetto, "
                     "FILE.svg as a picture of one step; may be given twice")
         ->check([](const std::string& file) {
             return file.ends_with(".json") || is_picture(file)

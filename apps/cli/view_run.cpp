@@ -62,7 +62,8 @@ void print_addresses(const live::Server& server, const live::ServerOptions& opti
         fmt::print("{:<12} {}\n", role.name, server.address_of(role));
     if (options.address != "127.0.0.1" && options.address != "::1")
         fmt::print(
-            "anyone on this network who has an address has its role; nothing is encrypted\n");
+            "anyone on this network with such an address has its role; the connection is not "
+            "encrypted\n");
     fmt::print("Ctrl-C ends it\n");
     std::fflush(stdout);
 }
@@ -161,7 +162,7 @@ int view_recording(const ViewOptions& options) {
     if (!options.record.empty() || !options.restore.empty() || !options.scene.controls.empty())
         throw std::runtime_error(
             options.scene.file +
-            ": a recording is shown as it is: --record, --restore and --control are for scenes");
+            ": a recording cannot be changed: --record, --restore and --control are for scenes");
     if (!options.report.empty() || !options.summary.empty())
         throw std::runtime_error(
             options.scene.file +

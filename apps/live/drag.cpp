@@ -44,7 +44,8 @@ void Drags::begin(World& world, std::uint32_t client, BodyId body, const Vec3& p
                   const Vec3& target, double stiffness) {
     const BodyDef& def = world.body_def(body);
     if (def.kind != BodyKind::rigid && def.kind != BodyKind::lump)
-        throw DefError("\"" + def.name + "\" cannot be pulled at: it is neither rigid nor a lump");
+        throw DefError("\"" + def.name +
+                       "\" cannot be pulled: it is neither rigid nor a point mass");
     const auto mine = std::find_if(drags_.begin(), drags_.end(),
                                    [&](const Drag& d) { return d.client == client; });
     if (mine != drags_.end() && mine->body != body) end(world, client);

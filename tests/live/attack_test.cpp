@@ -163,7 +163,7 @@ TEST(LiveAttack, who_reads_nothing_is_dropped_and_others_are_not) {
     const int small = 4096;
     setsockopt(deaf.line().descriptor(), SOL_SOCKET, SO_RCVBUF, &small, sizeof small);
     int frames = 0;
-    for (int k = 0; k < 600 && run.logged("took nothing for") == 0; ++k) {
+    for (int k = 0; k < 600 && run.logged("received nothing for") == 0; ++k) {
         (void)reader.frame();
         ++frames;
     }

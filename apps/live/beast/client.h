@@ -98,7 +98,7 @@ class Client : public std::enable_shared_from_this<Client> {
             fault("no hello within " + std::to_string(static_cast<int>(o.handshake_seconds)) + " s",
                   true);
         } else if (writing_ && now - writing_since_ > o.slow_seconds) {
-            floor_.log("dropped: " + from_ + " took nothing for " +
+            floor_.log("dropped: " + from_ + " received nothing for " +
                        std::to_string(static_cast<int>(std::round(o.slow_seconds))) + " s");
             floor_.dropped_.fetch_add(1, std::memory_order_relaxed);
             drop();
