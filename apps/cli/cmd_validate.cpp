@@ -35,8 +35,8 @@ void add_validate(CLI::App& app, Command& chosen) {
     CLI::App* command = app.add_subcommand("validate", "Compare with known answers of physics");
     command->footer(kValidateFooter);
     command->add_option("CASE", options->cases,
-                        "Names of cases; none = all but `robust`, `wires`, `sea`, `firstday` and "
-                        "`vessels`, which name sets of their own");
+                        "Names of cases. Without a name: all except the sets `robust`, `wires`, "
+                        "`sea`, `firstday` and `vessels`");
     command->add_option("--json", options->json, "Write the results as JSON");
     command
         ->add_option("--data", options->data,
