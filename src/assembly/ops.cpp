@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The list of contributions to the matrix, ordered by destination.
+/// List the contributions to the matrix, ordered by destination.
 ///
 /// It is written sequentially: by address in the panels, then by column. Each column has the terms
 /// of its own body or rows, then interactions by id, then contacts. Unchanged batches are reused

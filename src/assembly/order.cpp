@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The pattern of the system, its order of elimination, and where that puts everything.
+/// Build the pattern of the system, choose its order of elimination, and lay out the data by it.
 #include "assembly/system.h"
 #include "base/index.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// From the definition of a sea to its system.
+/// Make the system of a sea from its definition.
 #include <hawser/sea.h>
 #include <hawser/world.h>
 

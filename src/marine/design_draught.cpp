@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Draughts at which drag and wind areas of hulls hold (hawser/water_hull.h).
+/// Find the draughts to which drag and wind areas of hulls refer (hawser/water_hull.h).
 #include "marine/design_draught.h"
 
 #include <hawser/hull.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Cells of a hull's volume: vertical lines through an even grid, cut where they pass the mesh.
+/// Divide the volume of a hull into cells: vertical lines on an even grid, cut at the mesh.
 #include <hawser/hull.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Hulls afloat: sinkage and trim by Newton's method, and decks for meshes that end at the
+/// Float hulls: sinkage and trim by Newton's method, and decks for meshes that end at the
 /// waterline.
 #include <hawser/def.h>
 #include <hawser/hull.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What one hull remembers: past velocities, or states.
+/// Store the memory of one hull: past velocities, or states.
 #include "marine/memory_sums.h"
 #include "marine/radiation.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Meshes of hulls: what is wrong with one, boxes, and statics.
+/// Check meshes of hulls, make boxes, and compute statics.
 #include <hawser/hull.h>
 
 #include "marine/hull_sums.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What coefficients and strips do to a hull (hawser/water_hull.h, hawser/hydro.h).
+/// Compute the loads of coefficients and strips on a hull (hawser/water_hull.h, hawser/hydro.h).
 #include <hawser/world.h>
 
 #include "base/index.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Coefficients of floating bodies: what is wrong with them, and K(t).
+/// Check the coefficients of floating bodies, and compute K(t).
 #include <hawser/def.h>
 #include <hawser/hydro.h>
 

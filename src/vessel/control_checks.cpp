@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Refusals of the control of a vessel, and the lines that it feeds forward.
+/// Check the control of a vessel, and read the lines that it feeds forward.
 #include <hawser/world.h>
 
 #include "base/number.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// From the definition of an anchor to its rows and its system.
+/// Make the rows and the system of an anchor from its definition.
 #include <hawser/sea.h>
 #include <hawser/world.h>
 

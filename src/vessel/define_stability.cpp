@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// From the definition of a stability gauge to its curve and its system.
+/// Make the curve and the system of a stability gauge from its definition.
 #include <hawser/sea.h>
 #include <hawser/world.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// From the definition of a vessel to its system.
+/// Make the system of a vessel from its definition.
 #include <hawser/sea.h>
 #include <hawser/world.h>
 
