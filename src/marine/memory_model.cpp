@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-/// States of a memory by Kung's method: the matrix H of blocks K((i + j) δ) is O·S, observability
-/// times controllability, by its singular values; e^{Aδ} takes O to itself one block on. H is
-/// symmetric, as K is: σ = |λ| and u = sign(λ) v of its eigenvalues. Of A the poles are kept, B in
-/// their basis, and C is fitted anew, by least squares over all of K.
+/// Fit the states of a memory by Kung's method. The matrix H of blocks K((i + j) δ) is O·S,
+/// observability times controllability, from its singular values. Multiplying O by e^{Aδ} shifts it
+/// by one block. H is symmetric, like K: σ = |λ| and u = sign(λ) v of its eigenvalues. The poles of
+/// A are kept, with B in their basis. C is then fitted by least squares over all of K.
 #include <hawser/def.h>
 
 #include "base/dense.h"
