@@ -180,7 +180,7 @@ struct Server::Impl final : Floor {
             if (error) return;
             const double now = clock_now();
             const auto all = clients_;
-            for (const auto& [number, client] : all) client->sample(now);
+            for (const auto& [number, client] : all) client->check_time_limits(now);
             await_second();
         });
     }

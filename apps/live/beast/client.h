@@ -92,7 +92,7 @@ class Client : public std::enable_shared_from_this<Client> {
         pump();
     }
     /// Disconnect a client that sends no hello or reads no frames in time. Called once a second.
-    void look(double now) {
+    void check_time_limits(double now) {
         const ServerOptions& o = floor_.options_;
         if (!known() && !closing_ && now - born_ > o.handshake_seconds) {
             fault("no hello within " + std::to_string(static_cast<int>(o.handshake_seconds)) + " s",
