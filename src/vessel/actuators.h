@@ -53,7 +53,10 @@ class Propulsor {
     /// the thrust [m/s].
     [[nodiscard]] PropellerForce open(const PropulsorState& s, const Flow& flow,
                                       double& along) const noexcept;
+    /// Compute the force on the ship. It depends on u, v, r and the density of the flow alone.
     [[nodiscard]] Wrench force(const PropulsorState& s, const Flow& flow) const noexcept;
+    /// Compute the same from the thrust of open() [N].
+    [[nodiscard]] Wrench push(const PropulsorState& s, double thrust) const noexcept;
     /// Return the power that it would take in a step without a bus [W].
     /// @param rated  Power of an ideal one at full order.
     [[nodiscard]] double demand(const PropulsorState& s, const Flow& flow,
@@ -106,6 +109,7 @@ class Rudder {
   public:
     /// @param behind  Its propulsor; −1: none.
     Rudder(const RudderDef& def, const Vec3& origin, int behind);
+    /// Compute the force on the ship. It depends on u, v, r and the density of the flow alone.
     /// @param thrust, diameter  Of its propulsor [N], [m]; 0: none.
     [[nodiscard]] Wrench force(const RudderState& s, const Flow& flow, double thrust,
                                double diameter) const noexcept;
