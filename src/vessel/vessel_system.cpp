@@ -407,7 +407,8 @@ Wrench VesselSystem::control(Prestep& now, const Motion& m) noexcept {
         sense.target_motion = now.world.velocity(def_.control.target).linear;
     }
     const Vec3 direct = control_->step(
-        now, sense, ControlledActuators{propulsor_, rudder_state_, rudder_order_, rps_order_});
+        now, sense,
+        ControlledActuators{propulsor_, rudder_state_, rudder_order_, rps_order_, bus_});
     out << direct[0], direct[1], 0.0, 0.0, 0.0, direct[2];
     return out;
 }
