@@ -23,7 +23,7 @@ find_package(Python3 COMPONENTS Interpreter REQUIRED)
 set(HAWSER_REPORT_TESTS cli draw exercise export files golden live marine record report session
                         verify)
 set(HAWSER_SCENE_TESTS bench cli draw exercise export files golden live record report scene scenes
-                       session slow stepper threads validate verify world)
+                       session slow stepper threads validate verify vessel world)
 # Folders of which no test is quick: those of bench test the benchmarks, not the library.
 set(HAWSER_FULL_TESTS bench slow)
 # Tests that start the program: it is built with them. Those of scene skip a test without it.

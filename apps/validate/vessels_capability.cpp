@@ -118,9 +118,9 @@ void report_utilisations(Report& report, const DpCapability& c) {
                        {static_cast<double>(r.number)}, {static_cast<double>(h.number)}, 0.0,
                        kTestShip, 1.0);
         report.compare(fmt::format("DP test ship: utilisation from {} deg", 10 * k), {r.at},
-                       {h.utilisation}, 1e-3, "absolute; inscribed polygons of 5 deg", 1.0);
+                       {h.utilisation}, 5e-4, "absolute; printed digits", 1.0);
         report.compare(fmt::format("DP test ship: utilisation at the next number, {} deg", 10 * k),
-                       {r.next}, {h.next}, 1e-3, "absolute; inscribed polygons of 5 deg", 1.0);
+                       {r.next}, {h.next}, 5e-4, "absolute; printed digits", 1.0);
     }
 }
 

@@ -19,8 +19,10 @@
 /// if U ≤ 1. Stars are cut into convex sectors (fans). A linear program solves the hulls of chosen
 /// fans, and branch and bound chooses them.
 ///
-/// Arcs are inscribed polygons with vertices at multiples of 5°: U is at most 0.1 % too large by
-/// that.
+/// The standard requires |f| ≤ T of an azimuth and leaves the method of allocation open ([3.11.1]).
+/// The circle is an inscribed polygon with vertices at multiples of 10°, at the ends of sectors and
+/// dips, and at each degree in the dip of a skeg, as in the published solution of the test ship. U
+/// is at most 0.4 % larger than with circles (docs/vessels.md).
 ///
 /// **Result.** The number of a heading is the largest Beaufort number n for which U ≤ 1 at 1 to n.
 /// `DP capability-L1(A, B, C, D)` has the smallest numbers: A intact within 30° of the bow, B

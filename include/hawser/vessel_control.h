@@ -34,8 +34,12 @@
 /// thrust over capacity, with limits of thrust, rates and angles, and forbidden zones of azimuths.
 /// Azimuths turn towards the result at their rates. Thrusts make up for those that still turn.
 ///
-/// Consequence analysis allocates τ without the thrusters of each failure, one failure a step. The
-/// output is the largest shortfall over τ.
+/// A propulsor that failed gets no order; its present thrust counts as a load. On a power bus the
+/// capacity of a propulsor is that of the power which the bus can give it; without power it gets no
+/// order.
+///
+/// Consequence analysis allocates τ without the thrusters that failed and without those of one
+/// failure more, one failure a step. The output is the largest shortfall over τ.
 ///
 /// Values of the input `mode`:
 /// - 0, off: orders of propulsors and rudders are the inputs.

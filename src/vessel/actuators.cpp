@@ -101,14 +101,17 @@ double Propulsor::max_thrust(double density) const noexcept {
         .thrust;
 }
 
-Wrench Propulsor::force(const PropulsorState& s, const Flow& flow) const noexcept {
-    double along = 0.0;
-    double thrust = open(s, flow, along).thrust;
+Wrench Propulsor::push(const PropulsorState& s, double thrust) const noexcept {
     if (thrust > 0.0) thrust *= 1.0 - def_.thrust_deduction;
     const double a = direction(s);
     if (def_.kind == PropulsorKind::shaft) return push_at(at_, thrust, 0.0);
     if (def_.kind == PropulsorKind::tunnel) return push_at(at_, 0.0, thrust);
     return push_at(at_, thrust * std::cos(a), thrust * std::sin(a));
+}
+
+Wrench Propulsor::force(const PropulsorState& s, const Flow& flow) const noexcept {
+    double along = 0.0;
+    return push(s, open(s, flow, along).thrust);
 }
 
 Failure failure_of(double input) noexcept {

@@ -55,9 +55,12 @@ class Propulsor {
     /// the water past the propulsor, along the thrust [m/s].
     [[nodiscard]] PropellerForce open(const PropulsorState& s, const Flow& flow,
                                       double& along) const noexcept;
+    /// Compute the force on the ship. It depends on u, v, r and the density of the flow alone.
     [[nodiscard]] Wrench force(const PropulsorState& s, const Flow& flow) const noexcept;
-    /// Return the power that the propulsor would use in a step without a power bus [W].
-    /// @param rated  Power of an ideal propulsor at full order [W].
+    /// Compute the same from the thrust of open() [N].
+    [[nodiscard]] Wrench push(const PropulsorState& s, double thrust) const noexcept;
+    /// Return the power that it would take in a step without a bus [W].
+    /// @param rated  Power of an ideal one at full order.
     [[nodiscard]] double demand(const PropulsorState& s, const Flow& flow,
                                 double rated) const noexcept;
     /// Advance the state by a step. `turn` and `power` report limits reached in this step.

@@ -65,31 +65,31 @@ double Allocation::scaled_norm(const Vec3& tau) const noexcept {
     return Vec3(tau[0] / force_, tau[1] / force_, tau[2] / moment_).norm();
 }
 
-int Allocation::sector_of(std::size_t i, double x, double y) const noexcept {
+int Allocation::sector_of(std::size_t i, double x, double y, double available) const noexcept {
     const AllocatedThruster& t = thrusters_[i];
     if (std::hypot(x, y) <= kNoForce * t.ahead) return 0;
     const double angle = std::atan2(y, x);
     for (std::size_t k = 0; k < t.sectors.size(); ++k) {
         const ThrustSector& s = t.sectors[k];
         const double off = std::remainder(angle - s.from - 0.5 * s.width, 2.0 * kAllocationPi);
-        const double most = s.reversed ? t.astern : t.ahead;
+        const double most = available * (s.reversed ? t.astern : t.ahead);
         if (std::abs(off) <= 0.5 * s.width + 1e-9 && std::hypot(x, y) <= most * (1.0 + 1e-9))
             return static_cast<int>(k);
     }
     return -1;
 }
 
-/// Add the limits of a thruster. Variables are in units of the capacity. @param sector  −1: whole
-/// disc.
-void Allocation::add_limits(std::size_t i, bool failed, std::int32_t sector) noexcept {
+/// Add the limits of a thruster. Variables are in units of the capacity.
+/// @param available  Fraction of the capacity. @param sector  −1: whole disc.
+void Allocation::add_limits(std::size_t i, double available, std::int32_t sector) noexcept {
     const AllocatedThruster& t = thrusters_[i];
     const std::int32_t v = first_[i];
     if (!t.turns) {
-        program_.add({v, -1, 1.0, 0.0, failed ? 0.0 : t.ahead / force_});
-        program_.add({v, -1, -1.0, 0.0, failed ? 0.0 : t.astern / force_});
+        program_.add({v, -1, 1.0, 0.0, available * t.ahead / force_});
+        program_.add({v, -1, -1.0, 0.0, available * t.astern / force_});
         return;
     }
-    if (failed) {
+    if (available <= 0.0) {
         for (const std::int32_t at : {v, v + 1})
             for (const double side : {1.0, -1.0}) program_.add({at, -1, side, 0.0, 0.0});
         return;
@@ -102,7 +102,7 @@ void Allocation::add_limits(std::size_t i, bool failed, std::int32_t sector) noe
         program_.add({v, v + 1, std::sin(a), -std::cos(a), 0.0});
         program_.add({v, v + 1, -std::sin(b), std::cos(b), 0.0});
     }
-    const double inner = radius * std::cos(kAllocationPi / kSides);
+    const double inner = available * radius * std::cos(kAllocationPi / kSides);
     for (const auto& [x, y] : sides_) program_.add({v, v + 1, x, y, inner});
 }
 
@@ -120,7 +120,7 @@ void Allocation::set_cost(const Vec3& tau, int variables) noexcept {
     }
 }
 
-double Allocation::program(const Vec3& tau, const std::uint8_t* failed,
+double Allocation::program(const Vec3& tau, const double* available,
                            const std::int32_t* sectors) noexcept {
     program_.begin(variables_);
     set_cost(tau, variables_);
@@ -131,7 +131,7 @@ double Allocation::program(const Vec3& tau, const std::uint8_t* failed,
         const double cost = t.cost * unit * unit;
         h(first_[i], first_[i]) += cost;
         if (t.turns) h(first_[i] + 1, first_[i] + 1) += cost;
-        add_limits(i, failed != nullptr && failed[i] != 0, sectors[i]);
+        add_limits(i, available != nullptr ? available[i] : 1.0, sectors[i]);
     }
     if (!program_.solve()) return std::numeric_limits<double>::infinity();
     const auto& x = program_.solution();
@@ -153,18 +153,23 @@ double Allocation::program(const Vec3& tau, const std::uint8_t* failed,
            constant;
 }
 
-void Allocation::allocate(const Vec3& tau, const std::uint8_t* failed,
+void Allocation::allocate(const Vec3& tau, const double* available,
                           std::int32_t* sectors) noexcept {
     for (std::int32_t& s : trial_) s = -1;
-    (void)program(tau, failed, trial_.data());
+    (void)program(tau, available, trial_.data());
+    bool solved = true;  // The forces are those of `trial_`.
     for (std::size_t i = 0; i < thrusters_.size(); ++i) {
         const AllocatedThruster& t = thrusters_[i];
         if (t.sectors.empty()) continue;
-        const bool stopped = failed != nullptr && failed[i] != 0;
-        const int inside = sector_of(i, forces_[2 * i], forces_[2 * i + 1]);
+        const double fraction = available != nullptr ? available[i] : 1.0;
+        const bool stopped = fraction <= 0.0;
+        const int inside = sector_of(i, forces_[2 * i], forces_[2 * i + 1], fraction);
         if (stopped ||
             (inside >= 0 && std::hypot(forces_[2 * i], forces_[2 * i + 1]) > kNoForce * t.ahead)) {
-            if (!stopped) trial_[i] = inside;
+            if (!stopped) {
+                trial_[i] = inside;
+                solved = false;
+            }
             continue;
         }
         const std::int32_t present = sectors[i];
@@ -173,7 +178,7 @@ void Allocation::allocate(const Vec3& tau, const std::uint8_t* failed,
         const auto count = static_cast<std::int32_t>(t.sectors.size());
         for (std::int32_t k = 0; k < count; ++k) {
             trial_[i] = k;
-            double cost = program(tau, failed, trial_.data());
+            double cost = program(tau, available, trial_.data());
             if (k == present) cost *= kKeepSector;
             if (cost < least) {
                 least = cost;
@@ -181,9 +186,10 @@ void Allocation::allocate(const Vec3& tau, const std::uint8_t* failed,
             }
         }
         trial_[i] = best;
-        (void)program(tau, failed, trial_.data());
+        (void)program(tau, available, trial_.data());
+        solved = true;
     }
-    (void)program(tau, failed, trial_.data());
+    if (!solved) (void)program(tau, available, trial_.data());
     for (std::size_t i = 0; i < thrusters_.size(); ++i) sectors[i] = trial_[i];
 }
 

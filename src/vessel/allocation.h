@@ -57,10 +57,12 @@ class Allocation {
     Allocation() = default;
     explicit Allocation(std::vector<AllocatedThruster> thrusters);
 
-    /// Compute the forces of minimum cost for τ = (X, Y, N). @param failed  By index; null: none.
-    /// @param sectors  Input and output: sector in use of each thruster; −1: none yet.
-    void allocate(const Vec3& tau, const std::uint8_t* failed, std::int32_t* sectors) noexcept;
-    /// Return the force of a thruster after allocate(), marine frame [N].
+    /// Compute the forces of least cost for τ = (X, Y, N).
+    /// @param available  Fraction of each capacity that a thruster has now, 0 … 1, by index; 0:
+    /// failed; null: all have 1.
+    /// @param sectors  In and out: sector that each thruster uses; −1: none yet.
+    void allocate(const Vec3& tau, const double* available, std::int32_t* sectors) noexcept;
+    /// Force of a thruster after allocate(), marine frame [N].
     [[nodiscard]] double x(std::size_t i) const noexcept { return forces_[2 * i]; }
     [[nodiscard]] double y(std::size_t i) const noexcept { return forces_[2 * i + 1]; }
     /// Return Σ B_i f_i after allocate() or reach().
@@ -80,10 +82,10 @@ class Allocation {
     }
 
   private:
-    [[nodiscard]] double program(const Vec3& tau, const std::uint8_t* failed,
+    [[nodiscard]] double program(const Vec3& tau, const double* available,
                                  const std::int32_t* sectors) noexcept;
-    void add_limits(std::size_t i, bool failed, std::int32_t sector) noexcept;
-    [[nodiscard]] int sector_of(std::size_t i, double x, double y) const noexcept;
+    void add_limits(std::size_t i, double available, std::int32_t sector) noexcept;
+    [[nodiscard]] int sector_of(std::size_t i, double x, double y, double available) const noexcept;
     [[nodiscard]] Vec3 lever(std::size_t i, double x, double y) const noexcept;
     void set_cost(const Vec3& tau, int variables) noexcept;
 

@@ -15,11 +15,11 @@ constexpr double kSmallDemand = 0.01;   ///< Fraction below which no failure is 
 /// azimuth that keeps its angle for a small thrust must not stop the integral, or the offset would
 /// remain.
 constexpr double kShort = 1.5 * kSmallThrust;
-constexpr double kBack = 0.8;         ///< Offset over the alarm that arms it again.
-constexpr double kRudderSpeed = 1.5;  ///< Least speed at which a rudder steers [m/s].
-constexpr double kMeanTime =
-    20.0;  ///< Time constant of the mean demand for the analysis of failures [s].
-constexpr double kSpeedRate = 0.05;       ///< Bandwidth of the speed control [1/s].
+constexpr double kBack = 0.8;             ///< Offset over the alarm that arms it again.
+constexpr double kRudderSpeed = 1.5;      ///< Least speed at which a rudder steers [m/s].
+constexpr double kMeanTime = 20.0;        ///< Time constant of the demand for failures [s].
+constexpr double kSpeedRate = 0.05;       ///< Rate of the speed control [1/s].
+constexpr double kPowerBack = 5.0;        ///< Time in which withheld capacity comes back [s].
 constexpr double kSteerDerivative = 2.0;  ///< Rudder per turn rate, in L/U.
 constexpr double kSteerIntegral =
     20.0;  ///< Time constant of the rudder's integral, in units of L/U.
@@ -185,6 +185,11 @@ void Control::integrate(const Vec3& tau, double h) noexcept {
 
 /// Set the rudder by heading and turn rate, and the revolutions of a coefficient set by speed.
 void Control::steer(const ControlSense& sense, ControlledActuators act, double h) noexcept {
+    if (mode() == ControlMode::position || mode() == ControlMode::follow) {
+        // Thrusters alone hold the position: a rudder that stays over would be a load.
+        act.rudder_order = 0.0;
+        for (RudderState& r : act.rudders) r.order = 0.0;
+    }
     if (mode() != ControlMode::heading) return;
     if (speed_order_ > 0.0 && def_.steering.rps > 0.0) {
         const double most =
@@ -211,54 +216,83 @@ void Control::steer(const ControlSense& sense, ControlledActuators act, double h
             std::clamp(wanted, -def_.rudders[i].most_angle, def_.rudders[i].most_angle);
 }
 
-/// Order propulsors: azimuth angles by the allocation, thrusts within their rates.
+/// A fraction of the power is a fraction ^(2/3) of the thrust. Capacity comes back slowly:
+/// thrusters that take power from each other do not alternate.
+void Control::find_available(const ControlledActuators& act, double h) noexcept {
+    uncontrolled_.setZero();
+    for (std::size_t i = 0; i < act.propulsors.size(); ++i) {
+        const PropulsorState& s = act.propulsors[i];
+        available_[i] = 1.0;
+        if (!powered_.empty()) {
+            const double offered = std::cbrt(act.bus.offered(i, full_));
+            powered_[i] = std::min(offered * offered, powered_[i] + h / kPowerBack);
+            available_[i] = powered_[i];
+        }
+        if (failure_of(s.failed) != Failure::none) available_[i] = 0.0;
+        if (available_[i] <= 0.0) uncontrolled_ += push(s, i);
+    }
+}
+
+/// Order the angle of an azimuth by the allocation.
+void Control::order_angle(PropulsorState& s, std::size_t i) noexcept {
+    const AllocatedThruster& t = allocation_.thrusters()[i];
+    const double x = allocation_.x(i), y = allocation_.y(i);
+    const bool reversed =
+        sectors_[i] >= 0 && t.sectors[static_cast<std::size_t>(sectors_[i])].reversed;
+    if (std::hypot(x, y) > kSmallThrust * t.ahead)
+        s.angle_order = wrapped(std::atan2(y, x) + (reversed ? std::acos(-1.0) : 0.0));
+    ThrusterNow& now = now_[i];
+    now.angle = s.angle;
+    now.least = reversed ? -available_[i] * t.astern : 0.0;
+    if (reversed) now.most = 0.0;
+    // A thruster that turns through a zone does not push there.
+    bool allowed = t.sectors.empty();
+    for (const ThrustSector& sector : t.sectors) {
+        const double turned = s.angle + (sector.reversed ? std::acos(-1.0) : 0.0);
+        const double off = wrapped(turned - sector.from - 0.5 * sector.width);
+        allowed =
+            allowed || (sector.reversed == reversed && std::abs(off) <= 0.5 * sector.width + 0.02);
+    }
+    if (!allowed) now.least = now.most = 0.0;
+}
+
+/// Limit the thrust of a propulsor in this step by its capacity, direction and ramp.
+void Control::limit_thruster(const PropulsorState& s, std::size_t i, double h) noexcept {
+    const PropulsorDef& p = def_.propulsors[i];
+    const AllocatedThruster& t = allocation_.thrusters()[i];
+    ThrusterNow& now = now_[i];
+    if (!(p.ramp > 0.0) || p.shaft_inertia > 0.0) return;
+    const double past = p.propeller.diameter > 0.0 ? s.rps / p.most_rps : s.level;
+    const auto thrust = [&](double level) {
+        const double f = std::clamp(level / rps_[i], -1.0, 1.0);
+        return f * std::abs(f) * (f < 0.0 ? t.astern : t.ahead);
+    };
+    const double least = now.least, most = now.most;
+    now.least = std::clamp(thrust(past - h / p.ramp), least, most);
+    now.most = std::clamp(thrust(past + h / p.ramp), least, most);
+}
+
+/// Order the propulsors: azimuths to the angles of the allocation, thrusts within their rates.
+/// A propulsor that failed, or that the bus gives no power, gets no order.
 void Control::order_thrusters(const Vec3& tau, ControlledActuators act, double h) noexcept {
-    allocation_.allocate(tau, nullptr, sectors_.data());
+    const Vec3 wanted = tau - uncontrolled_;
+    allocation_.allocate(wanted, available_.data(), sectors_.data());
     for (std::size_t i = 0; i < act.propulsors.size(); ++i) {
         PropulsorState& s = act.propulsors[i];
-        const PropulsorDef& p = def_.propulsors[i];
         const AllocatedThruster& t = allocation_.thrusters()[i];
-        ThrusterNow& now = now_[i];
-        now = {t.axis, -t.astern, t.ahead};
-        const double past = p.propeller.diameter > 0.0 ? s.rps / p.most_rps : s.level;
-        if (t.turns) {
-            const double x = allocation_.x(i), y = allocation_.y(i);
-            const bool reversed =
-                sectors_[i] >= 0 && t.sectors[static_cast<std::size_t>(sectors_[i])].reversed;
-            if (std::hypot(x, y) > kSmallThrust * t.ahead)
-                s.angle_order = wrapped(std::atan2(y, x) + (reversed ? std::acos(-1.0) : 0.0));
-            now.angle = s.angle;
-            now.least = 0.0;
-            if (reversed) {
-                now.least = -t.astern;
-                now.most = 0.0;
-            }
-            // A thruster gives no thrust while it turns through a forbidden zone.
-            bool allowed = t.sectors.empty();
-            for (const ThrustSector& sector : t.sectors) {
-                const double turned = s.angle + (sector.reversed ? std::acos(-1.0) : 0.0);
-                const double off = wrapped(turned - sector.from - 0.5 * sector.width);
-                allowed = allowed || (sector.reversed == reversed &&
-                                      std::abs(off) <= 0.5 * sector.width + 0.02);
-            }
-            if (!allowed) now.least = now.most = 0.0;
-        }
-        if (p.ramp > 0.0 && !(p.shaft_inertia > 0.0)) {
-            const auto thrust = [&](double level) {
-                const double f = std::clamp(level / rps_[i], -1.0, 1.0);
-                return f * std::abs(f) * (f < 0.0 ? t.astern : t.ahead);
-            };
-            now.least = std::clamp(thrust(past - h / p.ramp), now.least, now.most);
-            now.most = std::clamp(thrust(past + h / p.ramp), now.least, now.most);
-        }
+        now_[i] = {t.axis, -available_[i] * t.astern, available_[i] * t.ahead};
+        if (available_[i] <= 0.0) continue;
+        if (t.turns) order_angle(s, i);
+        limit_thruster(s, i, h);
     }
-    allocation_.reach(tau, now_.data(), thrusts_.data());
-    allocated_ = allocation_.total();
+    allocation_.reach(wanted, now_.data(), thrusts_.data());
+    allocated_ = allocation_.total() + uncontrolled_;
     for (std::size_t i = 0; i < act.propulsors.size(); ++i) {
         const AllocatedThruster& t = allocation_.thrusters()[i];
         const double capacity = thrusts_[i] < 0.0 ? t.astern : t.ahead;
         const double share = capacity > 0.0 ? std::sqrt(std::abs(thrusts_[i]) / capacity) : 0.0;
         act.propulsors[i].order = std::copysign(std::min(share, 1.0) * rps_[i], thrusts_[i]);
+        if (available_[i] <= 0.0) act.propulsors[i].order = 0.0;
     }
 }
 
@@ -270,9 +304,13 @@ void Control::analyse_failure(Prestep& now, double h) noexcept {
     const auto k = static_cast<std::size_t>(next_failure_);
     shortfalls_[k] = 0.0;
     if (size > kSmallDemand) {
-        for (std::size_t i = 0; i < spare_.size(); ++i) spare_[i] = sectors_[i];
-        allocation_.allocate(mean_, failures_[k].data(), spare_.data());
-        shortfalls_[k] = allocation_.scaled_norm(Vec3(mean_ - allocation_.total())) / size;
+        for (std::size_t i = 0; i < spare_.size(); ++i) {
+            spare_[i] = sectors_[i];
+            remaining_[i] = failures_[k][i] != 0 ? 0.0 : available_[i];
+        }
+        const Vec3 wanted = mean_ - uncontrolled_;
+        allocation_.allocate(wanted, remaining_.data(), spare_.data());
+        shortfalls_[k] = allocation_.scaled_norm(Vec3(wanted - allocation_.total())) / size;
     }
     next_failure_ = k + 1 < shortfalls_.size() ? next_failure_ + 1 : 0;
     const auto worst = std::max_element(shortfalls_.begin(), shortfalls_.end());
@@ -309,17 +347,18 @@ void Control::report(Prestep& now) noexcept {
     }
 }
 
-/// Return the force of the propulsors in the last step.
+Vec3 Control::push(const PropulsorState& s, std::size_t i) const noexcept {
+    const AllocatedThruster& t = allocation_.thrusters()[i];
+    const double kept = s.thrust > 0.0 ? 1.0 - def_.propulsors[i].thrust_deduction : 1.0;
+    const double a = t.turns ? s.angle : t.axis;
+    const double x = kept * s.thrust * std::cos(a), y = kept * s.thrust * std::sin(a);
+    return {x, y, t.x * y - t.y * x};
+}
+
+/// Return the force of all propulsors in the last step.
 Vec3 Control::pushing(const ControlledActuators& act) const noexcept {
     Vec3 out = Vec3::Zero();
-    for (std::size_t i = 0; i < act.propulsors.size(); ++i) {
-        const PropulsorState& s = act.propulsors[i];
-        const AllocatedThruster& t = allocation_.thrusters()[i];
-        const double kept = s.thrust > 0.0 ? 1.0 - def_.propulsors[i].thrust_deduction : 1.0;
-        const double a = t.turns ? s.angle : t.axis;
-        const double x = kept * s.thrust * std::cos(a), y = kept * s.thrust * std::sin(a);
-        out += Vec3(x, y, t.x * y - t.y * x);
-    }
+    for (std::size_t i = 0; i < act.propulsors.size(); ++i) out += push(act.propulsors[i], i);
     return out;
 }
 
@@ -339,6 +378,7 @@ Vec3 Control::step(Prestep& now, const ControlSense& sense, ControlledActuators 
     const Vec3 feed = (def_.control.wind ? sense.wind : Vec3::Zero()) + sense.lines;
     feed_ += fraction_of(h, def_.control.wind_filter) * (feed - feed_);
     const ControlMode m = mode();
+    find_available(act, h);
     if (m != ControlMode::off && m != ControlMode::joystick) follow_orders(sense, h);
     demand_ = demand(sense, h);
     if (!finite(demand_)) demand_.setZero();

@@ -9,6 +9,7 @@
 #include "vessel/actuators.h"
 #include "vessel/allocation.h"
 #include "vessel/observer.h"
+#include "vessel/power.h"
 
 #include <cstdint>
 #include <memory>
@@ -41,6 +42,7 @@ struct ControlledActuators {
     std::vector<RudderState>& rudders;
     double& rudder_order;
     double& rps_order;
+    const PowerBus& bus;
 };
 
 class Control {
@@ -69,8 +71,15 @@ class Control {
     [[nodiscard]] Vec3 demand(const ControlSense& sense, double h) noexcept;
     [[nodiscard]] Vec3 speed_demand(const ControlSense& sense, double h) noexcept;
     void steer(const ControlSense& sense, ControlledActuators act, double h) noexcept;
+    /// Compute the fraction of its capacity that each propulsor has, and the force of those that do
+    /// not obey.
+    void find_available(const ControlledActuators& act, double h) noexcept;
     void order_thrusters(const Vec3& tau, ControlledActuators act, double h) noexcept;
+    void limit_thruster(const PropulsorState& s, std::size_t i, double h) noexcept;
+    void order_angle(PropulsorState& s, std::size_t i) noexcept;
     void integrate(const Vec3& tau, double h) noexcept;
+    /// Return the present force of a propulsor, X, Y, N.
+    [[nodiscard]] Vec3 push(const PropulsorState& s, std::size_t i) const noexcept;
     [[nodiscard]] Vec3 pushing(const ControlledActuators& act) const noexcept;
     void report(Prestep& now) noexcept;
     void analyse_failure(Prestep& now, double h) noexcept;
@@ -87,12 +96,16 @@ class Control {
     Vec3 largest_ = Vec3::Zero();
     int authority_ = 0;
     double length_ = 100.0;
-    std::vector<double> rps_;  ///< Revolutions at capacity over most_rps; 1 for ideal propulsors.
+    std::vector<double> rps_;   ///< Revolutions at capacity over most_rps; 1 if ideal.
+    std::vector<double> full_;  ///< Power of each propulsor at capacity, at the shaft [W].
     std::vector<std::vector<std::uint8_t>> failures_;
     // Work arrays.
     std::vector<ThrusterNow> now_;
     std::vector<double> thrusts_;
     std::vector<std::int32_t> spare_;
+    std::vector<double> available_;     ///< Fractions of capacities in this step.
+    std::vector<double> remaining_;     ///< Fractions after one more failure.
+    Vec3 uncontrolled_ = Vec3::Zero();  ///< Force of propulsors that do not obey.
 
     // Input signals.
     double mode_input_ = 0.0;
@@ -112,6 +125,7 @@ class Control {
     Observer observer_;
     std::vector<std::int32_t> sectors_;
     std::vector<double> shortfalls_;  ///< Shortfall of each failure.
+    std::vector<double> powered_;     ///< Fractions of capacities by the bus; empty without one.
     // Output signals.
     double mode_now_ = 0.0, heading_ = 0.0, worst_ = 0.0, worst_failure_ = -1.0;
     Vec3 offsets_ = Vec3::Zero(), demand_ = Vec3::Zero(), allocated_ = Vec3::Zero();

@@ -23,7 +23,8 @@ constexpr double kMaxCoordinate = 1e9;
 /// Thrust of a propulsor at full order without inflow [N].
 struct Bollard {
     double ahead = 0.0, astern = 0.0;
-    double rps = 1.0;  ///< Revolutions over most_rps.
+    double rps = 1.0;    ///< Revolutions over most_rps.
+    double power = 0.0;  ///< Of a propeller, at its shaft [W].
 };
 
 Bollard bollard_of(const PropulsorDef& p, double density) {
@@ -42,8 +43,9 @@ Bollard bollard_of(const PropulsorDef& p, double density) {
         if (full > p.most_torque) rps *= std::sqrt(p.most_torque / full);
     }
     const double pitch = p.propeller.pitch;
-    out.ahead =
-        propeller_force(p.propeller, pitch, rps, 0.0, density).thrust * (1.0 - p.thrust_deduction);
+    const PropellerForce most = propeller_force(p.propeller, pitch, rps, 0.0, density);
+    out.ahead = most.thrust * (1.0 - p.thrust_deduction);
+    out.power = std::max(0.0, 2.0 * kControlPi * rps * most.torque);
     out.astern = -propeller_force(p.propeller, pitch, -rps, 0.0, density).thrust;
     out.rps = rps / p.most_rps;
     return out;
@@ -120,6 +122,10 @@ Control::Control(const VesselDef& def, const Vec3& mass)
         if (t.turns) t.sectors = sectors_of(p, c.zones);
         thrusters.push_back(std::move(t));
         rps_.push_back(b.rps);
+        full_.push_back(b.power);
+        for (const ConsumerDef& consumer : def_.power.consumers)
+            if (consumer.name == p.name && !(p.propeller.diameter > 0.0))
+                full_.back() = consumer.power;
     }
     allocation_ = Allocation(std::move(thrusters));
     largest_ = allocation_.largest();
@@ -143,6 +149,9 @@ Control::Control(const VesselDef& def, const Vec3& mass)
     spare_.assign(count, -1);
     sectors_.assign(count, -1);
     shortfalls_.assign(failures_.size(), 0.0);
+    available_.assign(count, 1.0);
+    remaining_.assign(count, 1.0);
+    if (!def_.power.boards.empty()) powered_.assign(count, 1.0);
     const Vec3 damping(def_.damping(0, 0), def_.damping(1, 1), def_.damping(5, 5));
     observer_ = Observer(mass, damping, c.wave_period);
     mode_input_ = static_cast<double>(c.mode);
@@ -160,6 +169,7 @@ void Control::visit(StateVisitor& v) {
     observer_.visit(v);
     for (std::int32_t& s : sectors_) v.visit(s);
     for (double& s : shortfalls_) v.visit(s);
+    for (double& p : powered_) v.visit(p);
 }
 
 void Control::check(StateRules& rules) const {
@@ -173,6 +183,8 @@ void Control::check(StateRules& rules) const {
         rules.range(sectors_[i], -1.0,
                     static_cast<double>(allocation_.thrusters()[i].sectors.size()) - 1.0,
                     "the sector of an azimuth is out of range");
+    for (const double p : powered_)
+        rules.range(p, 0.0, 1.0, "the fraction of a thruster's power is out of range");
     for (const Vec3* place : {&desired_, &seen_, &offset_, &observer_.low().place})
         for (const double x : *place)
             rules.range(x, -kMaxCoordinate, kMaxCoordinate,

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kStarPi = std::numbers::pi, kTurn = 2.0 * std::numbers::pi;
 constexpr double kMiscellaneous = 0.9;  ///< β_misc.
-/// Angle between vertices of inscribed arcs [rad]; they lie at most 0.1 % inside the circle.
-constexpr double kArc = std::numbers::pi / 36;
+/// Angle between vertices in the dip of a skeg [rad].
+constexpr double kDipArc = std::numbers::pi / 180;
 constexpr double kWidest = std::numbers::pi;  ///< Maximum width of a fan [rad].
 
 /// Return the angle in 0 … 2π.
@@ -188,7 +188,7 @@ void cut_fans(const std::vector<Force2>& chain, std::vector<Fan>& out) {
 
 /// Append the fans of a turning thruster: arcs of its circle with dips and notches.
 void turning_fans(const DpShip& ship, std::size_t i, double radius, const std::vector<bool>& failed,
-                  std::vector<Fan>& out) {
+                  double arc, std::vector<Fan>& out) {
     const DpThruster& t = ship.thrusters[i];
     const std::vector<Notch> cuts = notches(ship, i, failed);
     std::vector<double> corners;
@@ -199,10 +199,13 @@ void turning_fans(const DpShip& ship, std::size_t i, double radius, const std::v
     for (const Notch& n : cuts)
         for (const double a : {n.middle - n.half, n.middle, n.middle + n.half})
             corners.push_back(positive_angle(a));
+    const double dip = std::min(arc, kDipArc);
     for (const DpSector& s : free_sectors(dp_forbidden_zones(ship, i, failed))) {
         std::vector<double> at{s.from, s.to};
-        for (int k = static_cast<int>(std::ceil(s.from / kArc)); k * kArc < s.to; ++k)
-            if (k * kArc > s.from) at.push_back(k * kArc);
+        for (int k = static_cast<int>(std::ceil(s.from / arc)); k * arc < s.to; ++k)
+            if (k * arc > s.from) at.push_back(k * arc);
+        for (int k = static_cast<int>(std::ceil(s.from / dip)); k * dip < s.to; ++k)
+            if (k * dip > s.from && dp_skeg_factor(ship, t, k * dip) < 1.0) at.push_back(k * dip);
         for (const double c : corners)
             for (const double a : {c, c + kTurn})
                 if (a > s.from && a < s.to) at.push_back(a);
@@ -292,7 +295,7 @@ double gauge(const Star& star, const Force2& f) noexcept {
 }
 
 Star capacity_star(const DpShip& ship, std::size_t thruster, const DpCondition& at, double from,
-                   const std::vector<bool>& failed) {
+                   const std::vector<bool>& failed, double arc_step) {
     const DpThruster& t = ship.thrusters[thruster];
     Star out;
     out.power = t.power;
@@ -312,7 +315,7 @@ Star capacity_star(const DpShip& ship, std::size_t thruster, const DpCondition& 
     else if (t.kind == DpThrusterKind::shaft)
         shaft_fans(ship, thruster, ahead, capacity(true), failed, out.fans);
     else
-        turning_fans(ship, thruster, ahead, failed, out.fans);
+        turning_fans(ship, thruster, ahead, failed, arc_step, out.fans);
     return out;
 }
 

@@ -32,9 +32,16 @@ struct Star {
 /// Return the smallest factor U with f ∈ U · fan; infinite if there is none.
 [[nodiscard]] double gauge(const Fan& fan, const Force2& f) noexcept;
 
-/// Return the star of a thruster after all losses; no fans if it failed.
+/// Angle between vertices of the polygon in the circle of an azimuth: that of the published
+/// solution of the test ship (docs/vessels.md) [rad].
+inline constexpr double kArcStep = 0.17453292519943295;
+
+/// Compute the star of a thruster after all losses; no fans if it failed.
+/// @param arc_step  Vertices of arcs lie at its multiples, at the ends of sectors and dips, and at
+/// each degree in the dip of a skeg [rad].
 [[nodiscard]] Star capacity_star(const DpShip& ship, std::size_t thruster, const DpCondition& at,
-                                 double from, const std::vector<bool>& failed);
+                                 double from, const std::vector<bool>& failed,
+                                 double arc_step = kArcStep);
 
 /// Return the smallest U for a load, by branch and bound over fans with a linear program in each
 /// node.

@@ -96,6 +96,31 @@ double PowerBus::capacity(const Board& board) noexcept {
     return sum;
 }
 
+bool PowerBus::together(const Consumer& a, const Consumer& b) const noexcept {
+    if (failed(boards_[a.board].part) || failed(boards_[b.board].part)) return false;
+    return tie_ >= 0.5 || a.board == b.board;
+}
+
+double PowerBus::offered(std::size_t propulsor, const std::vector<double>& full) const noexcept {
+    const Consumer* c = find(propulsor);
+    if (c == nullptr) return 1.0;
+    if (failed(boards_[c->board].part)) return 0.0;
+    double left = 0.0, asked = 0.0;
+    for (const Board& b : boards_)
+        if (tie_ >= 0.5 || &b == &boards_[c->board]) left += share_ * capacity(b);
+    for (const Consumer& other : consumers_) {
+        if (other.priority > c->priority || !together(other, *c)) continue;
+        const double present = is_load(other) ? other.load : other.demand;
+        if (other.priority < c->priority)
+            left -= present;
+        else if (other.propulsor >= 0)
+            asked += full[static_cast<std::size_t>(other.propulsor)] / other.efficiency;
+        else
+            asked += present;
+    }
+    return asked > left ? std::max(0.0, left) / asked : 1.0;
+}
+
 void PowerBus::distribute(double capacity, int board) noexcept {
     const auto served = [&](const Consumer& c) {
         return board < 0 ? !failed(boards_[c.board].part)

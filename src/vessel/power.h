@@ -39,6 +39,14 @@ class PowerBus {
     void grant(Prestep& now, BodyId body) noexcept;
     /// Return the power that a propulsor may take at its shaft, 1e300 without a bus [W].
     [[nodiscard]] double granted(std::size_t propulsor) const noexcept;
+    /// Return the fraction of its full power that a propulsor could take, 0 … 1; 1 without a bus.
+    ///
+    /// It depends on the present loads and demands of smaller `priority` numbers. Propulsors of the
+    /// same priority count with their full power, so that the fraction does not depend on the
+    /// orders that follow from it.
+    /// @param full  Power of each propulsor at full order, at its shaft [W].
+    [[nodiscard]] double offered(std::size_t propulsor,
+                                 const std::vector<double>& full) const noexcept;
 
     void visit_state(StateVisitor& visitor);
     void check_state(StateRules& rules) const;
@@ -73,6 +81,8 @@ class PowerBus {
     }
     [[nodiscard]] static bool failed(const Part& part) noexcept { return part.failed >= 0.5; }
     [[nodiscard]] static double capacity(const Board& board) noexcept;
+    /// Return true if two consumers share the capacity of one board, or of tied boards.
+    [[nodiscard]] bool together(const Consumer& a, const Consumer& b) const noexcept;
     [[nodiscard]] const Consumer* find(std::size_t propulsor) const noexcept;
     /// Distribute a capacity to the consumers of one board, or of all boards that did not fail.
     void distribute(double capacity, int board) noexcept;

@@ -43,22 +43,12 @@ double sum_of(std::span<const DuctTerm> terms, double j, double p) noexcept {
     return sum;
 }
 
-double fourier(std::span<const double> cosines, std::span<const double> sines,
-               double angle) noexcept {
-    double sum = 0.0;
-    for (std::size_t k = 0; k < cosines.size(); ++k) {
-        const double at = static_cast<double>(k) * angle;
-        sum += cosines[k] * std::cos(at) + sines[k] * std::sin(at);
-    }
-    return sum;
-}
-
 /// Return thrust and torque by the Fourier series of the B4-70, scaled to the series at J = 0.
 PropellerForce by_quadrants(const PropellerDef& propeller, double pitch, double rps, double speed,
                             double density) noexcept {
     const double d = propeller.diameter, tip = kTipFraction * rps * d, flow = speed / pitch;
     const QuadrantPoint at = four_quadrants_b4_70(std::atan2(flow, tip));
-    const QuadrantPoint still = four_quadrants_b4_70(0.0);
+    static const QuadrantPoint still = four_quadrants_b4_70(0.0);
     PropellerDef own = propeller;
     own.pitch = pitch;
     const PropellerPoint first = open_water(own, 0.0);
@@ -89,8 +79,14 @@ PropellerPoint ka5_75(double advance, double pitch) noexcept {
 }
 
 QuadrantPoint four_quadrants_b4_70(double angle) noexcept {
-    return {fourier(vessel::kThrustCos, vessel::kThrustSin, angle),
-            fourier(vessel::kTorqueCos, vessel::kTorqueSin, angle)};
+    QuadrantPoint sum;
+    for (std::size_t k = 0; k < std::size(vessel::kThrustCos); ++k) {
+        const double at = static_cast<double>(k) * angle;
+        const double c = std::cos(at), s = std::sin(at);
+        sum.thrust += vessel::kThrustCos[k] * c + vessel::kThrustSin[k] * s;
+        sum.torque += vessel::kTorqueCos[k] * c + vessel::kTorqueSin[k] * s;
+    }
+    return sum;
 }
 
 const char* to_string(PropellerSeries series) noexcept {

@@ -129,6 +129,8 @@ VesselSystem::VesselSystem(VesselDef def, double mass, Mat3 inertia, Surface sur
     }
     propulsor_.resize(propulsors_.size());
     rudder_state_.resize(rudders_.size());
+    thrusts_.assign(propulsors_.size(), 0.0);
+    pushes_.assign(propulsors_.size() + rudders_.size(), Wrench::Zero());
     rps_ = rps_order_ = def_.steering.rps;
     if (def_.control.active) {
         const Matrix6 whole = rigid_mass(mass_, inertia_, def_.origin) + def_.added_mass;
@@ -207,7 +209,25 @@ VesselSystem::Motion VesselSystem::motion_of(const Prestep& now) noexcept {
     return m;
 }
 
-Wrench VesselSystem::water_force(const Flow& flow) const noexcept {
+void VesselSystem::compute_pushes(const Flow& flow) noexcept {
+    const std::size_t count = propulsors_.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        double along = 0.0;
+        thrusts_[i] = propulsors_[i].open(propulsor_[i], flow, along).thrust;
+        pushes_[i] = propulsors_[i].push(propulsor_[i], thrusts_[i]);
+    }
+    for (std::size_t i = 0; i < rudders_.size(); ++i) {
+        double thrust = 0.0, diameter = 0.0;
+        if (const int b = rudders_[i].behind(); b >= 0) {
+            const auto j = static_cast<std::size_t>(b);
+            thrust = thrusts_[j];
+            diameter = propulsors_[j].def().propeller.diameter;
+        }
+        pushes_[count + i] = rudders_[i].force(rudder_state_[i], flow, thrust, diameter);
+    }
+}
+
+Wrench VesselSystem::water_force(const Flow& flow, bool push) noexcept {
     Wrench out = -(def_.damping * flow.motion);
     out[0] += surge_force(def_.resistance, flow.u());
     out += cross_flow_force(def_.cross_flow, flow);
@@ -215,17 +235,8 @@ Wrench VesselSystem::water_force(const Flow& flow) const noexcept {
     out += polynomial_.force(flow);
     out += stern_force(def_.mmg, flow);
     out += stern_force(def_.son_nomoto, flow);
-    for (std::size_t i = 0; i < propulsors_.size(); ++i)
-        out += propulsors_[i].force(propulsor_[i], flow);
-    for (std::size_t i = 0; i < rudders_.size(); ++i) {
-        double thrust = 0.0, diameter = 0.0, along = 0.0;
-        if (const int b = rudders_[i].behind(); b >= 0) {
-            const auto j = static_cast<std::size_t>(b);
-            thrust = propulsors_[j].open(propulsor_[j], flow, along).thrust;
-            diameter = propulsors_[j].def().propeller.diameter;
-        }
-        out += rudders_[i].force(rudder_state_[i], flow, thrust, diameter);
-    }
+    if (push) compute_pushes(flow);
+    for (const Wrench& p : pushes_) out += p;
     return out;
 }
 
@@ -398,7 +409,8 @@ Wrench VesselSystem::control(Prestep& now, const Motion& m) noexcept {
         sense.target_motion = now.world.velocity(def_.control.target).linear;
     }
     const Vec3 direct = control_->step(
-        now, sense, ControlledActuators{propulsor_, rudder_state_, rudder_order_, rps_order_});
+        now, sense,
+        ControlledActuators{propulsor_, rudder_state_, rudder_order_, rps_order_, bus_});
     out << direct[0], direct[1], 0.0, 0.0, 0.0, direct[2];
     return out;
 }
@@ -408,14 +420,17 @@ void VesselSystem::prestep(Prestep& now, Loads& loads) noexcept {
     const Flow& flow = m.flow;
     update_losses(now, flow.density);
     const Wrench direct = control(now, m);
-    const Wrench water = water_force(flow);
+    const Wrench water = water_force(flow, true);
     Wrench damping = Wrench::Zero();
-    for (int i = 0; i < 6; ++i) {
+    // Propulsors and rudders depend on u, v, r alone: w, p, q go first and keep their forces.
+    for (const int i : {2, 3, 4, 0, 1, 5}) {
+        const bool push = i < 2 || i == 5;
         const double d = i < 3 ? kSpeedStep : kTurnStep;
         Flow less = flow, more = flow;
         less.motion[i] -= d;
         more.motion[i] += d;
-        damping[i] = std::max(0.0, (water_force(less)[i] - water_force(more)[i]) / (2.0 * d));
+        const double above = water_force(more, push)[i];
+        damping[i] = std::max(0.0, (water_force(less, push)[i] - above) / (2.0 * d));
     }
     Wrench place = Wrench::Zero();
     place[2] = m.heave;

@@ -72,8 +72,11 @@ class VesselSystem final : public System {
     };
     [[nodiscard]] Motion motion_of(const Prestep& now) noexcept;
     void read_sea(const World& world, Vec3& current, Vec3& wind, Motion& m) const noexcept;
-    /// Return the forces that depend on the velocity through the water.
-    [[nodiscard]] Wrench water_force(const Flow& flow) const noexcept;
+    /// Compute the forces that depend on the velocity through the water.
+    /// @param push  True: compute `pushes_`; false: they are those of the same u, v, r.
+    [[nodiscard]] Wrench water_force(const Flow& flow, bool push) noexcept;
+    /// Compute the forces of propulsors and rudders.
+    void compute_pushes(const Flow& flow) noexcept;
     [[nodiscard]] Wrench wind_force(const Motion& m) const noexcept;
     [[nodiscard]] Wrench added_coriolis(const Motion& m) const noexcept;
     [[nodiscard]] Wrench load_of(const Motion& m, const Wrench& force) const noexcept;
@@ -97,6 +100,9 @@ class VesselSystem final : public System {
     std::vector<Propulsor> propulsors_;
     std::vector<Rudder> rudders_;
     Surface surface_;  ///< Water surface, updated in each step.
+    // Scratch of water_force().
+    std::vector<double> thrusts_;  ///< Of propulsors in open water [N].
+    std::vector<Wrench> pushes_;   ///< Of propulsors, then of rudders.
     bool lossy_ = false;
     std::vector<FedLine> lines_;
     std::unique_ptr<Control> control_;  ///< Null: VesselControl::active is false.

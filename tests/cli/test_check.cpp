@@ -142,7 +142,8 @@ TEST(Check, OptionsChangeWhatIsChecked) {
     const Outcome heavy =
         run_program({"check", "scenes/box_stack.json", "--set", "bodies.box3.mass=1e9"});
     EXPECT_EQ(heavy.code, 0);
-    EXPECT_NE(heavy.err.find("\"box3\" has an implausible density of 1e+09"), std::string::npos) << heavy.err;
+    EXPECT_NE(heavy.err.find("\"box3\" has an implausible density of 1e+09"), std::string::npos)
+        << heavy.err;
 }
 
 /// Data for users come first, data of the solver last.

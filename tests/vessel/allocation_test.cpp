@@ -220,11 +220,39 @@ TEST(Allocation, FailedThrustersGiveNothing) {
     std::mt19937 rng(5);
     const auto ship = random_ship(rng, true);
     Allocation allocation(ship);
-    const std::vector<std::uint8_t> failed{1, 0, 1, 0};
+    const std::vector<double> available{0.0, 1.0, 0.0, 1.0};
     std::vector<std::int32_t> sectors(ship.size(), -1);
-    allocation.allocate(Vec3(1e5, 1e5, 0.0), failed.data(), sectors.data());
+    allocation.allocate(Vec3(1e5, 1e5, 0.0), available.data(), sectors.data());
     for (const std::size_t i : {0, 2})
         EXPECT_NEAR(std::hypot(allocation.x(i), allocation.y(i)), 0.0, 1e-6 * ship[i].ahead);
+}
+
+TEST(Allocation, AFractionOfTheCapacityIsALimit) {
+    std::mt19937 rng(9);
+    std::uniform_real_distribution<double> any(0.1, 0.9);
+    for (int trial = 0; trial < 40; ++trial) {
+        const auto ship = random_ship(rng, trial % 2 == 1);
+        std::vector<double> available;
+        for (std::size_t i = 0; i < ship.size(); ++i) available.push_back(any(rng));
+        Allocation allocation(ship);
+        std::vector<std::int32_t> sectors(ship.size(), -1);
+        allocation.allocate(Vec3(3e6 * any(rng), 3e6 * any(rng), 5e7 * any(rng)), available.data(),
+                            sectors.data());
+        for (std::size_t i = 0; i < ship.size(); ++i)
+            EXPECT_LE(std::hypot(allocation.x(i), allocation.y(i)),
+                      available[i] * ship[i].ahead * (1.0 + 1e-6))
+                << trial << ' ' << i;
+    }
+    // On the centre line all thrust goes ahead; the polygon of the disc has a vertex there.
+    std::vector<AllocatedThruster> line(2);
+    line[0] = {.turns = true, .x = -30.0, .ahead = 3e5, .astern = 2e5};
+    line[1] = {.turns = true, .x = 20.0, .ahead = 2e5, .astern = 1e5};
+    Allocation allocation(line);
+    const double available[] = {0.5, 1.0};
+    std::int32_t sectors[] = {-1, -1};
+    allocation.allocate(Vec3(1e7, 0.0, 0.0), available, sectors);
+    EXPECT_NEAR(allocation.total()[0], 0.5 * 3e5 + 2e5, 1e-3);
+    EXPECT_NEAR(allocation.total()[1], 0.0, 1e-3);
 }
 
 TEST(Allocation, ThrustersMakeUpForAnAzimuthThatStillTurns) {

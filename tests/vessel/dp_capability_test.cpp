@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 /// DNV-ST-0111 Level 1: parts by hand, programs beside closed forms, a solved test ship.
 #include <hawser/dp_capability.h>
+#include <hawser/hawser.h>
+#include <hawser/scene.h>
 
 #include <gtest/gtest.h>
 
+#include "vessel/dp_star.h"
+
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <numbers>
 #include <string>
@@ -15,38 +20,18 @@ namespace {
 
 constexpr double kDpDeg = std::numbers::pi / 180.0;
 
+/// Return the data of scenes/dp_ship.json, without its failures.
 DpShip solved_ship() {
-    DpShip s;
-    s.length = 80.0;
-    s.beam = 18.0;
-    s.draught = 6.0;
-    s.surface_length = 86.0;
-    s.surface_x = -1.0;
-    s.bow_angle = std::atan(0.45);
-    s.aft_waterplane = 648.0;
-    s.frontal_area = 280.0;
-    s.lateral_area = 700.0;
-    s.lateral_x = 12.0;
-    s.submerged_area = 490.0;
-    s.submerged_x = -1.5;
-    s.skegs = {{-36.0, 0.0}};
-    const auto add = [&](const char* name, DpThrusterKind kind, Vec3 point, double d, double p) {
-        DpThruster t;
-        t.name = name;
-        t.kind = kind;
-        t.point = point;
-        t.diameter = d;
-        t.power = p;
-        s.thrusters.push_back(t);
-    };
-    add("AZ1", DpThrusterKind::azimuth, {-40.0, 5.5, 1.8}, 3.0, 2e6);
-    add("AZ2", DpThrusterKind::azimuth, {-40.0, -5.5, 1.8}, 3.0, 2e6);
-    add("BT1", DpThrusterKind::tunnel, {31.0, 0.0, 2.5}, 2.0, 9e5);
-    add("BT2", DpThrusterKind::tunnel, {28.0, 0.0, 2.5}, 2.0, 9e5);
-    s.thrusters[0].propeller = s.thrusters[1].propeller = DpPropeller::ducted;
-    s.thrusters[2].inlet = DpInlet::rounded;
-    s.thrusters[3].inlet = DpInlet::broken;
-    return s;
+    const scene::Scene scene = scene::load_file("scenes/dp_ship.json");
+    for (const BodyId body : scene.world.bodies())
+        if (const VesselDef* vessel = find_vessel(scene.world, body))
+            if (vessel->dp_capability) {
+                DpShip out = *vessel->dp_capability;
+                out.failures.clear();
+                return out;
+            }
+    ADD_FAILURE() << "scenes/dp_ship.json has no dp_capability";
+    return {};
 }
 
 // Printed digits of a ship solved apart.
@@ -174,6 +159,34 @@ TEST(DpCapability, SolutionsBalanceTheLoad) {
             EXPECT_NEAR(x, 0.0, 1e-3);
             EXPECT_NEAR(y, 0.0, 1e-3);
             EXPECT_NEAR(n, 0.0, 0.1);
+        }
+}
+
+/// Utilisation of number 5 with polygons of another step.
+double utilisation_by_arcs(const DpShip& ship, double degrees, double from,
+                           const std::vector<bool>& failed) {
+    const DpCondition at = dp_condition(5);
+    std::vector<vessel::Star> stars;
+    for (std::size_t i = 0; i < ship.thrusters.size(); ++i)
+        stars.push_back(
+            vessel::capacity_star(ship, i, at, from * kDpDeg, failed, degrees * kDpDeg));
+    return vessel::smallest_utilisation(stars, {}, dp_loads(ship, at, from * kDpDeg).total).value;
+}
+
+// An inscribed polygon promises no thrust beyond the circle, and at least cos(step/2) of it.
+TEST(DpCapability, PolygonsApproachTheCircleFromInside) {
+    const DpShip ship = solved_ship();
+    for (double from = 0.0; from <= 180.0; from += 15.0)
+        for (const auto& failed :
+             {std::vector<bool>{}, std::vector<bool>{true, false, true, false}}) {
+            const double fine = utilisation_by_arcs(ship, 0.5, from, failed);
+            const double coarse = utilisation_by_arcs(ship, 10.0, from, failed);
+            EXPECT_NEAR(coarse, dp_utilisation(ship, 5, from * kDpDeg, failed).value, 1e-9);
+            EXPECT_GE(coarse, fine * (1.0 - 1e-6)) << from;
+            EXPECT_LE(coarse, fine / std::cos(5.0 * kDpDeg)) << from;
+            // Chords in the dip of a skeg, whose radius is linear in the angle, add to 1 − cos
+            // 0.5°.
+            EXPECT_LE(utilisation_by_arcs(ship, 1.0, from, failed), fine * 1.0003) << from;
         }
 }
 

@@ -4,6 +4,7 @@
 #include <hawser/sea.h>
 #include <hawser/vessel.h>
 
+#include "vessel/held_ship.h"
 #include "vessel/hull_forces.h"
 #include "vessel/losses.h"
 
@@ -18,36 +19,14 @@ namespace {
 
 constexpr double kPiLosses = std::numbers::pi;
 
-/// A ship held by damping, so that thrusts are those at rest.
-struct Held {
-    World world{WorldDef{.step = 1.0 / 60.0}};
-    VesselDef def;
-    Held() {
-        BodyDef body{.name = "hull", .mass = 8e6, .inertia = 1e9 * Mat3::Identity()};
-        body.gravity = false;
-        def.name = "ship";
-        def.body = world.add_body(body);
-        for (int i = 0; i < 6; ++i) def.damping(i, i) = 1e13;
-    }
+/// A held ship with thrusters that turn at once.
+struct Held : HeldShip {
     PropulsorDef& thruster(const char* name, double x, double y) {
-        PropulsorDef p;
-        p.name = name;
-        p.kind = PropulsorKind::azimuth;
+        PropulsorDef& p = azimuth(name);
         p.point = {x, y, 0.0};
-        p.thrust = 1e5;
         p.diameter = 2.0;
         p.turn_rate = 100.0;
-        def.propulsors.push_back(p);
-        return def.propulsors.back();
-    }
-    void set(const std::string& name, double value) {
-        world.set_system_signal("ship." + name, value);
-    }
-    [[nodiscard]] double get(const std::string& name) const {
-        return world.system_signal("ship." + name);
-    }
-    void run(double seconds) {
-        for (long i = std::lround(seconds * 60.0); i > 0; --i) ASSERT_EQ(world.step(), Status::ok);
+        return p;
     }
 };
 

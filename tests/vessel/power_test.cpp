@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "vessel/held_ship.h"
+
 #include <cmath>
 #include <string>
 #include <vector>
@@ -14,29 +16,10 @@ namespace {
 
 constexpr double kMega = 1e6;
 
-/// A ship held by large resistance, with thrusters on two switchboards.
-struct Bus {
-    World world{WorldDef{.step = 1.0 / 60.0}};
-    VesselDef def;
-    Bus() {
-        BodyDef body{.name = "hull", .mass = 8e6, .inertia = 1e9 * Mat3::Identity()};
-        body.gravity = false;
-        def.name = "ship";
-        def.body = world.add_body(body);
-        def.resistance.linear = 1e9;
-        def.resistance.blend = 100.0;
-        def.damping(1, 1) = def.damping(5, 5) = 1e11;
-    }
-    PropulsorDef& ideal(const char* name) {
-        PropulsorDef p;
-        p.name = name;
-        p.kind = PropulsorKind::azimuth;
-        p.thrust = 1e5;
-        def.propulsors.push_back(p);
-        return def.propulsors.back();
-    }
+/// A held ship with thrusters on two switchboards.
+struct Bus : HeldShip {
     void thrusters() {
-        for (const char* name : {"az", "bow1", "bow2"}) ideal(name);
+        for (const char* name : {"az", "bow1", "bow2"}) azimuth(name);
         def.power.boards = {{"a", {{"a1", kMega}, {"a2", kMega}}}, {"b", {{"b1", kMega}}}};
         def.power.consumers = {
             {.name = "bow1", .board = "a", .priority = 3, .power = 0.5 * kMega, .efficiency = 0.5},
@@ -45,18 +28,6 @@ struct Bus {
             {.name = "hotel", .board = "a", .priority = 1, .power = 0.2 * kMega}};
     }
     void add() { world.add(def); }
-    void set(const char* name, double value) {
-        world.set_system_signal(std::string("ship.") + name, value);
-    }
-    [[nodiscard]] double get(const char* name) const {
-        return world.system_signal(std::string("ship.") + name);
-    }
-    void run(double seconds) {
-        for (long i = std::lround(seconds * 60.0); i > 0; --i) ASSERT_EQ(world.step(), Status::ok);
-    }
-    [[nodiscard]] std::int64_t count(EventKind kind) const {
-        return world.event_extremes(kind).count;
-    }
 };
 
 // Closed form: 0.9 of 2 MW, less 0.2 MW and 1/0.9 MW, halved for two thrusters of 1 MW demand.
@@ -135,7 +106,7 @@ TEST(PowerBus, WithEnoughPowerNothingChanges) {
         p.most_rps = 2.0;
         p.shaft_inertia = 2e4;
         b.def.propulsors.push_back(p);
-        b.ideal("az");
+        b.azimuth("az");
         if (with) {
             b.def.power.boards = {{"a", {{"a1", 50.0 * kMega}}}};
             b.def.power.consumers = {{.name = "main", .board = "a"},
