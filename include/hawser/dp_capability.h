@@ -20,8 +20,8 @@
 /// fans, and branch and bound chooses them.
 ///
 /// The standard requires |f| ≤ T of an azimuth and leaves the method of allocation open ([3.11.1]).
-/// The circle is an inscribed polygon with vertices at multiples of 10°, at the ends of sectors and
-/// dips, and at each degree in the dip of a skeg, as in the published solution of the test ship. U
+/// The circle is an inscribed polygon, as in the published solution of the test ship. Vertices lie
+/// at multiples of 10°, at the ends of sectors and dips, and at each degree in the dip of a skeg. U
 /// is at most 0.4 % larger than with circles (docs/vessels.md).
 ///
 /// **Result.** The number of a heading is the largest Beaufort number n for which U ≤ 1 at 1 to n.

@@ -45,6 +45,8 @@ int give_order(World& world, ShipMaker& chance, const std::vector<SystemSignal>&
     const double width = high - low;
     double value = chance.between(low - 0.3 * width, high + 0.3 * width);
     if (one.name.ends_with("_failed") && chance.unit() < 0.7) value = 0.0;
+    // A fraction is no mode and is refused: most orders name one, so that all modes act.
+    if (one.name == "mode" && chance.unit() < 0.8) value = std::round(value);
     const std::int64_t before = world.event_extremes(EventKind::input_clamped).count;
     world.set_system_signal("ship." + one.name, value);
     const bool beyond = value < one.min || value > one.max;
