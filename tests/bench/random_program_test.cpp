@@ -114,8 +114,8 @@ TEST_F(RandomProgram, OneCaseComesOutTheSameAndIsAScene_full) {
 
 TEST_F(RandomProgram, RunsFamiliesOfGear_full) {
     for (const std::string family : {"winches", "guides", "hulls"}) {
-        const std::string json = stem_ + ".json";
-        const int code = run("--family " + family + " --count 12 --seed 5 --json " + json);
+        const std::string json_path = stem_ + ".json";
+        const int code = run("--family " + family + " --count 12 --seed 5 --json " + json_path);
         const auto out = nlohmann::json::parse(text(".json"));
         EXPECT_EQ(out.at("cases"), 12);
         EXPECT_EQ(out.at("ok").get<int>() + out.at("suspect").get<int>() +
