@@ -7,7 +7,7 @@
 
 namespace hawser::stepper {
 
-/// Compute the hash of the state: see World::state_hash.
+/// Compute the hash of the state: see WorldState::hash.
 [[nodiscard]] std::uint64_t state_hash(const Model& model, const State& state) noexcept;
 
 }  // namespace hawser::stepper

@@ -100,7 +100,7 @@ InteractionId World::add_interaction(const InteractionDef& def) {
     return id;
 }
 
-InteractionId World::Impl::put_interaction(InteractionDef&& whole) noexcept {
+InteractionId WorldImpl::put_interaction(InteractionDef&& whole) noexcept {
     stepper::begin_edit(ctx);
     model::Interactions& all = ctx.model.interactions;
     const std::int32_t place = all.add(std::move(whole), ctx.model.bodies, ctx.model.def.step);
@@ -175,7 +175,7 @@ const Removed& World::remove_shape(ShapeId id) { return remove_one(*impl_, id, "
 const Removed& World::remove_input(InputId id) { return remove_one(*impl_, id, "remove_input"); }
 
 /// Reserve capacity for all objects, because removing a hull may remove any of them.
-void World::Impl::reserve_removal() {
+void WorldImpl::reserve_removal() {
     stepper::reserve_edit(ctx);
     ctx.model.bodies.reserve_more();
     ctx.model.interactions.slots.reserve_more();
@@ -187,7 +187,7 @@ void World::Impl::reserve_removal() {
     forget_removal();
 }
 
-void World::Impl::forget_removal() noexcept {
+void WorldImpl::forget_removal() noexcept {
     removed.bodies.clear();
     removed.interactions.clear();
     removed.shapes.clear();
@@ -204,7 +204,7 @@ void note(std::vector<Id>& list, Id id) noexcept {
 
 }  // namespace
 
-const Removed& World::Impl::sorted_removal() noexcept {
+const Removed& WorldImpl::sorted_removal() noexcept {
     std::sort(removed.interactions.begin(), removed.interactions.end());
     std::sort(removed.shapes.begin(), removed.shapes.end());
     std::sort(removed.inputs.begin(), removed.inputs.end());
@@ -212,7 +212,7 @@ const Removed& World::Impl::sorted_removal() noexcept {
 }
 
 /// Remove a body, its attached objects first.
-void World::Impl::remove(BodyId id) noexcept {
+void WorldImpl::remove(BodyId id) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     for (std::int32_t i = stepper::interaction_count(ctx.model); i-- > 0;) {
         const std::int32_t* body = &in.body[kMaxInteractionBodies * at(i)];
@@ -235,7 +235,7 @@ void World::Impl::remove(BodyId id) noexcept {
     note(removed.bodies, id);
 }
 
-void World::Impl::remove(InteractionId id) noexcept {
+void WorldImpl::remove(InteractionId id) noexcept {
     for (std::int32_t k = input_slots.count(); k-- > 0;)
         if (inputs[at(k)].interaction == id) remove(input_slots.id<InputId>(k));
     stepper::begin_edit(ctx);
@@ -245,7 +245,7 @@ void World::Impl::remove(InteractionId id) noexcept {
     note(removed.interactions, id);
 }
 
-void World::Impl::remove(ShapeId id) noexcept {
+void WorldImpl::remove(ShapeId id) noexcept {
     stepper::begin_shape_edit(ctx);
     world::release(shape_names, shape_defs[at(id.index)].name);
     shape_defs[at(id.index)] = {};
@@ -255,7 +255,7 @@ void World::Impl::remove(ShapeId id) noexcept {
 }
 
 /// Remove an input. The value that it set remains.
-void World::Impl::remove(InputId id) noexcept {
+void WorldImpl::remove(InputId id) noexcept {
     InputDef& def = inputs[at(id.index)];
     const InteractionId driven = def.interaction;
     world::release(input_names, def.name);

@@ -26,10 +26,10 @@
 
 namespace hawser {
 
-struct World::Impl final : private world::InputDoor {
-    explicit Impl(const WorldDef& def) : ctx(def), material_names{{"default", 0}} {}
-    Impl(const Impl&) = delete;
-    Impl& operator=(const Impl&) = delete;
+struct WorldImpl final : private world::InputDoor {
+    explicit WorldImpl(const WorldDef& def) : ctx(def), material_names{{"default", 0}} {}
+    WorldImpl(const WorldImpl&) = delete;
+    WorldImpl& operator=(const WorldImpl&) = delete;
 
     stepper::StepContext ctx;
     std::vector<BodyDef> body_defs;
@@ -172,7 +172,7 @@ struct World::Impl final : private world::InputDoor {
     /// Suspends the listener, for calls within a reported call.
     class Untold {
       public:
-        explicit Untold(Impl& impl) noexcept : impl_(impl), listener_(impl.listener) {
+        explicit Untold(WorldImpl& impl) noexcept : impl_(impl), listener_(impl.listener) {
             impl.listener = nullptr;
         }
         ~Untold() { impl_.listener = listener_; }
@@ -180,7 +180,7 @@ struct World::Impl final : private world::InputDoor {
         Untold& operator=(const Untold&) = delete;
 
       private:
-        Impl& impl_;
+        WorldImpl& impl_;
         ChangeListener* listener_;
     };
     world::Systems systems{*this};
@@ -188,6 +188,14 @@ struct World::Impl final : private world::InputDoor {
     /// @return ok, bad_edit or out_of_memory.
     [[nodiscard]] Status make_edits(World& world) noexcept;
     [[nodiscard]] Structure structure() const;
+
+    // Saved states (snapshot.cpp, restore.cpp, structure.cpp) and the state of another world
+    // (cuts.cpp).
+    void write_saved(std::vector<std::byte>& out, bool with_systems);
+    void take_saved(World& self, std::span<const std::byte> bytes, bool variant);
+    void restore_saved(World& self, std::span<const std::byte> bytes, bool variant);
+    static void restore(World& self, const Structure& made_of, std::span<const std::byte> bytes);
+    void copy_from(const WorldImpl& other);
 
     /// A force input along world axes, ascending. The force on a body is the user's (BodyDef::force
     /// and torque) plus the values of these inputs in this order.
@@ -279,5 +287,8 @@ struct World::Impl final : private world::InputDoor {
     [[nodiscard]] bool begin_edits() noexcept override;
     [[nodiscard]] std::size_t count() const noexcept override { return inputs.size(); }
 };
+
+inline WorldImpl& Facet::impl(const World& world) noexcept { return *world.impl_; }
+inline WorldImpl& Facet::impl() const noexcept { return *world_->impl_; }
 
 }  // namespace hawser

@@ -56,13 +56,13 @@ void check_move(const World& world, const model::Interactions& in, InteractionId
 
 }  // namespace
 
-bool World::move_along(InteractionId before, InteractionId behind, double along, double fed) {
-    const world::Using use(impl_->use, "move_along");
-    Impl& m = *impl_;
+bool WorldWires::move_along(InteractionId before, InteractionId behind, double along, double fed) {
+    const world::Using use(impl().use, "move_along");
+    WorldImpl& m = impl();
     stepper::StepContext& c = m.ctx;
     model::Interactions& in = c.model.interactions;
-    check_move(*this, in, before, behind, along, fed);
-    if (!intact(before) || !intact(behind)) return false;
+    check_move(*world_, in, before, behind, along, fed);
+    if (!world_->intact(before) || !world_->intact(behind)) return false;
     const std::array<Part, 2> parts{part_at(c, before, 1), part_at(c, behind, 0)};
     // The ledger has its energies half a step before the poses. The energy added by a move must
     // also be found if a part becomes much longer, which elastic() leaves out.

@@ -13,7 +13,7 @@ namespace hawser {
 
 /// Check that an element can have a node.
 /// @throws DefError with the remedy.
-void World::Impl::check_node(InteractionId element, double share, double mass) const {
+void WorldImpl::check_node(InteractionId element, double share, double mass) const {
     const model::Interactions& in = ctx.model.interactions;
     const std::size_t e = place(element);
     const world::Where where("interaction", in.def[e].name);
@@ -44,7 +44,7 @@ void World::Impl::check_node(InteractionId element, double share, double mass) c
 /// Check that two elements have one line type, so that one can replace both. Masses per length
 /// differ slightly by edits, which change rest lengths.
 /// @throws DefError.
-void World::Impl::refuse_two_lines(BodyId node, const stepper::NodeSurroundings& place) const {
+void WorldImpl::refuse_two_lines(BodyId node, const stepper::NodeSurroundings& place) const {
     constexpr double kSame = 0.1;
     const model::Interactions& in = ctx.model.interactions;
     const InteractionDef &a = in.def[at(place.first)], &b = in.def[at(place.second)];
@@ -59,8 +59,8 @@ void World::Impl::refuse_two_lines(BodyId node, const stepper::NodeSurroundings&
 /// Check that a node can be removed.
 /// @return the adjacent element that remains.
 /// @throws DefError with the remedy.
-std::int32_t World::Impl::check_node_goes(BodyId node, stepper::NodeSurroundings& place,
-                                          double bend) const {
+std::int32_t WorldImpl::check_node_goes(BodyId node, stepper::NodeSurroundings& place,
+                                        double bend) const {
     const world::Where where("body", body_defs[at(node.index)].name);
     if (body_defs[at(node.index)].kind != BodyKind::lump || !stepper::find_place(ctx, place))
         world::refuse(where, "it is no node between two elements of a wire, and nothing else");

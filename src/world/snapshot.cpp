@@ -144,26 +144,26 @@ void take_state(stepper::StepContext& ctx, std::vector<double>& inputs, const He
 
 }  // namespace
 
-std::vector<std::byte> World::save() const {
+std::vector<std::byte> WorldStateView::save() const {
     std::vector<std::byte> out;
     save(out);
     return out;
 }
 
-std::vector<std::byte> World::save_motion() const {
-    const world::Using use(impl_->use, "save_motion");
+std::vector<std::byte> WorldStateView::save_motion() const {
+    const world::Using use(impl().use, "save_motion");
     std::vector<std::byte> out;
-    write_saved(out, false);
+    impl().write_saved(out, false);
     return out;
 }
 
-void World::save(std::vector<std::byte>& out) const {
-    const world::Using use(impl_->use, "save");
-    write_saved(out, true);
+void WorldStateView::save(std::vector<std::byte>& out) const {
+    const world::Using use(impl().use, "save");
+    impl().write_saved(out, true);
 }
 
-void World::write_saved(std::vector<std::byte>& out, bool systems) const {
-    Impl& m = *impl_;
+void WorldImpl::write_saved(std::vector<std::byte>& out, bool with_systems) {
+    WorldImpl& m = *this;
     stepper::ready(m.ctx);
     Header header;
     header.layout = layout_of(m.ctx, m.inputs.size());
@@ -181,8 +181,8 @@ void World::write_saved(std::vector<std::byte>& out, bool systems) const {
     header.chains = chains.begin.size() - 1;
     visit_state(m.ctx, m.input_values, order,
                 [&](const void*, std::size_t n) { header.bytes += n; });
-    header.systems = systems ? m.systems.layout() : world::Systems::no_layout();
-    header.system_bytes = systems ? m.systems.state_bytes() : 0;
+    header.systems = with_systems ? m.systems.layout() : world::Systems::no_layout();
+    header.system_bytes = with_systems ? m.systems.state_bytes() : 0;
     out.resize(sizeof header + header.bytes + header.system_bytes + sizeof(std::uint64_t));
     m.leave_user_forces();  // input forces follow from their values
     std::byte* to = out.data();
@@ -193,14 +193,14 @@ void World::write_saved(std::vector<std::byte>& out, bool systems) const {
     put(&header, sizeof header);
     visit_state(m.ctx, m.input_values, order, put);
     m.add_up_forces();
-    if (systems) m.systems.save(to);
+    if (with_systems) m.systems.save(to);
     to += header.system_bytes;
     const std::uint64_t sum = base::checksum(out.data(), out.size() - sizeof sum);
     put(&sum, sizeof sum);
 }
 
-void World::take_saved(std::span<const std::byte> bytes, bool variant) {
-    Impl& m = *impl_;
+void WorldImpl::take_saved(World& self, std::span<const std::byte> bytes, bool variant) {
+    WorldImpl& m = *this;
     Header header;
     const Header expected;
     std::uint64_t sum = 0, size = 0;
@@ -227,23 +227,23 @@ void World::take_saved(std::span<const std::byte> bytes, bool variant) {
     // Errors found in the bytes alone are reported before any change. Other errors are reported
     // after an undo.
     visit_groups(m.ctx.model.regroup, [&](const void*, std::size_t n) { size += n; });
-    stepper::Regroup groups;
+    stepper::Regroup regroup;
     if (header.grouped != m.ctx.model.regroup.parts.part.size() || !fits(header, bytes.size()) ||
         bytes.size() < sizeof header + size + sizeof sum ||
-        !read_groups(m.ctx, bytes.data() + sizeof header, groups))
+        !read_groups(m.ctx, bytes.data() + sizeof header, regroup))
         throw damaged();
-    const bool regrouped = take_groups(m.ctx, groups);
+    const bool regrouped = take_groups(m.ctx, regroup);
     world::SavedState state(m.ctx, m.input_values, header);
     size = state.size();
-    const std::size_t systems = m.systems.state_bytes();
-    if (header.bytes != size || header.system_bytes != systems ||
-        bytes.size() != sizeof header + size + systems + sizeof sum)
+    const std::size_t system_bytes = m.systems.state_bytes();
+    if (header.bytes != size || header.system_bytes != system_bytes ||
+        bytes.size() != sizeof header + size + system_bytes + sizeof sum)
         throw damaged();
     state.read(bytes.subspan(sizeof header, size));
     world::check_state(m.ctx, m.inputs, state);
-    SystemsAsSaved of_systems(m.systems, systems);
+    SystemsAsSaved of_systems(m.systems, system_bytes);
     m.systems.restore(bytes.data() + sizeof header + size);
-    m.systems.check_states(*this);
+    m.systems.check_states(self);
     take_state(m.ctx, m.input_values, header, bytes.data() + sizeof header, regrouped);
     m.ctx.state.time = static_cast<double>(m.ctx.state.step) * m.ctx.model.def.step;
     m.ctx.work.stats.step = m.ctx.state.step;

@@ -10,9 +10,9 @@
 
 namespace hawser {
 
-RowsView World::rows(InteractionId id) const {
-    const std::size_t i = impl_->place(id);
-    const stepper::StepContext& ctx = impl_->ctx;
+RowsView WorldSolverView::rows(InteractionId id) const {
+    const std::size_t i = impl().place(id);
+    const stepper::StepContext& ctx = impl().ctx;
     const model::Interactions& in = ctx.model.interactions;
     const model::RowState state = in.row_state(id.index, ctx.model.bodies);
     RowsView out;

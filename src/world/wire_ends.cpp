@@ -20,7 +20,7 @@
 
 namespace hawser {
 
-world::FreeEnd World::Impl::free_end(BodyId lump) const {
+world::FreeEnd WorldImpl::free_end(BodyId lump) const {
     const stepper::NodeLinks links = stepper::links_of(ctx, lump.index);
     const std::string where = world::label("body", body_defs[at(lump.index)].name);
     if (!stepper::is_lump(ctx, lump.index) || (links.before < 0) == (links.after < 0) ||
@@ -32,7 +32,7 @@ world::FreeEnd World::Impl::free_end(BodyId lump) const {
     return {lump, ctx.model.interactions.id(last ? links.before : links.after), last ? 1U : 0U};
 }
 
-world::FreeEnd World::Impl::free_end(WireId id, int end) const {
+world::FreeEnd WorldImpl::free_end(WireId id, int end) const {
     const world::Wire& of = wire(id);
     const std::string where = world::label("wire", of.name);
     if (end != 0 && end != 1) world::refuse(where, "end must be 0, the first one, or 1");
@@ -52,22 +52,22 @@ world::FreeEnd World::Impl::free_end(WireId id, int end) const {
     return free_end(node);
 }
 
-void World::detach(WireId id, int end) {
-    const world::Using use(impl_->use, "detach");
-    const Attempt attempt(*this, impl_->composite());
-    const world::Wire& wire = impl_->wire(id);
+void WorldWires::detach(WireId id, int end) {
+    const world::Using use(impl().use, "detach");
+    const Attempt attempt(*world_, impl().composite());
+    const world::Wire& wire = impl().wire(id);
     const std::string where = world::label("wire", wire.name);
     if (end != 0 && end != 1) world::refuse(where, "end must be 0, the first one, or 1");
     const InteractionId element = end == 0 ? wire.elements.front() : wire.elements.back();
-    if (!alive(element) || !intact(element))
+    if (!world_->alive(element) || !world_->intact(element))
         world::refuse(where, "the element at this end has parted or gone");
     detach(element, end);
 }
 
-void World::detach(InteractionId element, int end) {
-    const world::Using use(impl_->use, "detach");
-    const Attempt attempt(*this, impl_->composite());
-    Impl& m = *impl_;
+void WorldWires::detach(InteractionId element, int end) {
+    const world::Using use(impl().use, "detach");
+    const Attempt attempt(*world_, impl().composite());
+    WorldImpl& m = impl();
     const model::Interactions& in = m.ctx.model.interactions;
     const std::size_t e = m.place(element);
     const std::string where = world::label("interaction", in.def[e].name);
@@ -80,11 +80,11 @@ void World::detach(InteractionId element, int end) {
     if (stepper::is_lump(m.ctx, body.index))
         m.open_gear(element, body);
     else
-        m.free_node(*this, element, at(end));
+        m.free_node(*world_, element, at(end));
     if (m.listener != nullptr) m.listener->detached(element, end);
 }
 
-void World::Impl::open_gear(InteractionId element, BodyId lump) {
+void WorldImpl::open_gear(InteractionId element, BodyId lump) {
     const model::Interactions& in = ctx.model.interactions;
     const auto holds = [&](const world::GearInUse& g) {
         if (!in.slots.names(g.id) || in.parted[at(g.id.index)] != 0) return false;
@@ -218,7 +218,7 @@ template <class Impl>
 void put_back_mass(Impl& m, World& world, BodyId lump, const BodyDef& was) {
     BodyDef& now = m.body_defs[at(lump.index)];
     if (now.mass == was.mass) return;
-    world.set_mass(lump, was.mass);
+    world.wires().set_mass(lump, was.mass);
     for (int k = 0; k < 3; ++k) {
         now.linear_damping[k] = m.ctx.model.bodies.damping[at(6 * lump.index + k)] =
             was.linear_damping[k];
@@ -231,7 +231,7 @@ void put_back_mass(Impl& m, World& world, BodyId lump, const BodyDef& was) {
 
 /// Release an element from a body. The part on a drum stays there, broken, and another element
 /// replaces it.
-void World::Impl::free_node(World& world, InteractionId element, std::size_t side) {
+void WorldImpl::free_node(World& world, InteractionId element, std::size_t side) {
     model::Interactions& in = ctx.model.interactions;
     const std::int32_t e = element.index;
     const std::string where = world::label("interaction", in.def[at(e)].name);
@@ -256,7 +256,7 @@ void World::Impl::free_node(World& world, InteractionId element, std::size_t sid
         const BodyId lump = made.lumps[0];
         // Before the element that needs it, since the material at a drum may be heavier than the
         // next element.
-        if (carried > 0.0 && node_next) world.set_mass(next, was.mass + 0.5 * carried);
+        if (carried > 0.0 && node_next) world.wires().set_mass(next, was.mass + 0.5 * carried);
         if (wound)
             made.elements.push_back(
                 world.add_interaction(unwound(ctx, {e, beyond}, side, lump, carried)));

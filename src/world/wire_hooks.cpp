@@ -18,9 +18,9 @@
 
 namespace hawser {
 
-void World::release(InteractionId hook) {
-    const world::Using use(impl_->use, "release");
-    Impl& m = *impl_;
+void WorldWires::release(InteractionId hook) {
+    const world::Using use(impl().use, "release");
+    WorldImpl& m = impl();
     model::Interactions& in = m.ctx.model.interactions;
     const std::size_t i = m.place(hook);
     const auto found =

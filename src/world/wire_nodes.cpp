@@ -47,22 +47,22 @@ void put_node(world::Wire& wire, InteractionId element, const world::Wire& made,
 
 }  // namespace
 
-world::Wire* World::Impl::wire_with(InteractionId element) noexcept {
+world::Wire* WorldImpl::wire_with(InteractionId element) noexcept {
     for (const WireId id : wires.ids)
         if (find_in(wires.wires[at(id.index)].elements, element) >= 0)
             return &wires.wires[at(id.index)];
     return nullptr;
 }
 
-WireId World::wire_of(InteractionId element) const noexcept {
-    for (const WireId id : impl_->wires.ids)
-        if (find_in(impl_->wires.wires[at(id.index)].elements, element) >= 0) return id;
+WireId WorldWiresView::of(InteractionId element) const noexcept {
+    for (const WireId id : impl().wires.ids)
+        if (find_in(impl().wires.wires[at(id.index)].elements, element) >= 0) return id;
     return {};
 }
 
 /// Update definitions after an edit of masses and drags, and the forces of nodes that depend on
 /// mass. Also update the inputs of an element at a drum.
-void World::Impl::follow_definitions(const stepper::NodeSurroundings& place) noexcept {
+void WorldImpl::follow_definitions(const stepper::NodeSurroundings& place) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     for (const std::int32_t id : {place.first, place.second}) {
         for (std::size_t slot = 0; id >= 0 && slot < 2; ++slot) {
@@ -82,7 +82,7 @@ void World::Impl::follow_definitions(const stepper::NodeSurroundings& place) noe
     }
 }
 
-void World::Impl::follow_inputs(std::int32_t element) noexcept {
+void WorldImpl::follow_inputs(std::int32_t element) noexcept {
     for (std::size_t i = 0; i < inputs.size(); ++i)
         if (inputs[i].interaction.valid() && inputs[i].interaction.index == element)
             input_values[i] = ctx.model.interactions.def[at(element)].get(inputs[i].param);
@@ -90,8 +90,8 @@ void World::Impl::follow_inputs(std::int32_t element) noexcept {
 
 /// Return the EI of a bend added with a node on an element [N m²]. It is that of the bend at the
 /// first end, or at the last end if line types meet at the first.
-double World::Impl::stiffness_beside(const stepper::NodeSurroundings& place,
-                                     const world::Wire* wire) const noexcept {
+double WorldImpl::stiffness_beside(const stepper::NodeSurroundings& place,
+                                   const world::Wire* wire) const noexcept {
     const model::Interactions& in = ctx.model.interactions;
     const auto same_line = [&](std::int32_t id) {
         return id < 0 || stepper::is_wound(ctx, id) || stepper::is_wound(ctx, place.first) ||
@@ -103,10 +103,10 @@ double World::Impl::stiffness_beside(const stepper::NodeSurroundings& place,
     return wire != nullptr ? wire->trim.EI : 0.0;
 }
 
-BodyId World::insert_node(InteractionId element, double share, double mass) {
-    const world::Using use(impl_->use, "insert_node");
-    const Attempt attempt(*this, stepper::has_cuts(impl_->ctx.model));
-    Impl& m = *impl_;
+BodyId WorldWires::insert_node(InteractionId element, double share, double mass) {
+    const world::Using use(impl().use, "insert_node");
+    const Attempt attempt(*world_, stepper::has_cuts(impl().ctx.model));
+    WorldImpl& m = impl();
     model::Interactions& in = m.ctx.model.interactions;
     m.check_node(element, share, mass);
     stepper::NodeSurroundings place{.first = element.index};
@@ -117,13 +117,13 @@ BodyId World::insert_node(InteractionId element, double share, double mass) {
     if (stepper::has_cuts(m.ctx.model)) stepper::begin_edit(m.ctx);  // remove duplicated rows first
     (void)stepper::find_place(m.ctx, place);
     const BodyId a = in.def[at(element.index)].body[0], b = in.def[at(element.index)].body[1];
-    const BodyDef body = world::node_body(*this, in.def[at(element.index)],
+    const BodyDef body = world::node_body(*world_, in.def[at(element.index)],
                                           stepper::node_on(m.ctx, element.index, share, whole));
     const ShapeId segment = m.segment_between(a.index, b.index);
     world::Wire* wire = m.wire_with(element);
     if (wire != nullptr) reserve_node(*wire);
 
-    const Impl::Mark before = m.mark(a, b);
+    const WorldImpl::Mark before = m.mark(a, b);
     const stepper::NodeLedger was = stepper::begin_node_edit(m.ctx, place);
     world::Wire& made = m.wires.coming;
     made.begin({}, true);
@@ -133,17 +133,17 @@ BodyId World::insert_node(InteractionId element, double share, double mass) {
     for (const std::size_t slot : {0U, 1U})
         bend.point[2 * slot] = stepper::held_at(m.ctx, element.index, slot);
     try {
-        const Impl::Untold untold(m);
-        const BodyId node = add_body(body);
+        const WorldImpl::Untold untold(m);
+        const BodyId node = world_->add_body(body);
         made.lumps.push_back(node);
         bend.body[1] = node;
         const double own = first ? share : 1.0 - share;
-        made.elements.push_back(
-            add_interaction(world::other_element(in, element.index, node, share, first, own * whole,
-                                                 first ? place.before[0] : place.after[0])));
-        if (EI > 0.0 && a != b) made.bends.push_back(add_interaction(bend));
+        made.elements.push_back(world_->add_interaction(
+            world::other_element(in, element.index, node, share, first, own * whole,
+                                 first ? place.before[0] : place.after[0])));
+        if (EI > 0.0 && a != b) made.bends.push_back(world_->add_interaction(bend));
         if (const auto next = m.next_segment(place, node, first, wire); next)
-            made.shapes.push_back(add_shape(*next));
+            made.shapes.push_back(world_->add_shape(*next));
     } catch (...) {
         m.take_back(before, made);
         throw;
@@ -162,10 +162,10 @@ BodyId World::insert_node(InteractionId element, double share, double mass) {
     return made.lumps[0];
 }
 
-bool World::remove_node(BodyId node, double bend) {
-    const world::Using use(impl_->use, "remove_node");
-    Attempt attempt(*this, stepper::has_cuts(impl_->ctx.model));
-    Impl& m = *impl_;
+bool WorldWires::remove_node(BodyId node, double bend) {
+    const world::Using use(impl().use, "remove_node");
+    Attempt attempt(*world_, stepper::has_cuts(impl().ctx.model));
+    WorldImpl& m = impl();
     (void)m.place(node);
     if (stepper::has_cuts(m.ctx.model)) stepper::begin_edit(m.ctx);  // remove duplicated rows first
     stepper::NodeSurroundings place{.node = node.index};
@@ -199,8 +199,8 @@ bool World::remove_node(BodyId node, double bend) {
         wire->elements.erase(wire->elements.begin() + find_in(wire->elements, gone));
         wire->nodes.erase(wire->nodes.begin() + find_in(wire->nodes, node));
         std::erase(wire->lumps, node);
-        std::erase_if(wire->bends, [&](InteractionId id) { return !alive(id); });
-        std::erase_if(wire->shapes, [&](ShapeId id) { return !alive(id); });
+        std::erase_if(wire->bends, [&](InteractionId id) { return !world_->alive(id); });
+        std::erase_if(wire->shapes, [&](ShapeId id) { return !world_->alive(id); });
     }
     if (m.listener != nullptr) m.listener->node_removed(node, bend);
     return true;

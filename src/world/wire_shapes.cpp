@@ -30,8 +30,8 @@ std::optional<ShapeDef> capsule_of(const World& world, const WireTrim& trim,
 }  // namespace world
 
 /// Move a segment to other bodies, one of which may hold it at a point of its frame.
-void World::Impl::put_segment(ShapeId segment, BodyId first, BodyId second,
-                              const Vec3& point) noexcept {
+void WorldImpl::put_segment(ShapeId segment, BodyId first, BodyId second,
+                            const Vec3& point) noexcept {
     stepper::forget_contacts(ctx, segment.index);
     ShapeDef& def = shape_defs[at(segment.index)];
     def.body = first;
@@ -42,7 +42,7 @@ void World::Impl::put_segment(ShapeId segment, BodyId first, BodyId second,
 
 /// Move the segment of an element with it: to a node, or to a body that holds it at its previous
 /// point.
-void World::Impl::move_segment(ShapeId segment, std::size_t side, BodyId to) noexcept {
+void WorldImpl::move_segment(ShapeId segment, std::size_t side, BodyId to) noexcept {
     const ShapeDef& def = shape_defs[at(segment.index)];
     const BodyId first = side == 0 ? to : def.body, second = side == 0 ? def.body_b : to;
     const bool lumps = stepper::is_lump(ctx, first.index) && stepper::is_lump(ctx, second.index);
@@ -51,7 +51,7 @@ void World::Impl::move_segment(ShapeId segment, std::size_t side, BodyId to) noe
 
 /// Join two segments that meet at a removed node. Between two bodies there is none: both are
 /// removed with the node.
-void World::Impl::join_segments(ShapeId near, ShapeId far) noexcept {
+void WorldImpl::join_segments(ShapeId near, ShapeId far) noexcept {
     const ShapeDef &before = shape_defs[at(near.index)], &behind = shape_defs[at(far.index)];
     const bool ends_at_node = stepper::is_lump(ctx, behind.body_b.index);
     if (!ends_at_node && !stepper::is_lump(ctx, before.body.index)) return;
@@ -60,7 +60,7 @@ void World::Impl::join_segments(ShapeId near, ShapeId far) noexcept {
 }
 
 /// Return the capsule between two ends of an element, in their order; invalid: none.
-ShapeId World::Impl::segment_between(std::int32_t a, std::int32_t b) const noexcept {
+ShapeId WorldImpl::segment_between(std::int32_t a, std::int32_t b) const noexcept {
     for (const ShapeId id : shape_ids) {
         const std::int32_t* body = ctx.model.collider.shapes()[at(id.index)].body;
         if (body[0] == a && body[1] == b) return id;
@@ -69,9 +69,8 @@ ShapeId World::Impl::segment_between(std::int32_t a, std::int32_t b) const noexc
 }
 
 /// Return the capsule to add with a node on an element; none if its wire has no contacts there.
-std::optional<ShapeDef> World::Impl::next_segment(const stepper::NodeSurroundings& place,
-                                                  BodyId node, bool first,
-                                                  const world::Wire* wire) const {
+std::optional<ShapeDef> WorldImpl::next_segment(const stepper::NodeSurroundings& place, BodyId node,
+                                                bool first, const world::Wire* wire) const {
     const auto end = [&](std::size_t slot) {
         return ctx.model.bodies.id(stepper::end_of(ctx, place.first, slot));
     };

@@ -66,7 +66,7 @@ void take_in(world::Wire& to, world::Wire& more, const Spliced& lumps, bool behi
 }  // namespace
 
 /// Reverse elements, bends and capsules of a chain.
-void World::Impl::turn_round(std::span<const std::int32_t> chain) noexcept {
+void WorldImpl::turn_round(std::span<const std::int32_t> chain) noexcept {
     model::Interactions& in = ctx.model.interactions;
     for (std::size_t k = 0; k < chain.size(); ++k) {
         const std::int32_t id = chain[k];
@@ -87,7 +87,7 @@ void World::Impl::turn_round(std::span<const std::int32_t> chain) noexcept {
     }
 }
 
-Joint World::Impl::splice(World& world, BodyId a, BodyId b) {
+Joint WorldImpl::splice(World& world, BodyId a, BodyId b) {
     model::Interactions& in = ctx.model.interactions;
     const world::FreeEnd one = free_end(a), other = free_end(b);
     const std::int32_t ea = one.element.index, eb = other.element.index;

@@ -61,25 +61,25 @@ Status World::step() noexcept {
 
 void World::cancel() noexcept { impl_->ctx.pool.stop(); }
 
-void World::degrade_next_step(const Degradation& degradation) noexcept {
-    impl_->ctx.state.imposed = degradation;
+void WorldSolver::degrade_next_step(const Degradation& degradation) noexcept {
+    impl().ctx.state.imposed = degradation;
     // Clamped to 0, because bytes may not come from a step.
-    impl_->ctx.state.imposed.iterations = std::max(0, degradation.iterations);
-    impl_->ctx.state.imposed.wires =
+    impl().ctx.state.imposed.iterations = std::max(0, degradation.iterations);
+    impl().ctx.state.imposed.wires =
         std::clamp(degradation.wires, 0, stepper::Coarsening::kMaximum);
-    if (impl_->listener != nullptr) impl_->listener->degraded(degradation);
+    if (impl().listener != nullptr) impl().listener->degraded(degradation);
 }
 
-int World::coarsening() const noexcept {
-    const Degradation& imposed = impl_->ctx.state.imposed;
-    return imposed.any() ? imposed.wires : impl_->ctx.work.limits.coarsening.level();
+int WorldSolverView::coarsening() const noexcept {
+    const Degradation& imposed = impl().ctx.state.imposed;
+    return imposed.any() ? imposed.wires : impl().ctx.work.limits.coarsening.level();
 }
 
 double World::time() const noexcept { return impl_->ctx.state.time; }
 std::int64_t World::step_count() const noexcept { return impl_->ctx.state.step; }
 const StepStats& World::stats() const noexcept { return impl_->ctx.work.stats; }
-EventExtremes World::event_extremes(EventKind kind) const noexcept {
-    return impl_->ctx.state.events.extremes(kind);
+EventExtremes WorldEventsView::extremes(EventKind kind) const noexcept {
+    return impl().ctx.state.events.extremes(kind);
 }
 const WorldDef& World::settings() const noexcept { return impl_->ctx.model.def; }
 
@@ -96,12 +96,12 @@ Energy World::energy() const noexcept {
 
 Verdict World::verdict() const noexcept { return stepper::verdict(impl_->ctx); }
 
-std::uint64_t World::state_hash() const noexcept { return impl_->systems.hash(motion_hash()); }
+std::uint64_t WorldStateView::hash() const noexcept { return impl().systems.hash(motion_hash()); }
 
-std::uint64_t World::motion_hash() const noexcept {
-    const std::vector<double>& inputs = impl_->input_values;
+std::uint64_t WorldStateView::motion_hash() const noexcept {
+    const std::vector<double>& inputs = impl().input_values;
     return base::fnv1a(inputs.data(), inputs.size() * sizeof(double),
-                       stepper::state_hash(impl_->ctx.model, impl_->ctx.state));
+                       stepper::state_hash(impl().ctx.model, impl().ctx.state));
 }
 
 void World::set_force(BodyId body, const Vec3& force, const Vec3& torque) {
@@ -227,24 +227,24 @@ std::array<double, kMaxInteractionRows> World::violation(InteractionId id) const
     return g;
 }
 
-bool World::completed(InteractionId id) const {
-    return impl_->ctx.model.interactions.completed[impl_->place(id)] != 0;
+bool WorldSolverView::completed(InteractionId id) const {
+    return impl().ctx.model.interactions.completed[impl().place(id)] != 0;
 }
 
-std::array<double, kMaxInteractionRows> World::stiffness_force(InteractionId id) const {
-    const std::size_t i = impl_->place(id);
-    const model::Interactions& in = impl_->ctx.model.interactions;
-    const std::vector<double>& with = impl_->ctx.model.completion.lambda_with;
+std::array<double, kMaxInteractionRows> WorldSolverView::stiffness_force(InteractionId id) const {
+    const std::size_t i = impl().place(id);
+    const model::Interactions& in = impl().ctx.model.interactions;
+    const std::vector<double>& with = impl().ctx.model.completion.lambda_with;
     std::array<double, kMaxInteractionRows> f{};
     const auto row = at(in.row_begin[i]);
     for (std::size_t r = 0; r < in.rows[i] && row + r < with.size(); ++r)
-        f[r] = with[row + r] / settings().step;
+        f[r] = with[row + r] / world_->settings().step;
     return f;
 }
 
-int World::wire_alert(InteractionId id) const {
-    const stepper::Wires& wires = impl_->ctx.model.wires;
-    const std::size_t i = impl_->place(id);
+int WorldWiresView::damped_steps(InteractionId id) const {
+    const stepper::Wires& wires = impl().ctx.model.wires;
+    const std::size_t i = impl().place(id);
     if (i >= wires.wire_of.size() || wires.wire_of[i] < 0) return 0;
     return wires.flag_steps[static_cast<std::size_t>(wires.wire_of[i])];
 }
@@ -253,16 +253,16 @@ bool World::intact(InteractionId id) const {
     return impl_->ctx.model.interactions.parted[impl_->place(id)] == 0;
 }
 
-SystemView World::inspect() const {
-    const world::Using use(impl_->use, "inspect");
-    Impl& m = *impl_;
+SystemView WorldSolverView::matrix() const {
+    const world::Using use(impl().use, "solver().matrix");
+    WorldImpl& m = impl();
     stepper::ready(m.ctx);
     const assembly::System& s = m.ctx.model.system;
     SystemView v;
     v.nodes.resize(static_cast<std::size_t>(s.pattern.nodes()));
     for (std::size_t n = 0; n < v.nodes.size(); ++n)
         v.nodes[n] = {{}, {}, s.pattern.size[n], s.symbolic.node_front[n]};
-    for (int b = 0; b < body_count(); ++b)
+    for (int b = 0; b < world_->body_count(); ++b)
         if (s.node_of_body[at(b)] >= 0)
             v.nodes[at(s.node_of_body[at(b)])].body = m.ctx.model.bodies.id(b);
     // Duplicated rows of a cut interaction show as their original.
@@ -279,7 +279,7 @@ SystemView World::inspect() const {
         v.front_update.push_back(f.q);
     }
     v.body_island = s.islands.label;
-    v.body_island.resize(at(body_count()));
+    v.body_island.resize(at(world_->body_count()));
     v.matrix_nnz = s.symbolic.matrix_nnz;
     v.factor_nnz = s.symbolic.factor_nnz;
     v.flops = s.symbolic.flops;
@@ -287,11 +287,11 @@ SystemView World::inspect() const {
     return v;
 }
 
-std::size_t World::memory_bytes() const noexcept {
-    const stepper::StepContext& c = impl_->ctx;
+std::size_t WorldSolverView::memory_bytes() const noexcept {
+    const stepper::StepContext& c = impl().ctx;
     return c.model.bodies.bytes() + c.model.interactions.bytes() + c.model.system.bytes() +
            c.model.collider.bytes() + c.state.loads.bytes() +
-           impl_->body_defs.capacity() * sizeof(BodyDef);
+           impl().body_defs.capacity() * sizeof(BodyDef);
 }
 
 }  // namespace hawser

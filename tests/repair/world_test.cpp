@@ -81,21 +81,21 @@ TEST(WorldRepair, SnapshotsHoldTheOrder) {
         std::int64_t repairs_after = 0;
         for (int i = 0; i < kSteps; ++i) {
             if (i % 40 == 17) {
-                const auto bytes = a.save();
+                const auto bytes = a.state().save();
                 Yard other = falling(seed);
                 const int ahead = i % 80 == 17 ? 70 : 0;  // with an order of its own, or new
                 for (int k = 0; k < ahead; ++k) ASSERT_EQ(other.world.step(), Status::ok);
-                other.world.restore(bytes);
-                ASSERT_EQ(other.world.inspect().order, a.inspect().order);
+                other.world.state().restore(bytes);
+                ASSERT_EQ(other.world.solver().matrix().order, a.solver().matrix().order);
                 const std::int64_t before = other.world.stats().repairs;
                 for (int k = 0; k < 40; ++k) {
                     ASSERT_EQ(other.world.step(), Status::ok);
                     ASSERT_EQ(a.step(), Status::ok);
-                    ASSERT_EQ(other.world.state_hash(), a.state_hash()) << i << " + " << k;
+                    ASSERT_EQ(other.world.state().hash(), a.state().hash()) << i << " + " << k;
                 }
                 repairs_after += other.world.stats().repairs - before;
-                ASSERT_EQ(other.world.save(), a.save()) << i;
-                a.restore(bytes);
+                ASSERT_EQ(other.world.state().save(), a.state().save()) << i;
+                a.state().restore(bytes);
             }
             ASSERT_EQ(a.step(), Status::ok);
         }
@@ -111,8 +111,9 @@ TEST(WorldRepair, BitsDoNotDependOnThreads) {
         for (const int threads : {2, 3, 4}) {
             Yard many = falling(seed, threads);
             for (int i = 0; i < kSteps; ++i) ASSERT_EQ(many.world.step(), Status::ok);
-            EXPECT_EQ(many.world.state_hash(), one.world.state_hash()) << threads;
-            EXPECT_EQ(many.world.inspect().order, one.world.inspect().order) << threads;
+            EXPECT_EQ(many.world.state().hash(), one.world.state().hash()) << threads;
+            EXPECT_EQ(many.world.solver().matrix().order, one.world.solver().matrix().order)
+                << threads;
             EXPECT_EQ(many.world.stats().repairs, one.world.stats().repairs) << threads;
         }
     }
@@ -133,11 +134,11 @@ TEST(WorldRepair, AddedBodiesAreRepairedIn) {
         EXPECT_EQ(y.world.stats().repairs, repairs + 1);
         Yard other = falling(seed);
         add(other);
-        other.world.restore(y.world.save());
+        other.world.state().restore(y.world.state().save());
         for (int i = 0; i < 60; ++i) {
             ASSERT_EQ(y.world.step(), Status::ok);
             ASSERT_EQ(other.world.step(), Status::ok);
-            ASSERT_EQ(y.world.state_hash(), other.world.state_hash()) << i;
+            ASSERT_EQ(y.world.state().hash(), other.world.state().hash()) << i;
         }
     }
 }

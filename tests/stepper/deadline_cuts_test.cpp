@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cuts requested by a deadline: chosen by a clock of the test, replayed without one.
+#include <hawser/experimental/splits.h>
 #include <hawser/inspect.h>
 
 #include "budget/deadline.h"
@@ -110,25 +111,25 @@ TEST(DeadlineCuts, GoOnFromASnapshotTakenWhileTheyAreOpen) {
     World a = net(0.0).make();
     std::vector<std::byte> saved;
     const auto take = [](World& w, int i) {
-        w.degrade_next_step({0, false, i >= 10 && i < 30 ? std::uint64_t{1} : 0});
+        w.solver().degrade_next_step({0, false, i >= 10 && i < 30 ? std::uint64_t{1} : 0});
         ASSERT_EQ(w.step(), Status::ok);
     };
     for (int i = 0; i < 50; ++i) {
-        if (i == 20) saved = a.save();
+        if (i == 20) saved = a.state().save();
         take(a, i);
         EXPECT_EQ(a.stats().cuts, i >= 10 && i < 30 ? kSide : 0) << i;
         EXPECT_EQ(a.stats().islands, i >= 10 && i < 30 ? 2 : 1) << i;
     }
     World b = net(0.0).make();
-    b.restore(saved);
+    b.state().restore(saved);
     for (int i = 20; i < 50; ++i) take(b, i);
-    EXPECT_EQ(a.state_hash(), b.state_hash());
+    EXPECT_EQ(a.state().hash(), b.state().hash());
 }
 
 TEST(DeadlineCuts, AreTakenWithACopiedState) {
     const auto open = [](const World& w) {
         int count = 0;
-        for (const CutView& c : w.cuts()) count += c.open ? 1 : 0;
+        for (const CutView& c : w.splits().cuts()) count += c.open ? 1 : 0;
         return count;
     };
     for (const Predictor predictor : {Predictor::hold, Predictor::forces, Predictor::clique}) {
@@ -137,20 +138,20 @@ TEST(DeadlineCuts, AreTakenWithACopiedState) {
         World a = r.make(), b = r.make();
         for (const std::uint64_t asked : {std::uint64_t{1}, std::uint64_t{0}}) {
             for (int i = 0; i < 10; ++i) {
-                a.degrade_next_step({0, false, asked});
+                a.solver().degrade_next_step({0, false, asked});
                 ASSERT_EQ(a.step(), Status::ok);
             }
             // The other world has them inverted until then.
             ASSERT_NE(open(b) != 0, asked != 0);
-            b.copy_state(a);
+            b.state().copy_from(a);
             EXPECT_EQ(open(b), asked != 0 ? kSide : 0);
             EXPECT_EQ(open(b), open(a));
             for (World* w : {&a, &b}) {
-                w->degrade_next_step({0, false, asked});
+                w->solver().degrade_next_step({0, false, asked});
                 ASSERT_EQ(w->step(), Status::ok);
             }
             EXPECT_EQ(b.stats().cuts, a.stats().cuts);
-            EXPECT_EQ(b.state_hash(), a.state_hash());
+            EXPECT_EQ(b.state().hash(), a.state().hash());
         }
     }
 }
@@ -161,8 +162,8 @@ TEST(DeadlineCuts, ChangeNothingWhileTheyAreNotAskedFor) {
         ASSERT_EQ(a.step(), Status::ok);
         ASSERT_EQ(b.step(), Status::ok);
     }
-    EXPECT_EQ(a.cuts().size(), static_cast<std::size_t>(kSide));
-    EXPECT_FALSE(a.cuts()[0].open);
+    EXPECT_EQ(a.splits().cuts().size(), static_cast<std::size_t>(kSide));
+    EXPECT_FALSE(a.splits().cuts()[0].open);
     for (std::int32_t i = 0; i < a.body_count(); ++i)
         EXPECT_LT((a.pose({i}).position - b.pose({i}).position).norm(), 1e-9);
 }
@@ -240,10 +241,10 @@ TEST(DeadlineCuts, TheAnalysisOfLevelsIsPartOfTheSolversTime) {
 /// comes into force.
 TEST(DeadlineCuts, ThatAreHeldShutDegradeNothing) {
     World open = net(0.0).make(), shut = net(0.0).make();
-    shut.set_coupling(open.cuts().front().interaction, Coupling::exact);
+    shut.splits().set_coupling(open.splits().cuts().front().interaction, Coupling::exact);
     for (World* w : {&open, &shut})
         for (int i = 0; i < 5; ++i) {
-            w->degrade_next_step({0, false, 1});
+            w->solver().degrade_next_step({0, false, 1});
             ASSERT_EQ(w->step(), Status::ok);
         }
     EXPECT_EQ(open.stats().compliant, 1U);

@@ -55,14 +55,14 @@ TEST(EventLog, AWorldTellsThemAndTheInput) {
     w.set_input(push, -1e6);
     w.set_input(push, -5e6);
     for (int i = 0; i < 60; ++i) ASSERT_EQ(w.step(), Status::ok);
-    const EventExtremes clamped = w.event_extremes(EventKind::input_clamped);
+    const EventExtremes clamped = w.events().extremes(EventKind::input_clamped);
     EXPECT_EQ(clamped.count, 2);
     EXPECT_EQ(clamped.first.value, -1e6);
     EXPECT_EQ(clamped.worst.value, -5e6);
     EXPECT_EQ(clamped.worst.input, push);
-    EXPECT_EQ(w.event_extremes(EventKind::line_break).count, 1);
-    EXPECT_GT(w.event_extremes(EventKind::line_break).worst.value, 200.0);
-    EXPECT_EQ(w.event_extremes(EventKind::slack).count, 0);
+    EXPECT_EQ(w.events().extremes(EventKind::line_break).count, 1);
+    EXPECT_GT(w.events().extremes(EventKind::line_break).worst.value, 200.0);
+    EXPECT_EQ(w.events().extremes(EventKind::slack).count, 0);
 }
 
 }  // namespace
