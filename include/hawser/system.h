@@ -48,7 +48,7 @@ namespace hawser {
 class World;
 struct Guide;
 struct GuideDef;
-namespace stepper {
+namespace assembly {
 class LoadStore;
 }
 
@@ -88,7 +88,7 @@ struct BodyLoad {
 /// Memory: the first load on a body allocates, and later steps reuse it.
 class Loads {
   public:
-    explicit Loads(stepper::LoadStore& store) noexcept : store_(store) {}
+    explicit Loads(assembly::LoadStore& store) noexcept : store_(store) {}
     Loads(const Loads&) = delete;
     Loads& operator=(const Loads&) = delete;
 
@@ -123,7 +123,7 @@ class Loads {
         for (int i = 0; i < n; ++i)
             for (int j = 0; j <= i; ++j) (load.*to)[triangle(i, j)] += from(i, j);
     }
-    stepper::LoadStore& store_;
+    assembly::LoadStore& store_;
 };
 
 /// A load of the last step, for readers.

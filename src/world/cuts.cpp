@@ -37,9 +37,9 @@ void WorldSplits::set_group(BodyId id, const std::string& group) {
     m.ctx.model.regroup.by_hand[b] = m.number_of_group(group);
     m.body_defs[b].group.swap(name);
     m.ctx.model.regroup.stale = true;
-    if (!stepper::makes_groups(m.ctx.model))
+    if (!split::makes_groups(m.ctx.model))
         m.ctx.model.cuts.group[b] = m.ctx.model.regroup.by_hand[b];
-    m.ctx.state.changed = stepper::Changed::all;
+    m.ctx.state.changed = context::Changed::all;
     if (m.listener != nullptr) m.listener->set_group(id, group);
 }
 
@@ -53,7 +53,7 @@ std::int32_t WorldImpl::number_of_group(const std::string& name) {
 
 void WorldSplits::follow_groups(int parts, int every) {
     const world::Using use(impl().use, "follow_groups");
-    stepper::StepContext& c = impl().ctx;
+    context::StepContext& c = impl().ctx;
     WorldDef def = c.model.def;
     def.parts = parts;
     def.regroup_every = every;
@@ -62,7 +62,7 @@ void WorldSplits::follow_groups(int parts, int every) {
         std::vector<std::int32_t> by_hand = c.model.regroup.by_hand;
         c.model.regroup.parts = {};
         c.model.regroup.stale = true;
-        c.state.changed = stepper::Changed::all;
+        c.state.changed = context::Changed::all;
         if (parts == 0) c.model.cuts.group.swap(by_hand);
     }
     c.model.def = def;
@@ -71,8 +71,8 @@ void WorldSplits::follow_groups(int parts, int every) {
 
 std::vector<std::int32_t> WorldSplitsView::groups() const {
     const world::Using use(impl().use, "groups");
-    stepper::StepContext& c = impl().ctx;
-    stepper::ready(c);
+    context::StepContext& c = impl().ctx;
+    step::ready(c);
     std::vector<std::int32_t> out = c.model.cuts.group;
     for (std::int32_t b = 0; b < world_->body_count(); ++b)
         if (c.model.bodies.dof(b) == 0) out[at(b)] = -1;
@@ -88,8 +88,8 @@ void WorldSplits::set_groups(int parts) {
     for (const BodyDef& b : m.body_defs) names.push_back(b.group);
     std::vector<std::int32_t> by_hand = m.ctx.model.regroup.by_hand;
     const WorldDef before = m.ctx.model.def;
-    stepper::Transaction all(m.ctx);
-    stepper::keep_state(m.ctx, stepper::Undo::Depth::model);
+    step::Transaction all(m.ctx);
+    state::keep_state(m.ctx, context::Undo::Depth::model);
     try {
         const WorldImpl::Untold untold(m);
         regroup_all(parts);
@@ -116,11 +116,11 @@ void WorldSplits::regroup_all(int parts) {
 void WorldSplits::set_coupling(InteractionId id, Coupling coupling) {
     const world::Using use(impl().use, "set_coupling");
     const std::size_t i = impl().place(id);
-    stepper::StepContext& c = impl().ctx;
+    context::StepContext& c = impl().ctx;
     if (coupling > Coupling::deadline) throw DefError("unknown coupling");
     if (coupling != Coupling::exact && c.model.def.sleep_after > 0.0)
         throw DefError("a coupling other than exact needs sleep_after 0");
-    if (coupling != Coupling::exact && !stepper::can_cut(c.model, id.index))
+    if (coupling != Coupling::exact && !split::can_cut(c.model, id.index))
         throw DefError(world::label("interaction", c.model.interactions.def[i].name) +
                        ": a motor, a range, friction, a load of friction or a winch cannot be cut; "
                        "use the exact coupling");
@@ -128,22 +128,22 @@ void WorldSplits::set_coupling(InteractionId id, Coupling coupling) {
     if (c.model.cuts.coupling[i] == coupling) return;
     c.model.cuts.coupling[i] = coupling;
     c.model.regroup.stale = true;
-    c.state.changed = stepper::Changed::all;
+    c.state.changed = context::Changed::all;
     if (impl().listener != nullptr) impl().listener->set_coupling(id, coupling);
 }
 
 Coupling WorldSplitsView::coupling(InteractionId id) const {
     const std::size_t i = impl().place(id);
-    const stepper::Cuts& cuts = impl().ctx.model.cuts;
+    const context::Cuts& cuts = impl().ctx.model.cuts;
     return i < cuts.coupling.size() ? cuts.coupling[i] : impl().ctx.model.def.coupling;
 }
 
 std::vector<CutView> WorldSplitsView::cuts() const {
     const world::Using use(impl().use, "cuts");
     WorldImpl& m = impl();
-    stepper::ready(m.ctx);
+    step::ready(m.ctx);
     std::vector<CutView> out;
-    for (const stepper::Cut& c : m.ctx.model.cuts.list)
+    for (const context::Cut& c : m.ctx.model.cuts.list)
         out.push_back({m.ctx.model.interactions.id(c.id), m.ctx.model.cuts.coupling[at(c.id)],
                        c.open, c.defect, c.residual});
     return out;
@@ -152,7 +152,7 @@ std::vector<CutView> WorldSplitsView::cuts() const {
 namespace {
 
 /// Copy motion and memory, up to the common length of each array.
-void copy_motion(const stepper::StepContext& from, stepper::StepContext& to) {
+void copy_motion(const context::StepContext& from, context::StepContext& to) {
     std::vector<std::span<const std::byte>> arrays;
     world::visit_motion(from,
                         [&](const auto& a) { arrays.push_back(std::as_bytes(std::span(a))); });
@@ -173,11 +173,11 @@ void copy_motion(const stepper::StepContext& from, stepper::StepContext& to) {
         std::fill(to.model.bodies.asleep.begin(), to.model.bodies.asleep.end(), std::uint8_t{0});
         std::fill(to.model.bodies.quiet.begin(), to.model.bodies.quiet.end(), 0);
     }
-    stepper::check_asleep(to.model, to.work.stats);
-    stepper::update_wire_flags(to.model);
+    context::check_asleep(to.model, to.work.stats);
+    context::update_wire_flags(to.model);
 }
 
-void copy_values(const stepper::StepContext& from, stepper::StepContext& to) {
+void copy_values(const context::StepContext& from, context::StepContext& to) {
     std::vector<std::span<const std::byte>> values;
     world::visit_values(from,
                         [&](const auto& v) { values.push_back(std::as_bytes(std::span(&v, 1))); });
@@ -192,7 +192,7 @@ void copy_values(const stepper::StepContext& from, stepper::StepContext& to) {
 
 /// Copy remembered contacts.
 /// @return true if other bodies touch than before.
-bool copy_contacts(const stepper::StepContext& from, stepper::StepContext& to) {
+bool copy_contacts(const context::StepContext& from, context::StepContext& to) {
     assembly::Contacts& c = to.model.system.contacts;
     const assembly::Contacts& f = from.model.system.contacts;
     to.model.collider.kept() = from.model.collider.kept();
@@ -212,15 +212,15 @@ bool copy_contacts(const stepper::StepContext& from, stepper::StepContext& to) {
 }
 
 /// Copy groups that follow the state, if both worlds have some.
-void copy_groups(const stepper::StepContext& from, stepper::StepContext& to) {
-    if (!stepper::makes_groups(from.model) || !stepper::makes_groups(to.model)) return;
+void copy_groups(const context::StepContext& from, context::StepContext& to) {
+    if (!split::makes_groups(from.model) || !split::makes_groups(to.model)) return;
     const bool same = to.model.regroup.parts.part == from.model.regroup.parts.part;
     to.model.regroup.parts = from.model.regroup.parts;
     to.model.regroup.made = from.model.regroup.made;
     to.model.regroup.seen = from.model.regroup.seen;
-    if (same || stepper::assign_groups(to.model) == 0) return;
-    to.state.changed = stepper::Changed::all;
-    stepper::prepare(to);
+    if (same || split::assign_groups(to.model) == 0) return;
+    to.state.changed = context::Changed::all;
+    step::prepare(to);
 }
 
 }  // namespace
@@ -228,10 +228,10 @@ void copy_groups(const stepper::StepContext& from, stepper::StepContext& to) {
 void WorldState::copy_from(const World& other) {
     const world::Using use(impl().use, "state().copy_from"),
         reading(impl(other).use, "state().copy_from");
-    const stepper::StepContext& from = impl(other).ctx;
-    stepper::StepContext& to = impl().ctx;
-    stepper::ready(impl(other).ctx);
-    stepper::ready(to);
+    const context::StepContext& from = impl(other).ctx;
+    context::StepContext& to = impl().ctx;
+    step::ready(impl(other).ctx);
+    step::ready(to);
     if (other.body_count() != world_->body_count() ||
         other.interaction_count() != world_->interaction_count() ||
         other.input_count() != world_->input_count() ||
@@ -247,8 +247,8 @@ void WorldState::copy_from(const World& other) {
     std::vector<double> inputs = impl().input_values;
     std::vector<std::pair<Vec3, Vec3>> forces;
     for (const BodyDef& def : impl().body_defs) forces.emplace_back(def.force, def.torque);
-    stepper::Transaction all(to);
-    stepper::keep_state(to, stepper::Undo::Depth::all);
+    step::Transaction all(to);
+    state::keep_state(to, context::Undo::Depth::all);
     std::vector<std::byte> copied;
     try {
         impl().copy_from(impl(other));
@@ -272,12 +272,12 @@ void WorldState::copy_from(const World& other) {
 }
 
 void WorldImpl::copy_from(const WorldImpl& other) {
-    const stepper::StepContext& from = other.ctx;
-    stepper::StepContext& to = ctx;
+    const context::StepContext& from = other.ctx;
+    context::StepContext& to = ctx;
     copy_groups(from, to);
     const auto asleep = to.model.bodies.asleep;
     copy_motion(from, to);
-    if (copy_contacts(from, to) || asleep != to.model.bodies.asleep) stepper::analyse(to);
+    if (copy_contacts(from, to) || asleep != to.model.bodies.asleep) split::analyse(to);
     copy_values(from, to);
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         input_values[i] = other.input_values[i];
@@ -290,9 +290,9 @@ void WorldImpl::copy_from(const WorldImpl& other) {
         to.model.interactions.follow_length(id, to.model.bodies, to.model.def.step);
     // Ghost bodies and duplicated rows differ with the coupling.
     if (from.model.interactions.count() != to.model.interactions.count())
-        stepper::follow_cuts(to.model);
+        split::follow_cuts(to.model);
     if (from.model.cuts.interfaces == to.model.cuts.interfaces &&
-        stepper::ask_for_cuts(to, from.model.cuts.asked) != Status::ok)
+        split::ask_for_cuts(to, from.model.cuts.asked) != Status::ok)
         throw std::bad_alloc();
 }
 

@@ -178,7 +178,7 @@ void World::set_input(InputId id, double value) {
             world::number(std::min(range.max, def.max)) + " " + range.unit);
     const double clamped = std::min(std::max(value, def.min), def.max);
     check_pair(*this, def, clamped);
-    stepper::StepContext& c = impl_->ctx;
+    context::StepContext& c = impl_->ctx;
     if (clamped != value) {
         c.state.events.push({c.state.time, EventKind::input_clamped, def.interaction, value, id});
         ++c.work.stats.event_count[static_cast<std::size_t>(EventKind::input_clamped)];
@@ -215,12 +215,12 @@ double WorldImpl::applied(const InputDef& input) const {
 
 void WorldImpl::disturb(const InputDef& input) noexcept {
     if (!input.interaction.valid()) {
-        stepper::disturb(ctx.model, input.body.index);
+        context::disturb(ctx.model, input.body.index);
         return;
     }
     const std::size_t first = kMaxInteractionBodies * at(input.interaction.index);
     for (std::size_t b = 0; b < ctx.model.interactions.bodies[at(input.interaction.index)]; ++b) {
-        stepper::disturb(ctx.model, ctx.model.interactions.body[first + b]);
+        context::disturb(ctx.model, ctx.model.interactions.body[first + b]);
     }
 }
 

@@ -43,12 +43,12 @@ void check_parts(const world::Where& where, const InteractionDef& old, const Int
 double given_to_guide(const World& world, const world::Wire& wire, InteractionId element,
                       std::size_t end, double half) {
     const double has = world.body_def(world.interaction_def(element).body[end]).mass;
-    if (stepper::has_more_than(has, half)) return half;
+    if (edit::has_more_than(has, half)) return half;
     const auto at = std::find(wire.elements.begin(), wire.elements.end(), element);
     if (end == 0 ? at == wire.elements.begin() : at + 1 == wire.elements.end()) return 0.0;
     const InteractionId next = end == 0 ? *(at - 1) : *(at + 1);
     if (!world.alive(next) || !kind_info(world.interaction_def(next).kind).is(kWoundUp)) return 0.0;
-    return std::max(0.0, std::min(has, half) - stepper::kKeptMass * half);
+    return std::max(0.0, std::min(has, half) - edit::kKeptMass * half);
 }
 
 /// Parts of an element at a guide, and their capsules.
@@ -95,7 +95,7 @@ std::array<InteractionId, 2> WorldWires::engage(InteractionId element, Interacti
     check_parts(where, old, before, behind);
     world::Wire* wire = m.wire_with(element);
     if (wire == nullptr) world::refuse(where, "it is of no wire");
-    const double half = 0.5 * stepper::mass_of_element(m.ctx, element.index);
+    const double half = 0.5 * edit::mass_of_element(m.ctx, element.index);
     std::array<double, 2> given{};
     for (const std::size_t end : {0U, 1U}) {
         if (world_->body_def(old.body[end]).kind != BodyKind::lump || !(half > 0.0)) continue;
@@ -106,9 +106,8 @@ std::array<InteractionId, 2> WorldWires::engage(InteractionId element, Interacti
     base::reserve_more(wire->elements, 1);
     base::reserve_more(wire->nodes, 1);
     base::reserve_more(wire->shapes, 2);
-    const std::array<Vec3, 2> speed{
-        stepper::speed_of(m.ctx, element.index, 0, m.ctx.model.bodies.v),
-        stepper::speed_of(m.ctx, element.index, 1, m.ctx.model.bodies.v)};
+    const std::array<Vec3, 2> speed{edit::speed_of(m.ctx, element.index, 0, m.ctx.model.bodies.v),
+                                    edit::speed_of(m.ctx, element.index, 1, m.ctx.model.bodies.v)};
     std::array<InteractionId, 2> out;
     {
         const WorldImpl::Untold untold(m);
@@ -137,7 +136,7 @@ std::array<InteractionId, 2> WorldWires::engage(InteractionId element, Interacti
         wire->nodes.insert(wire->nodes.begin() + k + 1, before.body[1]);
         for (const std::size_t side : {0U, 1U})  // its neighbour is now the guide
             m.turn_bend(old.body[side], old.body[1 - side], before.body[1],
-                        stepper::held_at(m.ctx, out[side].index, 1 - side));
+                        edit::held_at(m.ctx, out[side].index, 1 - side));
         std::erase_if(wire->bends, [&](InteractionId id) { return !world_->alive(id); });
         for (const std::size_t end : {0U, 1U})
             if (given[end] > 0.0)
@@ -151,9 +150,9 @@ std::array<InteractionId, 2> WorldWires::engage(InteractionId element, Interacti
 /// Replace a neighbour of the bend about a node by a body that holds it at a point of its frame.
 void WorldImpl::turn_bend(BodyId lump, BodyId from, BodyId to, const Vec3& point) noexcept {
     model::Interactions& in = ctx.model.interactions;
-    const std::int32_t bend = stepper::bend_about(ctx, lump.index, from.index);
+    const std::int32_t bend = edit::bend_about(ctx, lump.index, from.index);
     if (bend < 0) return;
-    const std::size_t slot = stepper::end_of(ctx, bend, 0) == from.index ? 0 : 2;
+    const std::size_t slot = edit::end_of(ctx, bend, 0) == from.index ? 0 : 2;
     in.def[at(bend)].point[slot] = point;
     in.rewire(bend, slot, to, ctx.model.bodies);
     drop_folded(bend);
@@ -163,7 +162,7 @@ void WorldImpl::turn_bend(BodyId lump, BodyId from, BodyId to, const Vec3& point
 /// only, and the effect of a node's bend between a bollard and a drum of one ship is negligible.
 /// Capacity has been reserved (reserve_removal()).
 void WorldImpl::drop_folded(std::int32_t bend) noexcept {
-    if (bend >= 0 && stepper::end_of(ctx, bend, 0) == stepper::end_of(ctx, bend, 2))
+    if (bend >= 0 && edit::end_of(ctx, bend, 0) == edit::end_of(ctx, bend, 2))
         remove(ctx.model.interactions.id(bend));
 }
 

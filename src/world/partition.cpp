@@ -175,16 +175,16 @@ graph::Partition find_split(const assembly::PartGraph& g, const PartitionRequest
 PartitionView WorldSplitsView::partition(const PartitionRequest& request) const {
     const world::Using use(impl().use, "partition");
     check(request, static_cast<std::size_t>(world_->body_count()));
-    stepper::StepContext& c = impl().ctx;
-    stepper::ready(c);
+    context::StepContext& c = impl().ctx;
+    step::ready(c);
     PartitionView view;
     view.use = request.use;
     Clock::time_point clock = Clock::now();
     assembly::PartGraph g;
-    stepper::read_graph(c.model, g);
+    split::read_graph(c.model, g);
     g.group = request.group;
     view.graph_seconds = seconds_since(clock);
-    stepper::weigh_graph(c.model, g);
+    split::weigh_graph(c.model, g);
     view.weight_seconds = seconds_since(clock);
     if (request.exact_cost) {
         g.cost = assembly::body_flops(c.model.system, c.model.bodies.count());

@@ -8,7 +8,7 @@
 namespace hawser {
 
 StateView WorldStateView::arrays() const noexcept {
-    const stepper::StepContext& ctx = impl().ctx;
+    const context::StepContext& ctx = impl().ctx;
     const model::Bodies& b = ctx.model.bodies;
     // Ghost bodies (split/cuts.h) stand behind the user bodies.
     const auto n = at(world_->body_count());

@@ -25,8 +25,8 @@ void WorldState::restore_variant(std::span<const std::byte> bytes) {
 
 void WorldImpl::restore_saved(World& self, std::span<const std::byte> bytes, bool variant) {
     std::vector<double> values = input_values;
-    stepper::Transaction all(ctx);
-    stepper::keep_state(ctx, stepper::Undo::Depth::all);
+    step::Transaction all(ctx);
+    state::keep_state(ctx, context::Undo::Depth::all);
     try {
         take_saved(self, bytes, variant);
     } catch (...) {

@@ -40,7 +40,7 @@ bool fits(const Header& h, std::size_t bytes) {
 }
 
 /// Resize arrays of the state with an entry per contact, and clear the visible contacts.
-void resize_contacts(stepper::StepContext& ctx, std::size_t count, std::size_t resistances) {
+void resize_contacts(context::StepContext& ctx, std::size_t count, std::size_t resistances) {
     ctx.model.collider.kept().resize(count);
     ctx.model.system.contacts.memory.resize(count);
     ctx.model.system.contacts.resistances.memory.resize(resistances);
@@ -53,7 +53,7 @@ void resize_contacts(stepper::StepContext& ctx, std::size_t count, std::size_t r
 
 /// Read the groups.
 /// @return false if they are invalid.
-bool read_groups(const stepper::StepContext& ctx, const std::byte* from, stepper::Regroup& out) {
+bool read_groups(const context::StepContext& ctx, const std::byte* from, context::Regroup& out) {
     out.parts.part.resize(ctx.model.regroup.parts.part.size());
     visit_groups(out, [&](void* to, std::size_t n) {
         if (n > 0) std::memcpy(to, from, n);
@@ -69,23 +69,23 @@ bool read_groups(const stepper::StepContext& ctx, const std::byte* from, stepper
 
 /// Apply saved groups with their ghost bodies and duplicated rows.
 /// @return true if the groups differed.
-bool take_groups(stepper::StepContext& ctx, const stepper::Regroup& saved) {
+bool take_groups(context::StepContext& ctx, const context::Regroup& saved) {
     if (ctx.model.regroup.parts.part == saved.parts.part) return false;
     ctx.model.regroup.parts.part = saved.parts.part;
-    if (stepper::assign_groups(ctx.model) == 0) return false;
-    ctx.state.changed = stepper::Changed::all;
-    stepper::prepare(ctx);
+    if (split::assign_groups(ctx.model) == 0) return false;
+    ctx.state.changed = context::Changed::all;
+    step::prepare(ctx);
     return true;
 }
 
 /// Analyse at the poses of the saved world's analysis; the state is unchanged.
-void analyse_as_saved(stepper::StepContext& ctx, const factor::AnalysisState& order) {
+void analyse_as_saved(context::StepContext& ctx, const factor::AnalysisState& order) {
     const auto x = ctx.model.bodies.x;
     const auto r = ctx.model.bodies.r;
     const auto active = ctx.model.interactions.active;
     ctx.model.bodies.x = ctx.state.analysed_x;
     ctx.model.bodies.r = ctx.state.analysed_r;
-    stepper::analyse(ctx, &order);
+    split::analyse(ctx, &order);
     ctx.model.bodies.x = x;
     ctx.model.bodies.r = r;
     ctx.model.interactions.active = active;
@@ -113,7 +113,7 @@ class SystemsAsSaved {
 /// Apply the checked arrays.
 /// @throws DefError for an elimination order that does not belong to this system. The state is then
 ///        invalid.
-void take_state(stepper::StepContext& ctx, std::vector<double>& inputs, const Header& header,
+void take_state(context::StepContext& ctx, std::vector<double>& inputs, const Header& header,
                 const std::byte* from, bool regrouped) {
     const auto analysed_x = ctx.state.analysed_x;
     const auto analysed_r = ctx.state.analysed_r;
@@ -130,8 +130,8 @@ void take_state(stepper::StepContext& ctx, std::vector<double>& inputs, const He
     });
     const bool relinked = links != ctx.model.system.contacts.links;
     if (relinked) ctx.model.system.contacts.make_blocks();
-    stepper::check_asleep(ctx.model, ctx.work.stats);
-    stepper::update_wire_flags(ctx.model);
+    context::check_asleep(ctx.model, ctx.work.stats);
+    context::update_wire_flags(ctx.model);
     if (regrouped || relinked || asked != ctx.model.cuts.asked ||
         asleep != ctx.model.bodies.asleep || ctx.state.analysed_x != analysed_x ||
         ctx.state.analysed_r != analysed_r || ctx.model.system.analysis.state() != order)
@@ -164,7 +164,7 @@ void WorldStateView::save(std::vector<std::byte>& out) const {
 
 void WorldImpl::write_saved(std::vector<std::byte>& out, bool with_systems) {
     WorldImpl& m = *this;
-    stepper::ready(m.ctx);
+    step::ready(m.ctx);
     Header header;
     header.layout = layout_of(m.ctx, m.inputs.size());
     header.parameters = parameters_of(m.ctx, m.inputs, m.shape_defs);
@@ -221,13 +221,13 @@ void WorldImpl::take_saved(World& self, std::span<const std::byte> bytes, bool v
         throw DefError(
             "snapshot: it belongs to a world with other systems; add the same systems, in the same "
             "order and with states of the same size");
-    stepper::ready(m.ctx);
+    step::ready(m.ctx);
     const auto damaged = [] { return DefError("snapshot: the bytes are damaged (checksum)"); };
     if (sum != base::checksum(bytes.data(), bytes.size() - sizeof sum)) throw damaged();
     // Errors found in the bytes alone are reported before any change. Other errors are reported
     // after an undo.
     visit_groups(m.ctx.model.regroup, [&](const void*, std::size_t n) { size += n; });
-    stepper::Regroup regroup;
+    context::Regroup regroup;
     if (header.grouped != m.ctx.model.regroup.parts.part.size() || !fits(header, bytes.size()) ||
         bytes.size() < sizeof header + size + sizeof sum ||
         !read_groups(m.ctx, bytes.data() + sizeof header, regroup))

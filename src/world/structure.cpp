@@ -72,12 +72,12 @@ bool is_vacant(const Placed<Def>& from, std::size_t place) {
 Structure WorldImpl::structure() const {
     Structure out;
     const auto& bodies = ctx.model.bodies;
-    for (std::int32_t b = 0; b < stepper::body_count(ctx.model); ++b)
+    for (std::int32_t b = 0; b < context::body_count(ctx.model); ++b)
         out.bodies.defs.push_back(bodies.slots.holds(b) ? body_defs[at(b)]
                                                         : placeholder(bodies.room[at(b)]));
     copy_slots(out.bodies, bodies.slots);
     const model::Interactions& in = ctx.model.interactions;
-    for (std::int32_t i = 0; i < stepper::interaction_count(ctx.model); ++i) {
+    for (std::int32_t i = 0; i < context::interaction_count(ctx.model); ++i) {
         InteractionDef& d = out.interactions.defs.emplace_back();
         d.kind = in.def[at(i)].kind;
         if (in.gone(i)) continue;

@@ -16,7 +16,7 @@
 namespace hawser {
 namespace world {
 
-void Systems::keep_action(const stepper::StepContext& ctx) {
+void Systems::keep_action(const context::StepContext& ctx) {
     keep_states(action_.states);
     action_.inputs.clear();
     for (const InputDoor::Before& before : set_)
@@ -33,7 +33,7 @@ void Systems::keep_action(const stepper::StepContext& ctx) {
 }
 
 /// Repeat the recorded actions of the systems. Inputs and loads of removed objects are dropped.
-void Systems::repeat_action(stepper::StepContext& ctx) {
+void Systems::repeat_action(context::StepContext& ctx) {
     take_states(action_.states);
     reported_ = action_.reported;
     for (const auto& [id, value] : action_.inputs) {

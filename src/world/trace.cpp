@@ -16,7 +16,7 @@ void WorldSolver::start_trace(std::size_t spans) {
     if (spans > kMaximum)
         throw DefError("start_trace: spans = " + std::to_string(spans) + "; give at most " +
                        std::to_string(kMaximum));
-    stepper::StepContext& c = impl().ctx;
+    context::StepContext& c = impl().ctx;
     std::unique_ptr<runtime::Trace> trace;
     if (spans > 0) trace = std::make_unique<runtime::Trace>(c.pool.threads(), spans);
     c.pool.record(nullptr);

@@ -14,7 +14,7 @@ namespace hawser {
 Status WorldImpl::take_step() noexcept {
     use.stepping(true);
     turn_forces();
-    const Status ended = stepper::step(ctx);
+    const Status ended = step::step(ctx);
     unturn_forces();
     use.stepping(false);
     return ended;

@@ -24,9 +24,9 @@ void WorldWires::set_mass(BodyId lump, double mass) {
         world::refuse(where, "it is not a node; only nodes change mass");
     if (!(mass > 0.0 && mass <= 1e12))
         world::refuse(where, "mass = " + world::number(mass) + " kg; give a positive one");
-    stepper::StepContext& c = impl().ctx;
-    stepper::begin_edit(c);
-    c.state.ledger.edited.given -= stepper::energy_of_body(c, lump.index);
+    context::StepContext& c = impl().ctx;
+    edit::begin_edit(c);
+    c.state.ledger.edited.given -= edit::energy_of_body(c, lump.index);
     const double scale = mass / def.mass;
     def.mass = c.model.bodies.mass[b] = mass;
     for (int k = 0; k < 3; ++k) {
@@ -34,14 +34,14 @@ void WorldWires::set_mass(BodyId lump, double mass) {
         def.force[k] *= scale;
         impl().add_up_force(lump, k);
     }
-    c.state.ledger.edited.given += stepper::energy_of_body(c, lump.index);
+    c.state.ledger.edited.given += edit::energy_of_body(c, lump.index);
     // Elements store the mass of the lighter of their ends.
     model::Interactions& in = c.model.interactions;
     for (const InteractionId id : impl().interaction_ids)
         for (std::size_t slot = 0; slot < in.bodies[at(id.index)]; ++slot)
             if (in.def[at(id.index)].body[slot] == lump)
                 in.rewire(id.index, slot, lump, c.model.bodies);
-    stepper::disturb(c.model, lump.index);
+    context::disturb(c.model, lump.index);
     if (impl().listener != nullptr) impl().listener->set_mass(lump, mass);
 }
 
@@ -63,7 +63,7 @@ InteractionId WorldWires::spool(WireId id, int end, BodyId drum, double radius) 
     if (!(radius >= -1e3 && radius <= 1e3))
         world::refuse(where, "radius = " + world::number(radius) + " m; give -1000 to 1000");
     const auto& in = impl().ctx.model.interactions;
-    const double mass = stepper::mass_of_element(impl().ctx, old.index);
+    const double mass = edit::mass_of_element(impl().ctx, old.index);
     const BodyId beyond = d.body[end == 0 ? 1 : 0];
     const bool gives = mass > 0.0 && world_->body_def(beyond).kind == BodyKind::lump;
     if (gives && !(world_->body_def(beyond).mass > 0.5 * mass))

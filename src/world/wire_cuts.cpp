@@ -120,32 +120,31 @@ void WorldImpl::divide_load(BodyId from, BodyId to, double share) noexcept {
 
 void WorldImpl::follow_definition(BodyId lump) noexcept {
     body_defs[at(lump.index)].mass = ctx.model.bodies.mass[at(lump.index)];
-    body_defs[at(lump.index)].linear_damping = stepper::damping_of(ctx, lump.index);
+    body_defs[at(lump.index)].linear_damping = edit::damping_of(ctx, lump.index);
 }
 
 /// Move the objects that begin at a node to another node at its position, which has been added.
-void WorldImpl::part_lump(const stepper::NodeSurroundings& place, BodyId end) noexcept {
+void WorldImpl::part_lump(const edit::NodeSurroundings& place, BodyId end) noexcept {
     model::Interactions& in = ctx.model.interactions;
     const BodyId node = ctx.model.bodies.id(place.node), far = in.def[at(place.second)].body[1];
-    const stepper::NodeFraction part =
-        stepper::fraction_of(ctx, node.index, place.first, place.second);
-    stepper::begin_edit(ctx);
-    stepper::split_node(ctx, node.index, end.index, part);
+    const edit::NodeFraction part = edit::fraction_of(ctx, node.index, place.first, place.second);
+    edit::begin_edit(ctx);
+    edit::split_node(ctx, node.index, end.index, part);
     divide_load(node, end, part.share);
     const ShapeId segment = segment_between(node.index, far.index);
     if (segment.valid()) move_segment(segment, 0, end);
     if (place.bend[1] >= 0) remove(in.id(place.bend[1]));
-    stepper::move_end(ctx, place.second, 0, end.index);
+    edit::move_end(ctx, place.second, 0, end.index);
     if (place.bend[2] >= 0) in.rewire(place.bend[2], 0, end, ctx.model.bodies);
     for (const BodyId lump : {node, end}) {
-        stepper::follow_node(ctx, lump.index);
+        edit::follow_node(ctx, lump.index);
         follow_definition(lump);
     }
 }
 
 InteractionId WorldImpl::element_at(BodyId node, std::size_t side) noexcept {
-    stepper::NodeSurroundings place{.node = node.index};
-    (void)stepper::find_place(ctx, place);
+    edit::NodeSurroundings place{.node = node.index};
+    (void)edit::find_place(ctx, place);
     return ctx.model.interactions.id(side == 0 ? place.first : place.second);
 }
 
@@ -153,8 +152,8 @@ InteractionId WorldImpl::element_at(BodyId node, std::size_t side) noexcept {
 /// @param side  0: the end is the first end of the element, 1: its last one.
 void WorldImpl::join_short_end(World& world, InteractionId end, std::size_t side) noexcept {
     const model::Interactions& in = ctx.model.interactions;
-    stepper::NodeSurroundings place{.node = in.def[at(end.index)].body[1 - side].index};
-    if (!stepper::is_lump(ctx, place.node) || !stepper::find_place(ctx, place)) return;
+    edit::NodeSurroundings place{.node = in.def[at(end.index)].body[1 - side].index};
+    if (!edit::is_lump(ctx, place.node) || !edit::find_place(ctx, place)) return;
     const std::int32_t next = side == 0 ? place.second : place.first;
     if (in.rest_length[at(end.index)] >= kShort * in.rest_length[at(next)]) return;
     try {
@@ -220,8 +219,8 @@ WireId WorldWires::cut(WireId id, double s) {
     const InteractionId element = wire.elements[k];
     const double share = (s - begin) / length;
     const bool takes_node = world_->alive(element) && world_->intact(element) &&
-                            stepper::mass_of_element(impl().ctx, element.index) > 0.0 &&
-                            stepper::is_of_material(impl().ctx, element.index);
+                            edit::mass_of_element(impl().ctx, element.index) > 0.0 &&
+                            edit::is_of_material(impl().ctx, element.index);
     if (takes_node && share > kNear && share < 1.0 - kNear) return cut(element, share);
     if (wire.elements.size() == 1)
         world::refuse(where,
@@ -239,9 +238,8 @@ WireId WorldWires::cut(WireId id, double s) {
 
 /// Check that a wire can be cut at a node.
 /// @throws DefError with the remedy.
-void WorldImpl::check_cut_at_node(const std::string& where,
-                                  stepper::NodeSurroundings& place) const {
-    if (!stepper::is_lump(ctx, place.node) || !stepper::find_place(ctx, place))
+void WorldImpl::check_cut_at_node(const std::string& where, edit::NodeSurroundings& place) const {
+    if (!edit::is_lump(ctx, place.node) || !edit::find_place(ctx, place))
         world::refuse(where,
                       "it does not begin at a node between two elements that nothing else "
                       "holds; cut it elsewhere, or detach() an end");
@@ -256,7 +254,7 @@ WireId WorldWires::cut(InteractionId element, double share) {
     const world::Using use(impl().use, "cut");
     const Attempt attempt(*world_, impl().composite());
     WorldImpl& m = impl();
-    stepper::StepContext& c = m.ctx;
+    context::StepContext& c = m.ctx;
     model::Interactions& in = c.model.interactions;
     const std::size_t e = m.place(element);
     const InteractionDef def = in.def[e];
@@ -266,8 +264,8 @@ WireId WorldWires::cut(InteractionId element, double share) {
     if (!(share >= 0.0 && share < 1.0))
         world::refuse(where, "it is cut at a share from 0 to below 1, not " + world::number(share));
     m.know_wire_of(element);
-    if (stepper::has_cuts(c.model)) stepper::begin_edit(c);  // remove duplicated rows first
-    stepper::NodeSurroundings place{.node = def.body[0].index};
+    if (context::has_cuts(c.model)) edit::begin_edit(c);  // remove duplicated rows first
+    edit::NodeSurroundings place{.node = def.body[0].index};
     if (share == 0.0) m.check_cut_at_node(where, place);
     m.reserve_removal();
     std::int32_t vacant = -1;
@@ -276,7 +274,7 @@ WireId WorldWires::cut(InteractionId element, double share) {
     // Names are claimed last, and released if a node does not fit.
     std::optional<SecondPiece> second;
     const WorldImpl::Mark before = m.mark(def.body[0], def.body[1]);
-    const stepper::Edited edited = c.state.ledger.edited;
+    const context::Edited edited = c.state.ledger.edited;
     BodyId node = def.body[0];
     bool claimed = false;
     try {
@@ -302,11 +300,11 @@ WireId WorldWires::cut(InteractionId element, double share) {
         for (const std::size_t side : {0U, 1U})
             m.join_short_end(*world_, m.element_at(node, side), 1 - side);
     place = {.node = node.index};
-    (void)stepper::find_place(c, place);
-    const double tension = stepper::tension_of(c, place.first);
-    stepper::begin_recoil(c.model, element.index, false);
+    (void)edit::find_place(c, place);
+    const double tension = edit::tension_of(c, place.first);
+    context::begin_recoil(c.model, element.index, false);
     m.part_lump(place, end);
-    stepper::push_event(c, EventKind::cut, place.first, tension);
+    context::push_event(c, EventKind::cut, place.first, tension);
     WireId out{};
     if (second) {
         world::Wire* wire = m.wire_with(in.id(place.first));

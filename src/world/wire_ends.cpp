@@ -21,10 +21,9 @@
 namespace hawser {
 
 world::FreeEnd WorldImpl::free_end(BodyId lump) const {
-    const stepper::NodeLinks links = stepper::links_of(ctx, lump.index);
+    const edit::NodeLinks links = edit::links_of(ctx, lump.index);
     const std::string where = world::label("body", body_defs[at(lump.index)].name);
-    if (!stepper::is_lump(ctx, lump.index) || (links.before < 0) == (links.after < 0) ||
-        !links.plain)
+    if (!edit::is_lump(ctx, lump.index) || (links.before < 0) == (links.after < 0) || !links.plain)
         world::refuse(where,
                       "it is no free end of a wire: a lump that one whole element holds and "
                       "nothing else; detach() what is taken");
@@ -40,11 +39,11 @@ world::FreeEnd WorldImpl::free_end(WireId id, int end) const {
     if (!ctx.model.bodies.slots.names(node))
         world::refuse(where, "the lump at this end has been removed");
     const std::string name = end == 0 ? "its first end" : "its last end";
-    if (!stepper::is_lump(ctx, node.index))
+    if (!edit::is_lump(ctx, node.index))
         world::refuse(where, name + " is taken by the " +
                                  world::label("body", body_defs[at(node.index)].name) +
                                  "; detach() it first");
-    const stepper::NodeLinks links = stepper::links_of(ctx, node.index);
+    const edit::NodeLinks links = edit::links_of(ctx, node.index);
     if ((links.before >= 0 && links.after >= 0) || !links.plain)
         world::refuse(where, name + " is taken; detach() it first");
     if (links.before < 0 && links.after < 0)
@@ -76,8 +75,8 @@ void WorldWires::detach(InteractionId element, int end) {
     if (end != 0 && end != 1) world::refuse(where, "end must be 0, the first one, or 1");
     const BodyId body = in.def[e].body[at(end)];
     m.know_wire_of(element);
-    if (stepper::has_cuts(m.ctx.model)) stepper::begin_edit(m.ctx);  // remove duplicated rows first
-    if (stepper::is_lump(m.ctx, body.index))
+    if (context::has_cuts(m.ctx.model)) edit::begin_edit(m.ctx);  // remove duplicated rows first
+    if (edit::is_lump(m.ctx, body.index))
         m.open_gear(element, body);
     else
         m.free_node(*world_, element, at(end));
@@ -98,24 +97,24 @@ void WorldImpl::open_gear(InteractionId element, BodyId lump) {
         if (holds(g)) refuse_held(g.id);
     reserve_removal();
     // No call below throws.
-    const double tension = stepper::tension_of(ctx, element.index);
-    stepper::begin_recoil(ctx.model, element.index, false);
+    const double tension = edit::tension_of(ctx, element.index);
+    context::begin_recoil(ctx.model, element.index, false);
     for (const world::GearInUse& g : gear)
         if (holds(g)) remove(g.id);
     std::erase_if(gear, [&](const world::GearInUse& g) { return !in.slots.names(g.id); });
-    stepper::disturb(ctx.model, lump.index);
-    stepper::push_event(ctx, EventKind::detach, element.index, tension);
+    context::disturb(ctx.model, lump.index);
+    context::push_event(ctx, EventKind::detach, element.index, tension);
 }
 
 namespace {
 
 /// Return the node of a released end.
-BodyDef freed_body(const World& w, const stepper::StepContext& c, std::int32_t element,
-                   std::size_t side, const stepper::NodeFraction& share) {
+BodyDef freed_body(const World& w, const context::StepContext& c, std::int32_t element,
+                   std::size_t side, const edit::NodeFraction& share) {
     const BodyDef& next = w.body_def(c.model.interactions.def[at(element)].body[1 - side]);
     const bool lump = next.kind == BodyKind::lump;
-    BodyDef out{.kind = BodyKind::lump, .position = stepper::point_of(c, element, side)};
-    out.velocity = stepper::speed_of(c, element, side, c.model.bodies.v);
+    BodyDef out{.kind = BodyKind::lump, .position = edit::point_of(c, element, side)};
+    out.velocity = edit::speed_of(c, element, side, c.model.bodies.v);
     out.mass = share.mass;
     if (!lump) return out;
     out.linear_damping = share.share * next.linear_damping;
@@ -126,7 +125,7 @@ BodyDef freed_body(const World& w, const stepper::StepContext& c, std::int32_t e
 }
 
 /// Return the element between other bodies without a drum, with the data of the next element.
-InteractionDef unwound(const stepper::StepContext& c, const std::array<std::int32_t, 2>& element,
+InteractionDef unwound(const context::StepContext& c, const std::array<std::int32_t, 2>& element,
                        std::size_t side, BodyId lump, double mass) {
     const model::Interactions& in = c.model.interactions;
     const std::int32_t id = element[0];
@@ -140,7 +139,7 @@ InteractionDef unwound(const stepper::StepContext& c, const std::array<std::int3
     for (const char* same : {"EA", "tension_only", "breaking_load"}) out.set(same, def.get(same));
     if (in.row_flags[at(in.row_begin[at(id)])] & model::kRowDamper)
         out.damping_time[0] = def.damping_time[0];
-    if (mass > 0.0 && element[1] >= 0 && stepper::mass_of_element(c, element[1]) > 0.0)
+    if (mass > 0.0 && element[1] >= 0 && edit::mass_of_element(c, element[1]) > 0.0)
         out.set("mass", mass);
     return out;
 }
@@ -171,28 +170,28 @@ void end_at_node(world::Wire& wire, std::size_t side, const world::Wire& made, I
 
 /// Share of a node at the end of an element in a release.
 struct EndFraction {
-    stepper::NodeFraction share;
+    edit::NodeFraction share;
     double carried;       ///< Mass of the element that its winch carries [kg].
     std::int32_t beyond;  ///< Element on the other side of the next node; −1: none.
     bool node_next;       ///< True if the element's other end is a node.
 };
 
-EndFraction end_fraction(const stepper::StepContext& ctx, const world::Systems& systems,
+EndFraction end_fraction(const context::StepContext& ctx, const world::Systems& systems,
                          InteractionId element, BodyId next) {
     const std::int32_t e = element.index;
-    EndFraction out{.share = {.mass = 0.5 * stepper::mass_of_element(ctx, e)},
+    EndFraction out{.share = {.mass = 0.5 * edit::mass_of_element(ctx, e)},
                     .carried = systems.carried_mass(element),
                     .beyond = -1,
-                    .node_next = stepper::is_lump(ctx, next.index)};
+                    .node_next = edit::is_lump(ctx, next.index)};
     if (out.node_next) {
-        const stepper::NodeLinks links = stepper::links_of(ctx, next.index);
+        const edit::NodeLinks links = edit::links_of(ctx, next.index);
         out.beyond = links.before == e ? links.after : links.before;
         // The new end has half of the element like the body before it, for any other mass of the
         // next node.
         const double half = out.share.mass;
         out.share = half > 0.0
-                        ? stepper::NodeFraction{half, half / ctx.model.bodies.mass[at(next.index)]}
-                        : stepper::fraction_of(ctx, next.index, out.beyond, e);
+                        ? edit::NodeFraction{half, half / ctx.model.bodies.mass[at(next.index)]}
+                        : edit::fraction_of(ctx, next.index, out.beyond, e);
     }
     if (out.carried > 0.0) {
         out.share.mass = 0.5 * out.carried;
@@ -205,7 +204,7 @@ EndFraction end_fraction(const stepper::StepContext& ctx, const world::Systems& 
 template <class Impl>
 std::optional<ShapeDef> capsule_like(const Impl& m, std::int32_t beyond) {
     const ShapeId its =
-        m.segment_between(stepper::end_of(m.ctx, beyond, 0), stepper::end_of(m.ctx, beyond, 1));
+        m.segment_between(edit::end_of(m.ctx, beyond, 0), edit::end_of(m.ctx, beyond, 1));
     if (!its.valid()) return {};
     std::optional<ShapeDef> out = m.shape_defs[at(its.index)];
     out->name.clear();
@@ -247,8 +246,8 @@ void WorldImpl::free_node(World& world, InteractionId element, std::size_t side)
     world::Wire made;
     reserve_end(made);
     const Mark before = mark(held, next);
-    const stepper::Edited edited = ctx.state.ledger.edited;
-    const stepper::Edited had = stepper::splice_energy(ctx, next.index, -1, e, e);
+    const context::Edited edited = ctx.state.ledger.edited;
+    const context::Edited had = edit::splice_energy(ctx, next.index, -1, e, e);
     const Untold untold(*this);
     const BodyDef was = body_defs[at(next.index)];
     try {
@@ -273,28 +272,27 @@ void WorldImpl::free_node(World& world, InteractionId element, std::size_t side)
     }
     // No call below throws.
     const BodyId lump = made.lumps[0];
-    const double tension = stepper::tension_of(ctx, e);
-    const std::int32_t bend = stepper::bend_about(ctx, next.index, held.index);
-    stepper::begin_recoil(ctx.model, e, false);
+    const double tension = edit::tension_of(ctx, e);
+    const std::int32_t bend = edit::bend_about(ctx, next.index, held.index);
+    context::begin_recoil(ctx.model, e, false);
     if (node_next && beyond >= 0)
-        stepper::begin_recoil(ctx.model, beyond, false);  // an element at a drum belongs to no wire
-    stepper::begin_edit(ctx);
+        context::begin_recoil(ctx.model, beyond, false);  // an element at a drum belongs to no wire
+    edit::begin_edit(ctx);
     if (bend >= 0)
-        stepper::move_end(ctx, bend, stepper::end_of(ctx, bend, 0) == held.index ? 0 : 2,
-                          lump.index);
+        edit::move_end(ctx, bend, edit::end_of(ctx, bend, 0) == held.index ? 0 : 2, lump.index);
     std::int32_t now = e;
     if (wound) {
         now = made.elements[0].index;
         go_on(in, e, now);
-        stepper::part_all(ctx.model, e);
+        split::part_all(ctx.model, e);
     } else {
-        stepper::move_end(ctx, e, side, lump.index);
+        edit::move_end(ctx, e, side, lump.index);
     }
     if (own.valid()) move_segment(own, side, lump);
-    for (const BodyId id : {held, next, lump}) stepper::disturb(ctx.model, id.index);
-    ctx.state.ledger.edited = edited + stepper::splice_energy(ctx, next.index, -1, now, now) - had;
-    ctx.state.ledger.edited.given += stepper::energy_of_body(ctx, lump.index);
-    stepper::push_event(ctx, EventKind::detach, now, tension);
+    for (const BodyId id : {held, next, lump}) context::disturb(ctx.model, id.index);
+    ctx.state.ledger.edited = edited + edit::splice_energy(ctx, next.index, -1, now, now) - had;
+    ctx.state.ledger.edited.given += edit::energy_of_body(ctx, lump.index);
+    context::push_event(ctx, EventKind::detach, now, tension);
     if (wire != nullptr) end_at_node(*wire, side, made, element, in.id(now));
 }
 

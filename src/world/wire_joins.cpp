@@ -76,7 +76,7 @@ Joint WorldWires::join(WireId a, int end_a, WireId b, int end_b, const JoinDef& 
         if (a == b)
             world::refuse(where, "a splice would close it to a ring; join its ends by gear");
         if ((end_a == end_b) &&
-            stepper::chain_from(impl().ctx, other.element.index, other.slot).size() !=
+            edit::chain_from(impl().ctx, other.element.index, other.slot).size() !=
                 second.elements.size())
             world::refuse(world::label("wire", second.name),
                           "it would have to be turned round, and is parted or held between its "
@@ -122,7 +122,7 @@ Joint WorldWires::join(BodyId a, BodyId b, const Vec3& point, const JoinDef& def
     const bool lump = kind == BodyKind::lump;
     if (lump) (void)m.free_end(b);
     if (kind == BodyKind::scalar) world::refuse(where, "a scalar body holds no end of a wire");
-    if (stepper::has_cuts(m.ctx.model)) stepper::begin_edit(m.ctx);  // remove duplicated rows first
+    if (context::has_cuts(m.ctx.model)) edit::begin_edit(m.ctx);  // remove duplicated rows first
     Joint out;
     if (def.gear == Gear::triplate) {
         if (!lump)
@@ -143,11 +143,11 @@ Joint WorldWires::join(BodyId a, BodyId b, const Vec3& point, const JoinDef& def
 /// Add the mass of gear, which starts with the velocity of its node.
 void WorldImpl::add_gear_mass(BodyId lump, double mass) noexcept {
     if (!(mass > 0.0)) return;
-    const double had = stepper::energy_of_body(ctx, lump.index);
+    const double had = edit::energy_of_body(ctx, lump.index);
     ctx.model.bodies.mass[at(lump.index)] += mass;
     follow_definition(lump);
-    stepper::follow_node(ctx, lump.index);
-    ctx.state.ledger.edited.given += stepper::energy_of_body(ctx, lump.index) - had;
+    edit::follow_node(ctx, lump.index);
+    ctx.state.ledger.edited.given += edit::energy_of_body(ctx, lump.index) - had;
 }
 
 /// Return the link from a node to a body, in the direction of the node's wire.
@@ -184,7 +184,7 @@ Joint WorldImpl::hold(World& world, BodyId a, BodyId b, const Vec3& point, const
     std::erase_if(
         gear, [&](const world::GearInUse& g) { return !ctx.model.interactions.slots.names(g.id); });
     base::reserve_more(gear, 1);
-    const bool lump = stepper::is_lump(ctx, b.index);
+    const bool lump = edit::is_lump(ctx, b.index);
     Joint out;
     {
         const Untold untold(*this);
@@ -194,7 +194,7 @@ Joint WorldImpl::hold(World& world, BodyId a, BodyId b, const Vec3& point, const
     gear.push_back({out.held[0], def.gear});
     add_gear_mass(a, lump ? 0.5 * def.mass : def.mass);
     if (lump) add_gear_mass(b, 0.5 * def.mass);
-    stepper::push_event(ctx, EventKind::join, out.held[0].index, separation);
+    context::push_event(ctx, EventKind::join, out.held[0].index, separation);
     return out;
 }
 
@@ -250,7 +250,7 @@ Joint WorldImpl::put_plate(World& world, BodyId a, BodyId b, const JoinDef& def)
         out.held[k] = made.elements[k];
         gear.push_back({out.held[k], def.gear});
     }
-    stepper::push_event(ctx, EventKind::join, out.held[0].index, separation);
+    context::push_event(ctx, EventKind::join, out.held[0].index, separation);
     return out;
 }
 

@@ -62,7 +62,7 @@ WireId WorldWiresView::of(InteractionId element) const noexcept {
 
 /// Update definitions after an edit of masses and drags, and the forces of nodes that depend on
 /// mass. Also update the inputs of an element at a drum.
-void WorldImpl::follow_definitions(const stepper::NodeSurroundings& place) noexcept {
+void WorldImpl::follow_definitions(const edit::NodeSurroundings& place) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     for (const std::int32_t id : {place.first, place.second}) {
         for (std::size_t slot = 0; id >= 0 && slot < 2; ++slot) {
@@ -90,11 +90,11 @@ void WorldImpl::follow_inputs(std::int32_t element) noexcept {
 
 /// Return the EI of a bend added with a node on an element [N m²]. It is that of the bend at the
 /// first end, or at the last end if line types meet at the first.
-double WorldImpl::stiffness_beside(const stepper::NodeSurroundings& place,
+double WorldImpl::stiffness_beside(const edit::NodeSurroundings& place,
                                    const world::Wire* wire) const noexcept {
     const model::Interactions& in = ctx.model.interactions;
     const auto same_line = [&](std::int32_t id) {
-        return id < 0 || stepper::is_wound(ctx, id) || stepper::is_wound(ctx, place.first) ||
+        return id < 0 || edit::is_wound(ctx, id) || edit::is_wound(ctx, place.first) ||
                in.def[at(id)].get("EA") == in.def[at(place.first)].get("EA");
     };
     const bool first = place.bend[0] >= 0 && (same_line(place.before[0]) || place.bend[2] < 0);
@@ -105,33 +105,33 @@ double WorldImpl::stiffness_beside(const stepper::NodeSurroundings& place,
 
 BodyId WorldWires::insert_node(InteractionId element, double share, double mass) {
     const world::Using use(impl().use, "insert_node");
-    const Attempt attempt(*world_, stepper::has_cuts(impl().ctx.model));
+    const Attempt attempt(*world_, context::has_cuts(impl().ctx.model));
     WorldImpl& m = impl();
     model::Interactions& in = m.ctx.model.interactions;
     m.check_node(element, share, mass);
-    stepper::NodeSurroundings place{.first = element.index};
-    const bool wound = stepper::is_wound(m.ctx, element.index);
+    edit::NodeSurroundings place{.first = element.index};
+    const bool wound = edit::is_wound(m.ctx, element.index);
     // True if the new element comes first, because the one at a drum stays there.
-    const bool first = wound && stepper::drum_side(m.ctx, element.index) == 1;
-    const double whole = wound ? mass : stepper::mass_of_element(m.ctx, element.index);
-    if (stepper::has_cuts(m.ctx.model)) stepper::begin_edit(m.ctx);  // remove duplicated rows first
-    (void)stepper::find_place(m.ctx, place);
+    const bool first = wound && edit::drum_side(m.ctx, element.index) == 1;
+    const double whole = wound ? mass : edit::mass_of_element(m.ctx, element.index);
+    if (context::has_cuts(m.ctx.model)) edit::begin_edit(m.ctx);  // remove duplicated rows first
+    (void)edit::find_place(m.ctx, place);
     const BodyId a = in.def[at(element.index)].body[0], b = in.def[at(element.index)].body[1];
     const BodyDef body = world::node_body(*world_, in.def[at(element.index)],
-                                          stepper::node_on(m.ctx, element.index, share, whole));
+                                          edit::node_on(m.ctx, element.index, share, whole));
     const ShapeId segment = m.segment_between(a.index, b.index);
     world::Wire* wire = m.wire_with(element);
     if (wire != nullptr) reserve_node(*wire);
 
     const WorldImpl::Mark before = m.mark(a, b);
-    const stepper::NodeLedger was = stepper::begin_node_edit(m.ctx, place);
+    const edit::NodeLedger was = edit::begin_node_edit(m.ctx, place);
     world::Wire& made = m.wires.coming;
     made.begin({}, true);
     reserve_node(made);
     const double EI = m.stiffness_beside(place, wire);
     InteractionDef bend = world::node_bend(in, element.index, EI);
     for (const std::size_t slot : {0U, 1U})
-        bend.point[2 * slot] = stepper::held_at(m.ctx, element.index, slot);
+        bend.point[2 * slot] = edit::held_at(m.ctx, element.index, slot);
     try {
         const WorldImpl::Untold untold(m);
         const BodyId node = world_->add_body(body);
@@ -153,8 +153,8 @@ BodyId WorldWires::insert_node(InteractionId element, double share, double mass)
     place.first = first ? made.elements[0].index : element.index;
     place.second = first ? element.index : made.elements[0].index;
     place.bend[1] = made.bends.empty() ? -1 : made.bends[0].index;
-    stepper::settle_node(m.ctx, place, element.index, share, whole);
-    stepper::end_node_edit(m.ctx, place, was);
+    edit::settle_node(m.ctx, place, element.index, share, whole);
+    edit::end_node_edit(m.ctx, place, was);
     m.follow_definitions(place);
     if (segment.valid()) m.move_segment(segment, 1, made.lumps[0]);
     if (wire != nullptr) put_node(*wire, element, made, first);
@@ -164,11 +164,11 @@ BodyId WorldWires::insert_node(InteractionId element, double share, double mass)
 
 bool WorldWires::remove_node(BodyId node, double bend) {
     const world::Using use(impl().use, "remove_node");
-    Attempt attempt(*world_, stepper::has_cuts(impl().ctx.model));
+    Attempt attempt(*world_, context::has_cuts(impl().ctx.model));
     WorldImpl& m = impl();
     (void)m.place(node);
-    if (stepper::has_cuts(m.ctx.model)) stepper::begin_edit(m.ctx);  // remove duplicated rows first
-    stepper::NodeSurroundings place{.node = node.index};
+    if (context::has_cuts(m.ctx.model)) edit::begin_edit(m.ctx);  // remove duplicated rows first
+    edit::NodeSurroundings place{.node = node.index};
     const std::int32_t stays = m.check_node_goes(node, place, bend);
     model::Interactions& in = m.ctx.model.interactions;
     const InteractionId kept = in.id(stays),
@@ -177,10 +177,9 @@ bool WorldWires::remove_node(BodyId node, double bend) {
     m.reserve_removal();
     const ShapeId near = m.segment_between(a.index, node.index),
                   far = m.segment_between(node.index, b.index);
-    const stepper::NodeLedger was = stepper::begin_node_edit(m.ctx, place);
-    const bool goes = stepper::is_wound(m.ctx, stays)
-                          ? stepper::release_drum_node(m.ctx, place, bend)
-                          : stepper::release_node(m.ctx, place, bend);
+    const edit::NodeLedger was = edit::begin_node_edit(m.ctx, place);
+    const bool goes = edit::is_wound(m.ctx, stays) ? edit::release_drum_node(m.ctx, place, bend)
+                                                   : edit::release_node(m.ctx, place, bend);
     if (!goes) {
         attempt.fail();
         return false;
@@ -193,7 +192,7 @@ bool WorldWires::remove_node(BodyId node, double bend) {
     m.remove(node);
     place.first = stays;
     place.second = place.node = place.bend[1] = -1;
-    stepper::end_node_edit(m.ctx, place, was);
+    edit::end_node_edit(m.ctx, place, was);
     m.follow_definitions(place);
     if (world::Wire* wire = m.wire_with(kept)) {
         wire->elements.erase(wire->elements.begin() + find_in(wire->elements, gone));

@@ -32,7 +32,7 @@ std::optional<ShapeDef> capsule_of(const World& world, const WireTrim& trim,
 /// Move a segment to other bodies, one of which may hold it at a point of its frame.
 void WorldImpl::put_segment(ShapeId segment, BodyId first, BodyId second,
                             const Vec3& point) noexcept {
-    stepper::forget_contacts(ctx, segment.index);
+    edit::forget_contacts(ctx, segment.index);
     ShapeDef& def = shape_defs[at(segment.index)];
     def.body = first;
     def.body_b = second;
@@ -45,7 +45,7 @@ void WorldImpl::put_segment(ShapeId segment, BodyId first, BodyId second,
 void WorldImpl::move_segment(ShapeId segment, std::size_t side, BodyId to) noexcept {
     const ShapeDef& def = shape_defs[at(segment.index)];
     const BodyId first = side == 0 ? to : def.body, second = side == 0 ? def.body_b : to;
-    const bool lumps = stepper::is_lump(ctx, first.index) && stepper::is_lump(ctx, second.index);
+    const bool lumps = edit::is_lump(ctx, first.index) && edit::is_lump(ctx, second.index);
     put_segment(segment, first, second, lumps ? Vec3(Vec3::Zero()) : def.position);
 }
 
@@ -53,8 +53,8 @@ void WorldImpl::move_segment(ShapeId segment, std::size_t side, BodyId to) noexc
 /// removed with the node.
 void WorldImpl::join_segments(ShapeId near, ShapeId far) noexcept {
     const ShapeDef &before = shape_defs[at(near.index)], &behind = shape_defs[at(far.index)];
-    const bool ends_at_node = stepper::is_lump(ctx, behind.body_b.index);
-    if (!ends_at_node && !stepper::is_lump(ctx, before.body.index)) return;
+    const bool ends_at_node = edit::is_lump(ctx, behind.body_b.index);
+    if (!ends_at_node && !edit::is_lump(ctx, before.body.index)) return;
     const Vec3 point = ends_at_node ? before.position : behind.position;
     put_segment(near, before.body, behind.body_b, point);
 }
@@ -69,10 +69,10 @@ ShapeId WorldImpl::segment_between(std::int32_t a, std::int32_t b) const noexcep
 }
 
 /// Return the capsule to add with a node on an element; none if its wire has no contacts there.
-std::optional<ShapeDef> WorldImpl::next_segment(const stepper::NodeSurroundings& place, BodyId node,
+std::optional<ShapeDef> WorldImpl::next_segment(const edit::NodeSurroundings& place, BodyId node,
                                                 bool first, const world::Wire* wire) const {
     const auto end = [&](std::size_t slot) {
-        return ctx.model.bodies.id(stepper::end_of(ctx, place.first, slot));
+        return ctx.model.bodies.id(edit::end_of(ctx, place.first, slot));
     };
     const ShapeId own = segment_between(end(0).index, end(1).index);
     std::optional<ShapeDef> out;
@@ -80,9 +80,9 @@ std::optional<ShapeDef> WorldImpl::next_segment(const stepper::NodeSurroundings&
         out = shape_defs[at(own.index)];
         out->name.clear();
         out->body = node;
-        if (stepper::is_lump(ctx, out->body_b.index)) out->position.setZero();
+        if (edit::is_lump(ctx, out->body_b.index)) out->position.setZero();
     } else if (wire != nullptr && wire->trim.segment &&
-               stepper::is_lump(ctx, end(first ? 0 : 1).index)) {
+               edit::is_lump(ctx, end(first ? 0 : 1).index)) {
         out = wire->trim.segment;
         out->body = first ? end(0) : node;
         out->body_b = first ? node : end(1);

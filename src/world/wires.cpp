@@ -71,12 +71,12 @@ WorldImpl::Mark WorldImpl::mark(BodyId from, BodyId to) const noexcept {
     const auto quiet = [&](BodyId id) {
         return id.valid() ? ctx.model.bodies.quiet[at(id.index)] : 0;
     };
-    return {stepper::body_count(ctx.model),
-            stepper::interaction_count(ctx.model),
+    return {context::body_count(ctx.model),
+            context::interaction_count(ctx.model),
             ctx.model.collider.count(),
             ctx.state.edits.interactions.size(),
             ctx.state.ledger.edited,
-            ctx.model.cuts.bodies >= 0 ? stepper::Changed::all : ctx.state.changed,
+            ctx.model.cuts.bodies >= 0 ? context::Changed::all : ctx.state.changed,
             ctx.state.edits.any,
             ctx.model.regroup.stale,
             {from, to},
@@ -253,7 +253,7 @@ double WorldWiresView::tension(WireId id, double s) const {
 void WorldImpl::know_wire_of(InteractionId element) {
     const std::vector<std::int32_t>& added = ctx.state.edits.interactions;
     if (!ctx.state.started || std::find(added.begin(), added.end(), element.index) != added.end())
-        stepper::ready(ctx);
+        step::ready(ctx);
 }
 
 void WorldWires::part(WireId id, double s) {
@@ -264,7 +264,7 @@ void WorldWires::part(WireId id, double s) {
 void WorldWires::part(InteractionId id) {
     const world::Using use(impl().use, "part");
     const std::size_t i = impl().place(id);
-    stepper::StepContext& c = impl().ctx;
+    context::StepContext& c = impl().ctx;
     if (!kind_info(c.model.interactions.def[i].kind).is(kWireElement))
         throw DefError(
             world::label("interaction", c.model.interactions.def[i].name) +
@@ -273,13 +273,13 @@ void WorldWires::part(InteractionId id) {
     impl().know_wire_of(id);
     const double tension =
         std::max(0.0, -c.model.interactions.force[at(c.model.interactions.row_begin[i])]);
-    c.state.ledger.damped += stepper::energy_of_interaction(c, id.index);
-    c.state.ledger.edited.given += stepper::piece_energy(c, id.index);
+    c.state.ledger.damped += edit::energy_of_interaction(c, id.index);
+    c.state.ledger.edited.given += edit::piece_energy(c, id.index);
     for (std::size_t b = 0; b < c.model.interactions.bodies[i]; ++b)
-        stepper::disturb(c.model, c.model.interactions.body[kMaxInteractionBodies * i + b]);
-    stepper::part_all(c.model, id.index);
-    stepper::begin_recoil(c.model, id.index, c.state.changed == stepper::Changed::nothing);
-    stepper::push_event(c, EventKind::line_break, id.index, tension);
+        context::disturb(c.model, c.model.interactions.body[kMaxInteractionBodies * i + b]);
+    split::part_all(c.model, id.index);
+    context::begin_recoil(c.model, id.index, c.state.changed == context::Changed::nothing);
+    context::push_event(c, EventKind::line_break, id.index, tension);
     if (impl().listener != nullptr) impl().listener->parted(id);
 }
 

@@ -145,7 +145,7 @@ TEST(Allocation, WhereMemoryEndsInARegroupingItIsAStatus) {
     if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
     const Recipe recipe = broken_wire(20);
     World good = recipe.make();
-    const int round = static_cast<int>(stepper::Regroup::kSettle);
+    const int round = static_cast<int>(context::Regroup::kSettle);
     for (int i = 0; i <= round; ++i) ASSERT_EQ(good.step(), Status::ok);
     ASSERT_EQ(good.stats().regroupings, 1) << "or the rest says nothing";
     int failed = 0;

@@ -14,14 +14,14 @@ Event event(double time, EventKind kind, double value) {
 }
 
 TEST(EventLog, SlackAndTautPushNothingElseOut) {
-    stepper::EventLog log;
+    context::EventLog log;
     log.push(event(0, EventKind::line_break, 5e5));
     log.push(event(0, EventKind::saturation, 100));
     for (int i = 1; i <= 200'000; ++i)
         log.push(event(i, i % 2 == 0 ? EventKind::slack : EventKind::taut, i % 2 == 0 ? 0 : i));
     log.push(event(3e5, EventKind::line_break, 3e5));
     const auto events = log.take();
-    EXPECT_EQ(events.size(), 2 * stepper::EventLog::kFrequent + 3);
+    EXPECT_EQ(events.size(), 2 * context::EventLog::kFrequent + 3);
     EXPECT_EQ(events.front().kind, EventKind::line_break);
     EXPECT_EQ(events[1].kind, EventKind::saturation);
     EXPECT_EQ(events.back().time, 3e5);
@@ -31,7 +31,7 @@ TEST(EventLog, SlackAndTautPushNothingElseOut) {
 }
 
 TEST(EventLog, FirstAndWorstStay) {
-    stepper::EventLog log;
+    context::EventLog log;
     EXPECT_EQ(log.extremes(EventKind::taut).count, 0);
     for (int i = 1; i <= 100'000; ++i)
         log.push(event(i, EventKind::taut, i == 5'000 ? 1e6 : i == 6'000 ? 1e6 : 1.0));
