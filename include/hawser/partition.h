@@ -3,5 +3,5 @@
 /// @file partition.h
 /// Old place of hawser/experimental/partition.h, for one version.
 
-#pragma GCC warning "deprecated header: include <hawser/experimental/partition.h>"
+#pragma message("deprecated header: include <hawser/experimental/partition.h>")
 #include <hawser/experimental/partition.h>

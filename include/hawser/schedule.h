@@ -3,5 +3,5 @@
 /// @file schedule.h
 /// Old place of hawser/experimental/schedule.h, for one version.
 
-#pragma GCC warning "deprecated header: include <hawser/experimental/schedule.h>"
+#pragma message("deprecated header: include <hawser/experimental/schedule.h>")
 #include <hawser/experimental/schedule.h>
