@@ -9,6 +9,8 @@
 #include "coupling_stiffness.h"
 #include "verdict.h"
 
+#include <hawser/experimental/splits.h>
+
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
@@ -35,7 +37,7 @@ std::vector<ModeFigures> measure_times(const std::string& file, const CouplingOp
         f.mode = mode;
         for (const int t : o.threads) f.timed.push_back({load_split(file, mode, o.parts, t).world});
         traced.push_back({load_split(file, mode, o.parts, 1).world});
-        traced.back().world.start_trace(kSpans);
+        traced.back().world.solver().start_trace(kSpans);
     }
     const int steps = std::max(1, o.steps / o.rounds);
     for (int round = 0; round < o.rounds; ++round) {
@@ -58,7 +60,7 @@ Stiffness stiffness_of(const std::string& file, const Mode& mode,
     World state = load_split(file, mode, o.parts, 1).world;
     World steady = load_split(file, kModes[0], o.parts, 1).world;
     for (int i = 0; i < 30; ++i) (void)steady.step();
-    state.copy_state(steady);
+    state.state().copy_from(steady);
     return largest_stable(state, cuts, o.stiffness_seconds);
 }
 
@@ -70,7 +72,7 @@ Json compare(const std::string& file, const CouplingOptions& o, const PoolCosts&
                "tension %", "drift J", "radius", "stable k");
     std::vector<ModeFigures> modes = measure_times(file, o, costs);
     std::vector<InteractionId> cuts;
-    for (const CutView& c : load_split(file, kModes[1], o.parts, 1).world.cuts())
+    for (const CutView& c : load_split(file, kModes[1], o.parts, 1).world.splits().cuts())
         cuts.push_back(c.interaction);
     Json rows = Json::array();
     for (ModeFigures& m : modes) {
@@ -143,7 +145,7 @@ int run(int argc, char** argv) {
             "momentum out of nothing,\nlargest, of h g m. jerk [m/s3], of exact: of exact "
             "steps from the same states. tension: rms error\nat the cuts. stable k: largest "
             "stiffness of the cuts with spectral radius <= {}, of their own.\n"
-            "Simulated: spans of one thread dealt out to more (hawser/schedule.h).\n",
+            "Simulated: spans of one thread dealt out to more (hawser/experimental/schedule.h).\n",
             kGrowth);
         const PoolCosts costs = measure_pool_costs();
         Json scenes = Json::array();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "coupling_measure.h"
 
+#include <hawser/experimental/splits.h>
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -15,7 +17,7 @@ namespace {
 void cut_chains(scene::Scene& scene, int parts) {
     for (const scene::Cable& cable : scene.cables)
         for (std::size_t i = 0; i < cable.nodes.size(); ++i)
-            scene.world.set_group(
+            scene.world.splits().set_group(
                 cable.nodes[i],
                 "part " + std::to_string(i * static_cast<std::size_t>(parts) / cable.nodes.size()));
 }
@@ -51,11 +53,11 @@ scene::Scene load_split(const std::string& file, const Mode& mode, int parts, in
                    fmt::format("settings.predictor={}", to_string(mode.predictor)),
                    "settings.parts=0", "settings.solution_tolerance=1e-12"};
     scene::Scene scene = scene::load_file(file, options);
-    scene.world.set_groups(parts);
-    if (scene.world.cuts().empty()) cut_chains(scene, parts);
+    scene.world.splits().set_groups(parts);
+    if (scene.world.splits().cuts().empty()) cut_chains(scene, parts);
     if (mode.coupling != Coupling::kinematic)
-        for (const CutView& cut : scene.world.cuts())
-            scene.world.set_coupling(cut.interaction, mode.coupling);
+        for (const CutView& cut : scene.world.splits().cuts())
+            scene.world.splits().set_coupling(cut.interaction, mode.coupling);
     return scene;
 }
 

@@ -36,7 +36,7 @@ std::array<double, kStageCount> serial_by_stage(const TraceView& trace) {
 }  // namespace
 
 SimulatedStep simulate_steps(const World& world, const PoolCosts& costs) {
-    const TraceView trace = world.trace();
+    const TraceView trace = world.solver().trace();
     SimulatedStep result;
     std::array<std::vector<double>, kSimulatedThreads.size()> ms;
     std::vector<double> serial;

@@ -3,7 +3,7 @@
 /// @file coupling_simulated.h
 /// Simulate whole steps on more threads than the machine has, from the spans of one thread.
 
-#include <hawser/schedule.h>
+#include <hawser/experimental/schedule.h>
 #include <hawser/world.h>
 
 #include <array>

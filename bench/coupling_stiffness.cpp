@@ -4,6 +4,8 @@
 #include "linear/timing.h"
 #include "verify/coupling.h"
 
+#include <hawser/experimental/splits.h>
+
 #include <algorithm>
 
 namespace hawser::bench::split {
@@ -26,9 +28,9 @@ World stiffened(const World& from, const std::vector<InteractionId>& cuts, doubl
     }
     for (std::int32_t i = 0; i < from.input_count(); ++i) out.add_input(from.input_def(InputId{i}));
     for (std::size_t i = 0; i < coupling.size(); ++i)
-        if (out.coupling(InteractionId{static_cast<std::int32_t>(i)}) != coupling[i])
-            out.set_coupling(InteractionId{static_cast<std::int32_t>(i)}, coupling[i]);
-    out.copy_state(from);
+        if (out.splits().coupling(InteractionId{static_cast<std::int32_t>(i)}) != coupling[i])
+            out.splits().set_coupling(InteractionId{static_cast<std::int32_t>(i)}, coupling[i]);
+    out.state().copy_from(from);
     return out;
 }
 
@@ -38,7 +40,7 @@ Stiffness largest_stable(const World& world, const std::vector<InteractionId>& c
                          double seconds) {
     std::vector<Coupling> coupling;
     for (std::int32_t i = 0; i < world.interaction_count(); ++i)
-        coupling.push_back(world.coupling(InteractionId{i}));
+        coupling.push_back(world.splits().coupling(InteractionId{i}));
     const double start = thread_seconds();
     auto stable = [&](double exponent) {
         const World w = stiffened(world, cuts, std::pow(10.0, exponent), coupling);

@@ -32,7 +32,7 @@ class DeadlineRunner {
 
     DeadlineRun run() {
         for (int i = 0; i < kDeadlinePhases * o_.steps; ++i) take(i);
-        out_.hash = scene_.world.state_hash();
+        out_.hash = scene_.world.state().hash();
         out_.step = scene_.world.settings().step;
         return std::move(out_);
     }
@@ -55,7 +55,7 @@ class DeadlineRunner {
             cargo_.take_away(w);
         }
         cargo_.move_deck(w);
-        if (repeat_) w.degrade_next_step(repeat_->left_out[static_cast<std::size_t>(i)]);
+        if (repeat_) w.solver().degrade_next_step(repeat_->left_out[static_cast<std::size_t>(i)]);
         if (w.step() != Status::ok)
             throw std::runtime_error(
                 fmt::format("step {} failed: {}", i, to_string(w.stats().status)));

@@ -65,7 +65,7 @@ struct Edited {
         def.length = 30.0;
         def.EA = 1e6;
         def.mass_per_length = 20.0;
-        wire = world.add_wire(def);
+        wire = world.wires().add(def);
     }
 
     World& world;
@@ -103,7 +103,7 @@ EditFigures measure_edits(World& world, std::vector<Coming>& kinds, int warm, in
     for (int round = 0; round < warm + rounds; ++round) {
         if (round == warm) {
             before = world.stats();
-            held = world.memory_bytes();
+            held = world.solver().memory_bytes();
         }
         for (Coming& kind : kinds)
             for (const auto* edit : {&kind.add, &kind.remove}) {
@@ -118,7 +118,7 @@ EditFigures measure_edits(World& world, std::vector<Coming>& kinds, int warm, in
     const StepStats& s = world.stats();
     return {1e3 * median(plain),        1e3 * median(with),
             s.plans - before.plans,     s.repairs - before.repairs,
-            s.growths - before.growths, std::max(world.memory_bytes(), held) - held};
+            s.growths - before.growths, std::max(world.solver().memory_bytes(), held) - held};
 }
 
 /// Time steps of a scene whose wires edit themselves.
@@ -185,7 +185,7 @@ int edits_command(int argc, char** argv) {
                  world.add_shape({.kind = ShapeKind::sphere, .body = e.hulls[0], .radius = 0.5});
          },
          [&] { (void)world.remove_shape(e.shape); }},
-        {"wire", [&] { e.add_wire(); }, [&] { (void)world.remove_wire(e.wire); }}};
+        {"wire", [&] { e.add_wire(); }, [&] { (void)world.wires().remove(e.wire); }}};
     const EditFigures f = measure_edits(world, kinds, warm, rounds);
     fmt::print("{}: {} bodies, {} interactions, {} shapes; a step {:.3g} ms, {}\n", file,
                world.bodies().size(), world.interactions().size(), world.shapes().size(),

@@ -102,26 +102,26 @@ ReadFigures measure(World& world, int rounds) {
     std::uint64_t cursor = 0;
     const auto nothing = [] {};
     // Mark derived data to be computed again.
-    const auto touch = [&] { (void)world.events_since(cursor, events); };
+    const auto touch = [&] { (void)world.events().since(cursor, events); };
     constexpr int kMany = 10'000;
-    const double* seen = world.state().positions.data();
+    const double* seen = world.state().arrays().positions.data();
     double sum = 0.0;
     const auto start = ReadClock::now();
     for (int i = 0; i < kMany; ++i) {
-        const StateView state = world.state();
+        const StateView state = world.state().arrays();
         f.no_copy = f.no_copy && state.positions.data() == seen;
         sum += state.velocities[static_cast<std::size_t>(i) % state.velocities.size()];
     }
     f.state_ns = 1e9 * std::chrono::duration<double>(ReadClock::now() - start).count() / kMany;
     // Setting a pose changes an earlier view: it is the world's own array.
     const BodyId first{0};
-    const StateView view = world.state();
-    const std::vector<std::byte> before = world.save();
+    const StateView view = world.state().arrays();
+    const std::vector<std::byte> before = world.state().save();
     Pose moved = world.pose(first);
     moved.position.x() += 1.0;
     world.set_pose(first, moved);
     f.no_copy = f.no_copy && view.positions[0] == moved.position.x() && sum == sum;
-    world.restore(before);
+    world.state().restore(before);
 
     f.outputs_us =
         1e6 * median_of_calls(20 * rounds, touch, [&] { sum += world.outputs().back(); });
@@ -129,13 +129,14 @@ ReadFigures measure(World& world, int rounds) {
     f.contacts_us = 1e6 * median_of_calls(rounds, nothing, [&] { world.contacts(contacts); });
     f.contacts = contacts.size();
     f.events_us = 1e6 * median_of_calls(20 * rounds, nothing, touch);
-    f.save_ms = 1e3 * median_of_calls(rounds, nothing, [&] { world.save(saved); });
+    f.save_ms = 1e3 * median_of_calls(rounds, nothing, [&] { world.state().save(saved); });
     f.bytes = saved.size();
     // Like a client that goes back: some steps later.
     f.restore_ms =
-        1e3 * median_of_calls(rounds, [&] { (void)world.step(); }, [&] { world.restore(saved); });
+        1e3 *
+        median_of_calls(rounds, [&] { (void)world.step(); }, [&] { world.state().restore(saved); });
     f.hash_ms =
-        1e3 * median_of_calls(rounds, nothing, [&] { sum += double(world.state_hash() & 1); });
+        1e3 * median_of_calls(rounds, nothing, [&] { sum += double(world.state().hash() & 1); });
     return f;
 }
 

@@ -174,7 +174,8 @@ nlohmann::json run_links(const LinksOptions& o, int refinements) {
                    s.violation_max);
     }
     const StepStats& s = world.stats();
-    const double middle = median_of(times), bytes = static_cast<double>(world.memory_bytes());
+    const double middle = median_of(times),
+                 bytes = static_cast<double>(world.solver().memory_bytes());
     fmt::print(stderr, "\n");
     fmt::print("{} bodies, {} interactions, {} equations, {} island(s); {} thread(s), {}\n",
                s.bodies, s.interactions, s.equations, s.islands, o.threads, instruction_set());

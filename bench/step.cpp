@@ -61,7 +61,7 @@ struct Subject {
         f.islands = s.islands;
         f.median_ms = step_percentile(ms, 0.5);
         f.p99_ms = step_percentile(ms, 0.99);
-        f.bytes_per_body = static_cast<double>(scene.world.memory_bytes()) / s.bodies;
+        f.bytes_per_body = static_cast<double>(scene.world.solver().memory_bytes()) / s.bodies;
         for (std::size_t k = 0; k < kStageCount; ++k)
             f.stage_ms[k] = step_percentile(stages[k], 0.5);
         return f;

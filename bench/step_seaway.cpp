@@ -145,9 +145,9 @@ int run_seaway(const SeawayOptions& options) {
     out["work"] = print_costs("factor work", all.work);
     const double first = all.factorisations.empty() ? 0.0 : all.factorisations.front();
     out["first_step_factorisations"] = first;
-    out["hash"] = fmt::format("{:016x}", w.state_hash());
+    out["hash"] = fmt::format("{:016x}", w.state().hash());
     fmt::print("  first step {:.0f} factorisations; {} steps, {} uncertified; state {:016x}\n",
-               first, all.ms.size(), all.uncertified, w.state_hash());
+               first, all.ms.size(), all.uncertified, w.state().hash());
     if (all.status != Status::ok) {
         const auto verdict = w.verdict();
         const Finding& found = verdict.of(verdict.judge);

@@ -10,7 +10,7 @@
 #include "scene_options.h"
 
 #include <fmt/format.h>
-#include <hawser/partition.h>
+#include <hawser/experimental/splits.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -67,7 +67,7 @@ nlohmann::ordered_json origin_of(const scene::Scene& scene, const FiguresOptions
             {"scene_file", scene.path},
             {"scene_hash", fmt::format("{:016x}", scene.hash)},
             {"time", scene.world.time()},
-            {"state_hash", fmt::format("{:016x}", scene.world.state_hash())},
+            {"state_hash", fmt::format("{:016x}", scene.world.state().hash())},
             {"command", command_line()},
             {"instruction_set", instruction_set()},
             {"processor", record::processor_model()},
@@ -128,8 +128,8 @@ struct Parts {
 };
 
 Parts partition(const World& world, int parts) {
-    return {world.partition({.use = PartitionUse::cuts, .parts = parts}),
-            world.partition({.use = PartitionUse::separators, .parts = parts})};
+    return {world.splits().partition({.use = PartitionUse::cuts, .parts = parts}),
+            world.splits().partition({.use = PartitionUse::separators, .parts = parts})};
 }
 
 void mark(draw::InteractionGraph& graph, const Parts& parts) {
@@ -220,7 +220,7 @@ int figures(FiguresOptions options) {
     }
     Writer writer(options, scene);
     const Parts parts = partition(scene.world, options.scene.parts.value_or(kParts));
-    draw::BlockGraph whole = draw::graph_of(scene.world.inspect(), parts.cuts.part_of_body);
+    draw::BlockGraph whole = draw::graph_of(scene.world.solver().matrix(), parts.cuts.part_of_body);
     const draw::BlockGraph pieces = draw::split_graph(whole, parts.cuts.parts);
     whole.part.assign(whole.part.size(), -1);  // pictures of the whole show no parts
     std::vector<OrderedMatrix> full, split;

@@ -104,7 +104,7 @@ void print_system(const World& world, const SystemView& view) {
             ? static_cast<double>(view.flops) / static_cast<double>(view.critical_flops)
             : 1.0);
     fmt::print("  memory           {:.3g} MB in state and solver\n",
-               1e-6 * static_cast<double>(world.memory_bytes()));
+               1e-6 * static_cast<double>(world.solver().memory_bytes()));
 }
 
 int inspect(const InspectOptions& options) {
@@ -118,7 +118,7 @@ int inspect(const InspectOptions& options) {
             fmt::print(stderr, "hawser: step {} failed: {}\n", k + 1, to_string(status));
             return kFailed;
         }
-    const SystemView view = world.inspect();
+    const SystemView view = world.solver().matrix();
     fmt::print("{} (hash {:016x})\n", scene.name, scene.hash);
     fmt::print("{}", signal_lines(world));
     print_system(world, view);

@@ -49,7 +49,7 @@ bool same_instruction_set(const record::Recording& recording) {
 void describe_difference(const record::Recording& recording, const record::Frame& frame,
                          const World& world) {
     fmt::print("first difference at step {}, {:.6g} s: recorded hash {:016x}, replayed {:016x}\n",
-               frame.step, frame.time, frame.hash, world.motion_hash());
+               frame.step, frame.time, frame.hash, world.state().motion_hash());
     double worst = 0.0;
     std::string where;
     for (std::size_t i = 0; i < frame.poses.size(); ++i) {
@@ -88,7 +88,7 @@ class Replay {
             const record::Frame head = recording_.frame_head(i);
             if (const int code = advance(head.step, recording_.take_of(i), progress); code != kOk)
                 return code;
-            if (world_.motion_hash() != head.hash) {
+            if (world_.state().motion_hash() != head.hash) {
                 progress.close();
                 describe_difference(recording_, recording_.frame(i), world_);
                 return kMismatch;
@@ -96,16 +96,16 @@ class Replay {
         }
         if (const int code = ended ? conclude(last, progress) : kOk; code != kOk) return code;
         progress.close();
-        if (ended && world_.motion_hash() != recording_.end_hash) {
+        if (ended && world_.state().motion_hash() != recording_.end_hash) {
             fmt::print(
                 "difference at the end, step {}, {:.6g} s: recorded hash {:016x}, replayed "
                 "{:016x}\n",
-                last, world_.time(), recording_.end_hash, world_.motion_hash());
+                last, world_.time(), recording_.end_hash, world_.state().motion_hash());
             return kMismatch;
         }
         fmt::print("{}: same state hash at all {} frames{}, {} steps, last {:016x}\n",
                    recording_.file, frames, ended ? " and at the end" : "", taken_,
-                   world_.motion_hash());
+                   world_.state().motion_hash());
         return say_end();
     }
 
@@ -172,9 +172,9 @@ int replay(const ReplayOptions& options) {
     if (!same_instruction_set(recording)) return kMismatch;
     scene::Scene scene = record::recorded_scene(recording, options.threads);
     World& world = scene.world;
-    if (world.motion_hash() != recording.start_hash) {
+    if (world.state().motion_hash() != recording.start_hash) {
         fmt::print("difference at the start: recorded hash {:016x}, restored {:016x}\n",
-                   recording.start_hash, world.motion_hash());
+                   recording.start_hash, world.state().motion_hash());
         return kMismatch;
     }
     return Replay(recording, world).run(options.quiet);

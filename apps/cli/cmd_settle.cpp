@@ -145,7 +145,8 @@ class Settler {
     /// elements, and nodes added or removed at a drum or by refinement. @return the difference in
     /// words; empty: none.
     [[nodiscard]] std::string other_than_stored(const World& world) const {
-        if (const EventExtremes part = world.event_extremes(EventKind::line_break); part.count > 0)
+        if (const EventExtremes part = world.events().extremes(EventKind::line_break);
+            part.count > 0)
             return "the element " + record::interaction_label(world, part.first.interaction) +
                    " broke on the way; start nearer to rest, or give it a larger breaking load";
         const auto now = world.bodies(), stored = scene_.world.bodies();

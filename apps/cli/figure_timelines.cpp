@@ -22,9 +22,9 @@ TraceView trace_steps(World& world, double at) {
                 fmt::format("the step at {:.4g} s failed: {}", world.time(), to_string(status)));
     };
     while (world.time() < at - 0.5 * world.settings().step) step();
-    world.start_trace(kSpans);
+    world.solver().start_trace(kSpans);
     for (int k = 0; k < kTracedSteps; ++k) step();
-    return world.trace();
+    return world.solver().trace();
 }
 
 draw::Timeline typical(const TraceView& trace) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "inspect_parts.h"
 
+#include <hawser/experimental/splits.h>
 #include <hawser/inspect.h>
-#include <hawser/partition.h>
 
 #include "elimination_orders.h"
 #include "report/elimination.h"
@@ -92,10 +92,10 @@ void print_orders(const SystemView& view) {
 }
 
 void print_groups(const World& world) {
-    const std::vector<CutView> cuts = world.cuts();
+    const std::vector<CutView> cuts = world.splits().cuts();
     if (cuts.empty()) return;
     std::vector<std::int64_t> bodies;
-    for (const std::int32_t g : world.groups()) {
+    for (const std::int32_t g : world.splits().groups()) {
         // A user-defined group without a name has no number.
         const auto k = static_cast<std::size_t>(g) + 1;
         if (k >= bodies.size()) bodies.resize(k + 1);
@@ -117,7 +117,7 @@ void print_groups(const World& world) {
 void print_parts(const World& world, int parts) {
     PartitionRequest request;
     request.parts = parts;
-    const PartitionView exact = world.partition(request);
+    const PartitionView exact = world.splits().partition(request);
     double paper = 0.0;
     for (const double c : exact.island_cost) paper += c;
     fmt::print("  {} parts with separators (exact coupling); c = {:.6g} over {} islands\n", parts,
@@ -126,7 +126,7 @@ void print_parts(const World& world, int parts) {
                exact.separator_scalars, 1e-6 * exact.separator_cost);
     print_loads(exact);
     request.use = PartitionUse::cuts;
-    const PartitionView cut = world.partition(request);
+    const PartitionView cut = world.splits().partition(request);
     fmt::print("  {} parts with cuts (approximate couplings): {} interactions cut\n", parts,
                cut.cuts.size());
     print_loads(cut);

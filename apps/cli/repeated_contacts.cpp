@@ -26,7 +26,7 @@ const exporting::ContactForces& RepeatedContacts::at(const record::Frame& frame,
                                                      recording_.file, world.time(),
                                                      failure(world)));
     }
-    if (world.motion_hash() != frame.hash)
+    if (world.state().motion_hash() != frame.hash)
         throw record::RecordingError(
             fmt::format("{}: the repeated state at {:.6g} s differs from the recording, so that "
                         "contact forces cannot be computed; `hawser replay` shows the difference",

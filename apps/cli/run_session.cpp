@@ -9,6 +9,8 @@
 #include "report/start/check.h"
 #include "signals.h"
 
+#include <hawser/experimental/splits.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -125,7 +127,7 @@ void RunSession::add_observers() {
     const World& world = session_.world();
     collector_ = std::make_unique<report::SummaryCollector>(info_, world);
     session_.observe(*collector_);
-    const std::vector<CutView> cuts = world.cuts();
+    const std::vector<CutView> cuts = world.splits().cuts();
     if (std::any_of(cuts.begin(), cuts.end(),
                     [](const CutView& c) { return c.coupling != Coupling::deadline; })) {
         coupling_ = std::make_unique<verify::CouplingObserver>(world);

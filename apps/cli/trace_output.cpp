@@ -62,12 +62,12 @@ void TraceOptions::add_to(CLI::App& command) {
 
 void TraceOptions::start(World& world) const {
     if (files.empty()) return;
-    world.start_trace(kTraceSpans);
+    world.solver().start_trace(kTraceSpans);
 }
 
 std::string TraceOptions::finish(const World& world, const std::string& scene) const {
     if (files.empty()) return {};
-    const TraceView all = world.trace(), last = world.trace(steps);
+    const TraceView all = world.solver().trace(), last = world.solver().trace(steps);
     const bool any = all.steps > 0;
     // If the requested step is not in the trace, show the typical one.
     const bool held = std::any_of(all.spans.begin(), all.spans.end(), [&](const TraceSpan& s) {

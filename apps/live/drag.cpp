@@ -23,7 +23,7 @@ double usual_stiffness(BodyKind kind, double mass, double most) {
 }  // namespace
 
 BodyId node_near(const World& world, WireId wire, double share) {
-    const auto nodes = world.nodes(wire);
+    const auto nodes = world.wires().nodes(wire);
     const auto last = static_cast<double>(nodes.empty() ? 0 : nodes.size() - 1);
     BodyId best{};
     double least = 2.0 * last + 1.0;
@@ -36,7 +36,7 @@ BodyId node_near(const World& world, WireId wire, double share) {
         best = nodes[n];
     }
     if (!best.valid())
-        throw DefError("the wire \"" + world.wire_name(wire) + "\" has no node to pull at");
+        throw DefError("the wire \"" + world.wires().name(wire) + "\" has no node to pull at");
     return best;
 }
 

@@ -130,9 +130,9 @@ void Driver::part(const Command& command) {
     World& world = session_.world();
     const WireSource wire = wire_of(plan_, command);
     if (wire.wire.valid())
-        world.part(wire.wire, command.value * world.length(wire.wire));
+        world.wires().part(wire.wire, command.value * world.wires().length(wire.wire));
     else if (!wire.pieces.empty() && !wire.pieces.front().joint)
-        world.part(wire.pieces.front().element);
+        world.wires().part(wire.pieces.front().element);
     else
         throw DefError("\"" + wire.name + "\" is a chain of rigid links, which does not part");
     const std::string text = fmt::format("parted {} at {:.0f} %", wire.name, 100.0 * command.value);
@@ -160,7 +160,7 @@ void Driver::save(const std::string& name) {
     const double begun = clock_now();
     drags_.lift(session_.world());
     const World& world = session_.world();
-    Point point{name, world.time(), 0, world.structure(), world.save()};
+    Point point{name, world.time(), 0, world.state().structure(), world.state().save()};
     const auto same = std::find_if(points_.begin(), points_.end(),
                                    [&](const Point& p) { return p.name == name; });
     if (same == points_.begin() && !points_.empty())

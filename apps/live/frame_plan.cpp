@@ -37,9 +37,9 @@ PieceSource piece(const World& world, InteractionId id) {
 }
 
 WireSource wire_of(const World& world, WireId id) {
-    WireSource out{.kind = WireKind::wire, .wire = id, .name = world.wire_name(id)};
-    const auto nodes = world.nodes(id);
-    const auto elements = world.elements(id);
+    WireSource out{.kind = WireKind::wire, .wire = id, .name = world.wires().name(id)};
+    const auto nodes = world.wires().nodes(id);
+    const auto elements = world.wires().elements(id);
     for (std::size_t e = 0; e < elements.size(); ++e) {
         if (!world.alive(elements[e])) continue;
         PieceSource one = piece(world, elements[e]);
@@ -67,8 +67,8 @@ WireSource links_of(const World& world, const scene::Cable& cable) {
 /// Return the nodes of wires: nodes to which elements of a wire connect, including free ends.
 std::vector<bool> nodes_of_wires(const World& world) {
     std::vector<bool> node(at(world.body_count()), false);
-    for (const WireId wire : world.wires())
-        for (const BodyId id : world.nodes(wire))
+    for (const WireId wire : world.wires().ids())
+        for (const BodyId id : world.wires().nodes(wire))
             if (world.alive(id) && world.body_def(id).kind == BodyKind::lump)
                 node[at(id.index)] = true;
     return node;
@@ -98,7 +98,7 @@ void add_bodies(const World& world, FramePlan& plan) {
 
 void add_wires(const scene::Scene& scene, FramePlan& plan) {
     const World& world = scene.world;
-    for (const WireId id : world.wires()) plan.wires.push_back(wire_of(world, id));
+    for (const WireId id : world.wires().ids()) plan.wires.push_back(wire_of(world, id));
     std::vector<bool> in_cable(at(world.interaction_count()), false);
     for (const scene::Cable& cable : scene.cables) {
         if (!cable.links) continue;
@@ -108,7 +108,7 @@ void add_wires(const scene::Scene& scene, FramePlan& plan) {
     for (const InteractionId id : world.interactions()) {
         const InteractionDef& def = world.interaction_def(id);
         const KindInfo& kind = kind_info(def.kind);
-        if (kind.is(kPulls) && kind.uses_points && !world.wire_of(id).valid()) {
+        if (kind.is(kPulls) && kind.uses_points && !world.wires().of(id).valid()) {
             const bool rigid = !kind.is(kElastic);
             plan.wires.push_back({.kind = rigid ? WireKind::rod : WireKind::line,
                                   .wire = {},
@@ -215,7 +215,7 @@ FramePlan FramePlan::of(const scene::Scene& scene) {
     plan.all_bodies = copy(world.bodies());
     plan.all_interactions = copy(world.interactions());
     plan.all_shapes = copy(world.shapes());
-    plan.all_wires = copy(world.wires());
+    plan.all_wires = copy(world.wires().ids());
     plan.all_inputs = copy(world.inputs());
     plan.all_outputs = copy(world.output_ids());
     plan.all_signals = world.system_signals().size();
@@ -224,7 +224,7 @@ FramePlan FramePlan::of(const scene::Scene& scene) {
 
 bool FramePlan::current(const World& world) const {
     return equal(world.bodies(), all_bodies) && equal(world.interactions(), all_interactions) &&
-           equal(world.shapes(), all_shapes) && equal(world.wires(), all_wires) &&
+           equal(world.shapes(), all_shapes) && equal(world.wires().ids(), all_wires) &&
            equal(world.inputs(), all_inputs) && equal(world.output_ids(), all_outputs) &&
            world.system_signals().size() == all_signals;
 }

@@ -30,7 +30,7 @@ struct HeldPoint {
 struct PieceSource {
     InteractionId element{};
     HeldPoint end[2]{};
-    bool routed = false;     ///< True if its ends come from World::ends().
+    bool routed = false;     ///< True if its ends come from WorldWires::ends().
     bool backwards = false;  ///< True if it leads from its second body to its first one.
     bool joint =
         false;  ///< True for a chain of rigid links: the force of the joint is its tension.

@@ -89,7 +89,7 @@ void FrameWriter::add_wire(const World& world, const WireSource& wire, const Sta
     float pull_before = 0.0F;
     bool routed_before = false;
     for (const PieceSource& piece : wire.pieces) {
-        std::array<Vec3, 2> ends = piece.routed ? world.ends(piece.element)
+        std::array<Vec3, 2> ends = piece.routed ? world.wires().ends(piece.element)
                                                 : std::array<Vec3, 2>{place(state, piece.end[0]),
                                                                       place(state, piece.end[1])};
         if (piece.backwards) std::swap(ends[0], ends[1]);
@@ -119,7 +119,7 @@ void FrameWriter::add_wires(const World& world, const FramePlan& plan, const Vec
     counts_.clear();
     points_.clear();
     tensions_.clear();
-    const StateView state = world.state();
+    const StateView state = world.state().arrays();
     for (const WireSource& wire : plan.wires) add_wire(world, wire, state, origin);
 }
 
@@ -197,7 +197,7 @@ void FrameWriter::write(const World& world, const FramePlan& plan, const Vec3& o
     head.length = count(kFrameHeader + 4 * head.floats());
     out.resize(head.length);
     auto* to = reinterpret_cast<float*>(out.data() + kFrameHeader);
-    const StateView state = world.state();
+    const StateView state = world.state().arrays();
     to = put_rigid(state, plan.rigid, origin, to);
     to = put_lumps(state, plan.lumps, origin, to);
     for (const BodyId id : plan.scalars) *to++ = single(state.positions[3 * at(id.index)]);

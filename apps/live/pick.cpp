@@ -55,8 +55,9 @@ Json of_wire(const World& world, const WireSource& wire, double share, int numbe
         parted += piece.joint || world.intact(piece.element) ? 0 : 1;
     }
     if (wire.wire.valid()) {
-        const double length = world.length(wire.wire);
-        numbers.push_back(figure("tension here", "N", world.tension(wire.wire, share * length)));
+        const double length = world.wires().length(wire.wire);
+        numbers.push_back(
+            figure("tension here", "N", world.wires().tension(wire.wire, share * length)));
         numbers.push_back(figure("from its first end", "m", share * length));
         numbers.push_back(figure("length", "m", length));
     }

@@ -87,7 +87,7 @@ Json wire_json(const scene::Scene& scene, const WireSource& wire, int id) {
     }
     if (!wire.pieces.empty()) {
         const InteractionDef& def = world.interaction_def(wire.pieces.front().element);
-        if (wire.wire.valid()) length = world.length(wire.wire);
+        if (wire.wire.valid()) length = world.wires().length(wire.wire);
         if (length == 0.0) length = parameter(def, "length");
         const double least = parameter(def, "breaking_load");
         if (breaking == 0.0 && least < 1e29) breaking = least;

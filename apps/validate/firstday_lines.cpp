@@ -48,11 +48,12 @@ struct FirstSecond {
 
 FirstSecond first_second(scene::Scene& scene, std::size_t cable, bool last) {
     World& w = scene.world;
-    const WireId wire = w.find_wire(scene.cables[cable].name);
-    const InteractionId id = last ? w.elements(wire).back() : w.elements(wire).front();
-    const RowsView rows = w.rows(id);
+    const WireId wire = w.wires().find(scene.cables[cable].name);
+    const InteractionId id =
+        last ? w.wires().elements(wire).back() : w.wires().elements(wire).front();
+    const RowsView rows = w.solver().rows(id);
     FirstSecond out;
-    const auto nodes = w.nodes(wire);
+    const auto nodes = w.wires().nodes(wire);
     const std::size_t n = last ? nodes.size() - 2 : 0;
     const Vec3 chord = w.pose(nodes[n + 1]).position - w.pose(nodes[n]).position;
     out.rise = chord.z() / chord.norm();

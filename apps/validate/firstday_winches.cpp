@@ -20,7 +20,7 @@ std::string at_step(double step) { return fmt::format(", step 1/{:.0f}", 1.0 / s
 void run_for(World& w, double seconds) { advance(w, std::lround(seconds / w.settings().step)); }
 
 double events_of(const World& w, EventKind kind) {
-    return static_cast<double>(w.event_extremes(kind).count);
+    return static_cast<double>(w.events().extremes(kind).count);
 }
 
 /// Check a winch with the power P that lifts a load of 20 t on wire of 4 kg/m.
@@ -30,14 +30,14 @@ void report_power(Report& report, double step) {
     const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});
     const BodyId load = w.add_body(
         {.name = "load", .kind = BodyKind::lump, .position = {0, 0, -60}, .mass = kLoad});
-    const WireId wire = w.add_wire({.name = "wire",
-                                    .from = deck,
-                                    .to = load,
-                                    .elements = 12,
-                                    .EA = 1e8,
-                                    .mass_per_length = kLine,
-                                    .axial_damping = 0.5,
-                                    .consistent_mass = true});
+    const WireId wire = w.wires().add({.name = "wire",
+                                       .from = deck,
+                                       .to = load,
+                                       .elements = 12,
+                                       .EA = 1e8,
+                                       .mass_per_length = kLine,
+                                       .axial_damping = 0.5,
+                                       .consistent_mass = true});
     const WinchIds ids = w.add(WinchDef{.name = "winch",
                                         .wire = wire,
                                         .core_radius = 0.4,
@@ -77,14 +77,14 @@ void report_drum(Report& report, double step) {
                                     .position = {0, 0, -4.0 * kElement},
                                     .mass = kLoad,
                                     .inertia = 5e3 * Mat3::Identity()});
-    const WireId wire = w.add_wire({.name = "wire",
-                                    .from = deck,
-                                    .to = load,
-                                    .elements = 4,
-                                    .EA = 2.33e8,
-                                    .mass_per_length = kLine,
-                                    .consistent_mass = true});
-    w.wind_up(wire, 0, drum, kRadius);
+    const WireId wire = w.wires().add({.name = "wire",
+                                       .from = deck,
+                                       .to = load,
+                                       .elements = 4,
+                                       .EA = 2.33e8,
+                                       .mass_per_length = kLine,
+                                       .consistent_mass = true});
+    w.wires().spool(wire, 0, drum, kRadius);
     const DrumIds parts =
         w.add(DrumDef{.name = "winch",
                       .drum = drum,
@@ -103,14 +103,14 @@ void report_drum(Report& report, double step) {
     };
     drive(20.0, -1.0);
     const double stops = events_of(w, EventKind::hauled_in);
-    const auto left = static_cast<double>(w.elements(wire).size());
+    const auto left = static_cast<double>(w.wires().elements(wire).size());
     drive(12.0, 1.0);
     drive(40.0, 0.0);
     report.compare(
         "bare drum hauled to its stop and out: events hauled_in, elements left" + at_step(step),
         {1.0, 1.0, 1.0}, {stops, left, events_of(w, EventKind::hauled_in)}, 0.0, "counts");
     const double length = 4.0 * kElement + kRadius * w.pose(drum).position.x();
-    const double last = w.interaction_def(w.elements(wire).back()).get("length");
+    const double last = w.interaction_def(w.wires().elements(wire).back()).get("length");
     report.compare("torque of its motor at rest [N m]" + at_step(step),
                    {kRadius * kGravity * (kLoad + kLine * (length - 0.5 * last))},
                    {-w.force(parts.motor)[0]}, 1e-5,
@@ -186,7 +186,7 @@ bool refuses_side(double radius) {
     def.mass_per_length = 10.0;
     def.consistent_mass = true;
     def.path = {Vec3(-7, 0, 1), Vec3(-2, 0, 1), Vec3(1, 0, -3), Vec3(1, 0, -8)};
-    const WireId wire = w.add_wire(def);
+    const WireId wire = w.wires().add(def);
     try {
         (void)w.add(GuideDef{
             .name = "roller", .wire = wire, .body = deck, .axis = {0, 1, 0}, .radius = radius});

@@ -36,7 +36,7 @@ struct Lowering {
         def.to = w.add_body(anchor);
         def.from = deck;
         if (end == 1) std::swap(def.from, def.to);
-        wire = w.add_wire(def);
+        wire = w.wires().add(def);
         ids = w.add(trial_winch(wire, end));
     }
     [[nodiscard]] double get(const char* signal) const {
@@ -46,7 +46,7 @@ struct Lowering {
     /// account [m].
     [[nodiscard]] double out() const {
         double sum = get("at_drum");
-        for (const InteractionId id : w.elements(wire))
+        for (const InteractionId id : w.wires().elements(wire))
             if (id != ids.line) sum += w.interaction_def(id).get("mass") / kLineMass;
         return sum;
     }
@@ -69,7 +69,7 @@ Lowered lower(double way, double element, double damping, int end) {
     const long steps = std::lround(2.0 * once / kStep);
     std::vector<double> pull;
     std::vector<std::size_t> edits;
-    std::size_t nodes = d.w.nodes(d.wire).size();
+    std::size_t nodes = d.w.wires().nodes(d.wire).size();
     for (long i = 0; i < steps; ++i) {
         const double t = static_cast<double>(i) * kStep;
         d.w.set_system_signal("winch.speed", t < once ? speed(t) : -speed(t - once));
@@ -78,8 +78,8 @@ Lowered lower(double way, double element, double damping, int end) {
         // The winch's value is that at the beginning of the step.
         const double now = d.get("pull");
         pull.push_back(now);
-        if (d.w.nodes(d.wire).size() != nodes) edits.push_back(pull.size());
-        nodes = d.w.nodes(d.wire).size();
+        if (d.w.wires().nodes(d.wire).size() != nodes) edits.push_back(pull.size());
+        nodes = d.w.wires().nodes(d.wire).size();
         r.nodes = std::max(r.nodes, static_cast<int>(nodes));
         r.account = std::max(r.account, std::abs(d.out() + d.get("wire_left") - whole));
         const double ramps = std::fmod(t, once);

@@ -46,7 +46,7 @@ struct OverRoller {
         def.from_point = path.front();
         def.to = w.add_body(anchor);
         def.path.assign(path.begin() + 1, path.end() - 1);
-        wire = w.add_wire(def);
+        wire = w.wires().add(def);
         roller = w.add(GuideDef{.name = "roller",
                                 .wire = wire,
                                 .body = deck,
@@ -59,7 +59,7 @@ struct OverRoller {
     /// and guide [m].
     [[nodiscard]] double out() const {
         double sum = get("winch.at_drum") + get("roller.wire_before") + get("roller.wire_behind");
-        for (const BodyId id : w.nodes(wire))
+        for (const BodyId id : w.wires().nodes(wire))
             if (w.body_def(id).kind == BodyKind::lump) sum += w.body_def(id).mass / kLineMass;
         return sum;
     }
@@ -88,7 +88,7 @@ RollerRun lower_over_roller(double way, double speed, double element, double dam
         advance(d.w, 1);
         const double before = d.get("roller.before"), behind = d.get("roller.behind");
         pull.push_back(before);
-        const auto now = d.w.nodes(d.wire);
+        const auto now = d.w.wires().nodes(d.wire);
         if (!std::equal(now.begin(), now.end(), nodes.begin(), nodes.end())) {
             edits.push_back(pull.size());
             nodes.assign(now.begin(), now.end());

@@ -152,14 +152,14 @@ std::vector<BodyId> build_lump(World& w, bool with_sea, double drag, double volu
 
 std::vector<BodyId> build_rope(World& w, bool with_sea) {
     const BodyId fixed = w.add_body({.name = "fixed", .kind = BodyKind::fixed});
-    const WireId rope = w.add_wire({.name = "rope",
-                                    .from = fixed,
-                                    .from_point = {0, 0, -5},
-                                    .elements = 20,
-                                    .length = 40.0,
-                                    .EA = 1e6,
-                                    .mass_per_length = 0.5});
-    const auto lumps = w.nodes(rope).subspan(1);
+    const WireId rope = w.wires().add({.name = "rope",
+                                       .from = fixed,
+                                       .from_point = {0, 0, -5},
+                                       .elements = 20,
+                                       .length = 40.0,
+                                       .EA = 1e6,
+                                       .mass_per_length = 0.5});
+    const auto lumps = w.wires().nodes(rope).subspan(1);
     std::vector<BodyId> bodies(lumps.begin(), lumps.end());
     if (!with_sea) return bodies;
     SeaDef sea{.depth = 100.0};

@@ -18,8 +18,8 @@ constexpr double kSettled = 60.0;  ///< Duration of the evaluated end of the run
 
 /// Return the tension of the first element astern of the roller [N].
 double outboard(const World& w, WireId wire, BodyId roller) {
-    const auto nodes = w.nodes(wire);
-    const auto elements = w.elements(wire);
+    const auto nodes = w.wires().nodes(wire);
+    const auto elements = w.wires().elements(wire);
     const double x = w.pose(roller).position.x();
     for (std::size_t k = 1; k < elements.size(); ++k)
         if (w.pose(nodes[k]).position.x() < x) return -w.force(elements[k])[0];
@@ -31,10 +31,10 @@ double outboard(const World& w, WireId wire, BodyId roller) {
 void case_tow_payout(Report& report) {
     scene::Scene s = open_scene("tow_payout", kFrame);
     World& w = s.world;
-    const WireId wire = w.find_wire("tow");
+    const WireId wire = w.wires().find("tow");
     const BodyId tug = w.find_body("tug"), roller = w.find_body("roller");
     const BodyDef def = w.body_def(tug);  // adding nodes moves definitions
-    const double begun = w.length(wire);
+    const double begun = w.wires().length(wire);
     const auto steps = static_cast<long>(std::lround(s.duration / kFrame));
     std::size_t next = 0;
     std::int32_t least = 1000;
@@ -59,9 +59,9 @@ void case_tow_payout(Report& report) {
     report.compare("contacts that press on the roller, at least 1", {0.0},
                    {static_cast<double>(std::min(0, least - 1))}, 0.0, "in every step", 1.0);
     report.compare("lines that broke", {0.0},
-                   {static_cast<double>(w.event_extremes(EventKind::line_break).count)}, 0.0,
+                   {static_cast<double>(w.events().extremes(EventKind::line_break).count)}, 0.0,
                    "far below the breaking load", 1.0);
-    report.compare("wire paid out [m]", {50.0}, {w.length(wire) - begun}, 0.02,
+    report.compare("wire paid out [m]", {50.0}, {w.wires().length(wire) - begun}, 0.02,
                    "1 m/s for 50 s, less what the motor takes to speed up and the brake to stop");
     report.compare("tension astern of the roller, the last minute [N]", {def.force.x() - drag},
                    {pull}, 0.02,

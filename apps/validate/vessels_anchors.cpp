@@ -40,13 +40,13 @@ struct Moored {
                            .mass = 1e4,
                            .linear_damping = Vec3::Constant(4e5),
                            .gravity = false});
-        def.wire = w.add_wire({.name = "line",
-                               .from = anchor,
-                               .to = buoy,
-                               .elements = 1,
-                               .length = kAnchorLine / (1.0 + tension / kStiff),
-                               .EA = kStiff,
-                               .mass_per_length = 1.0});
+        def.wire = w.wires().add({.name = "line",
+                                  .from = anchor,
+                                  .to = buoy,
+                                  .elements = 1,
+                                  .length = kAnchorLine / (1.0 + tension / kStiff),
+                                  .EA = kStiff,
+                                  .mass_per_length = 1.0});
         def.name = "anchor";
         def.body = anchor;
         w.add(def);

@@ -42,14 +42,14 @@ struct Heeled {
                                   .mass = 1e5,
                                   .linear_damping = Vec3::Constant(1e5),
                                   .gravity = false});
-            wire[k] = w.add_wire({.name = k == 0 ? "tow" : "hold",
-                                  .from = ship,
-                                  .from_point = {0, 0, z},
-                                  .to = buoy[k],
-                                  .elements = 1,
-                                  .length = kFar,
-                                  .EA = 1e9,
-                                  .mass_per_length = 1.0});
+            wire[k] = w.wires().add({.name = k == 0 ? "tow" : "hold",
+                                     .from = ship,
+                                     .from_point = {0, 0, z},
+                                     .to = buoy[k],
+                                     .elements = 1,
+                                     .length = kFar,
+                                     .EA = 1e9,
+                                     .mass_per_length = 1.0});
         }
         HullMesh mesh = box_hull({0.5 * kHeelLong, 0.5 * kHeelBeam, 0.5 * kHeelDepth});
         for (Vec3& v : mesh.vertices) v.z() += 0.5 * kHeelDepth - kHeelKg;
@@ -73,8 +73,8 @@ struct Heeled {
     [[nodiscard]] double lever() const {
         double moment = 0.0;
         for (const WireId id : wire) {
-            const InteractionId element = w.elements(id).front();
-            const auto at = w.ends(element);
+            const InteractionId element = w.wires().elements(id).front();
+            const auto at = w.wires().ends(element);
             const Vec3 f = tension(w, element) * (at[1] - at[0]).normalized();
             moment += (at[0] - w.pose(ship).position).cross(f).x();
         }
@@ -140,14 +140,14 @@ void report_gauge(Report& report) {
                                     .gravity = false});
     const BodyId far =
         w.add_body({.name = "far", .kind = BodyKind::fixed, .position = pin + kTow * along});
-    const WireId tow = w.add_wire({.name = "tow",
-                                   .from = ship,
-                                   .from_point = pin,
-                                   .to = far,
-                                   .elements = 1,
-                                   .length = kTow / (1.0 + kForce / kStiff),
-                                   .EA = kStiff,
-                                   .mass_per_length = 1.0});
+    const WireId tow = w.wires().add({.name = "tow",
+                                      .from = ship,
+                                      .from_point = pin,
+                                      .to = far,
+                                      .elements = 1,
+                                      .length = kTow / (1.0 + kForce / kStiff),
+                                      .EA = kStiff,
+                                      .mass_per_length = 1.0});
     w.add(StabilityDef{.name = "gauge",
                        .body = ship,
                        .wire = tow,
@@ -175,13 +175,13 @@ void report_permissible(Report& report) {
                                     .gravity = false});
     const BodyId far =
         w.add_body({.name = "far", .kind = BodyKind::fixed, .position = {-500, 0, 0}});
-    const WireId tow = w.add_wire({.name = "tow",
-                                   .from = ship,
-                                   .to = far,
-                                   .elements = 1,
-                                   .length = 500.0,
-                                   .EA = 1e8,
-                                   .mass_per_length = 1.0});
+    const WireId tow = w.wires().add({.name = "tow",
+                                      .from = ship,
+                                      .to = far,
+                                      .elements = 1,
+                                      .length = 500.0,
+                                      .EA = 1e8,
+                                      .mass_per_length = 1.0});
     StabilityDef def{
         .body = ship, .wire = tow, .pin = {0, 0, kHigh}, .thrust_height = 0.0, .gm = kGm};
     // Level wire: HL = k cos φ, so that tan φ₁ = k/GM, and the residual lever √(GM² + k²) − 0 …

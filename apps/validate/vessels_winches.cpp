@@ -40,13 +40,13 @@ double load_heave(double frequency, WinchMode mode, double most_speed) {
                                     .gravity = false});
     const BodyId load = w.add_body(
         {.name = "load", .kind = BodyKind::lump, .position = {0, 0, 0}, .mass = kHungLoad});
-    const WireId wire = w.add_wire({.name = "wire",
-                                    .from = ship,
-                                    .to = load,
-                                    .elements = 1,
-                                    .length = kHigh / (1.0 + kHungLoad * kGravity / 2e8),
-                                    .EA = 2e8,
-                                    .mass_per_length = 10.0});
+    const WireId wire = w.wires().add({.name = "wire",
+                                       .from = ship,
+                                       .to = load,
+                                       .elements = 1,
+                                       .length = kHigh / (1.0 + kHungLoad * kGravity / 2e8),
+                                       .EA = 2e8,
+                                       .mass_per_length = 10.0});
     WinchDef def = aided_winch(wire);
     def.mode = mode;
     def.heave_speed = most_speed;
@@ -102,14 +102,14 @@ Overloaded overload(WinchMode mode, double limit, double surge, double drift, do
                                     .mass = kShip,
                                     .inertia = 1e12 * Mat3::Identity(),
                                     .gravity = false});
-    const WireId wire = w.add_wire({.name = "wire",
-                                    .from = shore,
-                                    .to = ship,
-                                    .elements = 1,
-                                    .length = far + slack,
-                                    .EA = 1e8,
-                                    .mass_per_length = 10.0,
-                                    .breaking_load = kBreaks});
+    const WireId wire = w.wires().add({.name = "wire",
+                                       .from = shore,
+                                       .to = ship,
+                                       .elements = 1,
+                                       .length = far + slack,
+                                       .EA = 1e8,
+                                       .mass_per_length = 10.0,
+                                       .breaking_load = kBreaks});
     WinchDef def = aided_winch(wire);
     def.mode = mode;
     def.overload_limit = limit;
@@ -120,8 +120,8 @@ Overloaded overload(WinchMode mode, double limit, double surge, double drift, do
         const double acceleration = surge * omega * omega * std::cos(omega * w.time());
         w.set_force(ship, {kShip * acceleration, 0, 0}, Vec3::Zero());
         advance(w, 1);
-        out.parted = out.parted || !w.intact(w.elements(wire).front());
-        const double pull = tension(w, w.elements(wire).front());
+        out.parted = out.parted || !w.intact(w.wires().elements(wire).front());
+        const double pull = tension(w, w.wires().elements(wire).front());
         out.peak = std::max(out.peak, pull);
         if (limit > 0.0 && w.system_signal("winch.overload") > 0.5 &&
             w.system_signal("winch.wire_speed") > 0.02)

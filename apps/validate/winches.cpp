@@ -39,13 +39,13 @@ class Deck {
     explicit Deck(WinchDef def) {
         const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});
         end_ = w.add_body({.name = "end", .kind = BodyKind::kinematic, .position = {40, 0, 0}});
-        def.wire = w.add_wire({.name = "wire",
-                               .from = deck,
-                               .to = end_,
-                               .elements = 2,
-                               .EA = kWinchEA,
-                               .mass_per_length = kMass,
-                               .axial_damping = 5.0});
+        def.wire = w.wires().add({.name = "wire",
+                                  .from = deck,
+                                  .to = end_,
+                                  .elements = 2,
+                                  .EA = kWinchEA,
+                                  .mass_per_length = kMass,
+                                  .axial_damping = 5.0});
         wire_ = def.wire;
         ids = w.add(def);
     }
@@ -67,7 +67,7 @@ class Deck {
     [[nodiscard]] double pull() const { return tension(w, ids.line); }
     [[nodiscard]] double turned() const { return w.pose(ids.drum).position.x(); }
     [[nodiscard]] double count(EventKind kind) const {
-        return static_cast<double>(w.event_extremes(kind).count);
+        return static_cast<double>(w.events().extremes(kind).count);
     }
 
   private:

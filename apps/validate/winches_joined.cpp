@@ -26,10 +26,10 @@ struct Span {
                                             .mass = weight,
                                             .linear_damping = Vec3::Constant(weight)})
                               : w.add_body({.name = "to", .kind = BodyKind::fixed, .position = to});
-        wire = w.add_wire(def);
+        wire = w.wires().add(def);
     }
     /// Return the tension in the middle of an element at a material coordinate [m].
-    [[nodiscard]] double at(WireId of, double s) const { return w.tension(of, s); }
+    [[nodiscard]] double at(WireId of, double s) const { return w.wires().tension(of, s); }
 };
 
 WireDef random_wire(Uniform& random, double length) {
@@ -63,9 +63,9 @@ void report_joined_wires(Report& report) {
         const double s = hangs ? length * random(0.2, 0.8) : element * random.whole(5, 19);
         advance(whole.w, 60);
         advance(joined.w, 60);
-        const WireId second = joined.w.cut(joined.wire, s);
-        (void)joined.w.join(joined.wire, 1, second, 0,
-                            {.gear = hangs ? Gear::shackle : Gear::splice, .length = 0.3});
+        const WireId second = joined.w.wires().cut(joined.wire, s);
+        (void)joined.w.wires().join(joined.wire, 1, second, 0,
+                                    {.gear = hangs ? Gear::shackle : Gear::splice, .length = 0.3});
         advance(whole.w, 6'000);
         advance(joined.w, 6'000);
         double& worst = hangs ? shackled : spliced;

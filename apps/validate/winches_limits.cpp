@@ -32,13 +32,13 @@ class Pull {
           winch_(def.name) {
         const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});
         end_ = w.add_body({.name = "end", .kind = BodyKind::kinematic, .position = {0, 0, -below}});
-        def.wire = w.add_wire({.name = "wire",
-                               .from = deck,
-                               .to = end_,
-                               .elements = 3,
-                               .EA = stiffness,
-                               .mass_per_length = def.mass_per_length,
-                               .axial_damping = 2.0});
+        def.wire = w.wires().add({.name = "wire",
+                                  .from = deck,
+                                  .to = end_,
+                                  .elements = 3,
+                                  .EA = stiffness,
+                                  .mass_per_length = def.mass_per_length,
+                                  .axial_damping = 2.0});
         ids = w.add(def);
     }
     void step(double speed) {
@@ -52,8 +52,12 @@ class Pull {
     [[nodiscard]] double get(const char* signal) const {
         return w.system_signal(winch_ + "." + signal);
     }
-    [[nodiscard]] std::int64_t count(EventKind kind) const { return w.event_extremes(kind).count; }
-    [[nodiscard]] double value(EventKind kind) const { return w.event_extremes(kind).first.value; }
+    [[nodiscard]] std::int64_t count(EventKind kind) const {
+        return w.events().extremes(kind).count;
+    }
+    [[nodiscard]] double value(EventKind kind) const {
+        return w.events().extremes(kind).first.value;
+    }
 
   private:
     BodyId end_;

@@ -69,11 +69,12 @@ struct Started {
     Catenary start;
 
     [[nodiscard]] Vec3 place(std::size_t node) const {
-        return world.pose(world.nodes(wire)[node]).position;
+        return world.pose(world.wires().nodes(wire)[node]).position;
     }
     /// Return the force of element e on its first node [N].
     [[nodiscard]] Vec3 pull(std::size_t e) const {
-        return tension(world, world.elements(wire)[e]) * (place(e + 1) - place(e)).normalized();
+        return tension(world, world.wires().elements(wire)[e]) *
+               (place(e + 1) - place(e)).normalized();
     }
     /// Return the largest distance of a node from its start [m].
     [[nodiscard]] double moved() const {
@@ -123,7 +124,7 @@ Started started(const CatenaryDef& shape, double radius = 0.0, double friction =
         plane.material = def.material;
         out.world.add_shape(plane);
     }
-    out.wire = out.world.add_wire(def);
+    out.wire = out.world.wires().add(def);
     return out;
 }
 

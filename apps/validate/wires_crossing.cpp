@@ -119,7 +119,7 @@ struct Crossed {
         def.drag = 20.0;
         def.consistent_mass = true;
         def.radius = kTowHalf;
-        return w.add_wire(def);
+        return w.wires().add(def);
     }
     /// Move the other wires until they press on the wire, and let it settle.
     void settle() {
@@ -132,13 +132,13 @@ struct Crossed {
     /// Break the wire directly or by a cut, at a random position between its second and its last
     /// but one element.
     void part(Chance& chance) {
-        const auto elements = w.elements(wires[0]);
+        const auto elements = w.wires().elements(wires[0]);
         const double share = chance.between(1.5, static_cast<double>(elements.size()) - 1.5);
         if (chance.next() < 0.5)
-            w.part(elements[static_cast<std::size_t>(share)]);
+            w.wires().part(elements[static_cast<std::size_t>(share)]);
         else
-            wires.push_back(
-                w.cut(wires[0], w.length(wires[0]) * share / static_cast<double>(elements.size())));
+            wires.push_back(w.wires().cut(wires[0], w.wires().length(wires[0]) * share /
+                                                        static_cast<double>(elements.size())));
     }
 };
 
@@ -152,12 +152,13 @@ struct Segment {
 void sample(const Crossed& c, std::size_t pose, std::vector<Segment>& out) {
     if (pose == 0) out.clear();
     for (std::size_t k = 0, i = 0; k < c.wires.size(); ++k)
-        for (const InteractionId id : c.w.elements(c.wires[k])) {
+        for (const InteractionId id : c.w.wires().elements(c.wires[k])) {
             const InteractionDef& d = c.w.interaction_def(id);
             if (!c.w.intact(id) || c.w.body_def(d.body[0]).kind != BodyKind::lump ||
                 c.w.body_def(d.body[1]).kind != BodyKind::lump)
                 continue;
-            const bool parted = k == 0 || c.w.wire_name(c.wires[k]).find('/') != std::string::npos;
+            const bool parted =
+                k == 0 || c.w.wires().name(c.wires[k]).find('/') != std::string::npos;
             const Piece now{c.w.pose(d.body[0]).position, c.w.pose(d.body[1]).position};
             if (pose == 0) out.push_back({id, parted ? 0 : k, {now, now}});
             out[i++].x[pose] = now;
@@ -169,7 +170,7 @@ void sample(const Crossed& c, std::size_t pose, std::vector<Segment>& out) {
 double held(const Crossed& c) {
     double sum = 0.0;
     for (const WireId wire : c.wires)
-        for (const InteractionId id : c.w.elements(wire)) {
+        for (const InteractionId id : c.w.wires().elements(wire)) {
             const double pull = c.w.intact(id) ? c.w.force(id)[0] : 0.0;
             sum += 0.5 * pull * pull * c.w.interaction_def(id).get("length") / kTowEA;
         }

@@ -41,8 +41,8 @@ struct Possession {
 Possession possession(const World& w, WireId wire) {
     Possession sum;
     const double half = 0.5 * w.settings().step;
-    for (const BodyId id : w.nodes(wire)) sum.mass += w.body_def(id).mass;
-    for (const InteractionId id : w.elements(wire)) {
+    for (const BodyId id : w.wires().nodes(wire)) sum.mass += w.body_def(id).mass;
+    for (const InteractionId id : w.wires().elements(wire)) {
         const InteractionDef& d = w.interaction_def(id);
         Vec3 x[2], v[2];
         for (std::size_t b = 0; b < 2; ++b) {
@@ -95,7 +95,7 @@ struct FreeWire {
                 .set("mass", kLineMass * l);
             made.push_back(w.add_interaction(d));
         }
-        wire = w.adopt_wire("free", made);
+        wire = w.wires().adopt("free", made);
     }
 };
 
@@ -110,17 +110,17 @@ struct Edits {
 void edit(FreeWire& f, Dice& dice, Edits& sum) {
     constexpr std::size_t kMinimum = 20, kMaximum = 96;
     constexpr double kShortest = 2.0;  // m
-    const auto elements = f.w.elements(f.wire);
+    const auto elements = f.w.wires().elements(f.wire);
     const std::size_t n = elements.size(), k = 1 + dice.below(n - 2);
     const bool in = dice.next() < 0.5;
     const double share = 0.3 + 0.4 * dice.next();
     const Possession before = possession(f.w, f.wire);
     if (in) {
         if (f.w.interaction_def(elements[k]).get("length") < kShortest || n >= kMaximum) return;
-        (void)f.w.insert_node(elements[k], share);
+        (void)f.w.wires().insert_node(elements[k], share);
         ++sum.in;
     } else if (n > kMinimum) {
-        ++(f.w.remove_node(f.w.nodes(f.wire)[k]) ? sum.out : sum.later);
+        ++(f.w.wires().remove_node(f.w.wires().nodes(f.wire)[k]) ? sum.out : sum.later);
     }
     const Possession after = possession(f.w, f.wire);
     const double change = after.energy - before.energy;
@@ -191,9 +191,11 @@ struct Resting {
         def.mass_per_length = kLineMass;
         def.consistent_mass = true;
         def.path.assign(c.nodes.begin() + 1, c.nodes.end() - 1);
-        wire = w.add_wire(def);
+        wire = w.wires().add(def);
     }
-    [[nodiscard]] double tension_at_end() const { return tension(w, w.elements(wire).back()); }
+    [[nodiscard]] double tension_at_end() const {
+        return tension(w, w.wires().elements(wire).back());
+    }
     /// Return the largest change of that tension in half a second [N].
     double shaken() {
         const double before = tension_at_end();
@@ -214,15 +216,15 @@ void check_resting(Report& report, double pull, double element) {
     const double allowed = std::max(0.003 * r.tension_at_end(), 50.0);
     double worst[3] = {0.0, 0.0, 0.0};
     long stayed = 0;
-    const std::size_t n = r.w.elements(r.wire).size();
+    const std::size_t n = r.w.wires().elements(r.wire).size();
     for (std::size_t k = 1; k + 2 < n; k += std::max<std::size_t>(1, n / 5)) {
-        const BodyId node = r.w.insert_node(r.w.elements(r.wire)[k], 0.5);
+        const BodyId node = r.w.wires().insert_node(r.w.wires().elements(r.wire)[k], 0.5);
         worst[0] = std::max(worst[0], r.shaken());
-        if (!r.w.remove_node(node, kPi)) ++stayed;
+        if (!r.w.wires().remove_node(node, kPi)) ++stayed;
         worst[1] = std::max(worst[1], r.shaken());
-        if (!r.w.remove_node(r.w.nodes(r.wire)[k + 1], kPi)) ++stayed;
+        if (!r.w.wires().remove_node(r.w.wires().nodes(r.wire)[k + 1], kPi)) ++stayed;
         worst[2] = std::max(worst[2], r.shaken());
-        (void)r.w.insert_node(r.w.elements(r.wire)[k], 0.5);
+        (void)r.w.wires().insert_node(r.w.wires().elements(r.wire)[k], 0.5);
         worst[0] = std::max(worst[0], r.shaken());
     }
     const std::string what = fmt::format("{:.0f} kN, elements of {} m", pull / 1e3, element);

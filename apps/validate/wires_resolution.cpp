@@ -69,7 +69,7 @@ struct Spanned {
         def.drag = 20.0;
         def.consistent_mass = true;
         def.path.assign(c.nodes.begin() + 1, c.nodes.end() - 1);
-        wire = w.add_wire(def);
+        wire = w.wires().add(def);
         ResolutionDef of = resolution;
         of.name = "nodes";
         of.wire = wire;
@@ -78,10 +78,10 @@ struct Spanned {
     /// Return the force on the upper end: the tension of the last element and half of its weight
     /// [N].
     [[nodiscard]] double pull() const {
-        const InteractionDef& d = w.interaction_def(w.elements(wire).back());
+        const InteractionDef& d = w.interaction_def(w.wires().elements(wire).back());
         const Vec3 along = w.pose(d.body[1]).position - w.pose(d.body[0]).position;
         const Vec3 down(0.0, 0.0, 0.5 * kGravity * d.get("mass"));
-        return (tension(w, w.elements(wire).back()) * along.normalized() + down).norm();
+        return (tension(w, w.wires().elements(wire).back()) * along.normalized() + down).norm();
     }
 };
 
@@ -164,7 +164,7 @@ struct Dragged {
             const double s = (kReach + r * std::tan(slope)) * (2.0 * i / def.elements - 1.0);
             def.path.push_back(Vec3(s * std::cos(slope), 0, apex - std::abs(s) * std::sin(slope)));
         }
-        wire = w.add_wire(def);
+        wire = w.wires().add(def);
         w.add(ResolutionDef{.name = "nodes",
                             .wire = wire,
                             .min_length = 0.5,
@@ -183,7 +183,7 @@ struct Dragged {
     void lengths(double& longest_near, double& shortest_far) const {
         longest_near = 0.0;
         shortest_far = 1e30;
-        for (const InteractionId id : w.elements(wire)) {
+        for (const InteractionId id : w.wires().elements(wire)) {
             const InteractionDef& d = w.interaction_def(id);
             const Vec3 a = w.pose(d.body[0]).position, b = w.pose(d.body[1]).position;
             const double length = d.get("mass") / 5.0;

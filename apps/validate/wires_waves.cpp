@@ -39,7 +39,7 @@ WireId add_taut(World& w, const std::vector<double>& x, const std::vector<BodyDe
         finish(i, d);
         elements.push_back(w.add_interaction(d));
     }
-    return w.adopt_wire("wire", elements);
+    return w.wires().adopt("wire", elements);
 }
 
 /// A wire, without gravity, that is to part between its node `left` and the next.
@@ -62,9 +62,9 @@ World parted(const Pieces& p, double step, WireId& wire) {
             d.damping_time[0] = p.axial_damping * p.element * std::sqrt(kPerMetre / kStiffness);
         if (p.by_load && i == weak) d.set("breaking_load", 0.99 * kPull);
     });
-    const InteractionId element = w.elements(wire)[weak];
+    const InteractionId element = w.wires().elements(wire)[weak];
     advance(w, p.by_load ? 1 : 12);
-    if (!p.by_load) w.part(element);
+    if (!p.by_load) w.wires().part(element);
     if (w.intact(element)) throw std::runtime_error("the weak element has not parted");
     return w;
 }
@@ -79,7 +79,7 @@ std::array<double, 2> recoil_speeds(const Pieces& p, double step) {
     BodyId node[2];
     double x0[2], x[2];
     for (const std::size_t side : {0U, 1U}) {
-        node[side] = w.nodes(wire)[static_cast<std::size_t>(p.left) + side];
+        node[side] = w.wires().nodes(wire)[static_cast<std::size_t>(p.left) + side];
         x[side] = x0[side] = w.pose(node[side]).position.x();
     }
     while (mean[0] == 0.0 || mean[1] == 0.0) {
@@ -204,19 +204,19 @@ struct Pulsed {
         });
         if (!edited) return;
         const auto first = static_cast<std::size_t>(std::lround(kJunction / kFine));
-        const std::vector<BodyId> nodes(w.nodes(wire).begin(), w.nodes(wire).end());
+        const std::vector<BodyId> nodes(w.wires().nodes(wire).begin(), w.wires().nodes(wire).end());
         for (std::size_t i = first + 1; i + 1 < nodes.size(); i += 2)
-            if (!w.remove_node(nodes[i], kPi)) throw std::runtime_error("a node stayed");
+            if (!w.wires().remove_node(nodes[i], kPi)) throw std::runtime_error("a node stayed");
     }
     [[nodiscard]] BodyId at(double x) const {
-        for (const BodyId node : w.nodes(wire))
+        for (const BodyId node : w.wires().nodes(wire))
             if (std::abs(w.pose(node).position.x() - x) < 0.1) return node;
         throw std::runtime_error("no node there");
     }
     /// Return the largest displacement within half a pulse of x, before the junction [m].
     [[nodiscard]] double highest(double x) const {
         double most = 0.0;
-        for (const BodyId node : w.nodes(wire)) {
+        for (const BodyId node : w.wires().nodes(wire)) {
             const Vec3 p = w.pose(node).position;
             if (std::abs(p.x() - x) < 0.5 * kPulse && p.x() < kJunction - 20.0)
                 most = std::max(most, std::abs(p.z()));

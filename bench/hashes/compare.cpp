@@ -51,23 +51,24 @@ class Run {
     Run(const std::string& file, const HashOptions& options, int threads)
         : scene_(load_for_hashes(file, options, threads)) {
         scene_.world.prepare();
-        identity_ = scene_.world.identity();
+        identity_ = scene_.world.state().identity();
     }
     [[nodiscard]] const World& world() const { return scene_.world; }
     [[nodiscard]] Saved save() const {
-        Saved out{scene_.world.save(), {}};
-        if (scene_.world.identity() != identity_) out.made_of = scene_.world.structure();
+        Saved out{scene_.world.state().save(), {}};
+        if (scene_.world.state().identity() != identity_)
+            out.made_of = scene_.world.state().structure();
         return out;
     }
     void restore(const Saved& from) {
         World& w = scene_.world;
-        from.made_of ? w.restore(*from.made_of, from.state) : w.restore(from.state);
+        from.made_of ? w.state().restore(*from.made_of, from.state) : w.state().restore(from.state);
         while (due(w.time() - w.settings().step)) ++next_;
     }
     std::uint64_t step_and_hash() {
         World& w = scene_.world;
         for (; due(w.time()); ++next_) scene::perform(scene_.timeline[next_], w);
-        return w.step() == Status::ok ? w.state_hash() : kFailed;
+        return w.step() == Status::ok ? w.state().hash() : kFailed;
     }
 
   private:
@@ -158,7 +159,7 @@ HashComparison compare_hashes(const std::string& file, const HashOptions& option
     const auto hashes = run_first(first, options, out, states);
     saved[0] = std::move(states.at(middle));
     states.erase(middle);
-    out.hash = hashes.empty() ? first.world().state_hash() : hashes.back();
+    out.hash = hashes.empty() ? first.world().state().hash() : hashes.back();
     for (std::size_t k = 1; k < threads.size(); ++k) {
         Run run(file, options, threads[k]);
         const auto differs = first_difference(run, hashes, 0, middle, &saved[k]);

@@ -67,7 +67,7 @@ BlockSystem scene_system(const std::string& file, int scale) {
     options.scale = scale;
     options.form = hawser::Form::saddle;
     const scene::Scene scene = scene::load_file(file, options);
-    const SystemView view = scene.world.inspect();
+    const SystemView view = scene.world.solver().matrix();
     // Bodies first: a row of G is then stored contiguously.
     std::vector<int> node(view.nodes.size());
     SystemBuilder builder;

@@ -2,11 +2,11 @@
 #pragma once
 /// @file schedule.h
 /// Hawser's solution on more threads than the machine has: task times of one thread, scheduled by
-/// the simulator of hawser/schedule.h, compared with measurements of two threads.
+/// the simulator of hawser/experimental/schedule.h, compared with measurements of two threads.
 
 #include "linear/problem.h"
 
-#include <hawser/schedule.h>
+#include <hawser/experimental/schedule.h>
 
 #include <nlohmann/json_fwd.hpp>
 

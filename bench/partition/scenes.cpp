@@ -5,7 +5,7 @@
 #include "linear/timing.h"
 #include "partition/foreign.h"
 
-#include <hawser/partition.h>
+#include <hawser/experimental/splits.h>
 #include <hawser/scene.h>
 
 #include <fmt/core.h>
@@ -58,7 +58,7 @@ BodyGraph body_graph(const World& world) {
 
 nlohmann::json time_scenes(int parts, int turns) {
     fmt::print(
-        "\ncuts with weights from forces and velocities, by World::partition() after {} "
+        "\ncuts with weights from forces and velocities, by WorldSplits::partition() after {} "
         "steps, {} parts [us]\n  {:<16} {:>6} {:>12} {:>5} {:>8} {:>8} {:>8} {:>8} {:>12} "
         "{:>9}\n",
         kStepsFirst, parts, "", "bodies", "interactions", "cuts", "graph", "weights", "cuts", "sum",
@@ -82,7 +82,7 @@ nlohmann::json time_scenes(int parts, int turns) {
         std::vector<double> graph, weights, partition, theirs;
         std::size_t cuts = 0;
         for (int i = 0; i < turns; ++i) {
-            const PartitionView view = world.partition(request);
+            const PartitionView view = world.splits().partition(request);
             graph.push_back(view.graph_seconds);
             weights.push_back(view.weight_seconds);
             partition.push_back(view.partition_seconds);

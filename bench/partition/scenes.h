@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file scenes.h
-/// Parts of scenes while they run, by World::partition(), and the body graph for METIS.
+/// Parts of scenes while they run, by WorldSplits::partition(), and the body graph for METIS.
 
 #include "factor/pattern.h"
 

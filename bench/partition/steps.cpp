@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <hawser/experimental/splits.h>
 #include <hawser/scene.h>
 
 #include "partition/steps.h"
@@ -34,7 +35,8 @@ void group_by_metis(World& world, int parts) {
     const std::vector<std::int32_t> part = metis_parts(g, g.weight, parts);
     for (std::int32_t b = 0; b < world.body_count(); ++b)
         if (graph.node[at(b)] >= 0)
-            world.set_group(BodyId{b}, "part " + std::to_string(part[at(graph.node[at(b)])]));
+            world.splits().set_group(BodyId{b},
+                                     "part " + std::to_string(part[at(graph.node[at(b)])]));
 }
 
 struct SteppedWorld {
@@ -69,9 +71,9 @@ Json compare_worlds(const std::string& scene, Coupling coupling, const char* pre
     SteppedWorld worlds[] = {{"exact", two.twin(Coupling::exact), one.twin(Coupling::exact)},
                              {"ours", two.twin(coupling), one.twin(coupling)},
                              {"METIS", two.twin(coupling), one.twin(coupling)}};
-    for (World* w : {&worlds[1].world, &worlds[1].traced}) w->set_groups(parts);
+    for (World* w : {&worlds[1].world, &worlds[1].traced}) w->splits().set_groups(parts);
     for (World* w : {&worlds[2].world, &worlds[2].traced}) group_by_metis(*w, parts);
-    for (SteppedWorld& w : worlds) w.traced.start_trace(std::size_t{1} << 17);
+    for (SteppedWorld& w : worlds) w.traced.solver().start_trace(std::size_t{1} << 17);
     for (int k = 0; k < rounds; ++k)
         for (SteppedWorld& w : worlds) w.run(20);
     Json out = {
@@ -83,13 +85,13 @@ Json compare_worlds(const std::string& scene, Coupling coupling, const char* pre
         SteppedWorld& w = worlds[i];
         simulated[i] = split::simulate_steps(w.traced, costs);
         int open = 0;
-        for (const CutView& cut : w.world.cuts()) open += cut.open ? 1 : 0;
+        for (const CutView& cut : w.world.splits().cuts()) open += cut.open ? 1 : 0;
         fmt::print(
             "  {:<6} 2 threads {:>7.3f}, cpu {:>7.3f}; SIMULATED 1 {:>7.3f}, 4 {:>7.3f}, 8 "
             "{:>7.3f}; "
             "{:>3} cuts, {:>3} in force, {:>2} islands{}\n",
             w.name, median(w.wall), median(w.cpu), simulated[i].ms[0], simulated[i].ms[2],
-            simulated[i].ms[3], w.world.cuts().size(), open, w.world.stats().islands,
+            simulated[i].ms[3], w.world.splits().cuts().size(), open, w.world.stats().islands,
             w.lost ? ", lost" : "");
         out[w.name] = {{"step_ms", median(w.wall)},
                        {"cpu_ms", median(w.cpu)},

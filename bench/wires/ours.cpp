@@ -94,7 +94,7 @@ class GuideRig final : public OwnRig {
         def.EA = kEA;
         def.mass_per_length = kDensity;
         def.path = {{-kRadius, 0, -kSide}, last + kSide * out};
-        const WireId wire = w_.add_wire(def);
+        const WireId wire = w_.wires().add(def);
         // No node may pass: displacements here are smaller than the length at its sides.
         w_.add(GuideDef{.name = "guide",
                         .wire = wire,

@@ -119,7 +119,7 @@ CraneEnd lift() {
 
     std::vector<hawser::Event> events;
     std::uint64_t cursor = 0;
-    if (world.events_since(cursor, events) > 0)
+    if (world.events().since(cursor, events) > 0)
         std::printf("some events came too fast to be kept\n");
     for (const hawser::Event& event : events)
         std::printf("%.2f s: %s\n", event.time, hawser::to_string(event.kind));
@@ -127,24 +127,24 @@ CraneEnd lift() {
     const CraneEnd end{world.output(angle), world.output(height), world.output(tension), worst,
                        false};
     std::vector<std::byte> saved;
-    world.save(saved);
+    world.state().save(saved);
     const auto two_seconds = [&] {
         for (int i = 0; i < 120; ++i)
             if (world.step() != hawser::Status::ok) break;
-        return world.state_hash();
+        return world.state().hash();
     };
     const std::uint64_t first = two_seconds();
-    world.restore(saved);
+    world.state().restore(saved);
     const bool same = two_seconds() == first;
 
-    const std::uint64_t identity = world.identity();
-    const hawser::Structure made_of = world.structure();
-    world.save(saved);
+    const std::uint64_t identity = world.state().identity();
+    const hawser::Structure made_of = world.state().structure();
+    world.state().save(saved);
     (void)two_seconds();
-    if (world.identity() == identity)
-        world.restore(saved);
+    if (world.state().identity() == identity)
+        world.state().restore(saved);
     else
-        world.restore(made_of, saved);
+        world.state().restore(made_of, saved);
     return {end.angle, end.height, end.tension, end.worst, same};
 }
 

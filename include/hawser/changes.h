@@ -56,27 +56,27 @@ class ChangeListener {
     /// incomplete.
     virtual void lost() noexcept = 0;
     virtual void parted(InteractionId id) noexcept = 0;  ///< By part(), not by overload.
-    /// Report World::insert_node().
+    /// Report WorldWires::insert_node().
     /// @param mass  As given; NaN if it was left out.
     virtual void node_inserted(InteractionId element, double share, double mass) noexcept = 0;
     virtual void node_removed(BodyId node, double bend) noexcept = 0;  ///< By remove_node().
     virtual void set_mass(BodyId lump, double mass) noexcept = 0;
-    /// Report World::lay_over() and lift_off(), with definitions as given.
+    /// Report WorldWires::engage() and disengage(), with definitions as given.
     virtual void laid_over(InteractionId element, const InteractionDef& before,
                            const InteractionDef& behind) noexcept = 0;
     virtual void lifted(InteractionId before, InteractionId behind,
                         const InteractionDef& element) noexcept = 0;
-    /// Report World::move_along() if it moved.
+    /// Report WorldWires::move_along() if it moved.
     virtual void moved_along(InteractionId before, InteractionId behind, double along,
                              double fed) noexcept = 0;
-    /// Report all forms of World::cut().
+    /// Report all forms of WorldWires::cut().
     virtual void cut(InteractionId element, double share) noexcept = 0;
-    /// Report join() and attach().
+    /// Report WorldWires::join() and attach().
     /// @param b  A node, or a body with a point.
     virtual void joined(BodyId a, BodyId b, const Vec3& point, const JoinDef& def) noexcept = 0;
     virtual void detached(InteractionId element, int end) noexcept = 0;
-    virtual void released(InteractionId hook) noexcept = 0;  ///< By World::release().
-    /// Report restore(), or copy_state() from a world whose save() gives these bytes.
+    virtual void released(InteractionId hook) noexcept = 0;  ///< By WorldWires::release().
+    /// Report WorldState::restore(), or copy_from() a world whose save() returns these bytes.
     virtual void restored(std::span<const std::byte> bytes) noexcept = 0;
     /// Report restore() of another structure.
     /// @param bytes  Its state.

@@ -30,7 +30,7 @@
 /// *Release*. The two parts become one element again, with their length and tension.
 ///
 /// A chaser is a System (system.h). Input, as "name.signal": `close`, 1 or 0. Outputs: `state` is
-/// the number of a ChaserState, `held` the number of the wire, 1 the first of World::wires(), 0:
+/// the number of a ChaserState, `held` the number of the wire, 1 the first of WorldWires::ids(), 0:
 /// none. Output `at` is the material coordinate of the eye from the wire's first end [m], `left`
 /// the length to its last end [m]. Output `arrived` is 1 at the first end, 2 at the last end, else
 /// 0. Tensions on both sides: `before` and `behind` [N]. Output `angle` is the angle of the wire in

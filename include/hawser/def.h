@@ -169,8 +169,8 @@ struct WorldDef {
     int contact_iterations = 60;
     Nonsmooth nonsmooth = Nonsmooth::newton;  ///< Method for contacts with friction.
     int nonsmooth_sweeps = 50;  ///< Sweeps per step of `split` and `pgs`, 1 to 100,000.
-    /// Coupling of interactions between groups (BodyDef::group); World::set_coupling() sets that of
-    /// one. A coupling other than exact requires sleep_after 0.
+    /// Coupling of interactions between groups (BodyDef::group); WorldSplits::set_coupling() sets
+    /// that of one. A coupling other than exact requires sleep_after 0.
     Coupling coupling = Coupling::exact;
     Predictor predictor = Predictor::hold;  ///< Predictor of couplings other than exact.
     /// Number of automatic parts if a coupling is not exact, 0 to 4096; 0: groups by hand only.

@@ -40,7 +40,7 @@ namespace hawser {
 
 class World;
 
-/// Feed of a wire whose end lies on a bare drum (World::wind_up()). SI units.
+/// Feed of a wire whose end lies on a bare drum (WorldWires::spool()). SI units.
 struct DrumFeedDef {
     std::string name{};            ///< Unique name among systems. Required.
     WireId wire{};                 ///< Wire whose end lies on the drum. Required.

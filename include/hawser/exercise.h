@@ -296,7 +296,7 @@ class Run {
     [[nodiscard]] const Curves& curves() const noexcept;
 
     // --- Restoring -------------------------------------------------------------------------------
-    /// Return a mark of controls, faults and score, to be stored with World::save(); a small
+    /// Return a mark of controls, faults and score, to be stored with WorldState::save(); a small
     /// number.
     [[nodiscard]] int mark();
     /// Restore controls, faults and score of a mark, after its state has been restored. Adds an

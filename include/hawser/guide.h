@@ -4,7 +4,7 @@
 /// Turning points of a wire of nodes: a stern roller, a bollard, a pin, a fairlead, an eye.
 ///
 /// ```cpp
-/// const hawser::WireId tow = world.add_wire({.name = "tow", .from = ship, .to = barge, …});
+/// const hawser::WireId tow = world.wires().add({.name = "tow", .from = ship, .to = barge, …});
 /// world.add(hawser::GuideDef{.name = "roller", .wire = tow, .body = ship, .point = {-40, 0, 2},
 ///                            .axis = {0, 1, 0}, .radius = 1.0, .friction = 0.2});
 /// ```
@@ -26,16 +26,16 @@
 /// as a load. The node gets half of its mass, weight and drag. The body of the guide gets the other
 /// half of the weight, and the slide the part of that along the wire.
 ///
-/// World::lay_over() divides the element. The element `before` gets its name, nodes at its ends
+/// WorldWires::engage() divides the element. The element `before` gets its name, nodes at its ends
 /// lose their halves of its mass, and its capsule is removed. It throws DefError if the element is
-/// wound up, removed or broken, or if the parts do not fit it. World::ends() returns the points
-/// where an element leaves the bodies that hold it.
+/// wound up, removed or broken, or if the parts do not fit it. WorldWires::ends() returns the
+/// points where an element leaves the bodies that hold it.
 ///
-/// World::move_along() moves the place of two such parts along the axis of its wheel by `along`
-/// [m]. A length `fed` [m] passes from the rest length of the part behind to that of the part
-/// before: the wire slides sideways (post.h). A decrease of the energy of parts and bends counts as
-/// friction (Energy). It returns false without changes if the energy would grow. It throws DefError
-/// for an eye, and if a part is too short.
+/// WorldWires::move_along() moves the place of two such parts along the axis of its wheel by
+/// `along` [m]. A length `fed` [m] passes from the rest length of the part behind to that of the
+/// part before: the wire slides sideways (post.h). A decrease of the energy of parts and bends
+/// counts as friction (Energy). It returns false without changes if the energy would grow. It
+/// throws DefError for an eye, and if a part is too short.
 ///
 /// A guide is a System (system.h). Signals, as "name.signal":
 /// - `angle` [rad], `slide` [m], `speed` [m/s];

@@ -12,6 +12,9 @@
 #include <hawser/drum_feed.h>
 #include <hawser/edges.h>
 #include <hawser/edits.h>
+#include <hawser/experimental/partition.h>
+#include <hawser/experimental/schedule.h>
+#include <hawser/experimental/splits.h>
 #include <hawser/factor.h>
 #include <hawser/guide.h>
 #include <hawser/hook.h>
@@ -25,13 +28,11 @@
 #include <hawser/lines.h>
 #include <hawser/math.h>
 #include <hawser/outputs.h>
-#include <hawser/partition.h>
 #include <hawser/pin.h>
 #include <hawser/post.h>
 #include <hawser/resolution.h>
 #include <hawser/route.h>
 #include <hawser/row_constants.h>
-#include <hawser/schedule.h>
 #include <hawser/sea.h>
 #include <hawser/settings.h>
 #include <hawser/shapes.h>

@@ -14,15 +14,15 @@
 /// would pass it. Motion that starts within a step is stopped within the shape's `margin`.
 ///
 /// In a later step the touching element is divided about a massless contact node
-/// (World::lay_over()). It keeps its position and tension. The contact node lies at the bollard's
-/// radius plus half the wire's diameter; the initial angle is close to 0.
+/// (WorldWires::engage()). It keeps its position and tension. The contact node lies at the
+/// bollard's radius plus half the wire's diameter; the initial angle is close to 0.
 /// ```
 ///      a ──────────────── b          a ─────.     .───── b
 ///            ( )             ──►           ( `─○─' )              ○ the contact node
 /// ```
 /// From then on it acts as a guide: Euler's ratio at the angle of each step, no creep below it, and
 /// nodes that run through. A node on the bollard itself is removed first, if possible
-/// (World::remove_node()).
+/// (WorldWires::remove_node()).
 ///
 /// *Release*. Let T be the tension, φ the angle, w the weight of the guide's half elements and n
 /// the outward normal. The wire is released if
@@ -31,15 +31,15 @@
 /// ```
 /// The constant prevents repeated engagement of a straight wire. The wire is also released past an
 /// end of the shape, by more than its radius, measured at the straight line between its nodes. The
-/// parts become one element again (World::lift_off()) with their tension; past an end, with their
-/// rest length. An element longer than 1.5 `element_length` gets a node.
+/// parts become one element again (WorldWires::disengage()) with their tension; past an end, with
+/// their rest length. An element longer than 1.5 `element_length` gets a node.
 ///
 /// *Slip along the axis* (`slides`). On the unrolled surface the wire arrives at the angle β₁ to
 /// the axis and leaves at β₂. Coulomb's law across the wire is |ln tan(β₂/2) − ln tan(β₁/2)| ≤ μ
 /// `angle`. While it is met, the axial position stays constant to the bit. Beyond it, the wire
-/// moves until both sides are equal (World::move_along()). Without friction both angles are equal,
-/// which is the shortest path. At an end of the shape the wire is released. Without `slides` a wire
-/// keeps its axial position.
+/// moves until both sides are equal (WorldWires::move_along()). Without friction both angles are
+/// equal, which is the shortest path. At an end of the shape the wire is released. Without `slides`
+/// a wire keeps its axial position.
 ///
 /// A bollard is a System (system.h). Outputs, as "name.signal": `held`, the number of engaged
 /// wires; `taken` and `let_go`, their totals since the start. The first wire has `angle` [rad],

@@ -127,8 +127,8 @@ struct RecordedLoads {
     std::span<const std::byte> bytes;  ///< Content, read by Repeater.
 };
 
-/// Start of a branch: the run was restored to another of its own states (World::restore()). Steps
-/// count from that state. The first branch has no entry.
+/// Start of a branch: the run was restored to another of its own states (WorldState::restore()).
+/// Steps count from that state. The first branch has no entry.
 struct RecordedTake {
     std::int64_t from = 0;  ///< Number of steps taken before the restore.
     std::int64_t to = 0;    ///< Step number of the restored state.
@@ -156,7 +156,7 @@ struct RecordedEvent {
 struct Frame {
     std::int64_t step = 0;
     double time = 0.0;               ///< Time [s].
-    std::uint64_t hash = 0;          ///< World::motion_hash().
+    std::uint64_t hash = 0;          ///< WorldState::motion_hash().
     double violation_max = 0.0;      ///< Largest violation [m].
     double momentum_residual = 0.0;  ///< Relative momentum residual [1].
     double energy = 0.0;             ///< Mechanical energy [J].
@@ -206,7 +206,7 @@ class Recording {
     std::int32_t element_count = 0;        ///< Number of elements of all cables.
     std::int64_t start_step = 0;           ///< Step number of the start state.
     std::uint64_t start_hash = 0;          ///< Motion hash of the start state.
-    std::span<const std::byte> snapshot;   ///< Start state, for World::restore().
+    std::span<const std::byte> snapshot;   ///< Start state, for WorldState::restore().
     std::vector<std::string> input_names;  ///< Names by RecordedInput::input; optional chunk.
     std::vector<bool> inner_inputs;  ///< True for inputs driven by a system that owns them, by the
                                      ///< same index.

@@ -4,13 +4,13 @@
 /// Adaptive resolution of wires: element lengths by tension, curvature and contact.
 ///
 /// ```cpp
-/// const hawser::WireId tow = world.add_wire({.name = "tow", …, .consistent_mass = true});
+/// const hawser::WireId tow = world.wires().add({.name = "tow", …, .consistent_mass = true});
 /// world.add(hawser::ResolutionDef{.name = "tow_nodes", .wire = tow, .min_length = 2.5,
 ///                                 .max_length = 20.0});
 /// ```
 /// Between steps a node is inserted in the middle of an element that is too long
-/// (World::insert_node()). A node is removed if its elements are short enough to be one
-/// (World::remove_node()). These functions keep mass, momentum, angular momentum and energy.
+/// (WorldWires::insert_node()). A node is removed if its elements are short enough to be one
+/// (WorldWires::remove_node()). These functions keep mass, momentum, angular momentum and energy.
 /// Lengths here are *material* lengths, the mass of an element over the mass per length. Tension
 /// does not change them, and edits divide them without a drift by rounding. Rest lengths are
 /// separate, and follow forces.
@@ -43,8 +43,8 @@
 /// they have no mass (consistent_mass), or if they are broken. The same applies to a line type that
 /// the wire did not have at the start. Without a ResolutionDef all elements are fixed.
 ///
-/// *Budget*. At the coarsening level n of World::coarsening(), L and its limits are multiplied by
-/// 1.5ⁿ, and `patience` is ignored.
+/// *Budget*. At the coarsening level n of WorldSolver::coarsening(), L and its limits are
+/// multiplied by 1.5ⁿ, and `patience` is ignored.
 ///
 /// Outputs, as "name.signal": `nodes` of the wire, ends included; length of the `shortest` and
 /// `longest` element [m]. Numbers since the start: `inserted` and `removed`. Output `material`:

@@ -39,8 +39,8 @@ struct SessionDef {
     std::string scene_text{};  ///< Scene as JSON text, if `scene` is empty.
     scene::Options options{};  ///< Changes to the scene, threads, budget.
     std::string restore{};  ///< File with a saved state of Session::save(); empty: `state` is used.
-    std::vector<std::byte> state{};  ///< State of World::save(), if `restore` is empty. Both empty:
-                                     ///< start state of the scene.
+    std::vector<std::byte> state{};  ///< State of WorldState::save(), if `restore` is empty. Both
+                                     ///< empty: start state of the scene.
     std::string control{};           ///< File with input values over time (CSV, docs/cli.md).
     std::string record{};            ///< Recording file.
     std::string csv{};               ///< CSV file of tensions and motions.
@@ -91,10 +91,10 @@ class Session {
     /// @throws DefError with the nearest name if the input does not exist, or the value is not
     /// finite. Nothing is then changed or recorded.
     void set_input(std::string_view name, double value);
-    /// Restore an earlier or later state of this session (World::restore()). Timeline and control
-    /// file continue from its time. The recording continues with a new branch, and its replay
-    /// repeats it.
-    /// @param made_of, state  World::structure() and World::save() of that time.
+    /// Restore an earlier or later state of this session (WorldState::restore()). Timeline and
+    /// control file continue from its time. The recording continues with a new branch, and its
+    /// replay repeats it.
+    /// @param made_of, state  WorldState::structure() and WorldState::save() of that time.
     /// @throws DefError; nothing is then changed.
     void restore(const Structure& made_of, std::span<const std::byte> state);
 

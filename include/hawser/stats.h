@@ -223,7 +223,7 @@ enum class DegradedBy : std::uint8_t {
     prediction,  ///< Predicted: more work would not have fitted.
     clock,       ///< The elapsed time of the step.
     work,        ///< The flops of the step.
-    order,       ///< World::degrade_next_step().
+    order,       ///< WorldSolver::degrade_next_step().
 };
 inline constexpr int kDegradedByCount = 5;
 [[nodiscard]] const char* to_string(DegradedBy cause) noexcept;

@@ -10,9 +10,10 @@
 /// world.set_system_signal("jaw.close", 0.0);  // releases it
 /// ```
 /// *Engage*. The stopper engages the material point nearest to `point` of all wires of the world,
-/// if its distance is at most `reach`. The wire gets a node there (World::insert_node()); a node
-/// within 0.1 m is used instead. If elements have no mass, the nearest node within reach is used.
-/// The node is held at its present position, so that closing causes no tension in a wire at rest.
+/// if its distance is at most `reach`. The wire gets a node there (WorldWires::insert_node()); a
+/// node within 0.1 m is used instead. If elements have no mass, the nearest node within reach is
+/// used. The node is held at its present position, so that closing causes no tension in a wire at
+/// rest.
 ///
 /// *Hold*. A jaw (`pitch` 0) is a ball joint and holds in both directions. A chain stopper holds in
 /// the payout direction only. Its node hangs on a massless link of 1 m that runs inboard from it.
@@ -32,7 +33,7 @@
 ///
 /// A stopper is a System (system.h). Input, as "name.signal": `close`, 1 or 0. Outputs: `state` is
 /// the number of a StopperState, `held` the number of the engaged wire, 1 the first of
-/// World::wires(), 0: none. Output `load` is the force [N], `at` the material coordinate of the
+/// WorldWires::ids(), 0: none. Output `load` is the force [N], `at` the material coordinate of the
 /// engaged point from the wire's first end [m]. The joint is the interaction NAME/hold.
 ///
 /// Events: `join` on engagement, with the distance from `point` [m]. Event `detach` on release and
@@ -42,7 +43,7 @@
 ///
 /// Limits: elements at drums, guides and bollards are not engaged. The shape of chain links has no
 /// effect: a chain stopper also engages wire. An inserted node is removed after release, once this
-/// is possible (World::remove_node()). Details: docs/deck_gear.md.
+/// is possible (WorldWires::remove_node()). Details: docs/deck_gear.md.
 
 #include <hawser/id.h>
 #include <hawser/math.h>

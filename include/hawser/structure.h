@@ -3,18 +3,17 @@
 /// @file structure.h
 /// Structure of a world by index: bodies, interactions, shapes, inputs, wires.
 ///
-/// A state (World::save()) requires a world of equal structure. If nodes at a drum were inserted or
-/// wires were cut, a new world from the same set-up differs. Structure and state together restore
-/// it:
+/// A state (WorldState::save()) requires a world of equal structure. If nodes at a drum were
+/// inserted or wires were cut, a new world from the same set-up differs. Structure and state
+/// together restore it:
 /// ```cpp
-/// const hawser::Structure made_of = world.structure();   // parts with their present masses
-/// const std::vector<std::byte> state = world.save();
-/// …
-/// other.restore(made_of, state);   // equal set-up: continues with equal bits
+/// const hawser::Structure made_of = world.state().structure();   // parts with their present
+/// masses const std::vector<std::byte> state = world.state().save(); … other.restore(made_of,
+/// state);   // equal set-up: continues with equal bits
 /// ```
 /// Systems are not included: `other` has its own of equal set-up, and the state contains their
-/// states. World::identity() shows whether a structure is needed: worlds of equal identity have
-/// equal structure.
+/// states. WorldState::identity() shows whether a structure is needed: worlds of equal identity
+/// have equal structure.
 ///
 /// Ids keep index and generation. Limits: outputs of `other` stay, and are NaN if their target was
 /// removed. Outputs that were added later are missing.
@@ -48,11 +47,11 @@ struct WirePieces {
     std::vector<BodyId> lumps{};            ///< Nodes that the wire owns; removed with it.
     std::vector<InteractionId> bends{};     ///< Bends that the wire owns; removed with it.
     std::vector<ShapeId> shapes{};          ///< Shapes that the wire owns; removed with it.
-    bool owns = false;                      ///< True if World::add_wire() created it.
+    bool owns = false;                      ///< True if WorldWires::add() created it.
     WireTrim trim{};                        ///< Properties of new elements.
 };
 
-/// Link or joint created by World::join() or World::attach().
+/// Link or joint created by WorldWires::join() or WorldWires::attach().
 struct GearPiece {
     InteractionId id{};
     Gear kind = Gear::splice;
@@ -73,7 +72,7 @@ struct Structure {
     /// [m]. Empty: from the definitions.
     std::vector<double> compliances, radii;
     std::vector<Coupling> coupling;  ///< Coupling of each interaction, if any was set
-                                     ///< (World::cuts()).
+                                     ///< (WorldSplits::cuts()).
 };
 
 }  // namespace hawser

@@ -48,7 +48,7 @@ namespace hawser {
 class World;
 struct Guide;
 struct GuideDef;
-namespace stepper {
+namespace assembly {
 class LoadStore;
 }
 
@@ -88,7 +88,7 @@ struct BodyLoad {
 /// Memory: the first load on a body allocates, and later steps reuse it.
 class Loads {
   public:
-    explicit Loads(stepper::LoadStore& store) noexcept : store_(store) {}
+    explicit Loads(assembly::LoadStore& store) noexcept : store_(store) {}
     Loads(const Loads&) = delete;
     Loads& operator=(const Loads&) = delete;
 
@@ -123,7 +123,7 @@ class Loads {
         for (int i = 0; i < n; ++i)
             for (int j = 0; j <= i; ++j) (load.*to)[triangle(i, j)] += from(i, j);
     }
-    stepper::LoadStore& store_;
+    assembly::LoadStore& store_;
 };
 
 /// A load of the last step, for readers.
@@ -201,7 +201,7 @@ class Edits {
     void remove_interaction(InteractionId id) noexcept { hands_.remove(id); }
     void remove_shape(ShapeId id) noexcept { hands_.remove(id); }
     void remove_wire(WireId id) noexcept { hands_.remove(id); }
-    /// Break an element of a wire, as World::part().
+    /// Break an element of a wire, as WorldWires::part().
     void part(InteractionId id) noexcept { hands_.part(id); }
 
   private:
@@ -250,7 +250,7 @@ class Prestep {
     /// Set an input of the world, clamped to its range, as World::set_input(). A value that is not
     /// finite, or an unknown input, ends the step with Status::bad_load.
     void set_input(InputId id, double value) noexcept { hands_.set_input(id, value); }
-    /// Report an event of `time` to readers of World::events_since(), after the step succeeds.
+    /// Report an event of `time` to readers of WorldEvents::since(), after the step succeeds.
     void tell(EventKind kind, BodyId body, double value) noexcept {
         hands_.tell(kind, body, {}, value);
     }
@@ -292,10 +292,10 @@ class NodeEdits {
     };
     NodeEdits(World& of, Hands& by) noexcept : world(of), world_(of), hands_(by) {}
     const World& world;  ///< After the last step and earlier edits.
-    /// Insert a node as World::insert_node().
+    /// Insert a node as WorldWires::insert_node().
     /// @return the node; invalid: rejected, or no memory.
     BodyId insert_node(InteractionId element, double share, double mass = kDefault) noexcept;
-    /// Remove a node as World::remove_node().
+    /// Remove a node as WorldWires::remove_node().
     /// @return true if it was removed.
     bool remove_node(BodyId node, double bend = 0.05) noexcept;
     /// Divide an element at a turning point (guide.h), with the wire running at `speed` [m/s] and
@@ -304,10 +304,10 @@ class NodeEdits {
     /// @param material  Material of the parts [m].
     /// @return false: rejected, or no memory.
     bool lay_over(GuideDef& def, double speed, Guide& out, double (&material)[2]) noexcept;
-    /// Join the parts as World::lift_off().
+    /// Join the parts as WorldWires::disengage().
     /// @return invalid: rejected, or no memory.
     InteractionId lift_off(const Guide& guide, const InteractionDef& element) noexcept;
-    /// Move the place as World::move_along().
+    /// Move the place as WorldWires::move_along().
     /// @return true if it moved.
     bool move_along(const Guide& guide, double along, double fed) noexcept;
     /// Report an event of the time at which the step begins, once the step is good.
@@ -372,7 +372,7 @@ class System {
     }
     /// Return true if its loads are those of water (Energy::water); constant.
     [[nodiscard]] virtual bool is_water() const noexcept { return false; }
-    /// Return true if it would leave out more at a higher level of World::coarsening().
+    /// Return true if it would leave out more at a higher level of WorldSolver::coarsening().
     [[nodiscard]] virtual bool coarsens() const noexcept { return false; }
     /// Return another system with the same definition, for World::twin(), which then copies the
     /// state. Null: a world with this system has no twin.

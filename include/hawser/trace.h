@@ -3,11 +3,11 @@
 /// @file trace.h
 /// Trace of the threads: time spans of steps, stages, parallel loops and their tasks.
 ///
-/// World::start_trace() allocates a ring buffer for each thread. Each step then stores its spans,
-/// and the newest are kept. World::trace() copies the steps without lost spans. Spans of one thread
-/// are nested: a step contains stages, a stage contains stages (iterations that factor) and loops,
-/// a loop the calling thread's tasks. Other threads have tasks only. Tracing does not change
-/// results; it costs two readings of the clock per span.
+/// WorldSolver::start_trace() allocates a ring buffer for each thread. Each step then stores its
+/// spans, and the newest are kept. WorldSolver::trace() copies the steps without lost spans. Spans
+/// of one thread are nested: a step contains stages, a stage contains stages (iterations that
+/// factor) and loops, a loop the calling thread's tasks. Other threads have tasks only. Tracing
+/// does not change results; it costs two readings of the clock per span.
 
 #include <hawser/stats.h>
 
@@ -45,7 +45,7 @@ struct TaskWaits {
     std::vector<std::int32_t> start, next, rank;
 };
 
-/// Spans of whole steps, ordered by begin, longer ones first. See World::trace().
+/// Spans of whole steps, ordered by begin, longer ones first. See WorldSolver::trace().
 struct TraceView {
     std::vector<TraceSpan> spans;
     std::vector<std::int32_t> graph_loop;  ///< Loops with dependent tasks, ascending.

@@ -4,7 +4,7 @@
 /// Winches: a drum with layers of wire, a motor, a band brake and a clutch.
 ///
 /// ```cpp
-/// const hawser::WireId tow = world.add_wire({.name = "tow", .from = ship, .to = barge, …});
+/// const hawser::WireId tow = world.wires().add({.name = "tow", .from = ship, .to = barge, …});
 /// world.add(hawser::WinchDef{.name = "winch", .wire = tow, .core_radius = 0.6, .width = 2.4,
 ///                            .wire_diameter = 0.076, .mass_per_length = 25.0, .stored = 1400.0,
 ///                            .inertia = 4e4, .torque_haul = 2e6, .torque_pay = 2e6,
@@ -119,7 +119,7 @@ struct WinchDef {
     WireId wire{};       ///< Wire whose end lies on the drum. Required.
     int end = 0;         ///< End on the drum: 0 the first, 1 the last.
     /// Scalar body with the mass `inertia` that already carries this end by a WinchStretch.
-    /// Invalid: the winch creates the drum and the end's element (World::wind_up()).
+    /// Invalid: the winch creates the drum and the end's element (WorldWires::spool()).
     BodyId drum{};
 
     /// Chain wheel instead of a drum. core_radius, width, flange_radius and layer_pitch are then

@@ -11,20 +11,18 @@
 ///      o──── element 0 ────o──── element 1 ────o── … ────o
 ///      s = 0            node 1               node 2      s = length(wire)
 /// ```
-/// A wire owns the parts that World::add_wire() creates; World::remove_wire() removes them. If a
+/// A wire owns the parts that WorldWires::add() creates; WorldWires::remove() removes them. If a
 /// part is removed separately, or with a body that holds it, the wire has a gap. Source of the
 /// elements: M. Servin, C. Lacoursière, F. Nordfelth, K. Bodin, "Hybrid, multiresolution wires with
 /// massless frictional contacts", IEEE TVCG 17 (2011).
 ///
 /// *Nodes*. Nodes are inserted and removed between steps, also at elements outside wires. The
 /// elements need their own mass (consistent_mass, StretchDef::mass) and a compliance that follows
-/// from their length. Derivation: docs/theory/wire_nodes.md. Functions throw DefError if the edit
-/// is not possible, and std::bad_alloc.
+/// from their length. Derivation: docs/theory/wire_nodes.md.
 ///
-/// World::insert_node() inserts a node on an element at a fraction 0 to 1 of its length from its
-/// first body, and returns the node. The element then ends at the node; a new element continues
-/// from it. Mass, momentum, angular momentum, energy and tensions are kept to rounding. The
-/// exception under gravity is the sag that balances the node's weight.
+/// WorldWires::insert_node() inserts a node on an element. The element then ends at the node; a new
+/// element continues from it. Mass, momentum, angular momentum, energy and tensions are kept to
+/// rounding. The exception under gravity is the sag that balances the node's weight.
 ///
 /// An element at a drum needs the parameter `mass` [kg], because no node carries its mass. The
 /// winch applies half of it to each end (WinchDef::element). If a winch feeds the element, only the
@@ -32,41 +30,15 @@
 /// beyond the node, and nodes carry half of its mass. When such a node is removed, the winch takes
 /// over the mass of the removed element.
 ///
-/// World::remove_node() removes a node that only two elements and bends hold; the first element
-/// then extends to the next node. Mass, momentum and angular momentum are kept; energy is kept or
-/// lost. It returns false without a change if the angle between the elements exceeds `bend` [rad].
-/// It also returns false if energy would increase, or would be lost by the node's relative motion.
-/// Repeat the call later in these cases. With `bend` π only an increase of energy is rejected.
+/// WorldWires::remove_node() removes a node that only two elements and bends hold; the first
+/// element then extends to the next node. Mass, momentum and angular momentum are kept; energy is
+/// kept or lost. It returns false without a change if the angle between the elements exceeds `bend`
+/// [rad]. It also returns false if energy would increase, or would be lost by the node's relative
+/// motion. Repeat the call later in these cases. With `bend` π only an increase of energy is
+/// rejected.
 ///
-/// World::set_mass() changes a node's amount of material: drag and applied force scale with the
-/// mass.
-///
-/// *Ends*. Wires are cut, joined, attached and detached between steps (docs/wires.md). A function
-/// that throws changes nothing. Change listeners receive each of these edits, so that recordings
-/// repeat them.
-///
-/// World::cut() divides a wire at the material coordinate s [m], 0 < s < length. Its node becomes
-/// two nodes with equal position and velocity, each with the elements on its side. If nodes may be
-/// inserted in the element at s, a node is inserted there first; otherwise the nearest node between
-/// elements is divided. The bend there is removed and its energy counts as input energy. The second
-/// piece is a new wire "name/2", "name/3", …, and is returned.
-///
-/// World::cut() of an element takes the fraction `share`, 0 ≤ share < 1, from its first body. The
-/// returned id is invalid if the element is in no wire. Event `cut`: the element before the cut,
-/// its tension [N].
-///
-/// World::join() connects two free ends by gear, or unites two wires by a splice (Gear). Ends may
-/// also be given by their nodes, or by a node and a body with a point. World::attach() connects a
-/// free end to a point in a body's frame [m], by gear or rigidly; the end is not moved. Ends are 0
-/// (first) and 1 (last). Event `join`: the link or joint, or the element before a splice; the
-/// distance of the ends [m].
-///
-/// World::detach() releases an end from gear or from a body. An end on a body without its own node
-/// gets a node with the mass of the half element there. At a drum (WinchStretch) the wire continues
-/// as a Stretch of equal length; wire on the drum is separated. Event `detach`: the element at the
-/// end, its tension [N].
-///
-/// World::release() opens a pelican hook. Event `release`: the hook, its tension [N].
+/// *Ends*. Wires are cut, joined, attached and detached between steps (world_wires.h,
+/// docs/wire_edits.md). Ends are 0 (first) and 1 (last), or given by their nodes.
 ///
 /// An end is free if it is a node that only one element and bends hold.
 
@@ -101,7 +73,7 @@ struct WireSection {
     double drag = 0.0;                ///< Drag of nodes along all axes per length [N s/m²].
 };
 
-/// Wire of equal elements, or of sections. World::add_wire() copies the definition.
+/// Wire of equal elements, or of sections. WorldWires::add() copies the definition.
 struct WireDef {
     std::string name{};  ///< Unique name among wires. Nodes are name/1, …, elements name/s0, ….
     BodyId from{};       ///< Body that holds the first end. Required.
@@ -149,7 +121,7 @@ enum class Gear : std::uint8_t {
     swivel,    ///< A link that also turns about its own axis.
     triplate,  ///< A rigid plate with three holes; two shackles hold the ends, the third hole is
                ///< free.
-    pelican_hook,  ///< A link that World::release() opens under load.
+    pelican_hook,  ///< A link that WorldWires::release() opens under load.
 };
 
 /// Gear that is added at the velocity of the ends. Its kinetic energy counts as input energy.
@@ -171,7 +143,7 @@ struct JoinDef {
     double reach = 0.1;
 };
 
-/// Result of World::join() and World::attach().
+/// Result of WorldWires::join() and WorldWires::attach().
 struct Joint {
     WireId wire{};            ///< The first wire; after a splice, the united wire.
     InteractionId held[2]{};  ///< Link or joint; of a plate, one for each end. Invalid after a

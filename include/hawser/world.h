@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file world.h
-/// The world: bodies, interactions, and the step that moves them.
+/// The world: bodies, interactions, and the step that moves them. Wires, saved states, events, the
+/// solver and splits have facets (facet.h).
 ///
 /// ```cpp
 /// hawser::World world({.step = 1.0 / 60.0});
@@ -28,12 +29,15 @@
 #include <hawser/interactions.h>
 #include <hawser/machine.h>
 #include <hawser/math.h>
+#include <hawser/old_world.h>
 #include <hawser/outputs.h>
 #include <hawser/shapes.h>
-#include <hawser/state.h>
 #include <hawser/stats.h>
 #include <hawser/system.h>
-#include <hawser/wire.h>
+#include <hawser/world_events.h>
+#include <hawser/world_solver.h>
+#include <hawser/world_state.h>
+#include <hawser/world_wires.h>
 
 #include <array>
 #include <cstddef>
@@ -47,16 +51,11 @@
 
 namespace hawser {
 
-struct SystemView;        // inspect.h
-struct PartitionView;     // partition.h
-struct PartitionRequest;  // partition.h
-struct TraceView;         // trace.h
-struct CutView;           // inspect.h
-struct RowsView;          // inspect.h
-struct Structure;         // structure.h
-class ChangeListener;     // changes.h
+class ChangeListener;   // changes.h
+class WorldSplits;      // experimental/splits.h
+class WorldSplitsView;  // experimental/splits.h
 
-class World {
+class World : public OldWorld {
   public:
     /// Create a world.
     /// @throws DefError on a value out of range, ThreadError if the worker threads cannot be
@@ -67,6 +66,24 @@ class World {
     World& operator=(World&&) noexcept;
     World(const World&) = delete;
     World& operator=(const World&) = delete;
+
+    // --- Facets (facet.h) -----------------------------------------------------------------
+    /// Return the wires: add, cut, join, spool; nodes, length, tension (world_wires.h).
+    [[nodiscard]] WorldWires wires() noexcept { return WorldWires(*this); }
+    [[nodiscard]] WorldWiresView wires() const noexcept { return WorldWiresView(*this); }
+    /// Return the dynamic state: save, restore, hash, arrays of poses (world_state.h).
+    [[nodiscard]] WorldState state() noexcept { return WorldState(*this); }
+    [[nodiscard]] WorldStateView state() const noexcept { return WorldStateView(*this); }
+    /// Return the events (world_events.h).
+    [[nodiscard]] WorldEvents events() noexcept { return WorldEvents(*this); }
+    [[nodiscard]] WorldEventsView events() const noexcept { return WorldEventsView(*this); }
+    /// Return the solver: matrix, rows, trace, memory (world_solver.h).
+    [[nodiscard]] WorldSolver solver() noexcept { return WorldSolver(*this); }
+    [[nodiscard]] WorldSolverView solver() const noexcept { return WorldSolverView(*this); }
+    /// Return the splits: groups, couplings, cuts. Experimental; include
+    /// <hawser/experimental/splits.h>.
+    [[nodiscard]] WorldSplits splits() noexcept;
+    [[nodiscard]] WorldSplitsView splits() const noexcept;
 
     // --- Set-up -------------------------------------------------------------------------
     /// Add a body.
@@ -158,27 +175,6 @@ class World {
     /// Return the worst result over all states since the start or the last restore(). It includes
     /// the present state, or the rejected state of a diverged step.
     [[nodiscard]] Verdict verdict() const noexcept;
-    /// Leave out exactly this in the next step, and ignore WorldDef's budgets in it: repeats
-    /// StepStats::degradation. The default cancels it. Negative iterations count as 0.
-    void degrade_next_step(const Degradation& degradation) noexcept;
-    [[nodiscard]] int coarsening() const noexcept;  ///< Degradation::wires of the next step.
-    /// Return FNV-1a 64 over poses, velocities, multipliers, time, inputs, and the name of the
-    /// instruction set. Equal for any number of threads and after save/restore.
-    [[nodiscard]] std::uint64_t state_hash() const noexcept;
-    /// Return the same without states of systems: equal in a replay, which repeats their actions.
-    [[nodiscard]] std::uint64_t motion_hash() const noexcept;
-    /// Return events since the last call, oldest first: at most the newest 16,384 of slack and of
-    /// taut each, and 4,096 of any other kind.
-    [[nodiscard]] std::vector<Event> take_events();
-    /// Read events from a reader's cursor on, oldest first, and advance it. For several readers,
-    /// also besides take_events(). 0 starts with the oldest stored event.
-    /// @param out  Its contents are replaced.
-    /// @return the number of events lost since the cursor.
-    std::uint64_t events_since(std::uint64_t& cursor, std::vector<Event>& out) const;
-    /// Return the cursor after all events, for a reader that skips them.
-    [[nodiscard]] std::uint64_t event_cursor() const noexcept;
-    /// Return the count of a kind, its first and its worst event, independent of take_events().
-    [[nodiscard]] EventExtremes event_extremes(EventKind kind) const noexcept;
 
     // --- Inputs and applied forces --------------------------------------------------------
     [[nodiscard]] int input_count() const noexcept;                  ///< Indices, as body_count().
@@ -212,7 +208,6 @@ class World {
     [[nodiscard]] std::span<const double> outputs() const noexcept;
 
     // --- Bodies ---------------------------------------------------------------------------
-    [[nodiscard]] StateView state() const noexcept;  ///< All bodies without a copy: state.h.
     /// Return the number of indices of bodies, including vacant ones after removals.
     [[nodiscard]] int body_count() const noexcept;
     /// Return the ids of all bodies, ascending; valid until an addition or removal.
@@ -222,6 +217,7 @@ class World {
     [[nodiscard]] bool alive(InteractionId id) const noexcept;
     [[nodiscard]] bool alive(ShapeId id) const noexcept;
     [[nodiscard]] bool alive(InputId id) const noexcept;
+    [[nodiscard]] bool alive(WireId id) const noexcept;
     /// Return the definition as added, with the present group and applied force and torque.
     [[nodiscard]] const BodyDef& body_def(BodyId id) const;
     [[nodiscard]] BodyId find_body(std::string_view name) const noexcept;
@@ -257,9 +253,8 @@ class World {
     [[nodiscard]] std::span<const double> force(InteractionId id) const;
     /// Return the coordinate of an interaction whose kind has one (KindInfo::coordinate). Hinges:
     /// the angle of frame 1 relative to frame 0 about z, −π to π [rad], 0 if their x axes agree.
-    /// Sliders: the distance
-    /// of point 1 along z of frame 0 [m]. Scalar bodies: the position. Limits, drives and friction
-    /// of a joint have the same coordinate.
+    /// Sliders: the distance of point 1 along z of frame 0 [m]. Scalar bodies: the position.
+    /// Limits, drives and friction of a joint have the same coordinate.
     /// @throws DefError.
     [[nodiscard]] double coordinate(InteractionId id) const;
     [[nodiscard]] double speed(InteractionId id) const;  ///< Its rate, at time() − h/2.
@@ -268,103 +263,7 @@ class World {
     [[nodiscard]] double motor_force(InteractionId id) const;
     /// Return the violation g of each row at the present poses [m or rad]; 0 for velocity rows.
     [[nodiscard]] std::array<double, kMaxInteractionRows> violation(InteractionId id) const;
-    [[nodiscard]] RowsView rows(InteractionId id) const;  ///< At the present poses, see inspect.h.
-    [[nodiscard]] bool intact(InteractionId id) const;    ///< False after an element has broken.
-    /// Return true if the last step solved its rows at the end of the step, not linearised
-    /// (docs/theory/joints.md).
-    [[nodiscard]] bool completed(InteractionId id) const;
-    /// Return the force of each row in the geometric stiffness of the last step [N or N m]. It is
-    /// force() before that step, or a larger one of a joint in a repeated solution
-    /// (StepStats::restiffened). Zero before the first step, and beyond its rows.
-    [[nodiscard]] std::array<double, kMaxInteractionRows> stiffness_force(InteractionId id) const;
-    /// Return the number of coming steps with more damping of the transverse vibration of an
-    /// element's wire. The reason is energy that it would have gained (StepStats::wire_repeats). 0:
-    /// none, or not a wire.
-    [[nodiscard]] int wire_alert(InteractionId id) const;
-
-    // --- Wires (wire.h) ---------------------------------------------------------------------
-    /// Add nodes, elements, bends and segments of a wire, all or nothing.
-    /// @throws DefError on invalid values.
-    WireId add_wire(const WireDef& def);
-    /// Create a wire from existing elements, end to end, which it does not own.
-    /// @throws DefError
-    WireId adopt_wire(const std::string& name, std::span<const InteractionId> elements,
-                      const WireTrim& trim = {});
-    void set_mass(BodyId lump, double mass);  ///< [kg]; drag and applied force follow: wire.h.
-    /// Let a drum pay out the first (0) or last (1) element of a wire: length + radius (coordinate
-    /// − present coordinate). Loads of friction by it end, and nodes lose their halves of its mass.
-    /// @throws DefError if it is wound up, removed or broken, or the drum is not a scalar body.
-    InteractionId wind_up(WireId id, int end, BodyId drum, double radius);
-    /// Divide an element at a turning point into two of kind end_span (guide.h), and join them
-    /// again.
-    std::array<InteractionId, 2> lay_over(InteractionId element, InteractionDef before,
-                                          const InteractionDef& behind);
-    InteractionId lift_off(InteractionId before, InteractionId behind, InteractionDef element);
-    bool move_along(InteractionId before, InteractionId behind, double along, double fed);
-    /// Return the points where an element leaves its first two bodies; for a wheel the tangent
-    /// point [m].
-    [[nodiscard]] std::array<Vec3, 2> ends(InteractionId id) const;
-    /// Return the angle on the wheel at each end beyond the defined one, turns included [rad].
-    [[nodiscard]] std::array<double, 2> wrapped(InteractionId id) const;
-    const Removed& remove_wire(WireId id);  ///< With the objects of add_wire(); as remove_body().
-    [[nodiscard]] std::span<const WireId> wires() const noexcept;  ///< As bodies().
-    [[nodiscard]] bool alive(WireId id) const noexcept;
-    [[nodiscard]] WireId find_wire(std::string_view name) const noexcept;
-    [[nodiscard]] const std::string& wire_name(WireId id) const;
-    /// Return the bodies from end to end, with those that hold the ends. Removed ones stay in the
-    /// list (alive()).
-    [[nodiscard]] std::span<const BodyId> nodes(WireId id) const;
-    [[nodiscard]] std::span<const InteractionId> elements(WireId id) const;
-    /// Return the unstretched length at the present drum coordinates [m].
-    [[nodiscard]] double length(WireId id) const;
-    /// Return the tension in the last step, at s from 0 to length() [N]; 0: slack or broken.
-    /// @throws DefError beyond.
-    [[nodiscard]] double tension(WireId id, double s) const;
-    /// Break an element, with an event; its energy counts as damped (Energy).
-    void part(WireId id, double s);
-    void part(InteractionId id);  ///< Once. @throws DefError for other kinds.
-    BodyId insert_node(InteractionId element, double share, double mass = kDefault);  ///< wire.h.
-    bool remove_node(BodyId node, double bend = 0.05);  ///< @return true if it was removed.
-    [[nodiscard]] WireId wire_of(InteractionId element) const noexcept;  ///< Invalid: none.
-    WireId cut(WireId id, double s);  ///< Cut, join, attach, release: wire.h. @throws DefError
-    WireId cut(InteractionId element, double share);
-    Joint join(WireId a, int end_a, WireId b, int end_b, const JoinDef& def = {});
-    Joint attach(WireId id, int end, BodyId body, const Vec3& point, const JoinDef& def = {});
-    Joint join(BodyId a, BodyId b, const Vec3& point, const JoinDef& def);
-    void detach(WireId id, int end);
-    void detach(InteractionId element, int end);
-    void release(InteractionId hook);  ///< @throws DefError if it is not a pelican hook.
-
-    // --- Cuts (docs/theory/splits.md) -------------------------------------------------------
-    /// Set the group of a body from the next step on (BodyDef::group).
-    void set_group(BodyId id, const std::string& group);
-    /// Set the groups of all bodies by hand, from partition() for cuts of the present state: "part
-    /// 0", "part 1", … This ends groups that follow the state.
-    /// @param parts  1, which ends groups, to 4096.
-    void set_groups(int parts);
-    /// Let the world choose groups from the next step on, for all bodies without a group by hand,
-    /// and follow the state: WorldDef::parts and regroup_every.
-    /// @param parts  0 to 4096; 0 ends it: only groups by hand. An unchanged number keeps the
-    ///        groups.
-    /// @param every  0 to 1,000,000 steps.
-    /// @throws DefError.
-    void follow_groups(int parts, int every = 60);
-    /// Return the group index of each body, −1: fixed, or without a group if the world chooses
-    /// none. Groups by hand come first if it does. Analyses if needed.
-    [[nodiscard]] std::vector<std::int32_t> groups() const;
-    /// Set how an interaction couples bodies of different groups, from the next step on; initially
-    /// WorldDef::coupling. Joints and lines can be cut; drives, friction and limits cannot.
-    void set_coupling(InteractionId id, Coupling coupling);
-    [[nodiscard]] Coupling coupling(InteractionId id) const;
-    /// Return the cut interactions, ascending. Analyses if needed.
-    [[nodiscard]] std::vector<CutView> cuts() const;
-    /// Return a world with the same definitions and state, for comparing one step with another.
-    /// @param coupling  Coupling of all interactions; none: as in this world.
-    /// @throws DefError as set-up functions.
-    [[nodiscard]] World twin(std::optional<Coupling> coupling = std::nullopt) const;
-    /// Copy the state of such a world.
-    /// @throws DefError if definitions differ.
-    void copy_state(const World& other);
+    [[nodiscard]] bool intact(InteractionId id) const;  ///< False after an element has broken.
 
     // --- Shapes and contacts ----------------------------------------------------------------
     /// Return the number of materials with the default one, which is the first.
@@ -393,50 +292,25 @@ class World {
     /// @throws std::bad_alloc.
     void touching(std::vector<std::uint8_t>& out) const;
 
-    // --- Save and restore -------------------------------------------------------------------
-    /// Return the whole dynamic state, warm start included. A world built from the same definitions
-    /// continues from it bit for bit. Parameters are not included, except those that inputs drive.
-    [[nodiscard]] std::vector<std::byte> save() const;
-    void save(std::vector<std::byte>& out) const;  ///< In the caller's buffer, replaced.
-    [[nodiscard]] std::vector<std::byte> save_motion() const;  ///< Without states of systems.
-    /// Restore a state.
-    /// @throws std::bad_alloc, LimitError; DefError if the bytes are damaged or belong to another
-    ///        world. Objects, step and parameters (masses, lengths, stiffnesses, …) must be equal;
-    ///        names, form and threads may differ. The state is unchanged after an error.
-    void restore(std::span<const std::byte> bytes);
-    void restore_variant(std::span<const std::byte> bytes);  ///< Parameters and forces may differ.
-    /// Return the definitions, to restore with a state in a world with the same settings:
-    /// structure.h.
-    [[nodiscard]] Structure structure() const;
-    void restore(const Structure& made_of, std::span<const std::byte> bytes);  ///< All or nothing.
-    [[nodiscard]] std::uint64_t identity() const;  ///< Equal if states of one fit the other.
-
-    // --- Inspection -------------------------------------------------------------------------
-    [[nodiscard]] const WorldDef& settings() const noexcept;
-    [[nodiscard]] SystemView inspect() const;  ///< See inspect.h.
-    /// Return parts of about equal cost of the present state, see partition.h.
-    /// @throws DefError on an invalid request.
-    [[nodiscard]] PartitionView partition(const PartitionRequest& request) const;
-    [[nodiscard]] std::size_t memory_bytes() const noexcept;  ///< Memory of state and solver.
-
-    /// Record the activity of each thread from the next step on, up to `spans` spans per thread.
-    /// 0 ends the record. A thousand bodies need a few hundred spans per step. Earlier records are
-    /// dropped.
-    /// @throws DefError above 2^28, std::bad_alloc; the present trace then continues.
-    void start_trace(std::size_t spans);
-    /// Return the last stored steps.
-    [[nodiscard]] TraceView trace(std::int64_t steps = 1'000'000) const;
+    // --- Copies and settings ----------------------------------------------------------------
+    /// Return a world with the same definitions and state, for comparing one step with another.
+    /// @param coupling  Coupling of all interactions; none: as in this world.
+    /// @throws DefError as set-up functions.
+    [[nodiscard]] World twin(std::optional<Coupling> coupling = std::nullopt) const;
+    [[nodiscard]] const WorldDef& settings() const noexcept;  ///< As given, with later changes.
 
   private:
     friend class Attempt;
-    void take_saved(std::span<const std::byte> bytes, bool variant = false);
-    void restore_saved(std::span<const std::byte> bytes, bool variant);
-    void copy_from(const World& other);
-    void write_saved(std::vector<std::byte>& out, bool systems) const;
-    void regroup_all(int parts);
+    friend class Facet;
+    friend struct WorldImpl;
     void evaluate_outputs() const noexcept;
-    struct Impl;
-    Owned<Impl> impl_;
+    using Impl = WorldImpl;
+    Owned<WorldImpl> impl_;
 };
+
+inline WorldWires::WorldWires(World& world) noexcept : WorldWiresView(world) {}
+inline WorldState::WorldState(World& world) noexcept : WorldStateView(world) {}
+inline WorldEvents::WorldEvents(World& world) noexcept : WorldEventsView(world) {}
+inline WorldSolver::WorldSolver(World& world) noexcept : WorldSolverView(world) {}
 
 }  // namespace hawser

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "assembly/kinetic.h"
 
-namespace hawser::stepper {
+namespace hawser::assembly {
 
 double pair_energy(const assembly::View& view, std::int32_t id, const double* velocity) noexcept {
     const double pair = pair_mass_of(view, id);
@@ -19,4 +19,4 @@ double kinetic_energy(const model::Bodies& b, const double* velocity) noexcept {
     return sum;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::assembly

@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-namespace hawser::stepper {
+namespace hawser::assembly {
 
 /// Return ½ vᵀ M v [J]; M excludes damping and geometric stiffness. @param velocity  Packed.
 [[nodiscard]] double kinetic_energy(const model::Bodies& bodies, const double* velocity) noexcept;
@@ -47,4 +47,4 @@ namespace hawser::stepper {
 [[nodiscard]] double pair_energy(const assembly::View& view, std::int32_t id,
                                  const double* velocity) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::assembly

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace hawser::stepper {
+namespace hawser::assembly {
 
 double LoadStore::added_between(const model::Bodies& bodies, const double* v, std::int32_t begin,
                                 std::int32_t end) const noexcept {
@@ -119,4 +119,4 @@ double LoadStore::count() noexcept {
     return taken_.damped;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::assembly

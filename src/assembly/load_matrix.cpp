@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-namespace hawser::stepper {
+namespace hawser::assembly {
 
 /// Most bodies with loads are point masses. Therefore each function is compiled for three rows and
 /// for any number, with the same operations in the same order.
@@ -206,4 +206,4 @@ void mass_matrix(const model::Bodies& b, std::int32_t body, int n, double* out) 
         }
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::assembly

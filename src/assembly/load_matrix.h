@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-namespace hawser::stepper {
+namespace hawser::assembly {
 
 /// Return the number of entries of the triangle of `n` rows.
 [[nodiscard]] constexpr int entries_of(int n) noexcept { return n * (n + 1) / 2; }
@@ -28,4 +28,4 @@ void solve_triangle(const double* low, int n, double* x) noexcept;
 /// Compute the mass matrix of a body in the world frame.
 void mass_matrix(const model::Bodies& b, std::int32_t body, int n, double* out) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::assembly

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <new>
 
-namespace hawser::stepper {
+namespace hawser::assembly {
 
 bool LoadStore::needs_shared(std::size_t entry) const noexcept {
     return sources_[entry] != kNobody && (last_water_[entry] != 0) != water_now_ &&
@@ -63,4 +63,4 @@ const double* LoadStore::water_of(std::size_t entry) const noexcept {
     return shared_[at(shared_of_[entry])].water;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::assembly

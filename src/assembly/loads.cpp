@@ -19,7 +19,7 @@ void Loads::add_force(BodyId body, const Vec3& force, const Vec3& torque) noexce
     for (int k = 0; k < load.freedom; ++k) load.force[k] += k < 3 ? force[k] : torque[k - 3];
 }
 
-namespace stepper {
+namespace assembly {
 namespace {
 
 /// Return the number of doubles of an entry: f, A, D, K, B.
@@ -349,5 +349,5 @@ void LoadStore::take_back(model::Bodies& bodies) noexcept {
     accept();
 }
 
-}  // namespace stepper
+}  // namespace assembly
 }  // namespace hawser

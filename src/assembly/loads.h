@@ -26,7 +26,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace hawser::stepper {
+namespace hawser::assembly {
 
 inline constexpr std::int32_t kLoadChunk = 128;  ///< Bodies or entries of one task.
 [[nodiscard]] constexpr int load_chunks(std::int32_t count) {
@@ -207,4 +207,4 @@ class LoadStore {
     std::atomic<bool> no_body_{false};
 };
 
-}  // namespace hawser::stepper
+}  // namespace hawser::assembly

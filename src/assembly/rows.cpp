@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "assembly/rows.h"
 
-namespace hawser::stepper {
+namespace hawser::assembly {
 
 double row_speed(const assembly::View& v, std::int32_t id) noexcept {
     double buffer[model::kArmBufferSize];
@@ -9,4 +9,4 @@ double row_speed(const assembly::View& v, std::int32_t id) noexcept {
     return along_row(v, id, jac, v.v_new, v.dof_begin);
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::assembly

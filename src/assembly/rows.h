@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <span>
 
-namespace hawser::stepper {
+namespace hawser::assembly {
 
 /// Return `sum` + G u of one row of an interaction.
 /// @param jac  The packed row (packed_rows()); advanced to the next row.
@@ -54,4 +54,4 @@ class KeptRanges {
     std::span<const std::int32_t> bounded_;
 };
 
-}  // namespace hawser::stepper
+}  // namespace hawser::assembly

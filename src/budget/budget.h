@@ -11,7 +11,7 @@
 
 #include <hawser/stats.h>
 
-namespace hawser::stepper {
+namespace hawser::budget {
 
 /// Consumption since the begin of the solver.
 struct Spent {
@@ -86,4 +86,4 @@ class Budget {
     double foreseen_ = 0.0;
 };
 
-}  // namespace hawser::stepper
+}  // namespace hawser::budget

@@ -18,7 +18,7 @@
 
 #include "budget/deadline.h"
 
-namespace hawser::stepper {
+namespace hawser::budget {
 
 class Coarsening {
   public:
@@ -67,4 +67,4 @@ class Coarsening {
     int since_ = 0;      ///< Steps at this level.
 };
 
-}  // namespace hawser::stepper
+}  // namespace hawser::budget

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <utility>
 
-namespace hawser::stepper {
+namespace hawser::budget {
 
 void CutLevels::set(std::vector<Level> levels) {
     levels_ = std::move(levels);
@@ -60,4 +60,4 @@ std::uint64_t CutLevels::choose(const Deadline& deadline, const Load& load, doub
     return levels_[now_].interfaces;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::budget

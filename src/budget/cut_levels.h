@@ -22,7 +22,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace hawser::stepper {
+namespace hawser::budget {
 
 class CutLevels {
   public:
@@ -57,4 +57,4 @@ class CutLevels {
     int since_ = 0;  ///< Consecutive steps at this level in which a lower one would have sufficed.
 };
 
-}  // namespace hawser::stepper
+}  // namespace hawser::budget

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hawser::stepper {
+namespace hawser::budget {
 
 void Rate::learn(double sample) noexcept {
     if (!(sample >= 0.0) || !std::isfinite(sample)) return;
@@ -66,4 +66,4 @@ int Deadline::iterations_by(double seconds, const Load& load) const noexcept {
     return 1 + static_cast<int>(std::clamp(more, 0.0, kMaximum - 1.0));
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::budget

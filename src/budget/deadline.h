@@ -30,7 +30,7 @@
 
 #include <array>
 
-namespace hawser::stepper {
+namespace hawser::budget {
 
 /// Work of the solver in a step.
 struct Load {
@@ -103,4 +103,4 @@ class Deadline {
     std::array<Rate, kStages> rate_;
 };
 
-}  // namespace hawser::stepper
+}  // namespace hawser::budget

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace hawser::stepper {
+namespace hawser::contact {
 namespace {
 
 using nonsmooth::Cone;
@@ -58,7 +58,7 @@ double resistance_slope(const Resistance& r, double normal, const double* from, 
 
 Cone convex_cone(const Cone& cone) noexcept {
     Cone c = cone;
-    c.mobility *= kConvexFraction;
+    c.mobility *= context::kConvexFraction;
     c.coupling = nonsmooth::Coupling::lagged;
     return c;
 }
@@ -72,9 +72,9 @@ double contact_slope(const Cone& c, const double from[6], double t) noexcept {
     return slope_of(a, impulse);
 }
 
-double convex_slope(const Model& model, const Newton& newton, double t) noexcept {
+double convex_slope(const context::Model& model, const context::Newton& newton, double t) noexcept {
     const assembly::Contacts& contacts = model.system.contacts;
-    double sum = bounds_slope(model, newton, t);
+    double sum = solve::bounds_slope(model, newton, t);
     for (std::size_t k = 0; k < contacts.count(); ++k)
         sum += contact_slope(contacts.cones[k], &newton.contact[6 * k], t);
     const assembly::Resistances& resistances = contacts.resistances;
@@ -89,4 +89,4 @@ double convex_slope(const Model& model, const Newton& newton, double t) noexcept
     return sum;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::contact

@@ -33,7 +33,7 @@
 
 #include <cmath>
 
-namespace hawser::stepper {
+namespace hawser::contact {
 
 /// Return a contact with the linear law of the convex phase.
 [[nodiscard]] nonsmooth::Cone convex_cone(const nonsmooth::Cone& cone) noexcept;
@@ -44,7 +44,8 @@ namespace hawser::stepper {
                                    double t) noexcept;
 
 /// Return ψ at a fraction t of the way from the stored iterate [J].
-[[nodiscard]] double convex_slope(const Model& model, const Newton& newton, double t) noexcept;
+[[nodiscard]] double convex_slope(const context::Model& model, const context::Newton& newton,
+                                  double t) noexcept;
 
 /// Return the fraction of the way in (0, 1] at which a non-decreasing slope ψ(t) vanishes.
 template <class Slope>
@@ -76,4 +77,4 @@ template <class Slope>
     return t;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::contact

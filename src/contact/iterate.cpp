@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hawser::stepper {
+namespace hawser::contact {
 namespace {
 
 using assembly::Contacts;
@@ -39,7 +39,8 @@ void keep_slope(Cone& c, const nonsmooth::Law& law) noexcept {
 }
 
 /// Write the laws of resistances, and the blocks of contacts that are marked as changed.
-void adopt_others(Model& model, const Newton& newton, runtime::Pool& pool) noexcept {
+void adopt_others(context::Model& model, const context::Newton& newton,
+                  runtime::Pool& pool) noexcept {
     Contacts& contacts = model.system.contacts;
     assembly::Resistances& resistances = contacts.resistances;
     for (std::size_t k = 0; k < resistances.count(); ++k) {
@@ -53,13 +54,14 @@ void adopt_others(Model& model, const Newton& newton, runtime::Pool& pool) noexc
         std::copy_n(law.p, 3, a.p);
     }
     contacts.mark_blocks();
-    over(pool, static_cast<std::int32_t>(contacts.blocks.size()),
-         [&](std::int32_t a, std::int32_t b) { contacts.write_blocks(a, b); });
+    context::over(pool, static_cast<std::int32_t>(contacts.blocks.size()),
+                  [&](std::int32_t a, std::int32_t b) { contacts.write_blocks(a, b); });
 }
 
 }  // namespace
 
-void adopt_laws(Model& model, const Newton& newton, runtime::Pool& pool, bool first) noexcept {
+void adopt_laws(context::Model& model, const context::Newton& newton, runtime::Pool& pool,
+                bool first) noexcept {
     Contacts& contacts = model.system.contacts;
     for (std::size_t k = 0; k < contacts.count(); ++k) {
         Cone& c = contacts.cones[k];
@@ -71,7 +73,8 @@ void adopt_laws(Model& model, const Newton& newton, runtime::Pool& pool, bool fi
     adopt_others(model, newton, pool);
 }
 
-void adopt_far_laws(Model& model, const Newton& newton, runtime::Pool& pool) noexcept {
+void adopt_far_laws(context::Model& model, const context::Newton& newton,
+                    runtime::Pool& pool) noexcept {
     Contacts& contacts = model.system.contacts;
     for (std::size_t k = 0; k < contacts.count(); ++k) {
         Cone& c = contacts.cones[k];
@@ -87,8 +90,8 @@ void adopt_far_laws(Model& model, const Newton& newton, runtime::Pool& pool) noe
     adopt_others(model, newton, pool);
 }
 
-void keep_iterate(Model& model, Newton& newton) noexcept {
-    const assembly::View v = row_view(model);
+void keep_iterate(context::Model& model, context::Newton& newton) noexcept {
+    const assembly::View v = context::row_view(model);
     std::copy_n(v.v_new, v.dof_count, newton.v.begin());
     std::copy_n(v.lambda, model.interactions.row_count, newton.lambda.begin());
     const base::Array<Cone>& cones = model.system.contacts.cones;
@@ -103,7 +106,7 @@ void keep_iterate(Model& model, Newton& newton) noexcept {
     }
 }
 
-void recall_contacts(Model& model, const Newton& newton) noexcept {
+void recall_contacts(context::Model& model, const context::Newton& newton) noexcept {
     const double* from = newton.contact.data();
     const auto recall = [&](auto& row) {
         std::copy_n(from, 3, row.u);
@@ -114,8 +117,8 @@ void recall_contacts(Model& model, const Newton& newton) noexcept {
     for (Resistance& a : model.system.contacts.resistances.laws) recall(a);
 }
 
-void shorten(Model& model, const Newton& newton, double t) noexcept {
-    const assembly::View v = row_view(model);
+void shorten(context::Model& model, const context::Newton& newton, double t) noexcept {
+    const assembly::View v = context::row_view(model);
     auto between = [&](const std::vector<double>& from, double* to, std::int32_t n) {
         for (std::int32_t i = 0; i < n; ++i) to[i] = from[at(i)] + t * (to[i] - from[at(i)]);
     };
@@ -148,7 +151,8 @@ void shorten(Model& model, const Newton& newton, double t) noexcept {
 namespace {
 
 /// Return the part of resistances in contacts_merit().
-double resistance_merit(const Model& model, const Newton& newton, double t) noexcept {
+double resistance_merit(const context::Model& model, const context::Newton& newton,
+                        double t) noexcept {
     const Contacts& contacts = model.system.contacts;
     const assembly::Resistances& resistances = contacts.resistances;
     double sum = 0.0;
@@ -172,7 +176,8 @@ double resistance_merit(const Model& model, const Newton& newton, double t) noex
 
 }  // namespace
 
-double contacts_merit(const Model& model, const Newton& newton, double t) noexcept {
+double contacts_merit(const context::Model& model, const context::Newton& newton,
+                      double t) noexcept {
     double sum = resistance_merit(model, newton, t);
     const base::Array<Cone>& cones = model.system.contacts.cones;
     for (std::size_t k = 0; k < cones.size(); ++k) {
@@ -197,7 +202,7 @@ double nan_or_more(double a, double b) noexcept { return b <= a || a != a ? a : 
 
 }  // namespace
 
-double worst(const Model& model, SolveWork& solve, runtime::Pool& pool) noexcept {
+double worst(const context::Model& model, context::SolveWork& solve, runtime::Pool& pool) noexcept {
     const Contacts& contacts = model.system.contacts;
     auto some = [&](std::int32_t begin, std::int32_t end) {
         double largest = 0.0;
@@ -206,8 +211,8 @@ double worst(const Model& model, SolveWork& solve, runtime::Pool& pool) noexcept
                                   nonsmooth::natural_map(contacts.cones[k], model.contact_floor));
         return largest;
     };
-    double largest =
-        merged_over(solve, pool, static_cast<std::int32_t>(contacts.count()), some, nan_or_more);
+    double largest = context::merged_over(solve, pool, static_cast<std::int32_t>(contacts.count()),
+                                          some, nan_or_more);
     const assembly::Resistances& resistances = contacts.resistances;
     for (std::size_t k = 0; k < resistances.count(); ++k)
         largest = nan_or_more(
@@ -217,4 +222,4 @@ double worst(const Model& model, SolveWork& solve, runtime::Pool& pool) noexcept
     return largest;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::contact

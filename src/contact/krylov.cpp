@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hawser::stepper {
+namespace hawser::contact {
 namespace {
 
 using nonsmooth::Cone;
@@ -28,7 +28,7 @@ double scale_of(const Cone& c) noexcept { return std::sqrt(c.mobility + c.sigma_
 double scale_of(const Resistance& a) noexcept { return std::sqrt(a.mobility + a.sigma); }
 
 /// Compute the scaled p' − S' u − λ of all rows.
-void find_defects(const Model& model, const Newton& newton, double* w) noexcept {
+void find_defects(const context::Model& model, const context::Newton& newton, double* w) noexcept {
     const assembly::Contacts& contacts = model.system.contacts;
     for (std::size_t k = 0; k < contacts.count(); ++k, w += 3) {
         const Cone& c = contacts.cones[k];
@@ -59,8 +59,8 @@ void each_scale(const assembly::Contacts& contacts, F&& f) noexcept {
 }
 
 /// Compute y = x + scaled (S' − S) u.
-void add_changes(const Model& model, const Newton& newton, const double* u, const double* x,
-                 double* y) noexcept {
+void add_changes(const context::Model& model, const context::Newton& newton, const double* u,
+                 const double* x, double* y) noexcept {
     const assembly::Contacts& contacts = model.system.contacts;
     const double* at_contacts = u;
     for (std::size_t k = 0; k < contacts.count(); ++k, u += 3, x += 3, y += 3) {
@@ -86,9 +86,9 @@ void add_changes(const Model& model, const Newton& newton, const double* u, cons
 
 }  // namespace
 
-bool find_impulses(StepContext& ctx) noexcept {
+bool find_impulses(context::StepContext& ctx) noexcept {
     assembly::Contacts& contacts = ctx.model.system.contacts;
-    const assembly::View v = view(ctx);
+    const assembly::View v = context::view(ctx);
     double* w = ctx.work.newton.x.data();
     double* u = ctx.work.newton.u.data();
     find_defects(ctx.model, ctx.work.newton, w);
@@ -106,7 +106,7 @@ bool find_impulses(StepContext& ctx) noexcept {
         });
         std::fill_n(v.solution, ctx.model.system.symbolic.scalars, 0.0);
         contacts.scatter(w, v.solution, v.body_offset);
-        timed(ctx, Stage::factor, [&](StepContext& c) {
+        context::timed(ctx, Stage::factor, [&](context::StepContext& c) {
             c.model.system.numeric.solve(c.model.system.symbolic, v.solution, c.pool);
         });
         contacts.collect(v.solution, v.body_offset, u);
@@ -125,4 +125,4 @@ bool find_impulses(StepContext& ctx) noexcept {
     return true;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::contact

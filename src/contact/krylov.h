@@ -15,12 +15,12 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::contact {
 
 inline constexpr int kKrylovLimit = 4;  ///< Substitutions; beyond, factoring costs as little.
 
 /// Find the impulses for the laws about the iterate and add them to the contacts' p.
 /// @return false if kKrylovLimit substitutions do not suffice.
-[[nodiscard]] bool find_impulses(StepContext& ctx) noexcept;
+[[nodiscard]] bool find_impulses(context::StepContext& ctx) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::contact

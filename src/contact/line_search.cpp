@@ -4,15 +4,16 @@
 #include "contact/iterate.h"
 #include "contact/newton_laws.h"
 
-namespace hawser::stepper {
+namespace hawser::contact {
 
-Way go(Model& model, const Newton& newton, double fraction) noexcept {
+Way go(context::Model& model, const context::Newton& newton, double fraction) noexcept {
     const double merit_there = merit(model, newton, fraction);
     if (fraction < 1.0) shorten(model, newton, fraction);
     return {fraction, merit_there};
 }
 
-Way search(Model& model, const Newton& newton, double before, double given) noexcept {
+Way search(context::Model& model, const context::Newton& newton, double before,
+           double given) noexcept {
     if (given > 0.0) return go(model, newton, given);
     double now = merit(model, newton, 1.0), best = now, best_t = 1.0, t = 1.0;
     constexpr int kHalvings = 4;
@@ -27,4 +28,4 @@ Way search(Model& model, const Newton& newton, double before, double given) noex
     return {best_t, best};
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::contact

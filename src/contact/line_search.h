@@ -10,7 +10,7 @@
 #include <iterator>
 #include <utility>
 
-namespace hawser::stepper {
+namespace hawser::contact {
 
 /// Fraction of the way from an iterate, and the merit there.
 struct Way {
@@ -39,10 +39,11 @@ class Cycle {
 };
 
 /// Move a given fraction of the way from the stored iterate.
-Way go(Model& model, const Newton& newton, double fraction) noexcept;
+Way go(context::Model& model, const context::Newton& newton, double fraction) noexcept;
 
 /// Choose the fraction of the way from the stored iterate, whose merit was `before`.
 /// @param given  The fraction, if positive.
-Way search(Model& model, const Newton& newton, double before, double given) noexcept;
+Way search(context::Model& model, const context::Newton& newton, double before,
+           double given) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::contact

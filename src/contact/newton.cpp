@@ -24,7 +24,7 @@
 #include <functional>
 #include <limits>
 
-namespace hawser::stepper {
+namespace hawser::contact {
 namespace {
 
 using nonsmooth::Cone;
@@ -38,7 +38,7 @@ constexpr int kExactMost = 10;  ///< Exact iterations before the convex phase.
 constexpr double kConvexEnd = 5e-3;
 
 /// Store the end time of an iteration, from which the time of the next one is predicted.
-void note_lap(StepContext& ctx) noexcept {
+void note_lap(context::StepContext& ctx) noexcept {
     if (!ctx.work.limits.budget.needs_time()) return;
     ctx.work.limits.laps.last = ctx.stopwatch->seconds();
     ctx.work.limits.laps.iterations = ctx.work.newton.iterations;
@@ -48,7 +48,7 @@ void note_lap(StepContext& ctx) noexcept {
 
 /// Return true if the budget allows another iteration. No iteration follows a cut, even if the step
 /// is solved again (guard.h): StepStats::cut then describes the whole step.
-bool affordable(Work& work) noexcept {
+bool affordable(context::Work& work) noexcept {
     return !work.stats.cut &&
            work.limits.budget.another(
                {work.limits.laps.last, static_cast<double>(work.solve.step_flops)},
@@ -56,7 +56,7 @@ bool affordable(Work& work) noexcept {
 }
 
 /// Store the data that repeat the step (Degradation): the number of iterations of all its solves.
-void note_cut(StepContext& ctx) noexcept {
+void note_cut(context::StepContext& ctx) noexcept {
     if (ctx.work.stats.cut) return;
     ctx.work.stats.cut = true;
     ctx.work.stats.degradation.iterations = ctx.work.newton.iterations;
@@ -75,11 +75,11 @@ struct Course {
 /// Complete the joints (step/completion.h) about an iterate close to the solution. The next
 /// iteration then serves as an end-of-step constraint iteration, which needs no substitution of its
 /// own.
-void complete_iterate(StepContext& ctx) noexcept {
+void complete_iterate(context::StepContext& ctx) noexcept {
     constexpr double kClose = 1e-2;
     if (!(ctx.work.stats.natural_map <= kClose)) return;
-    (void)renew_completed(ctx);
-    adopt_completed(ctx);
+    (void)solve::renew_completed(ctx);
+    solve::adopt_completed(ctx);
     ++ctx.work.stats.completion_rounds;
 }
 
@@ -94,9 +94,9 @@ struct Progress {
     Cycle cycle{};
 };
 
-Progress begin_iterations(StepContext& ctx, nonsmooth::Coupling coupling,
+Progress begin_iterations(context::StepContext& ctx, nonsmooth::Coupling coupling,
                           const Course& course) noexcept {
-    Newton& newton = ctx.work.newton;
+    context::Newton& newton = ctx.work.newton;
     for (Cone& c : ctx.model.system.contacts.cones) c.coupling = coupling;
     std::fill_n(newton.changes.begin(), ctx.model.system.contacts.count(), std::uint8_t{0});
     newton.convex = false;
@@ -112,8 +112,9 @@ Progress begin_iterations(StepContext& ctx, nonsmooth::Coupling coupling,
 }
 
 /// Solve with the laws about the iterate.
-Status solve_iteration(StepContext& ctx, const Course& course, const Progress& p) noexcept {
-    Newton& newton = ctx.work.newton;
+Status solve_iteration(context::StepContext& ctx, const Course& course,
+                       const Progress& p) noexcept {
+    context::Newton& newton = ctx.work.newton;
     ++newton.iterations;
     const bool second = p.it > 0 && p.it < kKrylovFrom;
     // A repeated step starts from its solution (begin_newton_again), which its laws are close to.
@@ -121,7 +122,7 @@ Status solve_iteration(StepContext& ctx, const Course& course, const Progress& p
     const bool tries = p.it >= kKrylovFrom || close;
     const bool factors = !tries || p.again || p.slow || newton.convex;
     if (!factors && find_impulses(ctx)) {
-        continue_with_factor(ctx);
+        solve::continue_with_factor(ctx);
         return Status::ok;
     }
     if (second)
@@ -129,13 +130,13 @@ Status solve_iteration(StepContext& ctx, const Course& course, const Progress& p
     else if (p.it > 0)
         adopt_laws(ctx.model, newton, ctx.pool, false);
     if (p.it == 1 && course.completes) complete_iterate(ctx);
-    return newton_solve(ctx, p.it == 0, p.it == 0);
+    return solve::newton_solve(ctx, p.it == 0, p.it == 0);
 }
 
 /// Move to the solution of the laws, or a fraction of the way to it, and store it.
-Status move_on(StepContext& ctx, const Course& course, Progress& p) noexcept {
-    Newton& newton = ctx.work.newton;
-    take_bounds(ctx.model, newton);
+Status move_on(context::StepContext& ctx, const Course& course, Progress& p) noexcept {
+    context::Newton& newton = ctx.work.newton;
+    solve::take_bounds(ctx.model, newton);
     const double given = p.it > kPatience ? p.cycle.leave(p.before) : 0.0;
     Way way;
     if (newton.convex)
@@ -152,7 +153,7 @@ Status move_on(StepContext& ctx, const Course& course, Progress& p) noexcept {
     if (p.it > 0 && way.merit > p.before && p.before < newton.best)
         set_best_aside(newton, p.before);
     keep_iterate(ctx.model, newton);
-    keep_bounds(newton, way.fraction);
+    solve::keep_bounds(newton, way.fraction);
     note_lap(ctx);
     return Status::ok;
 }
@@ -160,20 +161,20 @@ Status move_on(StepContext& ctx, const Course& course, Progress& p) noexcept {
 /// Switch rows that request it.
 /// @param stop  The budget allows no other iteration: requesting rows switch after the step.
 /// @return the number of requesting rows.
-std::int32_t switch_rows(StepContext& ctx, bool stop, bool last) noexcept {
-    const std::int32_t most = last ? 0 : kAnyRows;
+std::int32_t switch_rows(context::StepContext& ctx, bool stop, bool last) noexcept {
+    const std::int32_t most = last ? 0 : solve::kAnyRows;
     const std::int32_t asking =
-        switch_bounds(ctx.model, ctx.work, ctx.model.contact_floor, stop ? 0 : most);
+        solve::switch_bounds(ctx.model, ctx.work, ctx.model.contact_floor, stop ? 0 : most);
     if (stop && asking == 0)
-        (void)switch_bounds(ctx.model, ctx.work, ctx.model.contact_floor, most);
+        (void)solve::switch_bounds(ctx.model, ctx.work, ctx.model.contact_floor, most);
     if (asking > 0 && !stop && !last && !ctx.work.newton.convex)
-        settle_wire_bounds(ctx.model, ctx.work);
+        solve::settle_wire_bounds(ctx.model, ctx.work);
     return asking;
 }
 
 /// Enter the convex phase after kExactMost exact iterations, and leave it close to the solution.
-void choose_phase(const Model& model, Work& work, Progress& p) noexcept {
-    Newton& newton = work.newton;
+void choose_phase(const context::Model& model, context::Work& work, Progress& p) noexcept {
+    context::Newton& newton = work.newton;
     if (newton.convex) {
         if (p.again || work.stats.natural_map > kConvexEnd) return;
         newton.convex = false;
@@ -187,7 +188,7 @@ void choose_phase(const Model& model, Work& work, Progress& p) noexcept {
 /// Leave the convex phase after a failed factorisation, since its laws are stiffer than the exact
 /// ones. The remaining iterations use exact laws and start from the iterate.
 /// @return false: the failed iteration was exact.
-bool leave_convex(StepContext& ctx, Progress& p) noexcept {
+bool leave_convex(context::StepContext& ctx, Progress& p) noexcept {
     if (!ctx.work.newton.convex) return false;
     ctx.work.newton.convex = p.may_be_convex = false;
     p.again = true;  // factor
@@ -196,9 +197,9 @@ bool leave_convex(StepContext& ctx, Progress& p) noexcept {
 }
 
 /// Iterate to the tolerance, or until the limit of iterations or the budget is reached.
-Status run_iterations(StepContext& ctx, double tolerance, const Course& course,
+Status run_iterations(context::StepContext& ctx, double tolerance, const Course& course,
                       Progress p) noexcept {
-    Newton& newton = ctx.work.newton;
+    context::Newton& newton = ctx.work.newton;
     StepStats& stats = ctx.work.stats;
     for (;; ++p.it) {
         if (const Status s = solve_iteration(ctx, course, p); s != Status::ok) {
@@ -207,7 +208,7 @@ Status run_iterations(StepContext& ctx, double tolerance, const Course& course,
         }
         if (const Status s = move_on(ctx, course, p); s != Status::ok) return s;
         const bool last = p.it + 1 >= ctx.model.def.contact_iterations;
-        const double moved = bounds_map(ctx.model, newton);
+        const double moved = solve::bounds_map(ctx.model, newton);
         const bool stop = course.hasty && !affordable(ctx.work);
         const std::int32_t asking = switch_rows(ctx, stop, last);
         p.again = asking > 0;
@@ -237,7 +238,7 @@ Status run_iterations(StepContext& ctx, double tolerance, const Course& course,
 
 /// Run Newton iterations from the current iterate.
 /// @param coupling  Coupling of all contacts.
-Status iterate(StepContext& ctx, nonsmooth::Coupling coupling, double tolerance,
+Status iterate(context::StepContext& ctx, nonsmooth::Coupling coupling, double tolerance,
                Course course = {}) noexcept {
     const Progress begun = begin_iterations(ctx, coupling, course);
     const Status status = run_iterations(ctx, tolerance, course, begun);
@@ -246,25 +247,25 @@ Status iterate(StepContext& ctx, nonsmooth::Coupling coupling, double tolerance,
 }
 
 /// Restart from the velocities and impulses of the contacts.
-void restart(Model& model, Work& work, runtime::Pool& pool) noexcept {
+void restart(context::Model& model, context::Work& work, runtime::Pool& pool) noexcept {
     (void)linearise(model, work, pool, LastLaws::none);
     adopt_laws(model, work.newton, pool, true);
-    update_contacts(model, pool, nullptr);
+    solve::update_contacts(model, pool, nullptr);
     work.solve.rhs_ready = false;
 }
 
-bool solved(const Model& model, const StepStats& stats, Status status) noexcept {
+bool solved(const context::Model& model, const StepStats& stats, Status status) noexcept {
     return status == Status::ok && stats.natural_map <= model.def.contact_tolerance &&
            stats.flips_left == 0;
 }
 
-void soften_by(Model& model, double factor) noexcept {
+void soften_by(context::Model& model, double factor) noexcept {
     for (Cone& c : model.system.contacts.cones) c.sigma_t *= factor;
     for (nonsmooth::Resistance& a : model.system.contacts.resistances.laws) a.sigma *= factor;
 }
 
 /// Set lagged coupling and the impulses of the last step, with contacts at rest.
-void begin_lagged(StepContext& ctx) noexcept {
+void begin_lagged(context::StepContext& ctx) noexcept {
     go_back_to_last(ctx.model, ctx.work.contact_speed);
     for (Cone& c : ctx.model.system.contacts.cones) {
         c.coupling = nonsmooth::Coupling::lagged;
@@ -278,7 +279,7 @@ void begin_lagged(StepContext& ctx) noexcept {
 /// End a step whose lagged matrix, positive but for rounding, has wrong pivots: contacts so stiff
 /// that the masses of other bodies are lost. Solve once with contacts softer by powers of 1,024
 /// until the pivots are right. Pivots that stay wrong are not due to contacts.
-Status end_softened(StepContext& ctx) noexcept {
+Status end_softened(context::StepContext& ctx) noexcept {
     constexpr double kSofter = 1024.0;
     constexpr int kMaximum = 3;
     const auto soften = [&](double factor) {
@@ -291,18 +292,18 @@ Status end_softened(StepContext& ctx) noexcept {
         soften(kSofter);  // powers of two: exactly undone
         softer *= kSofter;
         begin_lagged(ctx);
-        status = newton_solve(ctx, true, true);
+        status = solve::newton_solve(ctx, true, true);
     }
     if (status == Status::ok) {
         project_all(ctx.model);
-        update_contacts(ctx.model, ctx.pool, row_view(ctx.model).v_new);
+        solve::update_contacts(ctx.model, ctx.pool, context::row_view(ctx.model).v_new);
     }
     soften(1.0 / softer);
     return status;
 }
 
 /// Solve with contacts 1,024 and 32 times softer first, each a start for the next (newton.h).
-Status from_soft(StepContext& ctx) noexcept {
+Status from_soft(context::StepContext& ctx) noexcept {
     constexpr double kRough = 1e-2;  // tolerance of a softer system as a start for the next
     for (const double soften : {1024.0, 32.0}) {  // powers of two: undone exactly
         soften_by(ctx.model, soften);
@@ -320,15 +321,16 @@ Status from_soft(StepContext& ctx) noexcept {
 }
 
 /// Set the certificate of contacts in the statistics.
-void state_certificate(const Model& model, Work& work, runtime::Pool& pool) noexcept {
+void state_certificate(const context::Model& model, context::Work& work,
+                       runtime::Pool& pool) noexcept {
     work.stats.natural_map =
-        std::max(worst(model, work.solve, pool), bounds_map(model, work.newton));
+        std::max(worst(model, work.solve, pool), solve::bounds_map(model, work.newton));
 }
 
 }  // namespace
 
-void reserve_newton(const Model& model, Newton& newton) {
-    Newton& n = newton;
+void reserve_newton(const context::Model& model, context::Newton& newton) {
+    context::Newton& n = newton;
     const std::size_t contacts = model.system.contacts.count(),
                       triples = model.system.contacts.triples();
     n.laws.resize(contacts);
@@ -349,13 +351,13 @@ void reserve_newton(const Model& model, Newton& newton) {
     n.touch.resize(contacts);
 }
 
-void begin_newton(Model& model, Work& work, runtime::Pool& pool) noexcept {
+void begin_newton(context::Model& model, context::Work& work, runtime::Pool& pool) noexcept {
     for (Cone& c : model.system.contacts.cones) c.coupling = nonsmooth::Coupling::exact;
     (void)linearise(model, work, pool, LastLaws::none);
     adopt_laws(model, work.newton, pool, true);
 }
 
-bool keep_solution(Model& model, Work& work) noexcept {
+bool keep_solution(context::Model& model, context::Work& work) noexcept {
     if (model.def.nonsmooth != Nonsmooth::newton || model.system.contacts.count() == 0 ||
         !solved(model, work.stats, Status::ok))
         return false;
@@ -363,33 +365,33 @@ bool keep_solution(Model& model, Work& work) noexcept {
     return true;
 }
 
-void begin_newton_again(StepContext& ctx) noexcept {
+void begin_newton_again(context::StepContext& ctx) noexcept {
     recall_contacts(ctx.model, ctx.work.newton);
     restart(ctx.model, ctx.work, ctx.pool);
 }
 
-bool rows_ask(StepContext& ctx) noexcept {
+bool rows_ask(context::StepContext& ctx) noexcept {
     return solved(ctx.model, ctx.work.stats, Status::ok) && !ctx.work.stats.cut &&
            !ctx.model.system.bounded.empty() &&
-           asking_rows(ctx.model, ctx.work, ctx.model.contact_floor) > 0;
+           solve::asking_rows(ctx.model, ctx.work, ctx.model.contact_floor) > 0;
 }
 
 /// Refine the solution. A residual above its tolerance shows factors of laws that are too far from
 /// those of the iterate. In this case factor with the iterate's laws and refine again.
-Status refine_iterate(StepContext& ctx) noexcept {
-    Status status = refine(ctx);
+Status refine_iterate(context::StepContext& ctx) noexcept {
+    Status status = solve::refine(ctx);
     const StepStats& stats = ctx.work.stats;
     const double left = std::max(stats.momentum_residual, stats.constraint_residual);
     if (status != Status::ok || !(left > ctx.model.def.solution_tolerance)) return status;
     adopt_laws(ctx.model, ctx.work.newton, ctx.pool, true);
-    status = newton_solve(ctx, false, true);
-    return status == Status::ok ? refine(ctx) : status;
+    status = solve::newton_solve(ctx, false, true);
+    return status == Status::ok ? solve::refine(ctx) : status;
 }
 
 /// Repeat iterations until the refined iterate obeys the laws of contact. After a line search that
 /// shortened the last iteration, an iterate may obey these laws before refinement, but not after
 /// it.
-Status certify(StepContext& ctx) noexcept {
+Status certify(context::StepContext& ctx) noexcept {
     constexpr int kMaximum = 8;
     const double tolerance = ctx.model.def.contact_tolerance;
     for (int round = 0; round < kMaximum; ++round) {
@@ -397,7 +399,7 @@ Status certify(StepContext& ctx) noexcept {
         Status status = iterate(ctx, nonsmooth::Coupling::exact, tolerance, {.begun = true});
         const bool met = ctx.work.stats.natural_map <= tolerance;
         if (status == Status::ok) status = refine_iterate(ctx);
-        if (status == Status::ok) status = follow_loads(ctx);
+        if (status == Status::ok) status = solve::follow_loads(ctx);
         if (status != Status::ok) return status;
         state_certificate(ctx.model, ctx.work, ctx.pool);
         if (!met) break;  // another iteration would cost as much without progress
@@ -407,25 +409,26 @@ Status certify(StepContext& ctx) noexcept {
 
 /// Repeat iterations until no row requests to switch. A line search may have ended the iterations
 /// when no row requested it yet, before the solution was reached.
-Status settle_rows(StepContext& ctx) noexcept {
+Status settle_rows(context::StepContext& ctx) noexcept {
     constexpr int kMaximum = 8;
     const double tolerance = ctx.model.def.contact_tolerance;
     for (int round = 0; round < kMaximum && !ctx.model.system.bounded.empty(); ++round) {
-        if (asking_rows(ctx.model, ctx.work, ctx.model.contact_floor) == 0) return Status::ok;
-        (void)switch_bounds(ctx.model, ctx.work, ctx.model.contact_floor, kAnyRows);
+        if (solve::asking_rows(ctx.model, ctx.work, ctx.model.contact_floor) == 0)
+            return Status::ok;
+        (void)solve::switch_bounds(ctx.model, ctx.work, ctx.model.contact_floor, solve::kAnyRows);
         restart(ctx.model, ctx.work, ctx.pool);
         Status status = iterate(ctx, nonsmooth::Coupling::exact, tolerance);
         if (status == Status::ok) status = refine_iterate(ctx);
-        if (status == Status::ok) status = follow_loads(ctx);
+        if (status == Status::ok) status = solve::follow_loads(ctx);
         if (status != Status::ok) return status;
         state_certificate(ctx.model, ctx.work, ctx.pool);
         if (status = certify(ctx); status != Status::ok) return status;
     }
-    ctx.work.stats.flips_left += asking_rows(ctx.model, ctx.work, ctx.model.contact_floor);
+    ctx.work.stats.flips_left += solve::asking_rows(ctx.model, ctx.work, ctx.model.contact_floor);
     return Status::ok;
 }
 
-Status solve_newton(StepContext& ctx, bool settled_later) noexcept {
+Status solve_newton(context::StepContext& ctx, bool settled_later) noexcept {
     ctx.work.newton.switch_late = false;
     const bool cold = ctx.state.step == 0;
     const double tolerance = ctx.model.def.contact_tolerance;
@@ -450,18 +453,20 @@ Status solve_newton(StepContext& ctx, bool settled_later) noexcept {
         end_hastily(ctx.model, ctx.work, ctx.pool);
     else if (early && !drowned)
         status = end_early(ctx);
-    if (early) show_held(ctx.model);
+    if (early) solve::show_held(ctx.model);
     // Bounds follow loads of refined solutions only, and projected impulses need the refinement.
     const bool refines = early || !settled_later || !ctx.work.newton.loaded.empty();
     ctx.work.stats.refinements = 0;
     // The laws of a drowned step are factored with softer contacts alone.
-    if (status == Status::ok && refines) status = drowned ? refine(ctx) : refine_iterate(ctx);
-    if (status == Status::ok && !early) status = follow_loads(ctx);
+    if (status == Status::ok && refines)
+        status = drowned ? solve::refine(ctx) : refine_iterate(ctx);
+    if (status == Status::ok && !early) status = solve::follow_loads(ctx);
     if (status != Status::ok) return status;
     // For the final state of the step.
     state_certificate(ctx.model, ctx.work, ctx.pool);
     if (early) {
-        const std::int32_t asking = asking_rows(ctx.model, ctx.work, ctx.model.contact_floor);
+        const std::int32_t asking =
+            solve::asking_rows(ctx.model, ctx.work, ctx.model.contact_floor);
         ctx.work.newton.switch_late = hasty && asking > 0;
         ctx.work.stats.flips_left += asking;
         return Status::ok;
@@ -470,15 +475,15 @@ Status solve_newton(StepContext& ctx, bool settled_later) noexcept {
     return status == Status::ok ? settle_rows(ctx) : status;
 }
 
-Status settle_newton(StepContext& ctx) noexcept {
+Status settle_newton(context::StepContext& ctx) noexcept {
     Status status = Status::ok;
     if (ctx.work.stats.completion_rounds > 0 && !ctx.work.newton.shortened)
-        status = settle_iterations(ctx, false);
+        status = solve::settle_iterations(ctx, false);
     else if (ctx.work.stats.refinements == 0)
-        status = refine(ctx);
+        status = solve::refine(ctx);
     if (status != Status::ok) return status;
     state_certificate(ctx.model, ctx.work, ctx.pool);
     return certify(ctx);
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::contact

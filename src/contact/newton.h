@@ -50,35 +50,35 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::contact {
 
 /// Reserve scratch for the contacts of this step.
 /// @throws std::bad_alloc.
-void reserve_newton(const Model& model, Newton& newton);
+void reserve_newton(const context::Model& model, context::Newton& newton);
 
 /// Linearise about the last step's solution.
-void begin_newton(Model& model, Work& work, runtime::Pool& pool) noexcept;
+void begin_newton(context::Model& model, context::Work& work, runtime::Pool& pool) noexcept;
 
 /// Keep the contacts of a solved step that will be solved again (step/guard.h).
 /// @return false if the step is not solved: begin_newton_again() must not be called.
-[[nodiscard]] bool keep_solution(Model& model, Work& work) noexcept;
+[[nodiscard]] bool keep_solution(context::Model& model, context::Work& work) noexcept;
 /// Linearise about the contacts kept instead of those of the last step. Call after
 /// start_contacts().
-void begin_newton_again(StepContext& ctx) noexcept;
+void begin_newton_again(context::StepContext& ctx) noexcept;
 
 /// Perform stages 6 and 7, with the right-hand side of assemble_rows().
 /// @param settled_later  True if settle_newton() follows, after iterations of rigid joints. The
 /// solution is then left as it is, neither refined nor measured.
-[[nodiscard]] Status solve_newton(StepContext& ctx, bool settled_later = false) noexcept;
+[[nodiscard]] Status solve_newton(context::StepContext& ctx, bool settled_later = false) noexcept;
 /// Measure v₊ and λ after end-of-step constraint iterations. Refine them if their residual is above
 /// solution_tolerance or if no iteration has refined them. Iterate again if contacts no longer obey
 /// their law.
-[[nodiscard]] Status settle_newton(StepContext& ctx) noexcept;
+[[nodiscard]] Status settle_newton(context::StepContext& ctx) noexcept;
 /// Return true if rows at their bounds, or lines, request to switch in the current solution, for
 /// example after end-of-step constraint iterations. False in a step that is not solved or was cut.
-[[nodiscard]] bool rows_ask(StepContext& ctx) noexcept;
+[[nodiscard]] bool rows_ask(context::StepContext& ctx) noexcept;
 /// Switch the rows that request it and iterate again, with contacts, until no row does. After eight
 /// repetitions StepStats::flips_left counts the rows that still request it.
-[[nodiscard]] Status settle_rows(StepContext& ctx) noexcept;
+[[nodiscard]] Status settle_rows(context::StepContext& ctx) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::contact

@@ -14,7 +14,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace hawser::stepper {
+namespace hawser::contact {
 namespace {
 
 using assembly::Contacts;
@@ -22,9 +22,9 @@ using nonsmooth::Cone;
 
 /// Return to the best stored iterate. Its rows are satisfied to rounding, like those of the current
 /// one.
-void take_best(Model& model, Work& work, runtime::Pool& pool) noexcept {
-    const assembly::View v = row_view(model);
-    const Newton& n = work.newton;
+void take_best(context::Model& model, context::Work& work, runtime::Pool& pool) noexcept {
+    const assembly::View v = context::row_view(model);
+    const context::Newton& n = work.newton;
     std::copy_n(n.best_v.begin(), v.dof_count, v.v_new);
     std::copy_n(n.best_lambda.begin(), model.interactions.row_count, v.lambda);
     for (std::size_t k = 0; k < model.system.contacts.count(); ++k) {
@@ -43,7 +43,7 @@ void take_best(Model& model, Work& work, runtime::Pool& pool) noexcept {
 
 }  // namespace
 
-void project_all(Model& model) noexcept {
+void project_all(context::Model& model) noexcept {
     for (Cone& c : model.system.contacts.cones) {
         nonsmooth::project(c.friction, c.lambda);
         for (int i = 0; i < 3; ++i)  // the law in the matrix goes through it
@@ -58,16 +58,18 @@ void project_all(Model& model) noexcept {
     }
 }
 
-void forget_best(Newton& newton) noexcept { newton.best = std::numeric_limits<double>::infinity(); }
+void forget_best(context::Newton& newton) noexcept {
+    newton.best = std::numeric_limits<double>::infinity();
+}
 
-void set_best_aside(Newton& n, double merit) noexcept {
+void set_best_aside(context::Newton& n, double merit) noexcept {
     n.best = merit;
     n.best_v.swap(n.v);
     n.best_lambda.swap(n.lambda);
     n.best_contact.swap(n.contact);
 }
 
-void go_back_to_last(Model& model, base::Array<double>& contact_speed) noexcept {
+void go_back_to_last(context::Model& model, base::Array<double>& contact_speed) noexcept {
     Contacts& contacts = model.system.contacts;
     const double* speed = contact_speed.data();
     for (std::size_t k = 0; k < contacts.count(); ++k, speed += 3) {
@@ -81,7 +83,7 @@ void go_back_to_last(Model& model, base::Array<double>& contact_speed) noexcept 
     contacts.resistances.recall(contacts.rows);
 }
 
-Status end_early(StepContext& ctx) noexcept {
+Status end_early(context::StepContext& ctx) noexcept {
     Contacts& contacts = ctx.model.system.contacts;
     if (ctx.work.newton.best < merit(ctx.model, ctx.work.newton, 0.0))
         take_best(ctx.model, ctx.work, ctx.pool);
@@ -90,18 +92,18 @@ Status end_early(StepContext& ctx) noexcept {
     if (ctx.work.stats.natural_map > kPoor) go_back_to_last(ctx.model, ctx.work.contact_speed);
     ctx.work.stats.flips_left = linearise(ctx.model, ctx.work, ctx.pool, LastLaws::none);
     adopt_laws(ctx.model, ctx.work.newton, ctx.pool, false);
-    if (const Status s = newton_solve(ctx, false, true); s != Status::ok) return s;
+    if (const Status s = solve::newton_solve(ctx, false, true); s != Status::ok) return s;
     project_all(ctx.model);
-    update_contacts(ctx.model, ctx.pool, row_view(ctx.model).v_new);
+    solve::update_contacts(ctx.model, ctx.pool, context::row_view(ctx.model).v_new);
     return Status::ok;
 }
 
-void end_hastily(Model& model, Work& work, runtime::Pool& pool) noexcept {
+void end_hastily(context::Model& model, context::Work& work, runtime::Pool& pool) noexcept {
     // After a single iteration there is no better iterate, which happens when time is short.
     if (std::isfinite(work.newton.best) && work.newton.best < merit(model, work.newton, 0.0))
         take_best(model, work, pool);
     project_all(model);
-    update_contacts(model, pool, row_view(model).v_new);
+    solve::update_contacts(model, pool, context::row_view(model).v_new);
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::contact

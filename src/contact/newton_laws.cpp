@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <functional>
 
-namespace hawser::stepper {
+namespace hawser::contact {
 
 using assembly::Contacts;
 using nonsmooth::Cone;
@@ -38,9 +38,10 @@ void renew_law(Cone& c, nonsmooth::Law& law, std::uint8_t& changes) noexcept {
     }
 }
 
-std::int32_t linearise(Model& model, Work& work, runtime::Pool& pool, LastLaws last) noexcept {
+std::int32_t linearise(context::Model& model, context::Work& work, runtime::Pool& pool,
+                       LastLaws last) noexcept {
     Contacts& contacts = model.system.contacts;
-    Newton& newton = work.newton;
+    context::Newton& newton = work.newton;
     auto some = [&](std::int32_t begin, std::int32_t end) {
         std::int32_t changed = 0;
         for (std::size_t k = at(begin); k < at(end); ++k) {
@@ -56,7 +57,7 @@ std::int32_t linearise(Model& model, Work& work, runtime::Pool& pool, LastLaws l
         }
         return static_cast<double>(changed);
     };
-    auto flips = static_cast<std::int32_t>(merged_over(
+    auto flips = static_cast<std::int32_t>(context::merged_over(
         work.solve, pool, static_cast<std::int32_t>(contacts.count()), some, std::plus<double>()));
     assembly::Resistances& resistances = contacts.resistances;
     for (std::size_t k = 0; k < resistances.count(); ++k) {
@@ -70,8 +71,8 @@ std::int32_t linearise(Model& model, Work& work, runtime::Pool& pool, LastLaws l
     return flips;
 }
 
-double merit(const Model& model, const Newton& newton, double t) noexcept {
-    return bounds_merit(model, newton, t) + contacts_merit(model, newton, t);
+double merit(const context::Model& model, const context::Newton& newton, double t) noexcept {
+    return solve::bounds_merit(model, newton, t) + contacts_merit(model, newton, t);
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::contact

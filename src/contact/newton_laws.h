@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-namespace hawser::stepper {
+namespace hawser::contact {
 
 /// Linearise a contact about the iterate; see linearise().
 /// @param law  In: law of the last iterate; out: the new one.
@@ -25,8 +25,10 @@ enum class LastLaws : std::uint8_t {
 /// these iterations continues with lagged coupling. In the convex phase the laws are those of
 /// convex_phase.h.
 /// @return the number of contacts whose status changed.
-std::int32_t linearise(Model& model, Work& work, runtime::Pool& pool, LastLaws last) noexcept;
+std::int32_t linearise(context::Model& model, context::Work& work, runtime::Pool& pool,
+                       LastLaws last) noexcept;
 /// Return Σ (W + Σ) ‖λ − P‖² over all, at a fraction t of the way: an energy [J].
-[[nodiscard]] double merit(const Model& model, const Newton& newton, double t) noexcept;
+[[nodiscard]] double merit(const context::Model& model, const context::Newton& newton,
+                           double t) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::contact

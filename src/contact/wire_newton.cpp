@@ -12,7 +12,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace hawser::stepper {
+namespace hawser::contact {
 namespace {
 
 using assembly::View;
@@ -45,20 +45,22 @@ void element_block(const View& v, std::int32_t id, double out[9]) noexcept {
 }
 
 /// Return the node of a body in a chain, −1: fixed.
-std::int32_t node_in(const WireChains& chains, std::int32_t chain, std::int32_t body) noexcept {
+std::int32_t node_in(const context::WireChains& chains, std::int32_t chain,
+                     std::int32_t body) noexcept {
     return body >= 0 && chains.chain_of[at(body)] == chain ? chains.node_of[at(body)] : -1;
 }
 
 /// Fill in the elements of a chain and add their stiffness.
 /// @return false if one of them has no compliance or is replaced by another force.
-bool read_elements(const Model& model, Newton& newton, const View& v, std::int32_t chain) noexcept {
-    const WireChains& chains = newton.chains;
-    WireNewton& wire = newton.wire;
+bool read_elements(const context::Model& model, context::Newton& newton, const View& v,
+                   std::int32_t chain) noexcept {
+    const context::WireChains& chains = newton.chains;
+    context::WireNewton& wire = newton.wire;
     const std::int32_t begin = chains.begin[at(chain)], end = chains.begin[at(chain) + 1];
     wire.nodes = end - begin + 1;
     std::fill_n(wire.stiffness.begin(), wire.nodes, ChainBlock{});
     for (std::int32_t k = begin; k < end; ++k) {
-        WireElement& e = wire.elements[at(k - begin)];
+        context::WireElement& e = wire.elements[at(k - begin)];
         e.index = chains.element[at(k)];
         e.id = model.system.bounded[at(e.index)];
         e.sigma = v.sigma[v.row_begin[e.id]];
@@ -90,9 +92,9 @@ bool read_elements(const Model& model, Newton& newton, const View& v, std::int32
 }
 
 /// Add the blocks of the nodes; fixed ones keep their velocity.
-void read_nodes(const Newton& newton, WireNewton& wire, const View& v, std::int32_t chain,
-                const Model& model) noexcept {
-    const WireChains& chains = newton.chains;
+void read_nodes(const context::Newton& newton, context::WireNewton& wire, const View& v,
+                std::int32_t chain, const context::Model& model) noexcept {
+    const context::WireChains& chains = newton.chains;
     const std::int32_t begin = chains.begin[at(chain)];
     for (std::int32_t node = 0; node < wire.nodes; ++node) {
         ChainBlock& block = wire.stiffness[at(node)];
@@ -114,7 +116,8 @@ void read_nodes(const Newton& newton, WireNewton& wire, const View& v, std::int3
 }
 
 /// Return the chain of the first node that a contact acts on, −1: none.
-std::int32_t chain_of_contact(const WireChains& chains, const assembly::ContactRow& row) noexcept {
+std::int32_t chain_of_contact(const context::WireChains& chains,
+                              const assembly::ContactRow& row) noexcept {
     for (int slot = 0; slot < row.slots; ++slot) {
         const std::int32_t body = row.slot[slot].body;
         if (body >= 0 && chains.chain_of[at(body)] >= 0) return chains.chain_of[at(body)];
@@ -123,9 +126,9 @@ std::int32_t chain_of_contact(const WireChains& chains, const assembly::ContactR
 }
 
 /// List the contacts of each chain, ascending.
-void list_wire_contacts(const Model& model, Newton& newton) noexcept {
+void list_wire_contacts(const context::Model& model, context::Newton& newton) noexcept {
     const assembly::Contacts& contacts = model.system.contacts;
-    WireNewton& wire = newton.wire;
+    context::WireNewton& wire = newton.wire;
     std::fill(wire.begin.begin(), wire.begin.end(), 0);
     for (std::size_t k = 0; k < contacts.count(); ++k)
         if (const std::int32_t c = chain_of_contact(newton.chains, contacts.rows[k]); c >= 0)
@@ -140,11 +143,12 @@ void list_wire_contacts(const Model& model, Newton& newton) noexcept {
     wire.begin.back() = all;
 }
 
-void read_contacts(const Model& model, Newton& newton, std::int32_t chain) noexcept {
+void read_contacts(const context::Model& model, context::Newton& newton,
+                   std::int32_t chain) noexcept {
     const assembly::Contacts& contacts = model.system.contacts;
-    WireNewton& wire = newton.wire;
+    context::WireNewton& wire = newton.wire;
     for (std::size_t i = 0; i < contacts_of(wire, chain); ++i) {
-        WireContact& c = wire.contacts[i];
+        context::WireContact& c = wire.contacts[i];
         c.contact = wire.contact[at(wire.begin[at(chain)]) + i];
         const assembly::ContactRow& row = contacts.rows[at(c.contact)];
         for (int slot = 0; slot < row.slots; ++slot)
@@ -161,10 +165,10 @@ void read_contacts(const Model& model, Newton& newton, std::int32_t chain) noexc
 double part_way(double from, double to, double t) noexcept { return from + t * (to - from); }
 
 /// Return Σ (W + Σ) ‖λ − P‖² at a fraction t of the way, as merit().
-double wire_merit(const WireNewton& wire, std::size_t contacts, double t) noexcept {
+double wire_merit(const context::WireNewton& wire, std::size_t contacts, double t) noexcept {
     double sum = 0.0;
     for (std::int32_t k = 0; k + 1 < wire.nodes; ++k) {
-        const WireElement& e = wire.elements[at(k)];
+        const context::WireElement& e = wire.elements[at(k)];
         const double lambda = part_way(e.from.lambda, e.to.lambda, t), scale = e.mobility + e.sigma;
         const double error = lambda - std::min(0.0, lambda + part_way(e.from.r, e.to.r, t) / scale);
         sum += scale * error * error;
@@ -185,10 +189,10 @@ double wire_merit(const WireNewton& wire, std::size_t contacts, double t) noexce
 }
 
 /// Return ψ of convex_phase.h.
-double wire_slope(const WireNewton& wire, std::size_t contacts, double t) noexcept {
+double wire_slope(const context::WireNewton& wire, std::size_t contacts, double t) noexcept {
     double sum = 0.0;
     for (std::int32_t k = 0; k + 1 < wire.nodes; ++k) {
-        const WireElement& e = wire.elements[at(k)];
+        const context::WireElement& e = wire.elements[at(k)];
         const double from = e.from.r + e.sigma * e.from.lambda, to = e.to.r + e.sigma * e.to.lambda;
         const double impulse = std::min(0.0, part_way(from, to, t) / e.sigma);
         sum += (part_way(e.from.lambda, e.to.lambda, t) - impulse) * (from - to);
@@ -198,7 +202,8 @@ double wire_slope(const WireNewton& wire, std::size_t contacts, double t) noexce
     return sum;
 }
 
-double fraction_of_way(const WireNewton& wire, std::size_t contacts, double before) noexcept {
+double fraction_of_way(const context::WireNewton& wire, std::size_t contacts,
+                       double before) noexcept {
     if (wire.convex)
         return fraction_without_slope([&](double t) { return wire_slope(wire, contacts, t); });
     double now = wire_merit(wire, contacts, 1.0), best = now, best_t = 1.0, t = 1.0;
@@ -212,13 +217,13 @@ double fraction_of_way(const WireNewton& wire, std::size_t contacts, double befo
     return best_t;
 }
 
-void keep_wire_iterate(WireNewton& wire, std::size_t contacts, double t) noexcept {
+void keep_wire_iterate(context::WireNewton& wire, std::size_t contacts, double t) noexcept {
     for (std::int32_t k = 0; k + 1 < wire.nodes; ++k) {
-        WireElement& e = wire.elements[at(k)];
+        context::WireElement& e = wire.elements[at(k)];
         e.from = {part_way(e.from.lambda, e.to.lambda, t), part_way(e.from.r, e.to.r, t)};
     }
     for (std::size_t i = 0; i < contacts; ++i) {
-        WireContact& c = wire.contacts[i];
+        context::WireContact& c = wire.contacts[i];
         for (int j = 0; j < 3; ++j) {
             c.from[j] = c.cone.u[j] = part_way(c.from[j], c.cone.u[j], t);
             c.from[3 + j] = c.cone.lambda[j] = part_way(c.from[3 + j], c.cone.lambda[j], t);
@@ -228,12 +233,13 @@ void keep_wire_iterate(WireNewton& wire, std::size_t contacts, double t) noexcep
 
 /// Switch elements that request it.
 /// @return their number.
-std::int32_t switch_elements(const Model& model, const View& v, WireNewton& wire) noexcept {
+std::int32_t switch_elements(const context::Model& model, const View& v,
+                             context::WireNewton& wire) noexcept {
     std::int32_t asking = 0;
     for (std::int32_t k = 0; k + 1 < wire.nodes; ++k) {
-        WireElement& e = wire.elements[at(k)];
+        context::WireElement& e = wire.elements[at(k)];
         if (v.parted[e.id] != 0) continue;
-        const double scale = e.sigma + (wire.convex ? kConvexFraction : 1.0) * e.mobility;
+        const double scale = e.sigma + (wire.convex ? context::kConvexFraction : 1.0) * e.mobility;
         const double wanted = std::min(0.0, (e.active ? e.from.lambda : 0.0) + e.from.r / scale);
         if ((wanted < 0.0) == e.active) continue;
         if (std::fabs(wanted - e.from.lambda) <= model.contact_floor) continue;
@@ -243,7 +249,8 @@ std::int32_t switch_elements(const Model& model, const View& v, WireNewton& wire
     return asking;
 }
 
-double worst_of_wire(const Model& model, const WireNewton& wire, std::size_t contacts) noexcept {
+double worst_of_wire(const context::Model& model, const context::WireNewton& wire,
+                     std::size_t contacts) noexcept {
     double largest = 0.0;
     for (std::size_t i = 0; i < contacts; ++i) {
         const double e = nonsmooth::natural_map(wire.contacts[i].cone, model.contact_floor);
@@ -252,9 +259,9 @@ double worst_of_wire(const Model& model, const WireNewton& wire, std::size_t con
     return largest;
 }
 
-void renew_wire_laws(WireNewton& wire, std::size_t contacts) noexcept {
+void renew_wire_laws(context::WireNewton& wire, std::size_t contacts) noexcept {
     for (std::size_t i = 0; i < contacts; ++i) {
-        WireContact& c = wire.contacts[i];
+        context::WireContact& c = wire.contacts[i];
         if (wire.convex)
             c.law = nonsmooth::linearise(convex_cone(c.cone), c.cone.touch);
         else
@@ -264,8 +271,9 @@ void renew_wire_laws(WireNewton& wire, std::size_t contacts) noexcept {
 
 /// Iterate to convergence.
 /// @return false if the iterations did not converge.
-bool iterate_wire(const Model& model, Work& work, const View& v, std::int32_t chain) noexcept {
-    WireNewton& wire = work.newton.wire;
+bool iterate_wire(const context::Model& model, context::Work& work, const View& v,
+                  std::int32_t chain) noexcept {
+    context::WireNewton& wire = work.newton.wire;
     const std::size_t contacts = contacts_of(wire, chain);
     const double tolerance = 0.1 * model.def.contact_tolerance;
     wire.convex = false;
@@ -293,10 +301,11 @@ bool iterate_wire(const Model& model, Work& work, const View& v, std::int32_t ch
     return false;
 }
 
-void adopt_wire(Model& model, Work& work, const View& v, std::int32_t chain) noexcept {
-    WireNewton& wire = work.newton.wire;
+void adopt_wire(context::Model& model, context::Work& work, const View& v,
+                std::int32_t chain) noexcept {
+    context::WireNewton& wire = work.newton.wire;
     for (std::int32_t k = 0; k + 1 < wire.nodes; ++k) {
-        const WireElement& e = wire.elements[at(k)];
+        const context::WireElement& e = wire.elements[at(k)];
         if (v.parted[e.id] != 0 || e.active == (v.active[e.id] != 0.0)) continue;
         v.active[e.id] = e.active ? 1.0 : 0.0;
         work.solve.losses_known = false;
@@ -305,21 +314,21 @@ void adopt_wire(Model& model, Work& work, const View& v, std::int32_t chain) noe
         v.lambda[v.row_begin[e.id]] = 0.0;
     }
     for (std::size_t i = 0; i < contacts_of(wire, chain); ++i) {
-        const WireContact& c = wire.contacts[i];
+        const context::WireContact& c = wire.contacts[i];
         work.newton.laws[at(c.contact)] = c.law;
         model.system.contacts.cones[at(c.contact)].touch = c.cone.touch;
     }
 }
 
 /// True if a chain is unsettled in the global iterate.
-bool is_unsettled(const Model& model, const Work& work, const View& v,
+bool is_unsettled(const context::Model& model, const context::Work& work, const View& v,
                   std::int32_t chain) noexcept {
-    const WireChains& chains = work.newton.chains;
+    const context::WireChains& chains = work.newton.chains;
     for (std::int32_t k = chains.begin[at(chain)]; k < chains.begin[at(chain) + 1]; ++k) {
         const std::int32_t i = chains.element[at(k)];
         if (v.active[model.system.bounded[at(i)]] != work.solve.factored_active[at(i)]) return true;
     }
-    const WireNewton& wire = work.newton.wire;
+    const context::WireNewton& wire = work.newton.wire;
     return std::any_of(wire.contact.begin() + wire.begin[at(chain)],
                        wire.contact.begin() + wire.begin[at(chain) + 1], [&](std::int32_t k) {
                            const Cone& c = model.system.contacts.cones[at(k)];
@@ -329,15 +338,15 @@ bool is_unsettled(const Model& model, const Work& work, const View& v,
 
 }  // namespace
 
-void reserve_wire_newton(const Model& model, Newton& newton) {
+void reserve_wire_newton(const context::Model& model, context::Newton& newton) {
     newton.wire.contacts.resize(model.system.contacts.count());
     newton.wire.contact.resize(model.system.contacts.count());
 }
 
-void settle_wire_contacts(Model& model, Work& work) noexcept {
-    Newton& newton = work.newton;
+void settle_wire_contacts(context::Model& model, context::Work& work) noexcept {
+    context::Newton& newton = work.newton;
     if (newton.chains.begin.size() < 2) return;
-    const View v = row_view(model);
+    const View v = context::row_view(model);
     list_wire_contacts(model, newton);
     for (std::int32_t chain = 0; chain + 1 < static_cast<std::int32_t>(newton.chains.begin.size());
          ++chain) {
@@ -349,4 +358,4 @@ void settle_wire_contacts(Model& model, Work& work) noexcept {
     }
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::contact

@@ -28,15 +28,15 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::contact {
 
 /// Reserve arrays for the contacts of this step.
 /// @throws std::bad_alloc.
-void reserve_wire_newton(const Model& model, Newton& newton);
+void reserve_wire_newton(const context::Model& model, context::Newton& newton);
 
 /// Solve each line with an element that has switched since the matrix was factored, or with a
 /// contact farther from its law than settled lines are. Call after linearise(), whose laws it
 /// replaces.
-void settle_wire_contacts(Model& model, Work& work) noexcept;
+void settle_wire_contacts(context::Model& model, context::Work& work) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::contact

@@ -5,13 +5,13 @@
 
 #include <algorithm>
 
-namespace hawser::stepper {
+namespace hawser::contact {
 namespace {
 
 using nonsmooth::ChainBlock;
 
 /// Add element e, between nodes k and k + 1, to the matrix and the right-hand side.
-void add_element(const WireElement& e, ChainBlock* nodes) noexcept {
+void add_element(const context::WireElement& e, ChainBlock* nodes) noexcept {
     const double inverse = e.active ? 1.0 / e.sigma : 0.0;
     const double impulse = e.active ? e.from.r * inverse : -e.from.lambda;
     for (int i = 0; i < 3; ++i) {
@@ -32,7 +32,7 @@ void times3(const double* a, const double* x, double* out) noexcept {
 }
 
 /// Add a contact: Jᵀ S J and Jᵀ(p − S u − λ), with J = w E for a slot.
-void add_contact(const WireContact& c, const assembly::ContactRow& row,
+void add_contact(const context::WireContact& c, const assembly::ContactRow& row,
                  std::vector<ChainBlock>& nodes) noexcept {
     const double* e = row.axis;
     double se[9] = {}, ese[9] = {}, su[3], f[3];
@@ -62,17 +62,19 @@ void add_contact(const WireContact& c, const assembly::ContactRow& row,
 }
 
 /// Compute the results of the velocities δv of the nodes.
-void finish_solve_of(const Model& model, WireNewton& wire, std::int32_t chain) noexcept {
+void finish_solve_of(const context::Model& model, context::WireNewton& wire,
+                     std::int32_t chain) noexcept {
     for (std::int32_t k = 0; k + 1 < wire.nodes; ++k) {
-        WireElement& e = wire.elements[at(k)];
+        context::WireElement& e = wire.elements[at(k)];
         double speed = 0.0;
         for (int i = 0; i < 3; ++i)
             speed += e.g[0][i] * wire.matrix[at(k)].x[i] + e.g[1][i] * wire.matrix[at(k) + 1].x[i];
         const double asked = e.from.r + e.sigma * e.from.lambda - speed;
-        e.to = e.active ? BoundedRow{asked / e.sigma, 0.0} : BoundedRow{0.0, asked};
+        e.to =
+            e.active ? context::BoundedRow{asked / e.sigma, 0.0} : context::BoundedRow{0.0, asked};
     }
     for (std::size_t i = 0; i < contacts_of(wire, chain); ++i) {
-        WireContact& c = wire.contacts[i];
+        context::WireContact& c = wire.contacts[i];
         const assembly::ContactRow& row = model.system.contacts.rows[at(c.contact)];
         double change[3] = {}, along[3], su[3];
         for (int s = 0; s < row.slots; ++s) {
@@ -89,12 +91,13 @@ void finish_solve_of(const Model& model, WireNewton& wire, std::int32_t chain) n
 
 }  // namespace
 
-bool solve_wire(const Model& model, WireNewton& wire, std::int32_t chain) noexcept {
+bool solve_wire(const context::Model& model, context::WireNewton& wire,
+                std::int32_t chain) noexcept {
     std::copy_n(wire.stiffness.begin(), wire.nodes, wire.matrix.begin());
     for (std::int32_t k = 0; k + 1 < wire.nodes; ++k)
         add_element(wire.elements[at(k)], &wire.matrix[at(k)]);
     for (std::size_t i = 0; i < contacts_of(wire, chain); ++i) {
-        const WireContact& c = wire.contacts[i];
+        const context::WireContact& c = wire.contacts[i];
         add_contact(c, model.system.contacts.rows[at(c.contact)], wire.matrix);
     }
     if (!nonsmooth::solve_block_chain(at(wire.nodes), wire.matrix.data())) return false;
@@ -102,4 +105,4 @@ bool solve_wire(const Model& model, WireNewton& wire, std::int32_t chain) noexce
     return true;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::contact

@@ -9,15 +9,17 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace hawser::stepper {
+namespace hawser::contact {
 
 /// Number of contacts of a chain.
-[[nodiscard]] inline std::size_t contacts_of(const WireNewton& wire, std::int32_t chain) noexcept {
+[[nodiscard]] inline std::size_t contacts_of(const context::WireNewton& wire,
+                                             std::int32_t chain) noexcept {
     return at(wire.begin[at(chain) + 1] - wire.begin[at(chain)]);
 }
 
 /// Solve with the laws and statuses in `wire`; the result is in the elements and cones.
 /// @return false if the matrix is singular.
-[[nodiscard]] bool solve_wire(const Model& model, WireNewton& wire, std::int32_t chain) noexcept;
+[[nodiscard]] bool solve_wire(const context::Model& model, context::WireNewton& wire,
+                              std::int32_t chain) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::contact

@@ -5,7 +5,7 @@
 
 #include <hawser/stats.h>
 
-namespace hawser::stepper {
+namespace hawser::context {
 
 struct StepContext;
 
@@ -24,4 +24,4 @@ class Actors {
     ~Actors() = default;
 };
 
-}  // namespace hawser::stepper
+}  // namespace hawser::context

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace hawser::stepper {
+namespace hawser::context {
 
 void reserve_sleep(const Model& model, Sleep& sleep) {
     sleep.island.resize(at(model.bodies.count()));
@@ -37,4 +37,4 @@ void disturb(Model& model, std::int32_t body) noexcept {
     if (moves(model.bodies, body)) model.bodies.quiet[at(body)] = 0;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::context

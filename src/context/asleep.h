@@ -5,7 +5,7 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::context {
 
 /// Upper limit of the number of steps for which a body counts as at rest.
 inline constexpr std::int32_t kMaxQuiet = 1'000'000'000;
@@ -31,4 +31,4 @@ void disturb(Model& model, std::int32_t body) noexcept;
 /// which bodies rested on it.
 void disturb_all(Model& model) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::context

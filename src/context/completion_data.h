@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace hawser::stepper {
+namespace hawser::context {
 
 /// Offsets of the impulse and the record of a joint.
 struct JointSlot {
@@ -31,4 +31,4 @@ struct Completion {
     bool banned = false;  ///< True if the step is being solved again without completion.
 };
 
-}  // namespace hawser::stepper
+}  // namespace hawser::context

@@ -44,7 +44,7 @@
 #include <utility>
 #include <vector>
 
-namespace hawser::stepper {
+namespace hawser::context {
 
 /// Model of a step, constant between two preparations of the system. Exception: bodies,
 /// interactions, wires, cuts and groups contain parts of the state in their own arrays.
@@ -74,7 +74,7 @@ struct State {
     /// measured first and required refinement (solve.cpp).
     int refine_unasked = 0;
     Ledger ledger;
-    LoadStore loads;
+    assembly::LoadStore loads;
     MonitorData monitor;
     EventLog events;
     collide::ContactSet contacts;         ///< Contacts of the current or last step.
@@ -129,11 +129,11 @@ struct JointWork {
 
 /// Data for the limits of a step's cost: src/budget.
 struct LimitWork {
-    Budget budget;
-    Deadline deadline;
-    CutLevels cut_levels;
-    Coarsening coarsening;
-    Laps laps;                  ///< Laps of the current step, if a budget needs times.
+    budget::Budget budget;
+    budget::Deadline deadline;
+    budget::CutLevels cut_levels;
+    budget::Coarsening coarsening;
+    budget::Laps laps;          ///< Laps of the current step, if a budget needs times.
     std::int64_t analyses = 0;  ///< StepStats::plans and repairs when the solver began.
     bool knew_levels = false;   ///< True if levels of cuts had been searched by then.
 };
@@ -186,4 +186,4 @@ struct StepContext {
     }
 };
 
-}  // namespace hawser::stepper
+}  // namespace hawser::context

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "context/copies.h"
 
-namespace hawser::stepper {
+namespace hawser::context {
 
 bool has_cuts(const Model& model) noexcept { return !model.cuts.list.empty(); }
 
@@ -31,4 +31,4 @@ std::int32_t speaker(const Model& model, std::int32_t id) noexcept {
     return copy == 0 || model.cuts.of[at(copy - 1)] != of ? of : -1;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::context

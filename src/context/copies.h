@@ -6,7 +6,7 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::context {
 
 /// True if some interactions have copies, even if no cut is in force.
 [[nodiscard]] bool has_cuts(const Model& model) noexcept;
@@ -32,4 +32,4 @@ namespace hawser::stepper {
     return {&in.body[kMaxInteractionBodies * at(id)], in.bodies[at(id)]};
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::context

@@ -9,9 +9,11 @@
 #include <memory>
 #include <vector>
 
-namespace hawser::stepper {
-
+namespace hawser::split {
 struct Clique;
+}  // namespace hawser::split
+
+namespace hawser::context {
 
 /// A ghost body: `body` is the ghost, `of` the original.
 struct GhostBody {
@@ -44,9 +46,9 @@ struct Cuts {
     std::vector<std::int32_t> of;    ///< Original interaction of each duplicate.
     std::vector<double> touch;       ///< Packed like v: Jᵀλ of contacts in the last step [N s].
     std::vector<std::int32_t> part;  ///< Scratch: union-find over bodies.
-    std::shared_ptr<Clique> clique;  ///< Data of predictor clique, see clique.h.
+    std::shared_ptr<split::Clique> clique;  ///< Data of predictor clique, see clique.h.
     int interfaces = 0;       ///< Number of pairs of groups with a cut of Coupling::deadline.
     std::uint64_t asked = 0;  ///< Requested interfaces; active if possible. Part of the state.
 };
 
-}  // namespace hawser::stepper
+}  // namespace hawser::context

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace hawser::stepper {
+namespace hawser::context {
 
 /// Changes that the system has to follow before the next step.
 enum class Changed : std::uint8_t {
@@ -25,4 +25,4 @@ struct Edits {
     }
 };
 
-}  // namespace hawser::stepper
+}  // namespace hawser::context

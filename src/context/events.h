@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace hawser::stepper {
+namespace hawser::context {
 
 /// Events since the last take(): the newest of each kind, in memory of fixed size. After
 /// construction only take() allocates.
@@ -144,4 +144,4 @@ class EventLog {
     std::int64_t total_ = 0;
 };
 
-}  // namespace hawser::stepper
+}  // namespace hawser::context

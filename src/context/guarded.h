@@ -7,7 +7,7 @@
 
 #include <new>
 
-namespace hawser::stepper {
+namespace hawser::context {
 
 /// Call f(), which may throw std::bad_alloc or LimitError, and return its status.
 template <class F>
@@ -23,4 +23,4 @@ Status guarded(StepContext& ctx, F&& f) noexcept {
     return Status::ok;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::context

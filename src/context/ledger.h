@@ -3,7 +3,7 @@
 /// @file ledger.h
 /// Sums of energy that a step continues.
 
-namespace hawser::stepper {
+namespace hawser::context {
 
 /// Energy that edits of the world add [J]; negative if they remove energy.
 struct Edited {
@@ -35,4 +35,4 @@ struct Ledger {
     double damped = 0.0;
 };
 
-}  // namespace hawser::stepper
+}  // namespace hawser::context

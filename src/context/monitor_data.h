@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace hawser::stepper {
+namespace hawser::context {
 
 /// A sum with its decaying extrema.
 struct DecayingExtremes {
@@ -109,4 +109,4 @@ struct MonitorData {
     Verdict verdict;
 };
 
-}  // namespace hawser::stepper
+}  // namespace hawser::context

@@ -15,7 +15,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace hawser::stepper {
+namespace hawser::context {
 
 /// Fraction θ of the mobility W in ρ of contacts and rows during the convex phase of iterations
 /// (contact/convex_phase.h).
@@ -125,4 +125,4 @@ struct Newton {
     bool shortened = false;
 };
 
-}  // namespace hawser::stepper
+}  // namespace hawser::context

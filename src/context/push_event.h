@@ -5,8 +5,8 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::context {
 
 void push_event(StepContext& ctx, EventKind kind, std::int32_t id, double value) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::context

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace hawser::stepper {
+namespace hawser::context {
 
 struct Regroup {
     static constexpr std::int64_t kSettle = 10;  ///< Steps until forces can be used as weights.
@@ -35,4 +35,4 @@ struct Regroup {
     std::vector<double> active;
 };
 
-}  // namespace hawser::stepper
+}  // namespace hawser::context

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace hawser::stepper {
+namespace hawser::context {
 
 /// Scratch of sleep.h, by body.
 struct Sleep {
@@ -14,4 +14,4 @@ struct Sleep {
     std::vector<std::uint8_t> mark;    ///< Mark of the first body of an island.
 };
 
-}  // namespace hawser::stepper
+}  // namespace hawser::context

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <span>
 
-namespace hawser::stepper {
+namespace hawser::context {
 
 /// Run f(begin, end) over chunks of [0, count).
 template <class F>
@@ -65,4 +65,4 @@ void over_interactions(const Model& model, runtime::Pool& pool, F&& f) noexcept 
     pool.for_each(strips.count(), strip);
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::context

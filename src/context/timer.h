@@ -8,7 +8,7 @@
 
 #include <chrono>
 
-namespace hawser::stepper {
+namespace hawser::context {
 
 /// Timer of a stage: counts the time to the end of the scope, without that of inner timers.
 class StageTimer {
@@ -81,4 +81,4 @@ auto timed(StepContext& ctx, Stage stage, F&& f) noexcept {
     return f(ctx);
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::context

@@ -19,7 +19,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace hawser::stepper {
+namespace hawser::context {
 
 /// Pending work before the system may be used.
 enum class PendingRepair : std::uint8_t {
@@ -102,4 +102,4 @@ struct Undo {
     std::int32_t contact_count = 0;
 };
 
-}  // namespace hawser::stepper
+}  // namespace hawser::context

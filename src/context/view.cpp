@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "context/view.h"
 
-namespace hawser::stepper {
+namespace hawser::context {
 
 assembly::View row_view(Model& model) noexcept {
     return model.system.view(model.bodies, model.interactions, model.def);
@@ -13,4 +13,4 @@ assembly::View view(StepContext& ctx) noexcept {
     return v;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::context

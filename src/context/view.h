@@ -5,7 +5,7 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::context {
 
 /// Return a view of all bodies and interactions, with the loads of systems on bodies.
 [[nodiscard]] assembly::View view(StepContext& ctx) noexcept;
@@ -14,4 +14,4 @@ namespace hawser::stepper {
 /// reads rows and velocities. Kernels for body terms and for the matrix use view().
 [[nodiscard]] assembly::View row_view(Model& model) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::context

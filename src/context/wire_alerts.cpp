@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hawser::stepper {
+namespace hawser::context {
 namespace {
 
 /// Duration for which a flagged wire is damped; the longer of the two applies.
@@ -100,4 +100,4 @@ void update_wire_flags(Model& model) noexcept {
     w.stale = false;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::context

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace hawser::stepper {
+namespace hawser::context {
 
 /// Return the number of steps for which a wire stays damped after it was rejected.
 [[nodiscard]] std::int32_t max_flag_steps(double step) noexcept;
@@ -33,4 +33,4 @@ void begin_recoil(Model& model, std::int32_t id, bool fresh) noexcept;
 /// repaired.
 void update_wire_flags(Model& model) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::context

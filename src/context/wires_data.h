@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace hawser::stepper {
+namespace hawser::context {
 
 /// Elements and nodes of one wire that are processed together.
 struct WirePart {
@@ -72,4 +72,4 @@ struct WireWork {
     Wires made;
 };
 
-}  // namespace hawser::stepper
+}  // namespace hawser::context

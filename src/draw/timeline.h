@@ -6,7 +6,7 @@
 
 #include "draw/drawing.h"
 
-#include <hawser/schedule.h>
+#include <hawser/experimental/schedule.h>
 #include <hawser/trace.h>
 
 #include <array>

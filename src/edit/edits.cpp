@@ -11,13 +11,13 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hawser::stepper {
+namespace hawser::edit {
 namespace {
 
 using generic::V3;
 
 /// Return the end of a line at the half step before the poses, as held_by_element() does.
-V3 end_half_way(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
+V3 end_half_way(const context::StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
     const model::Bodies& b = ctx.model.bodies;
     const auto body = at(ctx.model.interactions.body[kMaxInteractionBodies * at(id) + slot]);
     const int dof = b.dof(static_cast<int>(body));
@@ -36,7 +36,7 @@ V3 end_half_way(const StepContext& ctx, std::int32_t id, std::size_t slot) noexc
 }
 
 /// Return ½ (l − l₀)²/ε of a line by its true length.
-double energy_of_line(const StepContext& ctx, std::int32_t id) noexcept {
+double energy_of_line(const context::StepContext& ctx, std::int32_t id) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     const auto row = at(in.row_begin[at(id)]);
     const double rest = in.rest_length[at(id)];
@@ -47,9 +47,10 @@ double energy_of_line(const StepContext& ctx, std::int32_t id) noexcept {
     return 0.5 * longer * longer / in.epsilon[row];
 }
 
-void disturb_bodies(StepContext& ctx, std::int32_t id) noexcept {
+void disturb_bodies(context::StepContext& ctx, std::int32_t id) noexcept {
     for (std::size_t b = 0; b < ctx.model.interactions.bodies[at(id)]; ++b)
-        disturb(ctx.model, ctx.model.interactions.body[kMaxInteractionBodies * at(id) + b]);
+        context::disturb(ctx.model,
+                         ctx.model.interactions.body[kMaxInteractionBodies * at(id) + b]);
 }
 
 /// Keep the remaining entries of an array with an entry per contact of the last step.
@@ -66,7 +67,7 @@ void compact(A& array, const std::vector<std::uint8_t>& stays, std::size_t each)
 
 }  // namespace
 
-void forget_contacts(StepContext& ctx, std::int32_t shape) noexcept {
+void forget_contacts(context::StepContext& ctx, std::int32_t shape) noexcept {
     const auto& kept = ctx.model.collider.kept();
     std::vector<std::uint8_t>& stays = ctx.work.edits_stay;
     stays.resize(kept.size());  // reserve_edit() has reserved the capacity
@@ -79,7 +80,7 @@ void forget_contacts(StepContext& ctx, std::int32_t shape) noexcept {
         // Wake the bodies on both sides of the contact.
         for (const auto& side : c.memory[i].body)
             for (const std::int32_t b : side)
-                if (b >= 0) disturb(ctx.model, b);
+                if (b >= 0) context::disturb(ctx.model, b);
     }
     if (!any) return;
     std::vector<collide::Contact>& shown = ctx.state.contacts.contacts;
@@ -96,31 +97,31 @@ void forget_contacts(StepContext& ctx, std::int32_t shape) noexcept {
     ctx.work.stats.contacts = static_cast<std::int32_t>(shown.size());
 }
 
-void reserve_edit(StepContext& ctx) {
+void reserve_edit(context::StepContext& ctx) {
     base::reserve_more(ctx.state.edits.interactions, 1);
     ctx.work.edits_stay.reserve(ctx.model.collider.kept().size());
     ctx.model.collider.reserve_more();
 }
 
-void begin_edit(StepContext& ctx) noexcept {
-    ctx.state.changed = Changed::all;
-    join_model(ctx.model);
+void begin_edit(context::StepContext& ctx) noexcept {
+    ctx.state.changed = context::Changed::all;
+    split::join_model(ctx.model);
     ctx.state.edits.any = ctx.state.edits.any || ctx.state.started;
 }
 
-void begin_shape_edit(StepContext& ctx) noexcept {
+void begin_shape_edit(context::StepContext& ctx) noexcept {
     // Cuts have ghost bodies, which have no shapes.
-    const bool alone =
-        ctx.state.started && ctx.state.changed != Changed::all && !may_split(ctx.model);
+    const bool alone = ctx.state.started && ctx.state.changed != context::Changed::all &&
+                       !split::may_split(ctx.model);
     begin_edit(ctx);
-    if (alone) ctx.state.changed = Changed::shapes;
+    if (alone) ctx.state.changed = context::Changed::shapes;
 }
 
-double energy_of_body(const StepContext& ctx, std::int32_t body) noexcept {
+double energy_of_body(const context::StepContext& ctx, std::int32_t body) noexcept {
     const model::Bodies& b = ctx.model.bodies;
     const int dof = b.dof(body);
     if (!ctx.state.started || dof == 0) return 0.0;
-    double energy = kinetic_energy_of(b, body, b.v.data());
+    double energy = assembly::kinetic_energy_of(b, body, b.v.data());
     const double* v = &b.v[at(b.dof_begin[at(body)])];
     for (int k = 0; k < 3 && dof != 1 && b.weight[at(body)] != 0; ++k)
         energy -= b.mass[at(body)] * ctx.model.def.gravity[k] *
@@ -128,7 +129,7 @@ double energy_of_body(const StepContext& ctx, std::int32_t body) noexcept {
     return energy;
 }
 
-double energy_of_interaction(const StepContext& ctx, std::int32_t id) noexcept {
+double energy_of_interaction(const context::StepContext& ctx, std::int32_t id) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     if (!ctx.state.started || (in.flags[at(id)] & model::kFriction)) return 0.0;
     const KindInfo& kind = kind_info(in.def[at(id)].kind);
@@ -136,7 +137,7 @@ double energy_of_interaction(const StepContext& ctx, std::int32_t id) noexcept {
     return in.elastic(id, ctx.model.bodies, ctx.model.def.step);
 }
 
-double piece_energy(const StepContext& ctx, std::int32_t id) noexcept {
+double piece_energy(const context::StepContext& ctx, std::int32_t id) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     const model::Bodies& b = ctx.model.bodies;
     const std::int32_t* body = &in.body[kMaxInteractionBodies * at(id)];
@@ -149,45 +150,45 @@ double piece_energy(const StepContext& ctx, std::int32_t id) noexcept {
     return 0.5 * in.pair_mass[at(id)] * sum;
 }
 
-void settle_body(StepContext& ctx, std::int32_t body) noexcept {
+void settle_body(context::StepContext& ctx, std::int32_t body) noexcept {
     ctx.state.ledger.edited.given += energy_of_body(ctx, body);
 }
 
-void settle_interaction(StepContext& ctx, std::int32_t id) noexcept {
+void settle_interaction(context::StepContext& ctx, std::int32_t id) noexcept {
     ctx.state.ledger.edited.given += energy_of_interaction(ctx, id) - piece_energy(ctx, id);
     if (ctx.state.started) ctx.state.edits.interactions.push_back(id);
     disturb_bodies(ctx, id);
 }
 
-void settle_shape(StepContext& ctx, std::int32_t shape) noexcept {
+void settle_shape(context::StepContext& ctx, std::int32_t shape) noexcept {
     if (ctx.work.stats.asleep == 0) return;
     ctx.model.collider.each_near(shape, ctx.model.bodies, ctx.model.def.step,
                                  [&](const collide::Shape& other) {
                                      for (const std::int32_t b : other.body)
-                                         if (b >= 0) disturb(ctx.model, b);
+                                         if (b >= 0) context::disturb(ctx.model, b);
                                  });
     for (const std::int32_t b : ctx.model.collider.shapes()[at(shape)].body)
-        if (b >= 0) disturb(ctx.model, b);
+        if (b >= 0) context::disturb(ctx.model, b);
 }
 
-void remove_body(StepContext& ctx, std::int32_t body) noexcept {
+void remove_body(context::StepContext& ctx, std::int32_t body) noexcept {
     ctx.state.ledger.edited.given -= energy_of_body(ctx, body);
     if (ctx.model.bodies.asleep[at(body)] != 0) --ctx.work.stats.asleep;
     ctx.model.bodies.remove(body);
 }
 
-void remove_interaction(StepContext& ctx, std::int32_t id) noexcept {
+void remove_interaction(context::StepContext& ctx, std::int32_t id) noexcept {
     ctx.state.ledger.edited.given -= energy_of_interaction(ctx, id) - piece_energy(ctx, id);
     disturb_bodies(ctx, id);
     std::erase(ctx.state.edits.interactions, id);
     ctx.model.interactions.remove(id, ctx.model.bodies);
 }
 
-void remove_shape(StepContext& ctx, std::int32_t shape) noexcept {
+void remove_shape(context::StepContext& ctx, std::int32_t shape) noexcept {
     forget_contacts(ctx, shape);
     for (const std::int32_t b : ctx.model.collider.shapes()[at(shape)].body)
-        if (b >= 0) disturb(ctx.model, b);
+        if (b >= 0) context::disturb(ctx.model, b);
     ctx.model.collider.remove(shape);
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::edit

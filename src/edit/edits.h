@@ -24,41 +24,45 @@
 
 #include <cstdint>
 
-namespace hawser::stepper {
-
+namespace hawser::context {
 struct StepContext;
+}  // namespace hawser::context
+
+namespace hawser::edit {
 
 /// Prepare for a change of the set of bodies, interactions or shapes. reserve_edit() reserves
 /// capacity for one more note. @throws std::bad_alloc.
-void reserve_edit(StepContext& ctx);
-void begin_edit(StepContext& ctx) noexcept;
+void reserve_edit(context::StepContext& ctx);
+void begin_edit(context::StepContext& ctx) noexcept;
 /// Prepare for a change of shapes alone.
-void begin_shape_edit(StepContext& ctx) noexcept;
+void begin_shape_edit(context::StepContext& ctx) noexcept;
 
 /// Return the kinetic and gravity energy of a body half a step before its pose [J].
-[[nodiscard]] double energy_of_body(const StepContext& ctx, std::int32_t body) noexcept;
+[[nodiscard]] double energy_of_body(const context::StepContext& ctx, std::int32_t body) noexcept;
 /// Return the elastic energy of an interaction half a step before the poses [J].
-[[nodiscard]] double energy_of_interaction(const StepContext& ctx, std::int32_t id) noexcept;
+[[nodiscard]] double energy_of_interaction(const context::StepContext& ctx,
+                                           std::int32_t id) noexcept;
 
 /// Return the excess of the kinetic energy of two end nodes over that of an element that moves as a
 /// straight piece [J]. If the element breaks, the nodes move independently.
-[[nodiscard]] double piece_energy(const StepContext& ctx, std::int32_t id) noexcept;
+[[nodiscard]] double piece_energy(const context::StepContext& ctx, std::int32_t id) noexcept;
 /// Return the elastic energy of an element of a wire, and the reduction of the kinetic energy of
 /// its nodes by its mass.
-[[nodiscard]] inline Edited energy_of_element(const StepContext& ctx, std::int32_t id) noexcept {
+[[nodiscard]] inline context::Edited energy_of_element(const context::StepContext& ctx,
+                                                       std::int32_t id) noexcept {
     return {-piece_energy(ctx, id), energy_of_interaction(ctx, id)};
 }
 
 /// Finish an addition after it was written into the model.
-void settle_body(StepContext& ctx, std::int32_t body) noexcept;
-void settle_interaction(StepContext& ctx, std::int32_t id) noexcept;
-void settle_shape(StepContext& ctx, std::int32_t shape) noexcept;
+void settle_body(context::StepContext& ctx, std::int32_t body) noexcept;
+void settle_interaction(context::StepContext& ctx, std::int32_t id) noexcept;
+void settle_shape(context::StepContext& ctx, std::int32_t shape) noexcept;
 
 /// Remove an object. A body must have no interactions and no shapes.
-void remove_body(StepContext& ctx, std::int32_t body) noexcept;
-void remove_interaction(StepContext& ctx, std::int32_t id) noexcept;
-void remove_shape(StepContext& ctx, std::int32_t shape) noexcept;
+void remove_body(context::StepContext& ctx, std::int32_t body) noexcept;
+void remove_interaction(context::StepContext& ctx, std::int32_t id) noexcept;
+void remove_shape(context::StepContext& ctx, std::int32_t shape) noexcept;
 /// Delete the contacts of a shape in the last step. reserve_edit() has reserved the capacity.
-void forget_contacts(StepContext& ctx, std::int32_t shape) noexcept;
+void forget_contacts(context::StepContext& ctx, std::int32_t shape) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::edit

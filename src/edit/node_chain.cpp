@@ -6,10 +6,10 @@
 
 #include <algorithm>
 
-namespace hawser::stepper {
+namespace hawser::edit {
 namespace {
 
-NodeChain::Piece piece_of(const StepContext& ctx, std::int32_t id) noexcept {
+NodeChain::Piece piece_of(const context::StepContext& ctx, std::int32_t id) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     NodeChain::Piece p;
     p.id = id;
@@ -24,7 +24,8 @@ NodeChain::Piece piece_of(const StepContext& ctx, std::int32_t id) noexcept {
     return p;
 }
 
-NodeChain::Lump node_at(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
+NodeChain::Lump node_at(const context::StepContext& ctx, std::int32_t id,
+                        std::size_t slot) noexcept {
     NodeChain::Lump l;
     l.body = end_of(ctx, id, slot);
     l.point = is_lump(ctx, l.body);
@@ -41,7 +42,7 @@ bool is_here(const NodeChain& chain, std::int32_t id) noexcept {
 
 }  // namespace
 
-NodeChain chain_about(const StepContext& ctx, const NodeSurroundings& place) noexcept {
+NodeChain chain_about(const context::StepContext& ctx, const NodeSurroundings& place) noexcept {
     NodeChain out;
     out.half = 0.5 * ctx.model.def.step;
     std::size_t pieces = 0;
@@ -138,4 +139,4 @@ void fit_lengths(NodeChain& chain) noexcept {
     }
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::edit

@@ -13,9 +13,11 @@
 #include <array>
 #include <cstddef>
 
-namespace hawser::stepper {
-
+namespace hawser::context {
 struct StepContext;
+}  // namespace hawser::context
+
+namespace hawser::edit {
 
 /// Bodies along the wire, and the elements between neighbours.
 struct NodeChain {
@@ -51,7 +53,8 @@ struct NodeChain {
     }
 };
 
-[[nodiscard]] NodeChain chain_about(const StepContext& ctx, const NodeSurroundings& place) noexcept;
+[[nodiscard]] NodeChain chain_about(const context::StepContext& ctx,
+                                    const NodeSurroundings& place) noexcept;
 
 /// Return the chain with the same material without the node: the piece before it extends to the
 /// next node.
@@ -72,4 +75,4 @@ struct NodeMomentum {
 /// Set the rest lengths with which the pieces near free nodes keep their forces at the poses.
 void fit_lengths(NodeChain& chain) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::edit

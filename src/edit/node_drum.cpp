@@ -22,9 +22,10 @@
 
 #include <cmath>
 
-namespace hawser::stepper {
+namespace hawser::edit {
 
-bool release_drum_node(StepContext& ctx, const NodeSurroundings& place, double bend) noexcept {
+bool release_drum_node(context::StepContext& ctx, const NodeSurroundings& place,
+                       double bend) noexcept {
     model::Interactions& in = ctx.model.interactions;
     model::Bodies& bodies = ctx.model.bodies;
     const bool at_first = is_wound(ctx, place.first);
@@ -69,4 +70,4 @@ bool release_drum_node(StepContext& ctx, const NodeSurroundings& place, double b
     return true;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::edit

@@ -5,18 +5,18 @@
 
 #include <algorithm>
 
-namespace hawser::stepper {
+namespace hawser::edit {
 namespace {
 
 constexpr std::size_t kSlots = kMaxInteractionBodies;
 
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-bool is_routed(const StepContext& ctx, std::int32_t id) noexcept {
+bool is_routed(const context::StepContext& ctx, std::int32_t id) noexcept {
     return kind_info(ctx.model.interactions.kinds[at(id)]).is(kRouted);
 }
 
-Vec3 arm_of(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
+Vec3 arm_of(const context::StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
     const model::Bodies& b = ctx.model.bodies;
     const auto body = at(end_of(ctx, id, slot));
     if (is_routed(ctx, id))
@@ -29,19 +29,19 @@ Vec3 arm_of(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept 
 
 }  // namespace
 
-bool is_bend(const StepContext& ctx, std::int32_t id) noexcept {
+bool is_bend(const context::StepContext& ctx, std::int32_t id) noexcept {
     const KindInfo& kind = kind_info(ctx.model.interactions.kinds[at(id)]);
     return kind.is(kOfWires) && !kind.is(kAlongLine) && kind.bodies == 3;
 }
 
-std::int32_t end_of(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
+std::int32_t end_of(const context::StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
     return ctx.model.interactions.body[kSlots * at(id) + slot];
 }
-bool is_lump(const StepContext& ctx, std::int32_t body) noexcept {
+bool is_lump(const context::StepContext& ctx, std::int32_t body) noexcept {
     return ctx.model.bodies.kind[at(body)] == BodyKind::lump;
 }
 
-NodeLinks links_of(const StepContext& ctx, std::int32_t body) noexcept {
+NodeLinks links_of(const context::StepContext& ctx, std::int32_t body) noexcept {
     NodeLinks out;
     const model::Interactions& in = ctx.model.interactions;
     in.for_each_holder(body, ctx.model.bodies, [&](std::int32_t id, std::size_t slot) {
@@ -57,7 +57,7 @@ NodeLinks links_of(const StepContext& ctx, std::int32_t body) noexcept {
     return out;
 }
 
-std::int32_t bend_at(const StepContext& ctx, std::int32_t middle, std::int32_t other,
+std::int32_t bend_at(const context::StepContext& ctx, std::int32_t middle, std::int32_t other,
                      std::size_t side) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     std::int32_t out = -1;
@@ -69,7 +69,7 @@ std::int32_t bend_at(const StepContext& ctx, std::int32_t middle, std::int32_t o
     return out;
 }
 
-std::int32_t next_bend(const StepContext& ctx, std::span<const std::int32_t> bodies,
+std::int32_t next_bend(const context::StepContext& ctx, std::span<const std::int32_t> bodies,
                        std::int32_t after) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     std::int32_t out = -1;
@@ -81,25 +81,25 @@ std::int32_t next_bend(const StepContext& ctx, std::span<const std::int32_t> bod
     return out;
 }
 
-double mass_of_element(const StepContext& ctx, std::int32_t element) noexcept {
+double mass_of_element(const context::StepContext& ctx, std::int32_t element) noexcept {
     return 6.0 * ctx.model.interactions.pair_mass[at(element)];
 }
 
-bool is_of_material(const StepContext& ctx, std::int32_t element) noexcept {
+bool is_of_material(const context::StepContext& ctx, std::int32_t element) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     return (in.flags[at(element)] & model::kFromLength) != 0 &&
            !kind_info(in.kinds[at(element)]).is(kWoundUp);
 }
 
-bool is_wound(const StepContext& ctx, std::int32_t element) noexcept {
+bool is_wound(const context::StepContext& ctx, std::int32_t element) noexcept {
     return kind_info(ctx.model.interactions.kinds[at(element)]).is(kWoundUp);
 }
-std::size_t drum_side(const StepContext& ctx, std::int32_t element) noexcept {
+std::size_t drum_side(const context::StepContext& ctx, std::int32_t element) noexcept {
     if (is_routed(ctx, element))
         return ctx.model.interactions.def[at(element)].get("radius") > 0.0 ? 0 : 1;
     return is_lump(ctx, end_of(ctx, element, 0)) ? 1 : 0;
 }
-Vec3 inflow_of(const StepContext& ctx, std::int32_t element, double beyond,
+Vec3 inflow_of(const context::StepContext& ctx, std::int32_t element, double beyond,
                const base::Array<double>& packed) noexcept {
     const model::Bodies& b = ctx.model.bodies;
     const auto drum = at(end_of(ctx, element, 2));
@@ -113,25 +113,25 @@ Vec3 inflow_of(const StepContext& ctx, std::int32_t element, double beyond,
     return more * beyond * speed / ctx.model.interactions.rest_length[at(element)] * (more * chord);
 }
 
-double length_of(const StepContext& ctx, std::int32_t id) noexcept {
+double length_of(const context::StepContext& ctx, std::int32_t id) noexcept {
     if (!is_routed(ctx, id)) return (point_of(ctx, id, 1) - point_of(ctx, id, 0)).norm();
     const InteractionDef& d = ctx.model.interactions.def[at(id)];
     const double slide = ctx.model.bodies.x[3 * at(end_of(ctx, id, 2))];
     return ctx.model.interactions.line_shape(id, ctx.model.bodies).longer + d.params[0] +
            d.params[4] * (slide - d.params[5]);
 }
-double beyond_straight(const StepContext& ctx, std::int32_t id) noexcept {
+double beyond_straight(const context::StepContext& ctx, std::int32_t id) noexcept {
     if (!is_routed(ctx, id)) return 1.0;
     return length_of(ctx, id) / (point_of(ctx, id, 1) - point_of(ctx, id, 0)).norm();
 }
-double straight_fraction(const StepContext& ctx, std::int32_t id, double share) noexcept {
+double straight_fraction(const context::StepContext& ctx, std::int32_t id, double share) noexcept {
     if (!is_routed(ctx, id)) return share;
     const double more = beyond_straight(ctx, id);
     // Counted from the end that is not at a drum or guide.
     const double out = drum_side(ctx, id) == 0 ? 1.0 - more * (1.0 - share) : more * share;
     return std::clamp(out, 0.0, 1.0);
 }
-Vec3 held_at(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
+Vec3 held_at(const context::StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
     if (!is_routed(ctx, id)) return ctx.model.interactions.def[at(id)].point[slot];
     const model::Bodies& b = ctx.model.bodies;
     const auto body = end_of(ctx, id, slot);
@@ -139,12 +139,12 @@ Vec3 held_at(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept
     return Eigen::Map<const RowMajor>(&b.r[9 * at(body)]).transpose() * arm_of(ctx, id, slot);
 }
 
-Vec3 point_of(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
+Vec3 point_of(const context::StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
     const double* x = &ctx.model.bodies.x[3 * at(end_of(ctx, id, slot))];
     return Vec3(x[0], x[1], x[2]) + arm_of(ctx, id, slot);
 }
 
-Vec3 speed_of(const StepContext& ctx, std::int32_t id, std::size_t slot,
+Vec3 speed_of(const context::StepContext& ctx, std::int32_t id, std::size_t slot,
               const base::Array<double>& packed) noexcept {
     const model::Bodies& b = ctx.model.bodies;
     const auto body = at(end_of(ctx, id, slot));
@@ -154,18 +154,18 @@ Vec3 speed_of(const StepContext& ctx, std::int32_t id, std::size_t slot,
     return dof == 3 ? lin : Vec3(lin + Vec3(v[3], v[4], v[5]).cross(arm_of(ctx, id, slot)));
 }
 
-double tension_of(const StepContext& ctx, std::int32_t id) noexcept {
+double tension_of(const context::StepContext& ctx, std::int32_t id) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     const double length = length_of(ctx, id);
     const double pull = (length - in.rest_length[at(id)]) / in.epsilon[at(in.row_begin[at(id)])];
     return (in.flags[at(id)] & model::kOneSided) ? std::max(0.0, pull) : pull;
 }
-double stiffness_of(const StepContext& ctx, std::int32_t id) noexcept {
+double stiffness_of(const context::StepContext& ctx, std::int32_t id) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     return in.rest_length[at(id)] / in.epsilon[at(in.row_begin[at(id)])];
 }
 
-double rate_of(const StepContext& ctx, std::int32_t id) noexcept {
+double rate_of(const context::StepContext& ctx, std::int32_t id) noexcept {
     const model::Bodies& b = ctx.model.bodies;
     const Vec3 u = (point_of(ctx, id, 1) - point_of(ctx, id, 0)).normalized();
     double rate = u.dot(speed_of(ctx, id, 1, b.v) - speed_of(ctx, id, 0, b.v));
@@ -176,12 +176,12 @@ double rate_of(const StepContext& ctx, std::int32_t id) noexcept {
 }
 /// Return τ of the step's formula at a constant rate, which includes the numerical damping of stiff
 /// rows (row_constants.h): λ = −(h/ε)(g + (h/4)(1/Υ − recall) ġ).
-double damping_time_of(const StepContext& ctx, std::int32_t id) noexcept {
+double damping_time_of(const context::StepContext& ctx, std::int32_t id) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     const auto row = at(in.row_begin[at(id)]);
     return 0.25 * ctx.model.def.step * (1.0 / in.upsilon[row] - in.recall[row]);
 }
-double force_of(const StepContext& ctx, std::int32_t id) noexcept {
+double force_of(const context::StepContext& ctx, std::int32_t id) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     const auto row = at(in.row_begin[at(id)]);
     const double length = length_of(ctx, id);
@@ -190,7 +190,8 @@ double force_of(const StepContext& ctx, std::int32_t id) noexcept {
         in.epsilon[row];
     return (in.flags[at(id)] & model::kOneSided) ? std::max(0.0, pull) : pull;
 }
-double rest_for(const StepContext& ctx, std::int32_t id, double force, double stiffness) noexcept {
+double rest_for(const context::StepContext& ctx, std::int32_t id, double force,
+                double stiffness) noexcept {
     const double length = length_of(ctx, id);
     const double damped = damping_time_of(ctx, id) * rate_of(ctx, id);
     // A rate that would move by about the length of the element is not a strain.
@@ -199,7 +200,7 @@ double rest_for(const StepContext& ctx, std::int32_t id, double force, double st
            (1.0 + force / stiffness);
 }
 
-Vec3 weight_of(const StepContext& ctx, std::int32_t id, double mass) noexcept {
+Vec3 weight_of(const context::StepContext& ctx, std::int32_t id, double mass) noexcept {
     const model::Bodies& b = ctx.model.bodies;
     Vec3 applied = Vec3::Zero();
     int lumps = 0;
@@ -226,7 +227,7 @@ Vec3 sag_of(const Vec3& chord, double share, const Vec3& weight, double tension)
     return across * std::min(sag, most / std::max(across.norm(), 1e-300));
 }
 
-void set_element(StepContext& ctx, std::int32_t id, double rest, double mass,
+void set_element(context::StepContext& ctx, std::int32_t id, double rest, double mass,
                  double tension) noexcept {
     model::Interactions& in = ctx.model.interactions;
     InteractionDef& d = in.def[at(id)];
@@ -248,19 +249,21 @@ void set_element(StepContext& ctx, std::int32_t id, double rest, double mass,
     if (tension > 0.0) in.active[at(id)] = 1.0;
 }
 
-void add_mass(StepContext& ctx, std::int32_t body, double more, const Vec3& damping) noexcept {
+void add_mass(context::StepContext& ctx, std::int32_t body, double more,
+              const Vec3& damping) noexcept {
     model::Bodies& b = ctx.model.bodies;
     if (!is_lump(ctx, body)) return;
     b.mass[at(body)] += more;
     for (std::size_t k = 0; k < 3; ++k) b.damping[6 * at(body) + k] += damping[static_cast<int>(k)];
 }
-Vec3 damping_of(const StepContext& ctx, std::int32_t body) noexcept {
+Vec3 damping_of(const context::StepContext& ctx, std::int32_t body) noexcept {
     if (!is_lump(ctx, body)) return Vec3::Zero();
     const double* d = &ctx.model.bodies.damping[6 * at(body)];
     return {d[0], d[1], d[2]};
 }
 
-void set_bend(StepContext& ctx, std::int32_t id, std::int32_t one, std::int32_t other) noexcept {
+void set_bend(context::StepContext& ctx, std::int32_t id, std::int32_t one,
+              std::int32_t other) noexcept {
     if (id < 0 || one < 0 || other < 0) return;
     model::Interactions& in = ctx.model.interactions;
     InteractionDef& d = in.def[at(id)];
@@ -273,7 +276,7 @@ void set_bend(StepContext& ctx, std::int32_t id, std::int32_t one, std::int32_t 
     in.refresh(id, ctx.model.bodies, ctx.model.def.step);
 }
 
-void follow_masses(StepContext& ctx, const NodeSurroundings& place) noexcept {
+void follow_masses(context::StepContext& ctx, const NodeSurroundings& place) noexcept {
     model::Interactions& in = ctx.model.interactions;
     // Ends of the elements at the node; gear may hold them as well.
     std::int32_t lumps[4] = {-1, -1, -1, -1};
@@ -289,4 +292,4 @@ void follow_masses(StepContext& ctx, const NodeSurroundings& place) noexcept {
             });
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::edit

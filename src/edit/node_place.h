@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace hawser::stepper {
+namespace hawser::edit {
 
 /// Number of nodes on each side of a node that follow its motion.
 inline constexpr int kNodeReach = 4;
@@ -21,4 +21,4 @@ struct NodeSurroundings {
     std::int32_t bend[3] = {-1, -1, -1};  ///< Bends with middle a, n, b; −1: none.
 };
 
-}  // namespace hawser::stepper
+}  // namespace hawser::edit

@@ -40,7 +40,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hawser::stepper {
+namespace hawser::edit {
 namespace {
 
 constexpr int kWide = 3 * (2 * kNodeReach + 2);  // includes free ends of the wire within reach
@@ -226,7 +226,7 @@ bool keep_energy(NodeChain& now, const Patch& patch, double energy, bool any) no
     return true;
 }
 
-void write_nodes(StepContext& ctx, const NodeChain& now) noexcept {
+void write_nodes(context::StepContext& ctx, const NodeChain& now) noexcept {
     model::Bodies& b = ctx.model.bodies;
     for (std::size_t k = 0; k < now.count; ++k) {
         const NodeChain::Lump& l = now.lump[k];
@@ -244,7 +244,7 @@ void write_nodes(StepContext& ctx, const NodeChain& now) noexcept {
 
 }  // namespace
 
-bool release_node(StepContext& ctx, const NodeSurroundings& place, double bend) noexcept {
+bool release_node(context::StepContext& ctx, const NodeSurroundings& place, double bend) noexcept {
     model::Interactions& in = ctx.model.interactions;
     NodeChain was = chain_about(ctx, place);
     const std::size_t n = was.middle;
@@ -285,4 +285,4 @@ bool release_node(StepContext& ctx, const NodeSurroundings& place, double bend) 
     return true;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::edit

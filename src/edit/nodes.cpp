@@ -11,7 +11,7 @@
 #include <array>
 #include <span>
 
-namespace hawser::stepper {
+namespace hawser::edit {
 namespace {
 
 /// Elements near a node, each listed once, and the bodies at their ends.
@@ -21,7 +21,7 @@ struct About {
     std::size_t elements = 0, lumps = 0;
 };
 
-About about(const StepContext& ctx, const NodeSurroundings& place) noexcept {
+About about(const context::StepContext& ctx, const NodeSurroundings& place) noexcept {
     About out;
     const auto add_lump = [&](std::int32_t body) {
         const auto end = out.lump.begin() + static_cast<std::ptrdiff_t>(out.lumps);
@@ -41,9 +41,10 @@ About about(const StepContext& ctx, const NodeSurroundings& place) noexcept {
 }
 
 /// Return the kinetic, gravity and elastic energy near a node [J].
-Edited energy_about(const StepContext& ctx, const NodeSurroundings& place) noexcept {
+context::Edited energy_about(const context::StepContext& ctx,
+                             const NodeSurroundings& place) noexcept {
     const About all = about(ctx, place);
-    Edited sum;
+    context::Edited sum;
     for (std::size_t k = 0; k < all.lumps; ++k) sum.given += energy_of_body(ctx, all.lump[k]);
     for (std::size_t k = 0; k < all.elements; ++k) sum += energy_of_element(ctx, all.element[k]);
     const std::span<const std::int32_t> lumps(all.lump.data(), all.lumps);
@@ -54,7 +55,7 @@ Edited energy_about(const StepContext& ctx, const NodeSurroundings& place) noexc
 
 }  // namespace
 
-bool find_place(const StepContext& ctx, NodeSurroundings& place) noexcept {
+bool find_place(const context::StepContext& ctx, NodeSurroundings& place) noexcept {
     if (place.first < 0) {
         const NodeLinks links = links_of(ctx, place.node);
         place.first = links.before;
@@ -86,7 +87,8 @@ bool find_place(const StepContext& ctx, NodeSurroundings& place) noexcept {
     return a != b;
 }
 
-NodeDef node_on(const StepContext& ctx, std::int32_t element, double share, double mass) noexcept {
+NodeDef node_on(const context::StepContext& ctx, std::int32_t element, double share,
+                double mass) noexcept {
     NodeDef out;
     const Vec3 a = point_of(ctx, element, 0), b = point_of(ctx, element, 1);
     const bool wound = is_wound(ctx, element);
@@ -111,19 +113,20 @@ NodeDef node_on(const StepContext& ctx, std::int32_t element, double share, doub
     return out;
 }
 
-NodeLedger begin_node_edit(const StepContext& ctx, const NodeSurroundings& place) noexcept {
+NodeLedger begin_node_edit(const context::StepContext& ctx,
+                           const NodeSurroundings& place) noexcept {
     return {energy_about(ctx, place), ctx.state.ledger.edited};
 }
 
-void end_node_edit(StepContext& ctx, const NodeSurroundings& place,
+void end_node_edit(context::StepContext& ctx, const NodeSurroundings& place,
                    const NodeLedger& was) noexcept {
     ctx.state.ledger.edited = was.edited + energy_about(ctx, place) - was.local;
     const About all = about(ctx, place);
-    for (std::size_t k = 0; k < all.lumps; ++k) disturb(ctx.model, all.lump[k]);
+    for (std::size_t k = 0; k < all.lumps; ++k) context::disturb(ctx.model, all.lump[k]);
 }
 
-void settle_node(StepContext& ctx, const NodeSurroundings& place, std::int32_t old, double share,
-                 double mass) noexcept {
+void settle_node(context::StepContext& ctx, const NodeSurroundings& place, std::int32_t old,
+                 double share, double mass) noexcept {
     model::Interactions& in = ctx.model.interactions;
     model::Bodies& bodies = ctx.model.bodies;
     const std::int32_t e = place.first, f = place.second, n = place.node;
@@ -171,4 +174,4 @@ void settle_node(StepContext& ctx, const NodeSurroundings& place, std::int32_t o
     follow_masses(ctx, place);
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::edit

@@ -40,9 +40,11 @@
 
 #include <cstdint>
 
-namespace hawser::stepper {
-
+namespace hawser::context {
 struct StepContext;
+}  // namespace hawser::context
+
+namespace hawser::edit {
 
 /// Properties of a node to insert on an element.
 struct NodeDef {
@@ -55,33 +57,33 @@ struct NodeDef {
 
 /// Energies before an edit [J].
 struct NodeLedger {
-    Edited local, edited;
+    context::Edited local, edited;
 };
 
 /// Complete the surroundings of an element (`first`) or, if that is −1, of a node (`node`). @return
 /// false if the node has other interactions, or is not between two elements of which the second
 /// begins at the end of the first.
-[[nodiscard]] bool find_place(const StepContext& ctx, NodeSurroundings& place) noexcept;
+[[nodiscard]] bool find_place(const context::StepContext& ctx, NodeSurroundings& place) noexcept;
 
 /// Compute the properties of a node on an element. @param share  σ of e. @param mass  Mass of the
 /// element [kg].
-[[nodiscard]] NodeDef node_on(const StepContext& ctx, std::int32_t element, double share,
+[[nodiscard]] NodeDef node_on(const context::StepContext& ctx, std::int32_t element, double share,
                               double mass) noexcept;
 
 /// Store the energies near a node before an edit.
-[[nodiscard]] NodeLedger begin_node_edit(const StepContext& ctx,
+[[nodiscard]] NodeLedger begin_node_edit(const context::StepContext& ctx,
                                          const NodeSurroundings& place) noexcept;
 
 /// Finish the insertion of n, the other element and the bend at n. `old` ends at n, and all have
 /// their masses, lengths and forces. @param old  The earlier element, e or f. @param mass  Its
 /// earlier mass [kg].
-void settle_node(StepContext& ctx, const NodeSurroundings& place, std::int32_t old, double share,
-                 double mass) noexcept;
+void settle_node(context::StepContext& ctx, const NodeSurroundings& place, std::int32_t old,
+                 double share, double mass) noexcept;
 
 /// Extend e to b, and set the motion near n to that of the wire without it. The caller removes f, n
 /// and the bend at n. @param bend  Maximum angle between e and f [rad]. @return false if the angle
 /// is larger or energy would grow; the state is then unchanged.
-[[nodiscard]] bool release_node(StepContext& ctx, const NodeSurroundings& place,
+[[nodiscard]] bool release_node(context::StepContext& ctx, const NodeSurroundings& place,
                                 double bend) noexcept;
 /// Fraction of half an element that a node between two elements loaded by drums or guides keeps.
 inline constexpr double kKeptMass = 1e-2;
@@ -91,11 +93,12 @@ inline constexpr double kKeptMass = 1e-2;
     return has > (1.0 + 1e-3) * half;
 }
 /// Apply release_node() if the remaining element lies on a drum.
-[[nodiscard]] bool release_drum_node(StepContext& ctx, const NodeSurroundings& place,
+[[nodiscard]] bool release_drum_node(context::StepContext& ctx, const NodeSurroundings& place,
                                      double bend) noexcept;
 
 /// Book the change of the edit as edited (Energy::edited). @param place  Surroundings after the
 /// edit.
-void end_node_edit(StepContext& ctx, const NodeSurroundings& place, const NodeLedger& was) noexcept;
+void end_node_edit(context::StepContext& ctx, const NodeSurroundings& place,
+                   const NodeLedger& was) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::edit

@@ -13,11 +13,11 @@
 #include <span>
 #include <utility>
 
-namespace hawser::stepper {
+namespace hawser::edit {
 namespace {
 
 /// Set the rest length with which an element keeps its tension after its chord changed.
-void keep_tension(StepContext& ctx, std::int32_t id, double tension) noexcept {
+void keep_tension(context::StepContext& ctx, std::int32_t id, double tension) noexcept {
     if (!(tension > 0.0) || kind_info(ctx.model.interactions.kinds[at(id)]).is(kWoundUp)) return;
     const double stiffness = stiffness_of(ctx, id);
     const double chord = (point_of(ctx, id, 1) - point_of(ctx, id, 0)).norm();
@@ -25,14 +25,14 @@ void keep_tension(StepContext& ctx, std::int32_t id, double tension) noexcept {
     set_element(ctx, id, chord / (1.0 + tension / stiffness), mass_of_element(ctx, id), tension);
 }
 
-double* velocity_of(base::Array<double>& packed, const StepContext& ctx,
+double* velocity_of(base::Array<double>& packed, const context::StepContext& ctx,
                     std::int32_t body) noexcept {
     return &packed[at(ctx.model.bodies.dof_begin[at(body)])];
 }
 
 }  // namespace
 
-NodeFraction fraction_of(const StepContext& ctx, std::int32_t lump, std::int32_t first,
+NodeFraction fraction_of(const context::StepContext& ctx, std::int32_t lump, std::int32_t first,
                          std::int32_t second) noexcept {
     const double whole = ctx.model.bodies.mass[at(lump)];
     NodeFraction out;
@@ -49,7 +49,7 @@ NodeFraction fraction_of(const StepContext& ctx, std::int32_t lump, std::int32_t
     return out;
 }
 
-void split_node(StepContext& ctx, std::int32_t from, std::int32_t to,
+void split_node(context::StepContext& ctx, std::int32_t from, std::int32_t to,
                 const NodeFraction& share) noexcept {
     model::Bodies& b = ctx.model.bodies;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -64,9 +64,9 @@ void split_node(StepContext& ctx, std::int32_t from, std::int32_t to,
     b.mass[at(from)] -= share.mass;
 }
 
-Edited splice_energy(const StepContext& ctx, std::int32_t a, std::int32_t b, std::int32_t ea,
-                     std::int32_t eb) noexcept {
-    Edited sum{energy_of_body(ctx, a) + (b >= 0 ? energy_of_body(ctx, b) : 0.0), 0.0};
+context::Edited splice_energy(const context::StepContext& ctx, std::int32_t a, std::int32_t b,
+                              std::int32_t ea, std::int32_t eb) noexcept {
+    context::Edited sum{energy_of_body(ctx, a) + (b >= 0 ? energy_of_body(ctx, b) : 0.0), 0.0};
     for (const std::int32_t id : {ea, eb == ea ? -1 : eb})
         if (id >= 0) sum += energy_of_element(ctx, id);
     const std::array<std::int32_t, 2> both{a, b};
@@ -76,7 +76,7 @@ Edited splice_energy(const StepContext& ctx, std::int32_t a, std::int32_t b, std
     return sum;
 }
 
-void merge_nodes(StepContext& ctx, std::int32_t a, std::int32_t b, std::int32_t ea,
+void merge_nodes(context::StepContext& ctx, std::int32_t a, std::int32_t b, std::int32_t ea,
                  std::int32_t eb) noexcept {
     model::Bodies& bodies = ctx.model.bodies;
     const double pull[2] = {tension_of(ctx, ea), tension_of(ctx, eb)};
@@ -99,7 +99,7 @@ void merge_nodes(StepContext& ctx, std::int32_t a, std::int32_t b, std::int32_t 
     keep_tension(ctx, eb, pull[1]);
 }
 
-void turn_round(StepContext& ctx, std::int32_t id) noexcept {
+void turn_round(context::StepContext& ctx, std::int32_t id) noexcept {
     model::Interactions& in = ctx.model.interactions;
     InteractionDef& d = in.def[at(id)];
     const std::size_t last = in.bodies[at(id)] == 3 && !kind_info(d.kind).is(kWoundUp) ? 2 : 1;
@@ -109,7 +109,8 @@ void turn_round(StepContext& ctx, std::int32_t id) noexcept {
     in.rewire(id, last, first, ctx.model.bodies);
 }
 
-void move_end(StepContext& ctx, std::int32_t id, std::size_t slot, std::int32_t to) noexcept {
+void move_end(context::StepContext& ctx, std::int32_t id, std::size_t slot,
+              std::int32_t to) noexcept {
     model::Interactions& in = ctx.model.interactions;
     model::Bodies& b = ctx.model.bodies;
     in.rewire(id, slot, b.id(to), b);
@@ -122,21 +123,22 @@ void move_end(StepContext& ctx, std::int32_t id, std::size_t slot, std::int32_t 
     if ((before & kWorks) != 0 && (flags & kWorks) == 0) base::erase_sorted(in.working, id);
 }
 
-void follow_node(StepContext& ctx, std::int32_t lump) noexcept {
+void follow_node(context::StepContext& ctx, std::int32_t lump) noexcept {
     model::Interactions& in = ctx.model.interactions;
     in.for_each_holder(lump, ctx.model.bodies, [&](std::int32_t id, std::size_t slot) {
         if (kind_info(in.kinds[at(id)]).is(kAlongLine))
             in.rewire(id, slot, in.def[at(id)].body[slot], ctx.model.bodies);
     });
-    disturb(ctx.model, lump);
+    context::disturb(ctx.model, lump);
 }
 
-std::int32_t bend_about(const StepContext& ctx, std::int32_t middle, std::int32_t end) noexcept {
+std::int32_t bend_about(const context::StepContext& ctx, std::int32_t middle,
+                        std::int32_t end) noexcept {
     const std::int32_t first = bend_at(ctx, middle, end, 0), last = bend_at(ctx, middle, end, 2);
     return first < 0 || last < 0 ? std::max(first, last) : std::min(first, last);
 }
 
-std::vector<std::int32_t> chain_from(const StepContext& ctx, std::int32_t element,
+std::vector<std::int32_t> chain_from(const context::StepContext& ctx, std::int32_t element,
                                      std::size_t slot) {
     const model::Interactions& in = ctx.model.interactions;
     // Unbroken elements of each body; −2: it has another interaction, too.
@@ -163,4 +165,4 @@ std::vector<std::int32_t> chain_from(const StepContext& ctx, std::int32_t elemen
     return out;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::edit

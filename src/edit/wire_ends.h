@@ -26,9 +26,11 @@
 #include <cstdint>
 #include <vector>
 
-namespace hawser::stepper {
-
+namespace hawser::context {
 struct StepContext;
+}  // namespace hawser::context
+
+namespace hawser::edit {
 
 /// Part of one node in another: masses, drags and loads are divided in the same ratio.
 struct NodeFraction {
@@ -37,37 +39,39 @@ struct NodeFraction {
 };
 
 /// Return the part of the second element in a node between two elements. @param first  −1: none.
-[[nodiscard]] NodeFraction fraction_of(const StepContext& ctx, std::int32_t lump,
+[[nodiscard]] NodeFraction fraction_of(const context::StepContext& ctx, std::int32_t lump,
                                        std::int32_t first, std::int32_t second) noexcept;
 
 /// Set an added node to the position and velocity of another one, and transfer its part.
-void split_node(StepContext& ctx, std::int32_t from, std::int32_t to,
+void split_node(context::StepContext& ctx, std::int32_t from, std::int32_t to,
                 const NodeFraction& share) noexcept;
 
 /// Return the energies near the ends of two elements before a splice [J].
-[[nodiscard]] Edited splice_energy(const StepContext& ctx, std::int32_t a, std::int32_t b,
-                                   std::int32_t ea, std::int32_t eb) noexcept;
+[[nodiscard]] context::Edited splice_energy(const context::StepContext& ctx, std::int32_t a,
+                                            std::int32_t b, std::int32_t ea,
+                                            std::int32_t eb) noexcept;
 /// Merge the node b, at the end of element eb, into the node a; eb then ends at a. The caller
 /// removes b, corrects bends and books energies.
-void merge_nodes(StepContext& ctx, std::int32_t a, std::int32_t b, std::int32_t ea,
+void merge_nodes(context::StepContext& ctx, std::int32_t a, std::int32_t b, std::int32_t ea,
                  std::int32_t eb) noexcept;
 
 /// Reverse the order of the ends of an element or bend.
-void turn_round(StepContext& ctx, std::int32_t id) noexcept;
+void turn_round(context::StepContext& ctx, std::int32_t id) noexcept;
 
 /// Move an end of an element to another body, and update flags that depend on it.
-void move_end(StepContext& ctx, std::int32_t id, std::size_t slot, std::int32_t to) noexcept;
+void move_end(context::StepContext& ctx, std::int32_t id, std::size_t slot,
+              std::int32_t to) noexcept;
 
 /// Update elements of a node after a change of its mass.
-void follow_node(StepContext& ctx, std::int32_t lump) noexcept;
+void follow_node(context::StepContext& ctx, std::int32_t lump) noexcept;
 
 /// Return the chain of elements from `element` on, away from its end `slot`, while the nodes
 /// between have no other interaction. @throws std::bad_alloc.
-[[nodiscard]] std::vector<std::int32_t> chain_from(const StepContext& ctx, std::int32_t element,
-                                                   std::size_t slot);
+[[nodiscard]] std::vector<std::int32_t> chain_from(const context::StepContext& ctx,
+                                                   std::int32_t element, std::size_t slot);
 
 /// Return the bend with a body in its middle and another one at one of its ends; −1: none.
-[[nodiscard]] std::int32_t bend_about(const StepContext& ctx, std::int32_t middle,
+[[nodiscard]] std::int32_t bend_about(const context::StepContext& ctx, std::int32_t middle,
                                       std::int32_t end) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::edit

@@ -64,8 +64,8 @@ class Checker {
 
     void wire(const Fault& f, const Place& place) const {
         const World& world = scene_.world;
-        if (const WireId id = world.find_wire(f.target); id.valid()) {
-            if (!std::isnan(f.s) && f.s > world.length(id))
+        if (const WireId id = world.wires().find(f.target); id.valid()) {
+            if (!std::isnan(f.s) && f.s > world.wires().length(id))
                 scene::refuse(place / "s", "the wire is shorter");
             return;
         }
@@ -74,7 +74,7 @@ class Checker {
             scene::refuse(place / "wire", scene::in_quotes(f.target) + " is no element of a line");
         }
         std::vector<std::string> names;
-        for (const WireId id : world.wires()) names.push_back(world.wire_name(id));
+        for (const WireId id : world.wires().ids()) names.push_back(world.wires().name(id));
         known(f.target, place / "wire", "wire", names);
     }
 

@@ -52,17 +52,17 @@ class Rescorer {
         State state{Scorer(out_.exercise, world.settings().step), {}, 1, 0, world.time()};
         state.curves.values.resize(out_.exercise.displays.size());
         state_ = &state;
-        if (world.motion_hash() != recording_.start_hash) differ(world, "at the start");
+        if (world.state().motion_hash() != recording_.start_hash) differ(world, "at the start");
         take_notes(world);
         const std::size_t frames = recording_.frame_count(), takes = recording_.takes.size();
         const bool ended = recording_.ending != record::Ending::unknown;
         for (std::size_t i = 0; i < frames; ++i) {
             const record::Frame head = recording_.frame_head(i);
             advance(head.step, recording_.take_of(i));
-            if (world.motion_hash() != head.hash) differ(world, "");
+            if (world.state().motion_hash() != head.hash) differ(world, "");
         }
         if (ended) advance(recording_.end_step, takes);
-        if (ended && world.motion_hash() != recording_.end_hash) differ(world, "");
+        if (ended && world.state().motion_hash() != recording_.end_hash) differ(world, "");
         out_.result = state.scorer.result();
         out_.curves = std::move(state.curves);
         return std::move(out_);
@@ -93,7 +93,7 @@ class Rescorer {
                 throw record::RecordingError(fmt::format("{}: the step from {:.6g} s failed: {}",
                                                          recording_.file, world.time(),
                                                          hawser::to_string(world.stats().status)));
-            const std::vector<Event> events = world.take_events();
+            const std::vector<Event> events = world.events().take();
             read_channels(channels_, noted_, world, events, false, values_);
             take_values(world.step_count());
             state_->time = world.time();

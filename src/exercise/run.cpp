@@ -75,13 +75,14 @@ struct Run::Impl {
 
     void part(const Fault& fault) {
         World& world = session.world();
-        const WireId wire = world.find_wire(fault.target);
+        const WireId wire = world.wires().find(fault.target);
         const InteractionId element = world.find_interaction(fault.target);
         if (wire.valid())
-            world.part(wire, std::isnan(fault.s) ? 0.5 * world.length(wire)
-                                                 : std::min(fault.s, world.length(wire)));
+            world.wires().part(wire, std::isnan(fault.s)
+                                         ? 0.5 * world.wires().length(wire)
+                                         : std::min(fault.s, world.wires().length(wire)));
         else if (element.valid())
-            world.part(element);
+            world.wires().part(element);
         else
             throw DefError(fmt::format("the fault \"{}\": there is no wire \"{}\" now", fault.name,
                                        fault.target));

@@ -14,8 +14,8 @@ namespace {
 void add_line(const World& world, const WaterLine& line, const std::string& at, LineTable& out) {
     if (!world.alive(line.wire)) throw SeaError(at + "/wire", "there is no such wire");
     if (line.sections.empty()) throw SeaError(at + "/sections", "it needs one");
-    const auto elements = world.elements(line.wire);
-    const auto nodes = world.nodes(line.wire);
+    const auto elements = world.wires().elements(line.wire);
+    const auto nodes = world.wires().nodes(line.wire);
     std::size_t section = 0, end = 0;
     for (std::size_t i = 0; i < elements.size(); ++i) {
         while (section < line.sections.size() &&
@@ -120,8 +120,8 @@ void LineNodes::list(const World& world) {
     wires_.clear();
     std::size_t nodes = 0;
     if (!table_.sorts.empty())
-        for (const WireId wire : world.wires()) {
-            wires_.push_back({world.nodes(wire), world.elements(wire), nodes});
+        for (const WireId wire : world.wires().ids()) {
+            wires_.push_back({world.wires().nodes(wire), world.wires().elements(wire), nodes});
             nodes += wires_.back().nodes.size();
         }
     sorts_.resize(nodes);

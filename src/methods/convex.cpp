@@ -12,12 +12,12 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hawser::stepper {
+namespace hawser::methods {
 namespace {
 
 using nonsmooth::Cone;
 
-std::int32_t linearise_cones(Model& model, Newton& newton) noexcept {
+std::int32_t linearise_cones(context::Model& model, context::Newton& newton) noexcept {
     std::int32_t flips = 0;
     for (std::size_t k = 0; k < model.system.contacts.count(); ++k) {
         Cone& c = model.system.contacts.cones[k];
@@ -31,7 +31,7 @@ std::int32_t linearise_cones(Model& model, Newton& newton) noexcept {
 /// Return the derivative of the function along the step, at fraction t of the way from the stored
 /// iterate [J]. There the momentum balance uses the impulses of the linear law; the gradient uses
 /// those of the exact law.
-double slope(const Model& model, const Newton& newton, double t) noexcept {
+double slope(const context::Model& model, const context::Newton& newton, double t) noexcept {
     double sum = 0.0;
     const base::Array<Cone>& cones = model.system.contacts.cones;
     for (std::size_t k = 0; k < cones.size(); ++k) {
@@ -50,7 +50,7 @@ double slope(const Model& model, const Newton& newton, double t) noexcept {
 
 /// Shorten the step to the point where the slope vanishes. The full step is used if the function
 /// still descends at its end.
-void search(Model& model, const Newton& newton) noexcept {
+void search(context::Model& model, const context::Newton& newton) noexcept {
     const double start = slope(model, newton, 0.0), end = slope(model, newton, 1.0);
     // If the slope at the end is at most a tenth of that at the start, the full step is accurate
     // enough.
@@ -60,10 +60,10 @@ void search(Model& model, const Newton& newton) noexcept {
         const double middle = 0.5 * (low + high);
         (slope(model, newton, middle) > 0.0 ? high : low) = middle;
     }
-    shorten(model, newton, 0.5 * (low + high));
+    contact::shorten(model, newton, 0.5 * (low + high));
 }
 
-double worst_of_model(const Model& model) noexcept {
+double worst_of_model(const context::Model& model) noexcept {
     double largest = 0.0;
     for (const Cone& c : model.system.contacts.cones)
         largest = std::max(largest, nonsmooth::associated_map(c, model.contact_floor));
@@ -72,37 +72,38 @@ double worst_of_model(const Model& model) noexcept {
 
 }  // namespace
 
-void begin_convex(Model& model, Newton& newton, runtime::Pool& pool) noexcept {
+void begin_convex(context::Model& model, context::Newton& newton, runtime::Pool& pool) noexcept {
     (void)linearise_cones(model, newton);
-    adopt_laws(model, newton, pool, true);
+    contact::adopt_laws(model, newton, pool, true);
 }
 
-Status solve_convex(StepContext& ctx) noexcept {
+Status solve_convex(context::StepContext& ctx) noexcept {
     ctx.work.newton.iterations = 0;
     constexpr int kKrylovFrom = 2;  // same value as in newton.cpp
     bool again = false;
     for (int it = 0;; ++it) {
         ++ctx.work.newton.iterations;
-        if (it == 0 || again || it < kKrylovFrom || !find_impulses(ctx)) {
-            if (it > 0) adopt_laws(ctx.model, ctx.work.newton, ctx.pool, false);
-            if (const Status s = newton_solve(ctx, it == 0, it == 0 || again); s != Status::ok)
+        if (it == 0 || again || it < kKrylovFrom || !contact::find_impulses(ctx)) {
+            if (it > 0) contact::adopt_laws(ctx.model, ctx.work.newton, ctx.pool, false);
+            if (const Status s = solve::newton_solve(ctx, it == 0, it == 0 || again);
+                s != Status::ok)
                 return s;
         } else {
-            continue_with_factor(ctx);
+            solve::continue_with_factor(ctx);
         }
         if (it > 0) search(ctx.model, ctx.work.newton);
-        again = update_active_set(ctx.model, ctx.work, it);
+        again = solve::update_active_set(ctx.model, ctx.work, it);
         const double left = worst_of_model(ctx.model);
         if (!std::isfinite(left)) return Status::not_finite;
         if ((left <= ctx.model.def.contact_tolerance && !again) ||
             it + 1 >= ctx.model.def.contact_iterations)
             break;
-        keep_iterate(ctx.model, ctx.work.newton);
+        contact::keep_iterate(ctx.model, ctx.work.newton);
         ctx.work.stats.flips_left +=
             linearise_cones(ctx.model, ctx.work.newton);  // added to the flips of rows
     }
-    ctx.work.stats.natural_map = worst(ctx.model, ctx.work.solve, ctx.pool);
-    return refine(ctx);
+    ctx.work.stats.natural_map = contact::worst(ctx.model, ctx.work.solve, ctx.pool);
+    return solve::refine(ctx);
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::methods

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hawser::stepper {
+namespace hawser::methods {
 namespace {
 
 using namespace hawser::generic;
@@ -39,12 +39,13 @@ bool invert6(const double* m, double* out) noexcept {
     return true;
 }
 
-const double* inverse_of(const Newton& newton, std::int32_t body) noexcept {
+const double* inverse_of(const context::Newton& newton, std::int32_t body) noexcept {
     return &newton.inverse_mass[at(body) * assembly::kBodyBlock];
 }
 
 /// Compute the diagonal 3×3 block of J M⁻¹ Jᵀ of contact k, row-major [1/kg].
-void contact_mobility(const Model& model, Newton& newton, std::size_t k, double out[9]) noexcept {
+void contact_mobility(const context::Model& model, context::Newton& newton, std::size_t k,
+                      double out[9]) noexcept {
     const ContactRow& row = model.system.contacts.rows[k];
     const M3 e = load9(row.axis);
     for (int j = 0; j < 3; ++j) {
@@ -68,13 +69,15 @@ void contact_mobility(const Model& model, Newton& newton, std::size_t k, double 
 
 }  // namespace
 
-void reserve_gauss_seidel(const Model& model, Newton& newton, std::size_t contacts) {
+void reserve_gauss_seidel(const context::Model& model, context::Newton& newton,
+                          std::size_t contacts) {
     newton.inverse_mass.resize(at(model.bodies.count()) * assembly::kBodyBlock);
     newton.row_mobility.resize(at(model.interactions.row_count));
     newton.mobility.resize(9 * contacts);
 }
 
-bool invert_masses(const Model& model, Newton& newton, const assembly::View& v) noexcept {
+bool invert_masses(const context::Model& model, context::Newton& newton,
+                   const assembly::View& v) noexcept {
     for (std::int32_t b = 0; b < v.body_count; ++b) {
         const double* block = v.body_block + assembly::block_offset(v.dof_begin[b]);
         double* out = &newton.inverse_mass[at(b) * assembly::kBodyBlock];
@@ -89,7 +92,7 @@ bool invert_masses(const Model& model, Newton& newton, const assembly::View& v) 
     return true;
 }
 
-void answer(const Newton& newton, std::int32_t body, int dof, const double* p,
+void answer(const context::Newton& newton, std::int32_t body, int dof, const double* p,
             double* out) noexcept {
     const double* inverse = inverse_of(newton, body);
     if (dof == 1) out[0] = inverse[0] * p[0];
@@ -97,8 +100,8 @@ void answer(const Newton& newton, std::int32_t body, int dof, const double* p,
     if (dof == 6) store3(out + 3, mul6(inverse + 6, load3(p + 3)));
 }
 
-void push_contact(const Model& model, const Newton& newton, const assembly::View& v, std::size_t k,
-                  const double x[3]) noexcept {
+void push_contact(const context::Model& model, const context::Newton& newton,
+                  const assembly::View& v, std::size_t k, const double x[3]) noexcept {
     const ContactRow& row = model.system.contacts.rows[k];
     const V3 force = tmul(load9(row.axis), load3(x));
     for (int i = 0; i < row.slots; ++i) {
@@ -111,7 +114,7 @@ void push_contact(const Model& model, const Newton& newton, const assembly::View
     }
 }
 
-void read_contact(Model& model, const assembly::View& v, std::size_t k) noexcept {
+void read_contact(context::Model& model, const assembly::View& v, std::size_t k) noexcept {
     const ContactRow& row = model.system.contacts.rows[k];
     V3 sum{0, 0, 0};
     for (int i = 0; i < row.slots; ++i) {
@@ -124,7 +127,7 @@ void read_contact(Model& model, const assembly::View& v, std::size_t k) noexcept
     store3(model.system.contacts.cones[k].u, load3(row.carried) + load9(row.axis) * sum);
 }
 
-void relax_tangents(Model& model, const Newton& newton, const assembly::View& v,
+void relax_tangents(context::Model& model, const context::Newton& newton, const assembly::View& v,
                     std::size_t k) noexcept {
     const double* block = &newton.mobility[9 * k];
     read_contact(model, v, k);
@@ -140,7 +143,7 @@ void relax_tangents(Model& model, const Newton& newton, const assembly::View& v,
     if (change[1] != 0.0 || change[2] != 0.0) push_contact(model, newton, v, k, change);
 }
 
-void relax_normal(Model& model, const Newton& newton, const assembly::View& v,
+void relax_normal(context::Model& model, const context::Newton& newton, const assembly::View& v,
                   std::size_t k) noexcept {
     const double* block = &newton.mobility[9 * k];
     read_contact(model, v, k);
@@ -151,7 +154,7 @@ void relax_normal(Model& model, const Newton& newton, const assembly::View& v,
     if (change[0] != 0.0) push_contact(model, newton, v, k, change);
 }
 
-void freeze_impulses(Model& model) noexcept {
+void freeze_impulses(context::Model& model) noexcept {
     for (Cone& c : model.system.contacts.cones) {
         std::fill_n(c.s, 9, 0.0);
         std::copy_n(c.lambda, 3, c.p);
@@ -159,4 +162,4 @@ void freeze_impulses(Model& model) noexcept {
     }
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::methods

@@ -8,37 +8,38 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::methods {
 
 /// Reserve the arrays of the method. @throws std::bad_alloc.
-void reserve_gauss_seidel(const Model& model, Newton& newton, std::size_t contacts);
+void reserve_gauss_seidel(const context::Model& model, context::Newton& newton,
+                          std::size_t contacts);
 
 /// Invert M + hD of all bodies and compute the diagonal blocks of contacts. @return false if a
 /// matrix is singular.
-[[nodiscard]] bool invert_masses(const Model& model, Newton& newton,
+[[nodiscard]] bool invert_masses(const context::Model& model, context::Newton& newton,
                                  const assembly::View& v) noexcept;
 
 /// Compute M⁻¹ p, the velocity of a body after an impulse p. Both arrays have one entry for each
 /// degree of freedom.
-void answer(const Newton& newton, std::int32_t body, int dof, const double* p,
+void answer(const context::Newton& newton, std::int32_t body, int dof, const double* p,
             double* out) noexcept;
 
 /// Update v₊ += M⁻¹ Jᵀ x for impulses x of contact k.
-void push_contact(const Model& model, const Newton& newton, const assembly::View& v, std::size_t k,
-                  const double x[3]) noexcept;
+void push_contact(const context::Model& model, const context::Newton& newton,
+                  const assembly::View& v, std::size_t k, const double x[3]) noexcept;
 
 /// Write u of contact k at v₊ into its cone.
-void read_contact(Model& model, const assembly::View& v, std::size_t k) noexcept;
+void read_contact(context::Model& model, const assembly::View& v, std::size_t k) noexcept;
 
 /// Relax the tangents of contact k at v₊ and update v₊.
-void relax_tangents(Model& model, const Newton& newton, const assembly::View& v,
+void relax_tangents(context::Model& model, const context::Newton& newton, const assembly::View& v,
                     std::size_t k) noexcept;
 
 /// Relax the normal of contact k at v₊ and update v₊.
-void relax_normal(Model& model, const Newton& newton, const assembly::View& v,
+void relax_normal(context::Model& model, const context::Newton& newton, const assembly::View& v,
                   std::size_t k) noexcept;
 
 /// Set the laws to the current impulses: S = 0, p = λ, status by λ.
-void freeze_impulses(Model& model) noexcept;
+void freeze_impulses(context::Model& model) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::methods

@@ -3,12 +3,12 @@
 
 #include "contact/newton.h"
 
-namespace hawser::stepper {
+namespace hawser::methods {
 
-void begin_contacts(Model& model, Work& work, runtime::Pool& pool) noexcept {
+void begin_contacts(context::Model& model, context::Work& work, runtime::Pool& pool) noexcept {
     switch (model.def.nonsmooth) {
         case Nonsmooth::newton:
-            return begin_newton(model, work, pool);
+            return contact::begin_newton(model, work, pool);
         case Nonsmooth::pivoting:
             return begin_pivoting(model, work.newton, pool);
         case Nonsmooth::split:
@@ -20,7 +20,7 @@ void begin_contacts(Model& model, Work& work, runtime::Pool& pool) noexcept {
     }
 }
 
-Status solve_contacts(StepContext& ctx) noexcept {
+Status solve_contacts(context::StepContext& ctx) noexcept {
     switch (ctx.model.def.nonsmooth) {
         case Nonsmooth::pivoting:
             return solve_pivoting(ctx);
@@ -29,8 +29,8 @@ Status solve_contacts(StepContext& ctx) noexcept {
         case Nonsmooth::convex:
             return solve_convex(ctx);
         default:
-            return solve_newton(ctx, ctx.model.completion.any);
+            return contact::solve_newton(ctx, ctx.model.completion.any);
     }
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::methods

@@ -11,24 +11,24 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::methods {
 
 /// Set linear laws about the solution of the last step, by the method of the world.
-void begin_contacts(Model& model, Work& work, runtime::Pool& pool) noexcept;
+void begin_contacts(context::Model& model, context::Work& work, runtime::Pool& pool) noexcept;
 
 /// Run stages 6 and 7 of a world with contacts. The right-hand side is that of assemble_rows(). If
 /// joints have an end-of-step constraint iteration, it settles the remaining errors (newton.h).
-[[nodiscard]] Status solve_contacts(StepContext& ctx) noexcept;
+[[nodiscard]] Status solve_contacts(context::StepContext& ctx) noexcept;
 
 /// Run stages 6 and 7 by sweeps over all rows, with or without contacts.
-[[nodiscard]] Status solve_pgs(StepContext& ctx) noexcept;
+[[nodiscard]] Status solve_pgs(context::StepContext& ctx) noexcept;
 
-void begin_pivoting(Model& model, Newton& newton, runtime::Pool& pool) noexcept;
-[[nodiscard]] Status solve_pivoting(StepContext& ctx) noexcept;
-void begin_split(Model& model, Newton& newton, runtime::Pool& pool) noexcept;
-[[nodiscard]] Status solve_split(StepContext& ctx) noexcept;
-void begin_convex(Model& model, Newton& newton, runtime::Pool& pool) noexcept;
-[[nodiscard]] Status solve_convex(StepContext& ctx) noexcept;
-void begin_pgs(Model& model) noexcept;
+void begin_pivoting(context::Model& model, context::Newton& newton, runtime::Pool& pool) noexcept;
+[[nodiscard]] Status solve_pivoting(context::StepContext& ctx) noexcept;
+void begin_split(context::Model& model, context::Newton& newton, runtime::Pool& pool) noexcept;
+[[nodiscard]] Status solve_split(context::StepContext& ctx) noexcept;
+void begin_convex(context::Model& model, context::Newton& newton, runtime::Pool& pool) noexcept;
+[[nodiscard]] Status solve_convex(context::StepContext& ctx) noexcept;
+void begin_pgs(context::Model& model) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::methods

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hawser::stepper {
+namespace hawser::methods {
 namespace {
 
 using assembly::View;
@@ -39,7 +39,8 @@ void each_body(const View& v, std::int32_t id, int r, F&& f) noexcept {
 }
 
 /// Update v₊ += M⁻¹ gᵀ x for one row g.
-void push_row(const Newton& newton, const View& v, std::int32_t id, int r, double x) noexcept {
+void push_row(const context::Newton& newton, const View& v, std::int32_t id, int r,
+              double x) noexcept {
     each_body(v, id, r, [&](std::int32_t body, int dof, const double* g) {
         double p[6], answered[6];
         for (int j = 0; j < dof; ++j) p[j] = x * g[j];
@@ -56,7 +57,7 @@ double row_speed(const View& v, std::int32_t id, int r) noexcept {
     return sum;
 }
 
-double row_mobility(const Newton& newton, const View& v, std::int32_t id, int r) noexcept {
+double row_mobility(const context::Newton& newton, const View& v, std::int32_t id, int r) noexcept {
     double sum = 0.0;
     each_body(v, id, r, [&](std::int32_t body, int dof, const double* g) {
         double answered[6];
@@ -67,13 +68,13 @@ double row_mobility(const Newton& newton, const View& v, std::int32_t id, int r)
 }
 
 /// Compute the velocities without rows, then add the impulses of the last step.
-void start(Model& model, Newton& newton, const View& v) noexcept {
+void start(context::Model& model, context::Newton& newton, const View& v) noexcept {
     for (std::int32_t b = 0; b < v.body_count; ++b)
         if (v.dof[b] > 0)
             answer(newton, b, v.dof[b], v.a + v.dof_begin[b], v.v_new + v.dof_begin[b]);
     for (std::int32_t id = 0; id < v.interaction_count; ++id) {
         if (model.system.rests(id)) continue;
-        const ImpulseRange range = impulse_range(model, newton, id);
+        const solve::ImpulseRange range = solve::impulse_range(model, newton, id);
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
             v.lambda[row] = std::clamp(v.lambda[row], range.low, range.high);
@@ -88,10 +89,11 @@ void start(Model& model, Newton& newton, const View& v) noexcept {
     }
 }
 
-void sweep_rows(const Model& model, const Newton& newton, const View& v) noexcept {
+void sweep_rows(const context::Model& model, const context::Newton& newton,
+                const View& v) noexcept {
     for (std::int32_t id = 0; id < v.interaction_count; ++id) {
         if (model.system.rests(id)) continue;
-        const ImpulseRange range = impulse_range(model, newton, id);
+        const solve::ImpulseRange range = solve::impulse_range(model, newton, id);
         if (range.low == range.high) continue;
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
@@ -107,10 +109,10 @@ void sweep_rows(const Model& model, const Newton& newton, const View& v) noexcep
 }
 
 /// Compute the residuals of the rows, for the certificate.
-void take_residuals(Model& model, const Newton& newton, const View& v) noexcept {
+void take_residuals(context::Model& model, const context::Newton& newton, const View& v) noexcept {
     for (std::int32_t id = 0; id < v.interaction_count; ++id) {
         if (model.system.rests(id)) continue;
-        const ImpulseRange range = impulse_range(model, newton, id);
+        const solve::ImpulseRange range = solve::impulse_range(model, newton, id);
         const double first = v.lambda[v.row_begin[id]];
         if ((v.flags[id] & model::kBounded) || v.parted[id])
             v.active[id] = range.low < first && first < range.high ? 1.0 : 0.0;
@@ -126,14 +128,14 @@ void take_residuals(Model& model, const Newton& newton, const View& v) noexcept 
 
 }  // namespace
 
-void begin_pgs(Model& model) noexcept { freeze_impulses(model); }
+void begin_pgs(context::Model& model) noexcept { freeze_impulses(model); }
 
-Status solve_pgs(StepContext& ctx) noexcept {
-    const Status room = guarded(ctx, [&] {
+Status solve_pgs(context::StepContext& ctx) noexcept {
+    const Status room = context::guarded(ctx, [&] {
         reserve_gauss_seidel(ctx.model, ctx.work.newton, ctx.model.system.contacts.count());
     });
     if (room != Status::ok) return room;
-    const View v = row_view(ctx.model);
+    const View v = context::row_view(ctx.model);
     ctx.work.solve.rhs_ready = false;
     if (!invert_masses(ctx.model, ctx.work.newton, v)) return Status::wrong_pivot;
     start(ctx.model, ctx.work.newton, v);
@@ -146,12 +148,12 @@ Status solve_pgs(StepContext& ctx) noexcept {
     }
     ctx.work.newton.iterations = ctx.model.def.nonsmooth_sweeps;
     freeze_impulses(ctx.model);
-    if (ctx.model.system.contacts.count() > 0) update_contacts(ctx.model, ctx.pool, v.v_new);
+    if (ctx.model.system.contacts.count() > 0) solve::update_contacts(ctx.model, ctx.pool, v.v_new);
     take_residuals(ctx.model, ctx.work.newton, v);
     if (ctx.model.system.contacts.count() > 0)
-        ctx.work.stats.natural_map = worst(ctx.model, ctx.work.solve, ctx.pool);
+        ctx.work.stats.natural_map = contact::worst(ctx.model, ctx.work.solve, ctx.pool);
     if (!std::isfinite(ctx.work.stats.natural_map)) return Status::not_finite;
-    return measure(ctx);
+    return solve::measure(ctx);
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::methods

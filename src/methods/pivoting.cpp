@@ -14,14 +14,14 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hawser::stepper {
+namespace hawser::methods {
 namespace {
 
 using nonsmooth::Cone;
 
 constexpr int kPasses = 8;
 
-void make_laws(Model& model, Newton& newton) noexcept {
+void make_laws(context::Model& model, context::Newton& newton) noexcept {
     for (std::size_t k = 0; k < model.system.contacts.count(); ++k) {
         Cone& c = model.system.contacts.cones[k];
         const nonsmooth::Bound* rows = &newton.bounds[3 * k];
@@ -31,13 +31,14 @@ void make_laws(Model& model, Newton& newton) noexcept {
 }
 
 /// Run one pass. @param rounds  Number of factorisations in all passes.
-Status pass(StepContext& ctx, int& rounds) noexcept {
+Status pass(context::StepContext& ctx, int& rounds) noexcept {
     nonsmooth::PivotProgress progress;
     for (bool again = false;;) {
-        if (const Status s = newton_solve(ctx, rounds == 0, rounds == 0 || again); s != Status::ok)
+        if (const Status s = solve::newton_solve(ctx, rounds == 0, rounds == 0 || again);
+            s != Status::ok)
             return s;
         ++rounds;
-        again = update_active_set(ctx.model, ctx.work, rounds - 1);
+        again = solve::update_active_set(ctx.model, ctx.work, rounds - 1);
         const int count =
             nonsmooth::pivot(ctx.model.system.contacts.cones, ctx.work.newton.bounds,
                              ctx.work.newton.limit, ctx.model.contact_floor, progress);
@@ -45,12 +46,12 @@ Status pass(StepContext& ctx, int& rounds) noexcept {
         if (count == 0 && !again) return Status::ok;
         if (rounds >= ctx.model.def.contact_iterations) return Status::ok;
         make_laws(ctx.model, ctx.work.newton);
-        adopt_laws(ctx.model, ctx.work.newton, ctx.pool, false);
+        contact::adopt_laws(ctx.model, ctx.work.newton, ctx.pool, false);
     }
 }
 
 /// Set the bounds of the next pass. @return largest relative change.
-double renew_limits(const Model& model, Newton& newton) noexcept {
+double renew_limits(const context::Model& model, context::Newton& newton) noexcept {
     double change = 0.0;
     for (std::size_t k = 0; k < model.system.contacts.count(); ++k) {
         const Cone& c = model.system.contacts.cones[k];
@@ -70,7 +71,7 @@ double renew_limits(const Model& model, Newton& newton) noexcept {
 
 }  // namespace
 
-void begin_pivoting(Model& model, Newton& newton, runtime::Pool& pool) noexcept {
+void begin_pivoting(context::Model& model, context::Newton& newton, runtime::Pool& pool) noexcept {
     for (std::size_t k = 0; k < model.system.contacts.count(); ++k) {
         const Cone& c = model.system.contacts.cones[k];
         newton.limit[k] = c.friction * std::max(0.0, c.lambda[0]);
@@ -85,10 +86,10 @@ void begin_pivoting(Model& model, Newton& newton, runtime::Pool& pool) noexcept 
         }
     }
     make_laws(model, newton);
-    adopt_laws(model, newton, pool, true);
+    contact::adopt_laws(model, newton, pool, true);
 }
 
-Status solve_pivoting(StepContext& ctx) noexcept {
+Status solve_pivoting(context::StepContext& ctx) noexcept {
     int rounds = 0;
     for (int i = 0; i < kPasses; ++i) {
         if (const Status s = pass(ctx, rounds); s != Status::ok) return s;
@@ -98,12 +99,12 @@ Status solve_pivoting(StepContext& ctx) noexcept {
         if (rounds >= ctx.model.def.contact_iterations || i + 1 == kPasses) break;
         if (renew_limits(ctx.model, ctx.work.newton) <= kStill) break;
         make_laws(ctx.model, ctx.work.newton);
-        adopt_laws(ctx.model, ctx.work.newton, ctx.pool, false);
+        contact::adopt_laws(ctx.model, ctx.work.newton, ctx.pool, false);
     }
     ctx.work.newton.iterations = rounds;
-    ctx.work.stats.natural_map = worst(ctx.model, ctx.work.solve, ctx.pool);
+    ctx.work.stats.natural_map = contact::worst(ctx.model, ctx.work.solve, ctx.pool);
     if (!std::isfinite(ctx.work.stats.natural_map)) return Status::not_finite;
-    return refine(ctx);
+    return solve::refine(ctx);
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::methods

@@ -20,7 +20,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hawser::stepper {
+namespace hawser::methods {
 namespace {
 
 using nonsmooth::Cone;
@@ -30,7 +30,7 @@ using nonsmooth::Touch;
 constexpr int kMaxSplitRounds = 20;
 
 /// Include the normal row in the matrix or not; the tangential impulses are constants.
-void make_law(Model& model, Newton& newton, std::size_t k, bool bears) noexcept {
+void make_law(context::Model& model, context::Newton& newton, std::size_t k, bool bears) noexcept {
     Cone& c = model.system.contacts.cones[k];
     nonsmooth::Law& law = newton.laws[k];
     law = {};
@@ -51,20 +51,20 @@ bool bears(const Cone& c) noexcept {
 }
 
 /// Solve joints and normals. @param first  Start from v₊ = 0.
-Status solve_normals(StepContext& ctx, bool first) noexcept {
+Status solve_normals(context::StepContext& ctx, bool first) noexcept {
     bool again = false;
     for (int round = 0;; ++round) {
         bool changed = false;
         for (const std::uint8_t c : ctx.model.system.contacts.changed) changed = changed || c != 0;
         if (first || changed) {
-            if (const Status s = newton_solve(ctx, first, first || again); s != Status::ok)
+            if (const Status s = solve::newton_solve(ctx, first, first || again); s != Status::ok)
                 return s;
         } else {
-            continue_with_factor(ctx);
+            solve::continue_with_factor(ctx);
         }
         first = false;
         ++ctx.work.newton.iterations;
-        again = update_active_set(ctx.model, ctx.work, round);
+        again = solve::update_active_set(ctx.model, ctx.work, round);
         std::int32_t flips = 0;
         for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k) {
             const Cone& c = ctx.model.system.contacts.cones[k];
@@ -75,13 +75,14 @@ Status solve_normals(StepContext& ctx, bool first) noexcept {
         ctx.work.stats.flips_left = flips;
         if ((flips == 0 && !again) || round + 1 >= kMaxSplitRounds) return Status::ok;
         // A switched row changes the matrix even if no contact changes.
-        adopt_laws(ctx.model, ctx.work.newton, ctx.pool, again);
+        contact::adopt_laws(ctx.model, ctx.work.newton, ctx.pool, again);
     }
 }
 
 /// Relax the tangents at the current normal impulses.
-Status sweep_tangents(Model& model, Newton& newton, runtime::Pool& pool) noexcept {
-    const assembly::View v = row_view(model);
+Status sweep_tangents(context::Model& model, context::Newton& newton,
+                      runtime::Pool& pool) noexcept {
+    const assembly::View v = context::row_view(model);
     if (!invert_masses(model, newton, v)) return Status::wrong_pivot;
     for (int i = 0; i < model.def.nonsmooth_sweeps && !pool.stopping(); ++i)
         for (std::size_t k = 0; k < model.system.contacts.count(); ++k)
@@ -94,15 +95,15 @@ Status sweep_tangents(Model& model, Newton& newton, runtime::Pool& pool) noexcep
 
 }  // namespace
 
-void begin_split(Model& model, Newton& newton, runtime::Pool& pool) noexcept {
+void begin_split(context::Model& model, context::Newton& newton, runtime::Pool& pool) noexcept {
     for (std::size_t k = 0; k < model.system.contacts.count(); ++k) {
         const Cone& c = model.system.contacts.cones[k];
         make_law(model, newton, k, c.u[0] - c.b[0] < 0.0);
     }
-    adopt_laws(model, newton, pool, true);
+    contact::adopt_laws(model, newton, pool, true);
 }
 
-Status solve_split(StepContext& ctx) noexcept {
+Status solve_split(context::StepContext& ctx) noexcept {
     ctx.work.newton.iterations = 0;
     if (const Status s = solve_normals(ctx, true); s != Status::ok) return s;
     if (const Status s = sweep_tangents(ctx.model, ctx.work.newton, ctx.pool); s != Status::ok)
@@ -110,11 +111,11 @@ Status solve_split(StepContext& ctx) noexcept {
     // The sweeps changed v₊ without the normals; the solver restores it from the momentum balance.
     for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k)
         make_law(ctx.model, ctx.work.newton, k, ctx.model.system.contacts.cones[k].s[0] != 0.0);
-    adopt_laws(ctx.model, ctx.work.newton, ctx.pool, false);
+    contact::adopt_laws(ctx.model, ctx.work.newton, ctx.pool, false);
     if (const Status s = solve_normals(ctx, false); s != Status::ok) return s;
-    ctx.work.stats.natural_map = worst(ctx.model, ctx.work.solve, ctx.pool);
+    ctx.work.stats.natural_map = contact::worst(ctx.model, ctx.work.solve, ctx.pool);
     if (!std::isfinite(ctx.work.stats.natural_map)) return Status::not_finite;
-    const Status status = refine(ctx);
+    const Status status = solve::refine(ctx);
     for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k) {
         Cone& c = ctx.model.system.contacts.cones[k];
         c.touch = c.lambda[0] > 0.0 ? ctx.work.newton.touch[k] : Touch::open;
@@ -122,4 +123,4 @@ Status solve_split(StepContext& ctx) noexcept {
     return status;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::methods

@@ -8,11 +8,12 @@
 #include <array>
 #include <cmath>
 
-namespace hawser::stepper {
+namespace hawser::monitor {
 
-Finding strain_finding(Model& model, const State& state, MonitorState& memory) noexcept {
+Finding strain_finding(context::Model& model, const context::State& state,
+                       context::MonitorState& memory) noexcept {
     constexpr double kLonger = 1.25;  // Includes the motion of half a step, and damping.
-    const assembly::View v = row_view(model);
+    const assembly::View v = context::row_view(model);
     Finding out{.value = 0.0,
                 .doubtful = 0.0,
                 .wrong = 0.0,
@@ -41,7 +42,8 @@ Finding strain_finding(Model& model, const State& state, MonitorState& memory) n
     return out;
 }
 
-Finding wound_finding(const Model& model, const State& state, MonitorState& memory) noexcept {
+Finding wound_finding(const context::Model& model, const context::State& state,
+                      context::MonitorState& memory) noexcept {
     // Fraction of the element length up to which its law continues.
     constexpr double kSlack = 0.01;
     Finding out{.value = 0.0,
@@ -67,4 +69,4 @@ Finding wound_finding(const Model& model, const State& state, MonitorState& memo
     return out;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::monitor

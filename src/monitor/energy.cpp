@@ -15,11 +15,11 @@
 #include <algorithm>
 #include <cstring>
 
-namespace hawser::stepper {
+namespace hawser::monitor {
 namespace {
 
 /// Move carriers with a prescribed velocity back by half a step; their poses are saved to scratch.
-void carriers_back(Model& model, Before& before) noexcept {
+void carriers_back(context::Model& model, context::Before& before) noexcept {
     model::Bodies& b = model.bodies;
     const double t = -0.5 * model.def.step;
     double* kept = before.carriers.data();
@@ -33,7 +33,7 @@ void carriers_back(Model& model, Before& before) noexcept {
     }
 }
 
-void carriers_forth(Model& model, Before& before) noexcept {
+void carriers_forth(context::Model& model, context::Before& before) noexcept {
     model::Bodies& b = model.bodies;
     const double* kept = before.carriers.data();
     for (std::int32_t body : b.driven) {
@@ -47,11 +47,11 @@ void carriers_forth(Model& model, Before& before) noexcept {
 
 }  // namespace
 
-Energy energy(StepContext& ctx) noexcept {
+Energy energy(context::StepContext& ctx) noexcept {
     Energy e;
     const model::Bodies& b = ctx.model.bodies;
     const double half = 0.5 * ctx.model.def.step;
-    e.kinetic = kinetic_energy(b, b.v.data());
+    e.kinetic = assembly::kinetic_energy(b, b.v.data());
     for (std::int32_t body : b.moving) {
         const auto i = at(body);
         if (!b.weight[i] || b.dof(body) == 1) continue;
@@ -59,23 +59,23 @@ Energy energy(StepContext& ctx) noexcept {
         for (int k = 0; k < 3; ++k)
             e.gravity -= b.mass[i] * ctx.model.def.gravity[k] * (b.x[3 * i + at(k)] - half * v[k]);
     }
-    const assembly::View v = row_view(ctx.model);
-    const KeptRanges kept(ctx.work.before.active, ctx.model.interactions.active.data(),
-                          ctx.model.system.bounded);
+    const assembly::View v = context::row_view(ctx.model);
+    const assembly::KeptRanges kept(ctx.work.before.active, ctx.model.interactions.active.data(),
+                                    ctx.model.system.bounded);
     // The bodies of the rows move back by −(h/2) G v below.
     carriers_back(ctx.model, ctx.work.before);
-    evaluate_rows(ctx.model, ctx.pool);
+    solve::evaluate_rows(ctx.model, ctx.pool);
     carriers_forth(ctx.model, ctx.work.before);
-    for (std::int32_t id = 0; id < interaction_count(ctx.model); ++id) {
+    for (std::int32_t id = 0; id < context::interaction_count(ctx.model); ++id) {
         // The energy of a line follows from its length, not from its state in the last step.
         const bool line = (v.flags[id] & model::kOneSided) != 0;
         if (v.flags[id] & model::kFriction) continue;  // counted as driven
-        e.kinetic -= pair_energy(v, id, b.v.data());
+        e.kinetic -= assembly::pair_energy(v, id, b.v.data());
         if (line ? v.parted[id] != 0 : v.active[id] == 0.0) continue;
         if (ctx.model.wires.wire_of[at(id)] >= 0 && !ctx.model.system.rests(id) &&
             (v.flags[id] & model::kCarried) == 0) {
             if (model::holds_energy(v.epsilon[v.row_begin[id]], v.rest_length[id]))
-                e.elastic += held_by_element(v, id);
+                e.elastic += solve::held_by_element(v, id);
             continue;
         }
         double buffer[model::kArmBufferSize];
@@ -86,7 +86,7 @@ Energy energy(StepContext& ctx) noexcept {
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
             double speed = rests ? s.rate[r] + s.carried[r] : 0.0;
-            if (!rests) speed = along_row(v, id, jac, v.v, v.dof_begin, speed);
+            if (!rests) speed = assembly::along_row(v, id, jac, v.v, v.dof_begin, speed);
             if ((v.row_flags[row] & model::kRowVelocity) ||
                 !model::holds_energy(v.epsilon[row], v.rest_length[id]))
                 continue;
@@ -108,4 +108,4 @@ Energy energy(StepContext& ctx) noexcept {
     return e;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::monitor

@@ -5,9 +5,9 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::monitor {
 
 /// Compute the energy half a step before the poses, see hawser::Energy.
-[[nodiscard]] Energy energy(StepContext& ctx) noexcept;
+[[nodiscard]] Energy energy(context::StepContext& ctx) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::monitor

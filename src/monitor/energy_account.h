@@ -6,7 +6,7 @@
 
 #include "context/monitor_data.h"
 
-namespace hawser::stepper {
+namespace hawser::monitor {
 
 /// Rise of a sum above its minimum, and fall below its maximum [J].
 struct Swing {
@@ -15,18 +15,19 @@ struct Swing {
 
 /// Unexplained energy: momentary and mean.
 struct Unexplained {
-    ByAccount<Swing> now{}, mean{};
+    context::ByAccount<Swing> now{}, mean{};
     /// Momentary value relative to the extrema of the mean: a short extremum counts by its fraction
     /// of kMean.
-    ByAccount<Swing> lasting{};
+    context::ByAccount<Swing> lasting{};
     double posed = 0.0;  ///< Earlier value of MonitorState::posed [J].
 };
 
 /// Begin the sums with the energy at the start.
-void begin_energy(const MonitorPart& p, const Works& works, MonitorState& state) noexcept;
+void begin_energy(const context::MonitorPart& p, const context::Works& works,
+                  context::MonitorState& state) noexcept;
 
 /// Update `state` to this sample. @param time  Time since the last sample [s].
-[[nodiscard]] Unexplained follow_energy(const MonitorPart& p, const Works& works, double time,
-                                        MonitorState& state) noexcept;
+[[nodiscard]] Unexplained follow_energy(const context::MonitorPart& p, const context::Works& works,
+                                        double time, context::MonitorState& state) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::monitor

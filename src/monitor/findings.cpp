@@ -10,18 +10,18 @@
 #include <cmath>
 #include <vector>
 
-namespace hawser::stepper {
+namespace hawser::monitor {
 namespace {
 
 /// Return the interaction of a row.
-std::int32_t owner_of(const Model& model, std::int32_t row) noexcept {
+std::int32_t owner_of(const context::Model& model, std::int32_t row) noexcept {
     const auto& begin = model.interactions.row_begin;
-    const auto end = begin.begin() + interaction_count(model);
+    const auto end = begin.begin() + context::interaction_count(model);
     return static_cast<std::int32_t>(std::upper_bound(begin.begin(), end, row) - begin.begin()) - 1;
 }
 
 /// Return the error of a step in its equations and laws.
-double certificate(const Model& model, const StepStats& stats) noexcept {
+double certificate(const context::Model& model, const StepStats& stats) noexcept {
     // Other methods, and steps with a reduced budget, have no certificate.
     if (model.def.nonsmooth != Nonsmooth::newton || stats.degradation.of_solve()) return 0.0;
     return std::max(stats.natural_map, stats.momentum_residual);
@@ -37,7 +37,7 @@ Finding finding(double value, Limit by, double time) noexcept {
 }
 
 /// Report the violation of a row and its interaction. @param row  −1: none.
-void name_row(const Model& model, std::int32_t row, Finding& out) noexcept {
+void name_row(const context::Model& model, std::int32_t row, Finding& out) noexcept {
     if (row < 0) return;
     out.value = std::fabs(model.interactions.g[at(row)]);
     out.interaction = model.interactions.id(owner_of(model, row));
@@ -53,7 +53,7 @@ double lasting(double now, std::array<double, N>& before) noexcept {
 }
 
 /// Return the minimum rise of this interval and the two complete ones before: over 0.2 to 0.3 s.
-double held_rise(double now, double time, MonitorState& memory) noexcept {
+double held_rise(double now, double time, context::MonitorState& memory) noexcept {
     constexpr double kSpan = 0.1;
     std::array<double, 3>& least = memory.held_rise;
     memory.held_time += time;
@@ -67,7 +67,7 @@ double held_rise(double now, double time, MonitorState& memory) noexcept {
 
 }  // namespace
 
-Works works(const State& state) noexcept {
+context::Works works(const context::State& state) noexcept {
     return {state.ledger.work + state.loads.work,
             state.ledger.drive,
             state.ledger.drag,
@@ -78,8 +78,9 @@ Works works(const State& state) noexcept {
             state.ledger.edited.strained};
 }
 
-Finding energy_finding(const Model& model, const State& state, const MonitorPart& p,
-                       MonitorState& memory, double time) noexcept {
+Finding energy_finding(const context::Model& model, const context::State& state,
+                       const context::MonitorPart& p, context::MonitorState& memory,
+                       double time) noexcept {
     const Unexplained u = follow_energy(p, works(state), time, memory);
     const double nothing =
         std::max(limit::kNothing * (p.kinetic + p.elastic), state.monitor.nothing);
@@ -87,24 +88,27 @@ Finding energy_finding(const Model& model, const State& state, const MonitorPart
         return energy <= nothing ? 0.0 : energy / of;
     };
     const double exchanged = p.kinetic + memory.exchanged, counted = p.kinetic + memory.counted;
-    const ByAccount<Swing>&now = u.now, &mean = u.mean;
+    const context::ByAccount<Swing>&now = u.now, &mean = u.mean;
     // Each balance has other momentary changes: at the midpoint between two poses, and at the
     // earlier pose. The latter is half a step away if the last sample is one step old.
     const bool close = time < 1.5 * model.def.step;
-    const double posed = close ? u.posed : std::max(now[kAtPoses].rise, u.posed);
-    const double created = std::min({now[kBetween].rise, now[kByForce].rise, posed});
+    const double posed = close ? u.posed : std::max(now[context::kAtPoses].rise, u.posed);
+    const double created =
+        std::min({now[context::kBetween].rise, now[context::kByForce].rise, posed});
     const double stays = std::min({created, memory.risen[0], memory.risen[1]});
     memory.risen = {created, memory.risen[0]};
-    const double lasting =
-        std::min({mean[kBetween].rise, mean[kByForce].rise, mean[kAtPoses].rise});
+    const double lasting = std::min(
+        {mean[context::kBetween].rise, mean[context::kByForce].rise, mean[context::kAtPoses].rise});
     // The energy of lines by their lengths belongs to the state, independent of their forces. It
     // has to last, above a level that lasted. An impact on a stop stores energy there that returns
     // within a few steps.
     const double by_length =
-        held_rise(std::min(u.lasting[kBetween].rise, u.lasting[kAtPoses].rise), time, memory);
-    const double hidden = std::max(now[kUnexplained].rise, now[kWithGiven].rise);
+        held_rise(std::min(u.lasting[context::kBetween].rise, u.lasting[context::kAtPoses].rise),
+                  time, memory);
+    const double hidden = std::max(now[context::kUnexplained].rise, now[context::kWithGiven].rise);
     // Use a level that lasted: the energy of an element by its length disappears after some steps.
-    const double lost = std::min(now[kUnexplained].fall, u.lasting[kUnexplained].fall);
+    const double lost =
+        std::min(now[context::kUnexplained].fall, u.lasting[context::kUnexplained].fall);
     Finding out;
     const double by_created = fraction(stays, exchanged) / limit::kCreated.doubtful,
                  by_held = fraction(by_length, exchanged) / limit::kHeld.doubtful,
@@ -117,21 +121,23 @@ Finding energy_finding(const Model& model, const State& state, const MonitorPart
                 : by_held == gained   ? by_length
                                       : created;
     out.doubtful = std::max(gained, fell);
-    out.wrong =
-        std::max({fraction(lasting, exchanged) / limit::kCreated.wrong,
-                  fraction(by_length, exchanged) / limit::kHeld.wrong,
-                  fraction(std::max(mean[kUnexplained].rise, mean[kWithGiven].rise), counted) /
-                      limit::kHidden.wrong,
-                  fraction(mean[kUnexplained].fall, counted) / limit::kLost.wrong});
+    out.wrong = std::max(
+        {fraction(lasting, exchanged) / limit::kCreated.wrong,
+         fraction(by_length, exchanged) / limit::kHeld.wrong,
+         fraction(std::max(mean[context::kUnexplained].rise, mean[context::kWithGiven].rise),
+                  counted) /
+             limit::kHidden.wrong,
+         fraction(mean[context::kUnexplained].fall, counted) / limit::kLost.wrong});
     // A split is approximate by choice; its errors of momentum and forces are reported separately.
-    if (has_cuts(model)) out.wrong = 0.0;
-    if (!std::isfinite(now[kUnexplained].rise)) out.doubtful = out.wrong = HUGE_VAL;
+    if (context::has_cuts(model)) out.wrong = 0.0;
+    if (!std::isfinite(now[context::kUnexplained].rise)) out.doubtful = out.wrong = HUGE_VAL;
     out.time = state.time;
     return out;
 }
 
-Finding open_finding(const Model& model, const State& state, const MonitorPart& p,
-                     MonitorState& memory, double time) noexcept {
+Finding open_finding(const context::Model& model, const context::State& state,
+                     const context::MonitorPart& p, context::MonitorState& memory,
+                     double time) noexcept {
     memory.open_start *= std::exp(-time / (limit::kSettled * model.def.step));
     Finding out = finding(p.open * limit::kOpen.doubtful, limit::kOpen, state.time);
     // A joint that the scene opened may close without a failure; that it was open is reported.
@@ -141,16 +147,16 @@ Finding open_finding(const Model& model, const State& state, const MonitorPart& 
     return out;
 }
 
-Finding range_finding(const Model& model, const State& state, const MonitorPart& p,
-                      MonitorState& memory) noexcept {
+Finding range_finding(const context::Model& model, const context::State& state,
+                      const context::MonitorPart& p, context::MonitorState& memory) noexcept {
     Finding out =
         finding(lasting(p.beyond, memory.beyond) * limit::kOpen.doubtful, limit::kOpen, state.time);
     name_row(model, p.beyond_row, out);
     return out;
 }
 
-Finding depth_finding(const Model& model, const State& state, const MonitorPart& p,
-                      MonitorState& memory) noexcept {
+Finding depth_finding(const context::Model& model, const context::State& state,
+                      const context::MonitorPart& p, context::MonitorState& memory) noexcept {
     Finding out = finding(lasting(p.deep, memory.deep), limit::kDeep, state.time);
     if (p.deep_contact < 0) return out;
     const collide::Contact& c = state.contacts.contacts[at(p.deep_contact)];
@@ -161,21 +167,23 @@ Finding depth_finding(const Model& model, const State& state, const MonitorPart&
     return out;
 }
 
-Finding solved_finding(const StepContext& ctx, MonitorState& state, double time) noexcept {
+Finding solved_finding(const context::StepContext& ctx, context::MonitorState& state,
+                       double time) noexcept {
     const double residual = certificate(ctx.model, ctx.work.stats);
     state.unsolved = residual > limit::kCertificate.doubtful ? state.unsolved + time : 0.0;
     const bool counts = state.unsolved >= limit::kSustained;
     return finding(counts ? residual : 0.0, limit::kCertificate, ctx.state.time);
 }
 
-Finding stretch_finding(const Model& model, const State& state, const MonitorPart& p,
-                        MonitorState& memory) noexcept {
+Finding stretch_finding(const context::Model& model, const context::State& state,
+                        const context::MonitorPart& p, context::MonitorState& memory) noexcept {
     Finding out = finding(lasting(p.stretch, memory.stretched), limit::kCable, state.time);
     out.interaction = model.interactions.id(p.stretch_id);
     return out;
 }
 
-Finding turn_finding(const Model& model, const State& state, const MonitorPart& p) noexcept {
+Finding turn_finding(const context::Model& model, const context::State& state,
+                     const context::MonitorPart& p) noexcept {
     Finding out =
         finding(model.def.step * std::sqrt(std::max(p.turn, p.twist)), limit::kTurn, state.time);
     if (p.turn >= p.twist)
@@ -185,4 +193,4 @@ Finding turn_finding(const Model& model, const State& state, const MonitorPart& 
     return out;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::monitor

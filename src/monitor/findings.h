@@ -9,33 +9,38 @@
 #include "context/monitor_data.h"
 #include "monitor/energy_account.h"
 
-namespace hawser::stepper {
+namespace hawser::monitor {
 
 /// Return the works since the start, in the order of WorkBy.
-[[nodiscard]] Works works(const State& state) noexcept;
+[[nodiscard]] context::Works works(const context::State& state) noexcept;
 
 /// Check for created and lost energy. @param time  Time since the last sample [s].
-[[nodiscard]] Finding energy_finding(const Model& model, const State& state, const MonitorPart& p,
-                                     MonitorState& memory, double time) noexcept;
+[[nodiscard]] Finding energy_finding(const context::Model& model, const context::State& state,
+                                     const context::MonitorPart& p, context::MonitorState& memory,
+                                     double time) noexcept;
 /// Check for open joints.
-[[nodiscard]] Finding open_finding(const Model& model, const State& state, const MonitorPart& p,
-                                   MonitorState& memory, double time) noexcept;
+[[nodiscard]] Finding open_finding(const context::Model& model, const context::State& state,
+                                   const context::MonitorPart& p, context::MonitorState& memory,
+                                   double time) noexcept;
 /// Check for violated ranges. A body that strikes the end of a range exceeds it by its motion in a
 /// step. The excess decreases to 4/9 per step: after six consecutive samples 5 % is left.
-[[nodiscard]] Finding range_finding(const Model& model, const State& state, const MonitorPart& p,
-                                    MonitorState& memory) noexcept;
+[[nodiscard]] Finding range_finding(const context::Model& model, const context::State& state,
+                                    const context::MonitorPart& p,
+                                    context::MonitorState& memory) noexcept;
 /// Check for bodies that penetrate each other in six consecutive samples. Reports the thinner one.
-[[nodiscard]] Finding depth_finding(const Model& model, const State& state, const MonitorPart& p,
-                                    MonitorState& memory) noexcept;
+[[nodiscard]] Finding depth_finding(const context::Model& model, const context::State& state,
+                                    const context::MonitorPart& p,
+                                    context::MonitorState& memory) noexcept;
 /// Check for unsolved equations.
-[[nodiscard]] Finding solved_finding(const StepContext& ctx, MonitorState& state,
+[[nodiscard]] Finding solved_finding(const context::StepContext& ctx, context::MonitorState& state,
                                      double time) noexcept;
 /// Check the cable law. A line that tightens deviates from it briefly; a line that vibrates does so
 /// in every sample.
-[[nodiscard]] Finding stretch_finding(const Model& model, const State& state, const MonitorPart& p,
-                                      MonitorState& memory) noexcept;
+[[nodiscard]] Finding stretch_finding(const context::Model& model, const context::State& state,
+                                      const context::MonitorPart& p,
+                                      context::MonitorState& memory) noexcept;
 /// Check for bodies or elements with a large rotation in a step.
-[[nodiscard]] Finding turn_finding(const Model& model, const State& state,
-                                   const MonitorPart& p) noexcept;
+[[nodiscard]] Finding turn_finding(const context::Model& model, const context::State& state,
+                                   const context::MonitorPart& p) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::monitor

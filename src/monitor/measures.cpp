@@ -14,19 +14,19 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hawser::stepper {
+namespace hawser::monitor {
 namespace {
 
 using assembly::View;
 
-void measure_body(const Model& model, std::int32_t body, const double* after, double half,
+void measure_body(const context::Model& model, std::int32_t body, const double* after, double half,
                   assembly::BodyEnergies& e) noexcept {
     const model::Bodies& b = model.bodies;
     const auto i = at(body);
     const int dof = b.dof(body);
     const double* v = &b.v[at(b.dof_begin[i])];
-    e.before += kinetic_energy_of(b, body, b.v.data());
-    e.after += kinetic_energy_of(b, body, after);
+    e.before += assembly::kinetic_energy_of(b, body, b.v.data());
+    e.after += assembly::kinetic_energy_of(b, body, after);
     if (dof == 1) return;
     if (b.weight[i])
         for (int k = 0; k < 3; ++k) {
@@ -43,8 +43,9 @@ void measure_body(const Model& model, std::int32_t body, const double* after, do
 }
 
 /// Sample moving bodies [begin, end).
-void measure_bodies(const Model& model, const View& v, std::int32_t begin, std::int32_t end,
-                    const double* after, double half, MonitorPart& p) noexcept {
+void measure_bodies(const context::Model& model, const View& v, std::int32_t begin,
+                    std::int32_t end, const double* after, double half,
+                    context::MonitorPart& p) noexcept {
     const std::vector<std::int32_t>& moving = model.bodies.moving;
     assembly::BodyEnergies e;
     for (std::int32_t i = begin; i < end;) {
@@ -63,15 +64,15 @@ void measure_bodies(const Model& model, const View& v, std::int32_t begin, std::
     p.turn_body = e.turn_body;
 }
 
-void measure_rows(const State& state, const View& v, std::int32_t begin, std::int32_t end,
-                  MonitorPart& p) noexcept {
+void measure_rows(const context::State& state, const View& v, std::int32_t begin, std::int32_t end,
+                  context::MonitorPart& p) noexcept {
     const std::int32_t row =
         assembly::kernels().widest_row(v.g, state.monitor.allowed.data(), begin, end, &p.open);
     if (row >= 0) p.open_row = row;
 }
 
 /// Sample ranges: a row has a violation outside of its range only.
-void measure_ranges(const State& state, const View& v, MonitorPart& p) noexcept {
+void measure_ranges(const context::State& state, const View& v, context::MonitorPart& p) noexcept {
     for (std::size_t i = 0; i < state.monitor.ranges.size(); ++i) {
         const std::int32_t row = state.monitor.ranges[i];
         const double beyond = std::fabs(v.g[row]) * state.monitor.range_allowed[i];
@@ -82,7 +83,8 @@ void measure_ranges(const State& state, const View& v, MonitorPart& p) noexcept 
 }
 
 /// Sample the depth of contacts of the step, relative to the thickness of the thinner shape.
-void measure_contacts(const Model& model, const State& state, MonitorPart& p) noexcept {
+void measure_contacts(const context::Model& model, const context::State& state,
+                      context::MonitorPart& p) noexcept {
     const std::vector<collide::Shape>& shapes = model.collider.shapes();
     for (std::size_t i = 0; i < state.contacts.awake; ++i) {
         const collide::Contact& c = state.contacts.contacts[i];
@@ -100,14 +102,14 @@ double held_by_force(const View& v, std::int32_t row) noexcept {
 }
 
 /// Sample ½ g²/ε half a step before the poses, as in energy().
-void measure_elastic(Model& model, const View& v, std::int32_t id, bool between_points, double half,
-                     MonitorPart& p) noexcept {
+void measure_elastic(context::Model& model, const View& v, std::int32_t id, bool between_points,
+                     double half, context::MonitorPart& p) noexcept {
     // For a wire use its true length, as the guard does.
     if (half > 0.0 && model.wires.wire_of[at(id)] >= 0 && !model.system.rests(id) &&
         !v.parted[id] && (v.flags[id] & model::kCarried) == 0) {
         const std::int32_t row = v.row_begin[id];
         if (model::holds_energy(v.epsilon[row], v.rest_length[id])) {
-            const double held = held_by_element(v, id);
+            const double held = solve::held_by_element(v, id);
             p.elastic += held;
             p.by_length += held;
             p.by_force += held_by_force(v, row);
@@ -127,7 +129,7 @@ void measure_elastic(Model& model, const View& v, std::int32_t id, bool between_
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;
         double speed = state ? s.carried[r] + (rests ? s.rate[r] : 0.0) : 0.0;
-        if (!rests) speed = along_row(v, id, jac, v.v, v.dof_begin, speed);
+        if (!rests) speed = assembly::along_row(v, id, jac, v.v, v.dof_begin, speed);
         if ((v.row_flags[row] & model::kRowVelocity) ||
             !model::holds_energy(v.epsilon[row], v.rest_length[id]))
             continue;
@@ -137,20 +139,23 @@ void measure_elastic(Model& model, const View& v, std::int32_t id, bool between_
         if (!line || now > 0.0) p.at_pose += 0.5 * now * now / v.epsilon[row];
         const double held = !line || g > 0.0 ? 0.5 * g * g / v.epsilon[row] : 0.0;
         p.elastic += held;
-        p.by_length += between_points && !state && half > 0.0 ? held_by_element(v, id) : held;
+        p.by_length +=
+            between_points && !state && half > 0.0 ? solve::held_by_element(v, id) : held;
     }
 }
 
 /// Subtract the kinetic energy by which the end nodes exceed an element that moves as a straight
 /// piece.
-void measure_piece(const View& v, std::int32_t id, const double* after, MonitorPart& p) noexcept {
-    const double before = pair_energy(v, id, v.v);
+void measure_piece(const View& v, std::int32_t id, const double* after,
+                   context::MonitorPart& p) noexcept {
+    const double before = assembly::pair_energy(v, id, v.v);
     p.kinetic -= before;
-    p.at_pose -= 0.5 * (before + pair_energy(v, id, after));
+    p.at_pose -= 0.5 * (before + assembly::pair_energy(v, id, after));
 }
 
 /// Sample the cable law and the rotation of an element.
-void measure_line(const Model& model, const View& v, std::int32_t id, MonitorPart& p) noexcept {
+void measure_line(const context::Model& model, const View& v, std::int32_t id,
+                  context::MonitorPart& p) noexcept {
     if (v.parted[id] || model.system.rests(id)) return;
     const std::int32_t row = v.row_begin[id];
     const double length = v.rest_length[id];
@@ -175,7 +180,7 @@ void measure_line(const Model& model, const View& v, std::int32_t id, MonitorPar
     // The force of its damper at this speed, and the motion of half a step, are part of the law.
     double buffer[model::kArmBufferSize];
     const double* jac = packed_rows(v, id, buffer);
-    const double speed = along_row(v, id, jac, v.v, v.dof_begin);
+    const double speed = assembly::along_row(v, id, jac, v.v, v.dof_begin);
     const double late = 0.25 * v.h * (1.0 / v.upsilon[row] - 1.0) + 0.5 * v.h;
     const double off = std::fabs(v.g[row] + v.epsilon[row] * v.lambda[row] / v.h);
     const double stretch = std::max(0.0, off - late * std::fabs(speed)) / length;
@@ -194,17 +199,18 @@ void take_worse(double value, std::int32_t which, double& most, std::int32_t& wh
 }  // namespace
 
 // Chunks are merged in order, so that the result does not depend on threads.
-MonitorPart sample(Model& model, State& state, runtime::Pool& pool, At when) noexcept {
-    const View v = row_view(model);
-    MonitorData& data = state.monitor;
+context::MonitorPart sample(context::Model& model, context::State& state, runtime::Pool& pool,
+                            At when) noexcept {
+    const View v = context::row_view(model);
+    context::MonitorData& data = state.monitor;
     const double half = when == At::pose ? 0.0 : 0.5 * model.def.step;
     const double* after = when == At::half_step ? v.v_new : v.v;
     const auto count_of = [](const auto& list) { return static_cast<std::int32_t>(list.size()); };
     const std::int32_t bodies = count_of(model.bodies.moving), rows = count_of(data.allowed),
                        elastic = count_of(data.elastic), lines = count_of(data.lines);
     const std::int32_t most = std::max({bodies, rows, elastic, lines});
-    over(pool, most, [&](std::int32_t a, std::int32_t b) {
-        MonitorPart p;
+    context::over(pool, most, [&](std::int32_t a, std::int32_t b) {
+        context::MonitorPart p;
         measure_bodies(model, v, a, std::min(b, bodies), after, half, p);
         measure_rows(state, v, a, std::min(b, rows), p);
         for (std::int32_t i = a; i < std::min(b, elastic); ++i)
@@ -213,13 +219,13 @@ MonitorPart sample(Model& model, State& state, runtime::Pool& pool, At when) noe
             measure_piece(v, data.elastic[at(i)], after, p);
         for (std::int32_t i = a; i < std::min(b, lines); ++i)
             measure_line(model, v, data.lines[at(i)], p);
-        data.part[at(a / StepContext::kChunk)] = p;
+        data.part[at(a / context::StepContext::kChunk)] = p;
     });
-    MonitorPart sum;
+    context::MonitorPart sum;
     measure_ranges(state, v, sum);
     if (when == At::half_step) measure_contacts(model, state, sum);  // no contacts at the start
-    for (int i = 0; i < StepContext::chunks(most); ++i) {
-        const MonitorPart& p = data.part[at(i)];
+    for (int i = 0; i < context::StepContext::chunks(most); ++i) {
+        const context::MonitorPart& p = data.part[at(i)];
         sum.kinetic += p.kinetic;
         sum.potential += p.potential;
         sum.elastic += p.elastic;
@@ -249,7 +255,8 @@ namespace {
 
 /// Call f(row, true if a line, violation, its rate) for the active rows of springs.
 template <class F>
-void each_spring(const Model& model, const State& state, const View& v, F&& f) noexcept {
+void each_spring(const context::Model& model, const context::State& state, const View& v,
+                 F&& f) noexcept {
     for (const std::int32_t id : state.monitor.elastic) {
         const bool line = (v.flags[id] & model::kOneSided) != 0;
         if (line ? v.parted[id] != 0 : v.active[id] == 0.0) continue;
@@ -266,13 +273,14 @@ void each_spring(const Model& model, const State& state, const View& v, F&& f) n
 
 }  // namespace
 
-void read_spring_gaps(Model& model, const State& state, double* gaps) noexcept {
-    each_spring(model, state, row_view(model),
+void read_spring_gaps(context::Model& model, const context::State& state, double* gaps) noexcept {
+    each_spring(model, state, context::row_view(model),
                 [&](std::int32_t row, bool, double g, double) { gaps[row] = g; });
 }
 
-double held_by_closing(Model& model, const State& state, const double* before) noexcept {
-    const View v = row_view(model);
+double held_by_closing(context::Model& model, const context::State& state,
+                       const double* before) noexcept {
+    const View v = context::row_view(model);
     double sum = 0.0;
     each_spring(model, state, v, [&](std::int32_t row, bool line, double now, double rate) {
         const auto held = [&](double g) { return !line || g > 0.0 ? g * g : 0.0; };
@@ -282,4 +290,4 @@ double held_by_closing(Model& model, const State& state, const double* before) n
     return sum;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::monitor

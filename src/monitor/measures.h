@@ -6,22 +6,23 @@
 #include "context/context.h"
 #include "context/monitor_data.h"
 
-namespace hawser::stepper {
+namespace hawser::monitor {
 
 /// Time of the velocities: at the poses, or half a step before them.
 enum class At { pose, half_step };
 
 /// Sample energies and extrema of the state, whose rows have been evaluated. The result does not
 /// depend on threads.
-[[nodiscard]] MonitorPart sample(Model& model, State& state, runtime::Pool& pool, At when) noexcept;
+[[nodiscard]] context::MonitorPart sample(context::Model& model, context::State& state,
+                                          runtime::Pool& pool, At when) noexcept;
 
 /// Write the violations of the rows of springs at the present poses into `gaps`, by row.
-void read_spring_gaps(Model& model, const State& state, double* gaps) noexcept;
+void read_spring_gaps(context::Model& model, const context::State& state, double* gaps) noexcept;
 
 /// Return the additional energy of springs half a step before the poses, extrapolated back by the
 /// velocities [J]. It arises because the projection moved the poses by its full amount instead of
 /// half of it. @param before  Result of read_spring_gaps() before the projection.
-[[nodiscard]] double held_by_closing(Model& model, const State& state,
+[[nodiscard]] double held_by_closing(context::Model& model, const context::State& state,
                                      const double* before) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::monitor

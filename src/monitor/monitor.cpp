@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hawser::stepper {
+namespace hawser::monitor {
 namespace {
 
 constexpr std::size_t place(Judge judge) noexcept { return static_cast<std::size_t>(judge); }
@@ -36,8 +36,8 @@ void take(const Finding& f, Finding& worst) noexcept {
 }
 
 /// Run all monitors on a state and advance `state` to it.
-Findings run_all(StepContext& ctx, MonitorState& state) noexcept {
-    const MonitorPart p = sample(ctx.model, ctx.state, ctx.pool, At::half_step);
+Findings run_all(context::StepContext& ctx, context::MonitorState& state) noexcept {
+    const context::MonitorPart p = sample(ctx.model, ctx.state, ctx.pool, At::half_step);
     const double time = ctx.model.def.step * static_cast<double>(ctx.state.step - state.step);
     if (state.begun == 0) state.open_start = p.open;  // the poses were set by the user
     Findings out{};
@@ -86,7 +86,7 @@ Grade add(const Findings& now, Verdict& verdict) noexcept {
 }
 
 /// Run the checks of every step, before lines break in it.
-Findings borne(StepContext& ctx, MonitorState& state) noexcept {
+Findings borne(context::StepContext& ctx, context::MonitorState& state) noexcept {
     Findings out{};
     out[place(Judge::cable)] = strain_finding(ctx.model, ctx.state, state);
     out[place(Judge::violation)] = wound_finding(ctx.model, ctx.state, state);
@@ -95,8 +95,8 @@ Findings borne(StepContext& ctx, MonitorState& state) noexcept {
 
 /// Report an event for each monitor that has become suspect.
 /// @param all  True if all monitors were run; otherwise only those of borne().
-void tell(State& state, StepStats& stats, const Findings& now, bool all,
-          MonitorState& memory) noexcept {
+void tell(context::State& state, StepStats& stats, const Findings& now, bool all,
+          context::MonitorState& memory) noexcept {
     constexpr EventKind kKinds[kJudgeCount] = {EventKind::energy_created, EventKind::joint_open,
                                                EventKind::cable_law, EventKind::uncertified,
                                                EventKind::fast};
@@ -120,7 +120,7 @@ void tell(State& state, StepStats& stats, const Findings& now, bool all,
 
 /// Report a step whose iterations of rigid joints failed (completion.h), once until kMemory has
 /// passed without a failure. The remaining time is stored in ticks.
-void report_incomplete(StepContext& ctx) noexcept {
+void report_incomplete(context::StepContext& ctx) noexcept {
     constexpr std::uint8_t kTicks = 200;
     std::uint8_t& left = ctx.state.monitor.state.reported[kJudgeCount];
     const auto tick =
@@ -151,14 +151,14 @@ void report_incomplete(StepContext& ctx) noexcept {
 /// ```
 /// So (h/8)(F − N)·(v₊ − v₋) remains. From rest, where v₋ = −v₊, the first step's work is zero. For
 /// N = 0 the remainder then equals the kinetic energy at its end.
-double early_gain(StepContext& ctx) noexcept {
+double early_gain(context::StepContext& ctx) noexcept {
     const model::Bodies& b = ctx.model.bodies;
-    const assembly::View v = view(ctx);
-    double gain = drive_gain(ctx.model) + ctx.state.loads.gain(b, v.h, v.v, v.v_new) -
-                  spring_gain(ctx.model, ctx.state.monitor.elastic);
+    const assembly::View v = context::view(ctx);
+    double gain = solve::drive_gain(ctx.model) + ctx.state.loads.gain(b, v.h, v.v, v.v_new) -
+                  solve::spring_gain(ctx.model, ctx.state.monitor.elastic);
     // Half a step before the start, springs are longer or shorter by (h/2)|ġ| and store that energy
     // too.
-    gain += spring_way(ctx.model, ctx.state.monitor.elastic);
+    gain += solve::spring_way(ctx.model, ctx.state.monitor.elastic);
     for (const std::int32_t body : b.moving) {
         const bool falls = b.weight[at(body)] && b.dof(body) >= 3;
         for (int i = 0; i < b.dof(body); ++i) {
@@ -173,21 +173,21 @@ double early_gain(StepContext& ctx) noexcept {
 
 }  // namespace
 
-void begin_monitors(StepContext& ctx) noexcept {
-    MonitorState& state = ctx.state.monitor.state;
+void begin_monitors(context::StepContext& ctx) noexcept {
+    context::MonitorState& state = ctx.state.monitor.state;
     if (state.begun != 0) return;
-    const KeptRanges kept(ctx.work.before.active, ctx.model.interactions.active.data(),
-                          ctx.model.system.bounded);
-    evaluate_rows(ctx.model, ctx.pool);
-    const MonitorPart p = sample(ctx.model, ctx.state, ctx.pool, At::pose);
+    const assembly::KeptRanges kept(ctx.work.before.active, ctx.model.interactions.active.data(),
+                                    ctx.model.system.bounded);
+    solve::evaluate_rows(ctx.model, ctx.pool);
+    const context::MonitorPart p = sample(ctx.model, ctx.state, ctx.pool, At::pose);
     state = {};
     state.step = ctx.state.step;
     state.open_start = p.open > 1.0 ? p.open : 0.0;
     begin_energy(p, works(ctx.state), state);
 }
 
-Status run_monitors(StepContext& ctx) noexcept {
-    MonitorData& d = ctx.state.monitor;
+Status run_monitors(context::StepContext& ctx) noexcept {
+    context::MonitorData& d = ctx.state.monitor;
     // Joints are checked in each step at no cost, because they may open and close between samples.
     const bool open = ctx.work.stats.violation_max > limit::kOpen.doubtful;
     // The balance of the start is completed at the first sample, with this rise.
@@ -195,7 +195,7 @@ Status run_monitors(StepContext& ctx) noexcept {
         const double early = early_gain(ctx);
         for (double& start : d.state.mean) start += early;
     }
-    MonitorState next = d.state;
+    context::MonitorState next = d.state;
     Findings now = borne(ctx, next);
     const bool all =
         ctx.state.step != 0 && (ctx.state.step <= 1 || ctx.state.step % d.every == 0 || open);
@@ -209,7 +209,7 @@ Status run_monitors(StepContext& ctx) noexcept {
         for (std::size_t k = 0; k < now.size(); ++k) take(seen[k], now[k]);
     }
     const Grade grade = add(now, d.verdict);
-    const bool split = has_cuts(ctx.model);
+    const bool split = context::has_cuts(ctx.model);
     if (grade == Grade::wrong && ctx.model.def.on_diverged == OnDiverged::stop && !split)
         return Status::diverged;
     d.state = next;
@@ -218,17 +218,17 @@ Status run_monitors(StepContext& ctx) noexcept {
     return Status::ok;
 }
 
-Verdict verdict(StepContext& ctx) noexcept {
+Verdict verdict(context::StepContext& ctx) noexcept {
     Verdict out = ctx.state.monitor.verdict;
-    if (ctx.state.changed != Changed::nothing || ctx.state.repair != PendingRepair::nothing ||
-        ctx.state.step == 0)
+    if (ctx.state.changed != context::Changed::nothing ||
+        ctx.state.repair != context::PendingRepair::nothing || ctx.state.step == 0)
         return out;
-    const KeptRanges kept(ctx.work.before.active, ctx.model.interactions.active.data(),
-                          ctx.model.system.bounded);
-    evaluate_rows(ctx.model, ctx.pool);
-    MonitorState next = ctx.state.monitor.state;
+    const assembly::KeptRanges kept(ctx.work.before.active, ctx.model.interactions.active.data(),
+                                    ctx.model.system.bounded);
+    solve::evaluate_rows(ctx.model, ctx.pool);
+    context::MonitorState next = ctx.state.monitor.state;
     (void)add(run_all(ctx, next), out);
     return out;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::monitor

@@ -39,13 +39,13 @@
 #include <cstdint>
 #include <vector>
 
-namespace hawser::stepper {
+namespace hawser::monitor {
 
 /// Compute the energy at the start, from the given velocities.
-void begin_monitors(StepContext& ctx) noexcept;
+void begin_monitors(context::StepContext& ctx) noexcept;
 /// Check the state before the present step, whose rows have been evaluated.
-[[nodiscard]] Status run_monitors(StepContext& ctx) noexcept;
+[[nodiscard]] Status run_monitors(context::StepContext& ctx) noexcept;
 /// Return the result of the monitors for the present state.
-[[nodiscard]] Verdict verdict(StepContext& ctx) noexcept;
+[[nodiscard]] Verdict verdict(context::StepContext& ctx) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::monitor

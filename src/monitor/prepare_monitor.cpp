@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace hawser::stepper {
+namespace hawser::monitor {
 namespace {
 
 /// Return the edge length of a cube with the same mass and inertia [m]; infinite for other bodies.
@@ -27,17 +27,17 @@ double allowance(double size, bool turns) noexcept {
 
 }  // namespace
 
-void prepare_monitors(const Model& model, State& state) {
-    MonitorData& d = state.monitor;
+void prepare_monitors(const context::Model& model, context::State& state) {
+    context::MonitorData& d = state.monitor;
     const model::Interactions& in = model.interactions;
     if (!state.edits.any) d.state = {};
-    d.allowed.assign(at(user_rows(model)), 0.0);
+    d.allowed.assign(at(context::user_rows(model)), 0.0);
     d.elastic.clear();
     d.line.clear();
     d.lines.clear();
     d.ranges.clear();
     d.range_allowed.clear();
-    for (std::int32_t id = 0; id < interaction_count(model); ++id) {
+    for (std::int32_t id = 0; id < context::interaction_count(model); ++id) {
         const KindInfo& kind = kind_info(in.kinds[at(id)]);
         if (in.rest_length[at(id)] > 0.0) d.lines.push_back(id);
         if (in.flags[at(id)] & model::kFriction) continue;  // counted as driven
@@ -78,7 +78,7 @@ void prepare_monitors(const Model& model, State& state) {
     }
     const auto most = static_cast<std::int32_t>(
         std::max({model.bodies.moving.size(), d.allowed.size(), d.elastic.size(), d.lines.size()}));
-    d.part.resize(at(StepContext::chunks(most)));
+    d.part.resize(at(context::StepContext::chunks(most)));
     d.nothing = 0.0;
     // [m/s]: resting bodies without weight have only rounding errors
     constexpr double kAtRest = 1e-5;
@@ -96,4 +96,4 @@ void prepare_monitors(const Model& model, State& state) {
               : static_cast<std::int32_t>(std::max(1.0, std::round(limit::kLook / model.def.step)));
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::monitor

@@ -6,9 +6,9 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::monitor {
 
 /// Prepare arrays for the present interactions. @throws std::bad_alloc.
-void prepare_monitors(const Model& model, State& state);
+void prepare_monitors(const context::Model& model, context::State& state);
 
-}  // namespace hawser::stepper
+}  // namespace hawser::monitor

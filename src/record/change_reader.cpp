@@ -2,6 +2,8 @@
 #include "record/changes.h"
 #include "record/field_bytes.h"
 
+#include <hawser/experimental/splits.h>
+
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -30,7 +32,7 @@ class Carrier final : public System {
 void detach_carried(World& world, InteractionId element, int end, double mass) {
     const System& carrier = world.add_system(std::make_unique<Carrier>(element, mass));
     try {
-        world.detach(element, end);
+        world.wires().detach(element, end);
     } catch (...) {
         (void)world.remove_system(carrier);
         throw;
@@ -87,43 +89,43 @@ void apply_motion(ChangeKind kind, GetFields& get, World& world) {
 void apply_grouping(ChangeKind kind, GetFields& get, World& world) {
     if (kind == ChangeKind::set_group) {
         const auto body = get.value<BodyId>();
-        world.set_group(body, get.value<std::string>());
+        world.splits().set_group(body, get.value<std::string>());
     } else if (kind == ChangeKind::set_groups) {
-        world.set_groups(get.value<std::int32_t>());
+        world.splits().set_groups(get.value<std::int32_t>());
     } else if (kind == ChangeKind::follow_groups) {
         const auto parts = get.value<std::int32_t>();
-        world.follow_groups(parts, get.value<std::int32_t>());
+        world.splits().follow_groups(parts, get.value<std::int32_t>());
     } else {
         const auto id = get.value<InteractionId>();
         Coupling coupling{};
         get.word(coupling, 4);
-        world.set_coupling(id, coupling);
+        world.splits().set_coupling(id, coupling);
     }
 }
 
 void apply_wire_change(ChangeKind kind, GetFields& get, World& world) {
     if (kind == ChangeKind::part) {
-        world.part(get.value<InteractionId>());
+        world.wires().part(get.value<InteractionId>());
     } else if (kind == ChangeKind::insert_node) {
         const auto element = get.value<InteractionId>();
         const auto share = get.value<double>();
-        (void)world.insert_node(element, share, get.value<double>());
+        (void)world.wires().insert_node(element, share, get.value<double>());
     } else if (kind == ChangeKind::remove_node) {
         const auto node = get.value<BodyId>();
-        (void)world.remove_node(node, get.value<double>());
+        (void)world.wires().remove_node(node, get.value<double>());
     } else if (kind == ChangeKind::set_mass) {
         const auto lump = get.value<BodyId>();
-        world.set_mass(lump, get.value<double>());
+        world.wires().set_mass(lump, get.value<double>());
     } else if (kind == ChangeKind::cut) {
         const auto element = get.value<InteractionId>();
-        (void)world.cut(element, get.value<double>());
+        (void)world.wires().cut(element, get.value<double>());
     } else if (kind == ChangeKind::join) {
         const auto a = get.value<BodyId>(), b = get.value<BodyId>();
         const auto point = get.value<Vec3>();
-        (void)world.join(a, b, point, get.definition<JoinDef>());
+        (void)world.wires().join(a, b, point, get.definition<JoinDef>());
     } else if (kind == ChangeKind::detach) {
         const auto element = get.value<InteractionId>();
-        world.detach(element, get.value<std::int32_t>());
+        world.wires().detach(element, get.value<std::int32_t>());
     } else if (kind == ChangeKind::detach_carried) {
         const auto element = get.value<InteractionId>();
         const auto end = get.value<std::int32_t>();
@@ -131,7 +133,7 @@ void apply_wire_change(ChangeKind kind, GetFields& get, World& world) {
         if (!(mass > 0.0 && mass <= 1e12)) throw BadBytes("a released end of a wire has no mass");
         detach_carried(world, element, end, mass);
     } else {
-        world.release(get.value<InteractionId>());
+        world.wires().release(get.value<InteractionId>());
     }
 }
 
@@ -139,14 +141,14 @@ void apply_guide_change(ChangeKind kind, GetFields& get, World& world) {
     const auto first = get.value<InteractionId>();
     if (kind == ChangeKind::lay_over) {
         auto before = get.definition<InteractionDef>();
-        (void)world.lay_over(first, std::move(before), get.definition<InteractionDef>());
+        (void)world.wires().engage(first, std::move(before), get.definition<InteractionDef>());
     } else if (kind == ChangeKind::lift_off) {
         const auto behind = get.value<InteractionId>();
-        (void)world.lift_off(first, behind, get.definition<InteractionDef>());
+        (void)world.wires().disengage(first, behind, get.definition<InteractionDef>());
     } else {
         const auto behind = get.value<InteractionId>();
         const auto along = get.value<double>();
-        (void)world.move_along(first, behind, along, get.value<double>());
+        (void)world.wires().move_along(first, behind, along, get.value<double>());
     }
 }
 
@@ -173,12 +175,12 @@ void apply_one(ChangeKind kind, ByteReader& in, World& world) {
         get(d.hasty);
         get(d.cuts);
         if (kind == ChangeKind::degrade_wires) get(d.wires);
-        world.degrade_next_step(d);
+        world.solver().degrade_next_step(d);
     } else if (kind == ChangeKind::rebuild) {
         const auto made_of = get.definition<Structure>();
-        world.restore(made_of, in.take(in.get<std::uint32_t>()));
+        world.state().restore(made_of, in.take(in.get<std::uint32_t>()));
     } else {
-        world.restore(in.take(in.get<std::uint32_t>()));
+        world.state().restore(in.take(in.get<std::uint32_t>()));
     }
 }
 

@@ -39,7 +39,7 @@ CsvWriter::CsvWriter(const std::filesystem::path& file, const SceneInfo& scene, 
     for (const CableInfo& cable : scene.cables) {
         if (cable.elements.empty()) continue;
         const InteractionId first = cable.elements.front(), last = cable.elements.back();
-        ends_.push_back({world.alive(first) ? world.wire_of(first) : WireId{}, first, last});
+        ends_.push_back({world.alive(first) ? world.wires().of(first) : WireId{}, first, last});
         line_ += "," + quoted(cable.name + " tension at first end [N]");
         line_ += "," + quoted(cable.name + " tension at last end [N]");
     }
@@ -65,7 +65,7 @@ void CsvWriter::add_row(const World& world) {
     };
     for (const auto& [wire, first, last] : ends_) {
         const auto now =
-            world.alive(wire) ? world.elements(wire) : std::span<const InteractionId>();
+            world.alive(wire) ? world.wires().elements(wire) : std::span<const InteractionId>();
         fmt::format_to(out, ",{:.9g},{:.9g}", tension(now.empty() ? first : now.front()),
                        tension(now.empty() ? last : now.back()));
     }

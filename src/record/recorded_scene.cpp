@@ -28,7 +28,7 @@ scene::Scene recorded_scene(const Recording& recording, int threads) {
         std::any_of(recording.inputs.begin(), recording.inputs.end(), bad_input))
         throw RecordingError(recording.file + ": the embedded scene does not fit the recording");
     world.prepare();
-    world.restore(recording.snapshot);
+    world.state().restore(recording.snapshot);
     return scene;
 }
 

@@ -18,7 +18,7 @@ std::vector<InteractionId> all_of(const World& world) {
 
 bool is_line(const World& world, InteractionId id) {
     const KindInfo& kind = kind_info(world.interaction_def(id).kind);
-    return kind.is(kPulls) && kind.uses_points && !world.wire_of(id).valid();
+    return kind.is(kPulls) && kind.uses_points && !world.wires().of(id).valid();
 }
 
 }  // namespace

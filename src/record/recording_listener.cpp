@@ -61,10 +61,10 @@ void RecordingListener::begin_take(F&& reported) noexcept {
 }
 
 void RecordingListener::restored(std::span<const std::byte>) noexcept {
-    begin_take([&] { ChangeBytes::restored(world_.save_motion()); });
+    begin_take([&] { ChangeBytes::restored(world_.state().save_motion()); });
 }
 void RecordingListener::restored(const Structure& made_of, std::span<const std::byte>) noexcept {
-    begin_take([&] { ChangeBytes::restored(made_of, world_.save_motion()); });
+    begin_take([&] { ChangeBytes::restored(made_of, world_.state().save_motion()); });
 }
 
 void RecordingListener::flush() { flush(world_.step_count()); }

@@ -21,18 +21,18 @@ constexpr std::size_t kPieceBytes = 2 * (4 + 24);
 WireFollower::WireFollower(const World& world) {
     // Cables of a layout contain no wheels. If the world has wheels, frames describe the wires from
     // the first frame on.
-    for (const WireId wire : world.wires())
-        for (const InteractionId id : world.elements(wire))
+    for (const WireId wire : world.wires().ids())
+        for (const InteractionId id : world.wires().elements(wire))
             if (world.alive(id) && kind_info(world.interaction_def(id).kind).is(kRouted)) return;
     (void)changed(world);
 }
 
 bool WireFollower::changed(const World& world) {
-    const auto wires = world.wires();
+    const auto wires = world.wires().ids();
     bool other = elements_.size() != wires.size();
     elements_.resize(wires.size());
     for (std::size_t w = 0; w < wires.size(); ++w) {
-        const auto all = world.elements(wires[w]);
+        const auto all = world.wires().elements(wires[w]);
         std::vector<InteractionId>& known = elements_[w];
         std::size_t k = 0;
         for (const InteractionId id : all) {
@@ -50,7 +50,7 @@ bool WireFollower::changed(const World& world) {
 void put_piece(ByteWriter& out, const World& world, InteractionId element,
                std::span<const BodyId> bodies) {
     const InteractionDef& d = world.interaction_def(element);
-    const std::array<Vec3, 2> ends = world.ends(element);
+    const std::array<Vec3, 2> ends = world.wires().ends(element);
     for (std::size_t k = 0; k < 2; ++k) {
         const auto place = std::lower_bound(bodies.begin(), bodies.end(), d.body[k]);
         out.put(static_cast<std::int32_t>(place - bodies.begin()));
@@ -68,10 +68,10 @@ void put_pull(ByteWriter& out, const World& world, InteractionId element) {
 
 void WireFollower::put_wires(ByteWriter& out, const World& world,
                              std::span<const BodyId> bodies) const {
-    const auto wires = world.wires();
+    const auto wires = world.wires().ids();
     out.put(static_cast<std::uint32_t>(wires.size()));
     for (std::size_t w = 0; w < wires.size(); ++w) {
-        out.put_text(world.wire_name(wires[w]));
+        out.put_text(world.wires().name(wires[w]));
         out.put(static_cast<std::uint32_t>(elements_[w].size()));
         for (const InteractionId id : elements_[w]) put_piece(out, world, id, bodies);
     }

@@ -92,8 +92,8 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& file, const SceneI
     write_chunk(kLayoutChunk);
 
     payload_.put(world.step_count());
-    payload_.put(world.motion_hash());
-    payload_.put_bytes(world.save_motion());
+    payload_.put(world.state().motion_hash());
+    payload_.put_bytes(world.state().save_motion());
     write_chunk(kSnapshotChunk);
 
     put_input_names(payload_, world);
@@ -204,7 +204,7 @@ void RecordingWriter::add_frame(const World& world) {
     const StepStats& stats = world.stats();
     payload_.put(world.step_count());
     payload_.put(world.time());
-    payload_.put(world.motion_hash());
+    payload_.put(world.state().motion_hash());
     for (const double figure :
          {stats.violation_max, stats.momentum_residual, world.energy().mechanical()})
         payload_.put(in_range(figure));
@@ -284,7 +284,7 @@ void RecordingWriter::add_take(std::int64_t from, std::int64_t to) {
 void RecordingWriter::finish(const World& world, Ending ending) {
     payload_.put(static_cast<std::uint8_t>(ending));
     payload_.put(world.step_count());
-    payload_.put(world.motion_hash());
+    payload_.put(world.state().motion_hash());
     write_chunk(kEndChunk);
     if (std::fflush(out_.get()) != 0) fail();
 }

@@ -145,7 +145,7 @@ void Repeater::before_step(World& world) {
     repeat_loads(world);
     const std::size_t end = end_of(cuts.size(), &RecordedTake::cuts);
     while (cut_ < end && cuts[cut_].step < now) ++cut_;
-    if (cut_ < end && cuts[cut_].step == now) world.degrade_next_step(cuts[cut_].left_out);
+    if (cut_ < end && cuts[cut_].step == now) world.solver().degrade_next_step(cuts[cut_].left_out);
 }
 
 }  // namespace hawser::record

@@ -59,8 +59,8 @@ namespace {
 /// Return the wire that has a body as a node; invalid if there is none.
 WireId wire_at(const World& world, BodyId body) {
     if (world.body_def(body).kind != BodyKind::lump) return {};
-    for (const WireId wire : world.wires()) {
-        const auto nodes = world.nodes(wire);
+    for (const WireId wire : world.wires().ids()) {
+        const auto nodes = world.wires().nodes(wire);
         if (std::find(nodes.begin(), nodes.end(), body) != nodes.end()) return wire;
     }
     return {};
@@ -74,7 +74,7 @@ std::string body_label(const World& world, BodyId body) {
     const std::string& name = world.body_def(body).name;
     if (!name.empty()) return name;
     const WireId wire = wire_at(world, body);
-    return wire.valid() ? fmt::format("{} node {}", world.wire_name(wire), body.index)
+    return wire.valid() ? fmt::format("{} node {}", world.wires().name(wire), body.index)
                         : fmt::format("body {}", body.index);
 }
 
@@ -86,9 +86,9 @@ std::string interaction_label(const World& world, InteractionId interaction) {
     if (!def.name.empty()) return def.name;
     const KindInfo& kind = kind_info(def.kind);
     const WireId wire =
-        kind.is(kBendsWire) ? wire_at(world, def.body[1]) : world.wire_of(interaction);
+        kind.is(kBendsWire) ? wire_at(world, def.body[1]) : world.wires().of(interaction);
     const std::string number = fmt::format("{} {}", kind.name, interaction.index);
-    return wire.valid() ? world.wire_name(wire) + " " + number : number;
+    return wire.valid() ? world.wires().name(wire) + " " + number : number;
 }
 
 std::string name_in_quotes(const std::string& name) { return "\"" + name + "\""; }

@@ -39,7 +39,7 @@ SceneDifferences differences(const std::string& before, const std::string& now) 
 void restore_other(World& world, std::span<const std::byte> state,
                    const std::vector<std::string>& numbers) {
     try {
-        world.restore_variant(state);
+        world.state().restore_variant(state);
     } catch (const DefError& e) {
         throw BadBytes(fmt::format(
             "{}; the scenes differ in {}{}", e.what(), numbers.front(),
@@ -58,12 +58,12 @@ void save_snapshot(const std::filesystem::path& file, const SceneInfo& scene, co
     out.put_text(scene.name);
     out.put_text(scene.text);
     out.put(world.time());
-    out.put(world.state_hash());
+    out.put(world.state().hash());
     if (with_structure) {
         PutFields put{out};
-        put(world.structure());
+        put(world.state().structure());
     }
-    out.put_bytes(world.save());
+    out.put_bytes(world.state().save());
     out.put(crc32(out.bytes()));
     if (const std::string fault = write_file(file, out.bytes()); !fault.empty())
         throw SnapshotError(fmt::format("{}: cannot write the snapshot: {}", file.string(), fault));
@@ -110,12 +110,12 @@ std::vector<std::string> restore_snapshot(const std::filesystem::path& file, con
         if (version == kWithStructure) get(made_of);
         const auto state = in.take(in.left() - 4);
         // If the state does not fit, the world stays unchanged.
-        const std::vector<std::byte> before = world.save();
+        const std::vector<std::byte> before = world.state().save();
         const bool other = version == kWithStructure;
-        const Structure was = other ? world.structure() : Structure{};
-        other ? world.restore(made_of, state) : world.restore(state);
-        if (world.state_hash() != state_hash) {
-            other ? world.restore(was, before) : world.restore(before);
+        const Structure was = other ? world.state().structure() : Structure{};
+        other ? world.state().restore(made_of, state) : world.state().restore(state);
+        if (world.state().hash() != state_hash) {
+            other ? world.state().restore(was, before) : world.state().restore(before);
             throw BadBytes(
                 fmt::format("the restored state has another hash; it was saved with another "
                             "instruction set than {} or another version of Hawser",

@@ -23,9 +23,10 @@ void save_snapshot(const std::filesystem::path& file, const SceneInfo& scene, co
                    bool with_structure = false);
 
 /// Continue from a saved state. The scene may differ in numbers from the saved one, except in the
-/// step. It may not differ if the run had edited the world (World::restore_variant). @return the
-/// numbers that differ, "/bodies/3/mass: 100 -> 120". @throws SnapshotError if the file is damaged,
-/// or if its scene has another structure, with the first difference. The world is then unchanged.
+/// step. It may not differ if the run had edited the world (WorldState::restore_variant). @return
+/// the numbers that differ, "/bodies/3/mass: 100 -> 120". @throws SnapshotError if the file is
+/// damaged, or if its scene has another structure, with the first difference. The world is then
+/// unchanged.
 std::vector<std::string> restore_snapshot(const std::filesystem::path& file, const SceneInfo& scene,
                                           World& world);
 

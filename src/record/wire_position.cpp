@@ -26,13 +26,13 @@ double rest_length(const World& world, InteractionId element) {
 }
 
 std::optional<WirePosition> wire_position(const World& world, InteractionId element) {
-    for (const WireId wire : world.wires()) {
+    for (const WireId wire : world.wires().ids()) {
         double s = 0.0;
-        for (const InteractionId one : world.elements(wire)) {
+        for (const InteractionId one : world.wires().elements(wire)) {
             if (!world.alive(one)) continue;
             const double rest = rest_length(world, one);
             if (one == element)
-                return {{world.wire_name(wire), s + 0.5 * rest, world.length(wire)}};
+                return {{world.wires().name(wire), s + 0.5 * rest, world.wires().length(wire)}};
             s += rest;
         }
     }

@@ -273,7 +273,7 @@ ListedEvent listed(const World& world, const Event& event) {
 std::vector<EventFigures> event_figures(const World& world) {
     std::vector<EventFigures> out;
     for (int k = 0; k < kEventKindCount; ++k) {
-        const EventExtremes extremes = world.event_extremes(static_cast<EventKind>(k));
+        const EventExtremes extremes = world.events().extremes(static_cast<EventKind>(k));
         if (extremes.count == 0) continue;
         const bool vessels =
             extremes.first.kind == EventKind::saturation &&

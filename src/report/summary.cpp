@@ -61,7 +61,7 @@ SummaryCollector::SummaryCollector(const record::SceneInfo& scene, const World& 
     summary_.load_start = record::load_average();
     for (const record::CableInfo& cable : scene.cables) {
         summary_.cables.push_back({cable.name, HUGE_VAL, 0.0, -HUGE_VAL, cable.breaking_load});
-        tensions_.push_back({world.find_wire(cable.name)});
+        tensions_.push_back({world.wires().find(cable.name)});
     }
     for (const BodyId body : bodies_) {
         summary_.bodies.push_back({.name = record::body_label(world, body)});
@@ -159,7 +159,7 @@ void SummaryCollector::watch_cables(const World& world) {
         // Elements of a wire are added and removed with its nodes; links of a chain belong to no
         // wire.
         std::span<const InteractionId> elements = scene_.cables[c].elements;
-        if (world.alive(all.wire)) elements = world.elements(all.wire);
+        if (world.alive(all.wire)) elements = world.wires().elements(all.wire);
         for (const InteractionId element : elements) {
             if (!world.alive(element)) continue;
             const double tension = record::element_tension(world, element);
@@ -255,9 +255,9 @@ Summary SummaryCollector::result(const World& world) const {
     }
     out.wires = wires_.result(world);
     out.parted = wires_.parted();
-    out.state_hash = world.state_hash();
+    out.state_hash = world.state().hash();
     out.load_end = record::load_average();
-    out.world_memory = world.memory_bytes();
+    out.world_memory = world.solver().memory_bytes();
     return out;
 }
 

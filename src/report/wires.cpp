@@ -25,7 +25,7 @@ void follow(Course& course, double now, bool first) {
 }
 
 double nodes_there(const World& world, WireId wire) {
-    const auto nodes = world.nodes(wire);
+    const auto nodes = world.wires().nodes(wire);
     return static_cast<double>(
         std::count_if(nodes.begin(), nodes.end(), [&](BodyId id) { return world.alive(id); }));
 }
@@ -57,8 +57,8 @@ std::string count_from_to(const Course& c) {
 }  // namespace
 
 void WireWatch::sample(const World& world, Watched& w, bool first) {
-    const auto elements = world.elements(w.id);
-    const double length = world.length(w.id);
+    const auto elements = world.wires().elements(w.id);
+    const double length = world.wires().length(w.id);
     follow(w.figures.nodes, nodes_there(world, w.id), first);
     follow(w.figures.length, length, first);
     w.elements.assign(elements.begin(), elements.end());
@@ -104,16 +104,17 @@ void WireWatch::note_times(const World& world) {
 }
 
 WireWatch::WireWatch(const World& world) {
-    for (const WireId id : world.wires()) add(world, id, false);
-    known_.assign(world.wires().begin(), world.wires().end());
+    for (const WireId id : world.wires().ids()) add(world, id, false);
+    known_.assign(world.wires().ids().begin(), world.wires().ids().end());
 }
 
 void WireWatch::add(const World& world, WireId id, bool came) {
-    const std::size_t shares = std::clamp<std::size_t>(world.elements(id).size(), 1, kShares);
+    const std::size_t shares =
+        std::clamp<std::size_t>(world.wires().elements(id).size(), 1, kShares);
     Watched one{.id = id, .figures = {}};
     one.sum.assign(shares, 0.0);
     one.counted.assign(shares, 0);
-    one.figures.name = world.wire_name(id);
+    one.figures.name = world.wires().name(id);
     one.figures.since = world.time();
     one.figures.came = came;
     one.figures.along.assign(shares, {HUGE_VAL, 0.0, -HUGE_VAL});
@@ -123,7 +124,7 @@ void WireWatch::add(const World& world, WireId id, bool came) {
 
 /// Add the pieces of wires that were cut since the last call.
 void WireWatch::add_pieces(const World& world) {
-    const auto now = world.wires();
+    const auto now = world.wires().ids();
     if (std::equal(now.begin(), now.end(), known_.begin(), known_.end())) return;
     for (const WireId id : now)
         if (std::find(known_.begin(), known_.end(), id) == known_.end()) add(world, id, true);
@@ -140,7 +141,7 @@ void WireWatch::after_step(const World& world, std::span<const Event> events) {
     ++steps_;
     for (Watched& w : wires_) {
         if (!world.alive(w.id)) continue;
-        const auto elements = world.elements(w.id);
+        const auto elements = world.wires().elements(w.id);
         if (due ||
             !std::equal(elements.begin(), elements.end(), w.elements.begin(), w.elements.end()))
             sample(world, w, false);

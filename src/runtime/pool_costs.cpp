@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <hawser/schedule.h>
+#include <hawser/experimental/schedule.h>
 
 #include "runtime/tasks.h"
 #include "runtime/trace.h"

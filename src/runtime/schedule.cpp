@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/index.h"
 
-#include <hawser/schedule.h>
+#include <hawser/experimental/schedule.h>
 
 #include <algorithm>
 #include <functional>

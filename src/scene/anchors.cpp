@@ -118,7 +118,7 @@ void add_anchors(World& world, const Description& from) {
         (void)attempt(from.mistakes, [&] {
             try {
                 auto def = item.def;
-                if (!item.cable.empty()) def.wire = world.find_wire(item.cable);
+                if (!item.cable.empty()) def.wire = world.wires().find(item.cable);
                 world.add(def);
             } catch (const DefError& error) {
                 refuse_anchor_field(item.place, error);

@@ -13,7 +13,7 @@ namespace hawser::scene {
 namespace {
 
 WireId wire_named(const World& world, const std::string& name) {
-    const WireId id = world.find_wire(name);
+    const WireId id = world.wires().find(name);
     if (!id.valid()) throw DefError("there is no wire '" + name + "' now");
     return id;
 }
@@ -41,27 +41,27 @@ void perform(const Operation& operation, World& world) {
         case OperationKind::set:
             return set_all(operation, world);
         case OperationKind::cut:
-            (void)world.cut(wire_named(world, operation.wire), operation.s);
+            (void)world.wires().cut(wire_named(world, operation.wire), operation.s);
             return;
         case OperationKind::detach:
-            return world.detach(wire_named(world, operation.wire), operation.end);
+            return world.wires().detach(wire_named(world, operation.wire), operation.end);
         case OperationKind::attach: {
             const BodyId body = world.find_body(operation.body);
             if (!body.valid()) throw DefError("there is no body '" + operation.body + "' now");
-            (void)world.attach(wire_named(world, operation.wire), operation.end, body,
-                               operation.point, operation.gear);
+            (void)world.wires().attach(wire_named(world, operation.wire), operation.end, body,
+                                       operation.point, operation.gear);
             return;
         }
         case OperationKind::join:
-            (void)world.join(wire_named(world, operation.wire), operation.end,
-                             wire_named(world, operation.other), operation.other_end,
-                             operation.gear);
+            (void)world.wires().join(wire_named(world, operation.wire), operation.end,
+                                     wire_named(world, operation.other), operation.other_end,
+                                     operation.gear);
             return;
         case OperationKind::release: {
             const InteractionId hook = world.find_interaction(operation.interaction);
             if (!hook.valid())
                 throw DefError("there is no hook '" + operation.interaction + "' now");
-            return world.release(hook);
+            return world.wires().release(hook);
         }
     }
 }

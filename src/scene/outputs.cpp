@@ -115,7 +115,7 @@ OutputDef output_of(const Description& scene, std::size_t output, const World& w
     if (def.kind != OutputKind::tension) return def;
     for (const Cable& cable : scene.cables)
         if (!cable.links && cable.stretch == def.line) {
-            def.wire = world.find_wire(cable.name);
+            def.wire = world.wires().find(cable.name);
             def.line.clear();
             break;
         }

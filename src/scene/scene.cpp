@@ -130,13 +130,13 @@ class Builder {
         }
         for (const Cable& cable : description_.cables) {
             if (!cable.links) {
-                world.adopt_wire(cable.name, cable.stretch, cable.trim);
+                world.wires().adopt(cable.name, cable.stretch, cable.trim);
             }
             if (std::isnan(cable.drum_element)) continue;
             const auto drum = static_cast<std::size_t>(cable.stretch.front().index);
             (void)take(description_.interaction_place(drum) / "winch", [&] {
                 world.add(DrumFeedDef{.name = cable.name + "/feed",
-                                      .wire = world.find_wire(cable.name),
+                                      .wire = world.wires().find(cable.name),
                                       .element = cable.drum_element,
                                       .mass_per_length = cable.sections.front().mass_per_length});
             });
@@ -145,7 +145,7 @@ class Builder {
             const Winch& winch = description_.winches[i];
             (void)take(description_.winch_place(i), [&] {
                 WinchDef def = winch.def;
-                def.wire = world.find_wire(winch.cable);
+                def.wire = world.wires().find(winch.cable);
                 world.add(def);
             });
         }
@@ -158,7 +158,7 @@ class Builder {
         for (std::size_t i = 0; i < description_.interactions.size(); ++i)
             if (description_.interactions[i].kind == InteractionKind::EndSpan)
                 ends.push_back(InteractionId{static_cast<std::int32_t>(i)});
-        std::erase_if(ends, [&](InteractionId id) { return world.wire_of(id).valid(); });
+        std::erase_if(ends, [&](InteractionId id) { return world.wires().of(id).valid(); });
         if (!ends.empty()) stop_ends(world, "route_ends", std::move(ends));
     }
 
@@ -167,7 +167,7 @@ class Builder {
             const GuideItem& guide = description_.guides[i];
             (void)take(description_.guide_place(i), [&] {
                 GuideDef def = guide.def;
-                def.wire = world.find_wire(guide.cable);
+                def.wire = world.wires().find(guide.cable);
                 world.add(def);
             });
         }
@@ -209,7 +209,7 @@ class Builder {
             const Resolution& one = description_.resolutions[i];
             (void)take(description_.resolution_place(i), [&] {
                 ResolutionDef def = one.def;
-                def.wire = world.find_wire(one.cable);
+                def.wire = world.wires().find(one.cable);
                 for (const Winch& winch : description_.winches)
                     if (winch.cable == one.cable && std::isnan(def.drum_length) &&
                         winch.def.element > 0.0)

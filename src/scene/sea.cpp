@@ -206,7 +206,7 @@ void add_sea(World& world, const Description& from) {
     SeaDef def = *from.sea;
     std::vector<const CableWater*> of_line;
     for (const CableWater& water : from.waters) {
-        const WireId wire = world.find_wire(water.cable);
+        const WireId wire = world.wires().find(water.cable);
         if (!wire.valid()) continue;
         def.lines.push_back({.wire = wire,
                              .sections = water.sections,

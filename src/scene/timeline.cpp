@@ -42,12 +42,12 @@ class Reader {
   public:
     Reader(const World& world, const InputWords& words, std::span<const SignalInput> levers)
         : world_(world), words_(words), levers_(levers) {
-        for (const WireId id : world.wires()) {
-            const auto elements = world.elements(id);
-            Length& one = wires_[world.wire_name(id)];
+        for (const WireId id : world.wires().ids()) {
+            const auto elements = world.wires().elements(id);
+            Length& one = wires_[world.wires().name(id)];
             one.stored[0] = stored_at(elements.front());
             if (elements.size() > 1) one.stored[1] = stored_at(elements.back());
-            one.most = world.length(id) + one.stored[0] + one.stored[1];
+            one.most = world.wires().length(id) + one.stored[0] + one.stored[1];
         }
     }
 
@@ -176,8 +176,8 @@ class Reader {
         return 1e30;
     }
 
-    /// Return the name that World::cut() will assign to the next piece of a wire: "tow/2", "tow/3"
-    /// …
+    /// Return the name that WorldWires::cut() will assign to the next piece of a wire: "tow/2",
+    /// "tow/3" …
     [[nodiscard]] std::string next_piece(const std::string& of) const {
         std::string base = of;
         const std::size_t slash = of.rfind('/');

@@ -210,14 +210,14 @@ Session::Session(scene::Scene scene, const SessionDef& def)
     World& world = impl_->world();
     check_every(def.every);
     world.prepare();
-    impl_->identity = world.identity();
+    impl_->identity = world.state().identity();
     if (def.verify) impl_->verifier = std::make_unique<verify::Verifier>(world);
     if (!def.restore.empty()) {
-        impl_->made_of = world.structure();
-        impl_->start = world.save();
+        impl_->made_of = world.state().structure();
+        impl_->start = world.state().save();
         impl_->differences = record::restore_snapshot(def.restore, impl_->info, world);
     }
-    if (!def.state.empty()) world.restore(def.state);
+    if (!def.state.empty()) world.state().restore(def.state);
     impl_->timeline.skip(impl_->scene.timeline, world);
     if (!def.control.empty()) {
         std::vector<std::string> names = input_names(world);
@@ -266,7 +266,7 @@ void Session::set_input(std::string_view name, double value) {
 
 void Session::restore(const Structure& made_of, std::span<const std::byte> state) {
     World& world = impl_->world();
-    world.restore(made_of, state);
+    world.state().restore(made_of, state);
     impl_->notes.clear();
     impl_->timeline.skip(impl_->scene.timeline, world);
     // Values before the step that led to this state were in force in it.
@@ -287,15 +287,15 @@ void Session::record(const std::filesystem::path& file, std::int32_t every) {
     World& world = impl_->world();
     // A recording begins with the world of its scene. Other objects came with a saved state, with
     // which the recording continues (chunk TAKE).
-    if (impl_->start.empty() || world.identity() == impl_->identity)
+    if (impl_->start.empty() || world.state().identity() == impl_->identity)
         return impl_->open_recording(file, every);
-    const Structure made_of = world.structure();
-    const std::vector<std::byte> state = world.save();
-    world.restore(impl_->made_of, impl_->start);
+    const Structure made_of = world.state().structure();
+    const std::vector<std::byte> state = world.state().save();
+    world.state().restore(impl_->made_of, impl_->start);
     try {
         impl_->open_recording(file, every);
     } catch (...) {
-        world.restore(made_of, state);
+        world.state().restore(made_of, state);
         throw;
     }
     restore(made_of, state);
@@ -340,7 +340,8 @@ double Session::step_cpu_seconds() const noexcept { return impl_->step_cpu; }
 void Session::observe(Observer& observer) { impl_->observers.push_back(&observer); }
 
 void Session::save(const std::filesystem::path& file) const {
-    record::save_snapshot(file, impl_->info, world(), world().identity() != impl_->identity);
+    record::save_snapshot(file, impl_->info, world(),
+                          world().state().identity() != impl_->identity);
 }
 
 Status Session::step() {
@@ -358,7 +359,7 @@ Status Session::step() {
     // Changes of systems within the step belong before it.
     if (impl_->listener) impl_->listener->flush(step);
     if (impl_->last != Status::ok) return impl_->last;
-    impl_->events = world.take_events();
+    impl_->events = world.events().take();
     impl_->write_step();
     for (Observer* observer : impl_->observers) {
         observer->after_step(world, impl_->events);

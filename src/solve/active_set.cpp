@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-namespace hawser::stepper {
+namespace hawser::solve {
 namespace {
 
 constexpr int kMaxPasses = 20;
@@ -16,7 +16,7 @@ constexpr int kMaxPasses = 20;
 /// rows might alternate forever, so later only the first row switches (K. G. Murty's least index
 /// rule, which terminates).
 /// @return the number of requesting rows; none switch from kMaxPasses on.
-std::int32_t switch_solved(Model& model, Work& work, int pass) noexcept {
+std::int32_t switch_solved(context::Model& model, context::Work& work, int pass) noexcept {
     constexpr int kTogether = 6;
     take_bounds(model, work.newton);
     keep_bounds(work.newton, 1.0);
@@ -29,7 +29,7 @@ std::int32_t switch_solved(Model& model, Work& work, int pass) noexcept {
 
 }  // namespace
 
-Status settle_bounds(StepContext& ctx) noexcept {
+Status settle_bounds(context::StepContext& ctx) noexcept {
     constexpr int kMaxSolves = 100;  // for moving bounds
     const double tolerance = ctx.model.def.contact_tolerance;
     for (int pass = 0, solves = 0; pass <= kMaxPasses; ++solves) {
@@ -39,7 +39,7 @@ Status settle_bounds(StepContext& ctx) noexcept {
         Status status = Status::ok;
         const bool moved = ctx.work.stats.natural_map > tolerance;
         if (!moved && pass < kMaxPasses &&
-            !any_asks(ctx.model, ctx.work.newton, row_view(ctx.model))) {
+            !any_asks(ctx.model, ctx.work.newton, context::row_view(ctx.model))) {
             ctx.work.stats.flips_left = 0;
             break;
         }
@@ -57,7 +57,7 @@ Status settle_bounds(StepContext& ctx) noexcept {
     return Status::ok;
 }
 
-Status follow_loads(StepContext& ctx) noexcept {
+Status follow_loads(context::StepContext& ctx) noexcept {
     constexpr int kMaximum = 8;
     Status status = Status::ok;
     ctx.work.newton.follow.restart();
@@ -71,10 +71,10 @@ Status follow_loads(StepContext& ctx) noexcept {
     return status;
 }
 
-bool update_active_set(Model& model, Work& work, int pass) noexcept {
+bool update_active_set(context::Model& model, context::Work& work, int pass) noexcept {
     const bool moved = bounds_map(model, work.newton) > model.def.contact_tolerance;
     const std::int32_t rows = switch_solved(model, work, pass);
     return pass < kMaxPasses && (rows > 0 || moved);
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

@@ -8,19 +8,19 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::solve {
 
 /// Call switch_bounds() for the current solution λ, v₊.
 /// @return true if another solve is needed.
-[[nodiscard]] bool update_active_set(Model& model, Work& work, int pass) noexcept;
+[[nodiscard]] bool update_active_set(context::Model& model, context::Work& work, int pass) noexcept;
 
 /// Solve a refined solution with contacts again while bounds do not match the loads that they
 /// follow. The previous iterations were not refined. A bound that is a small fraction of its load
 /// may be wrong by their residual.
-[[nodiscard]] Status follow_loads(StepContext& ctx) noexcept;
+[[nodiscard]] Status follow_loads(context::StepContext& ctx) noexcept;
 
 /// Solve again until the rows of a world without contacts are consistent with their bounds.
 /// stats.flips_left counts the statuses that still change at the end.
-[[nodiscard]] Status settle_bounds(StepContext& ctx) noexcept;
+[[nodiscard]] Status settle_bounds(context::StepContext& ctx) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

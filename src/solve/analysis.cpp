@@ -15,22 +15,22 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hawser::stepper {
+namespace hawser::solve {
 namespace {
 
-void count_model(Model& model, StepStats& stats) noexcept {
+void count_model(context::Model& model, StepStats& stats) noexcept {
     const model::Interactions& in = model.interactions;
     StepStats& s = stats;
     s.bodies = static_cast<std::int32_t>(model.bodies.moving.size());
     s.interactions = s.equations = 0;
     for (const std::int32_t b : model.bodies.moving) s.equations += model.bodies.dof(b);
-    for (std::int32_t id = 0; id < interaction_count(model); ++id) {
+    for (std::int32_t id = 0; id < context::interaction_count(model); ++id) {
         s.interactions += in.gone(id) ? 0 : 1;
         s.equations += in.rows[at(id)];
     }
 }
 
-void reserve_closing(const Model& model, JointWork& joints) {
+void reserve_closing(const context::Model& model, context::JointWork& joints) {
     if (!model.completion.rigid.empty())
         joints.closing.resize(model.interactions.g.size() + at(model.system.symbolic.scalars));
     if (!model.completion.looped.empty()) joints.taken.resize(model.interactions.g.size());
@@ -38,13 +38,13 @@ void reserve_closing(const Model& model, JointWork& joints) {
 
 }  // namespace
 
-void begin_analysis(Model& model, State& state) {
+void begin_analysis(context::Model& model, context::State& state) {
     model.bodies.split_drag(model.def.step);
     state.analysed_x = model.bodies.x;
     state.analysed_r = model.bodies.r;
 }
 
-void analyse_system(Model& model, Work& work, runtime::Pool& pool,
+void analyse_system(context::Model& model, context::Work& work, runtime::Pool& pool,
                     const factor::AnalysisState* state) {
     model.system.analysis.use(nullptr);  // mostly between steps, when the pool sleeps
     model.system.analyse(model.bodies, model.interactions, model.def, pool.threads(), state);
@@ -61,7 +61,7 @@ void analyse_system(Model& model, Work& work, runtime::Pool& pool,
     count_analysis(model, work.stats);
 }
 
-void count_analysis(Model& model, StepStats& stats) noexcept {
+void count_analysis(context::Model& model, StepStats& stats) noexcept {
     StepStats& s = stats;
     s.islands = model.system.islands.count;
     s.matrix_nnz = model.system.symbolic.matrix_nnz;
@@ -73,17 +73,17 @@ void count_analysis(Model& model, StepStats& stats) noexcept {
     count_growth(model, stats);
 }
 
-void count_growth(Model& model, StepStats& stats) noexcept {
+void count_growth(context::Model& model, StepStats& stats) noexcept {
     if (model.system.grew(model.bodies.bytes() + model.interactions.bytes())) ++stats.growths;
 }
 
-void finish_preparation(StepContext& ctx) {
+void finish_preparation(context::StepContext& ctx) {
     ctx.state.loads.prepare(ctx.model.bodies);
     ctx.work.before.lambda.resize(ctx.model.interactions.lambda.size());
     ctx.work.before.repeats.resize(ctx.model.interactions.repeats.size());
     ctx.work.before.carriers.resize(16 * ctx.model.bodies.driven.size());
     ctx.work.wheel_angles.resize(ctx.model.interactions.spans.size());
-    reserve_undo(ctx.model, ctx.work.undo);
+    state::reserve_undo(ctx.model, ctx.work.undo);
     // Slides of almost no mass give no scale for contacts and lines of nodes.
     constexpr double kNone = 1e300;
     double mass = 0.0, least = kNone, least_of_all = kNone;
@@ -99,14 +99,14 @@ void finish_preparation(StepContext& ctx) {
     ctx.model.contact_floor = 1e-6 * ctx.model.def.step * 9.81 * least;
     ctx.model.scalar_floor = 1e-6 * ctx.model.def.step * 9.81 * least_of_all;
     count_model(ctx.model, ctx.work.stats);
-    ctx.state.changed = Changed::nothing;
+    ctx.state.changed = context::Changed::nothing;
 }
 
-void prepare_alone(StepContext& ctx) {
+void prepare_alone(context::StepContext& ctx) {
     assembly::System::Kept before;
     ctx.model.system.keep(before);
     try {
-        wake_all(ctx.model, ctx.work.stats);
+        context::wake_all(ctx.model, ctx.work.stats);
         make_wires(ctx.model, ctx.state, ctx.work.wires);
         begin_analysis(ctx.model, ctx.state);
         analyse_system(ctx.model, ctx.work, ctx.pool, nullptr);
@@ -117,4 +117,4 @@ void prepare_alone(StepContext& ctx) {
     }
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

@@ -6,24 +6,24 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::solve {
 
 /// Store the poses of an analysis and the drag on each body there.
-void begin_analysis(Model& model, State& state);
+void begin_analysis(context::Model& model, context::State& state);
 /// Analyse the active part of the model at the current poses.
 /// @param state  Analysis of a saved world to continue from, or null.
 /// @throws std::bad_alloc, LimitError.
-void analyse_system(Model& model, Work& work, runtime::Pool& pool,
+void analyse_system(context::Model& model, context::Work& work, runtime::Pool& pool,
                     const factor::AnalysisState* state);
 /// Set the statistics of an analysis.
-void count_analysis(Model& model, StepStats& stats) noexcept;
+void count_analysis(context::Model& model, StepStats& stats) noexcept;
 /// Count one growth if the model and its system use more memory than ever before.
-void count_growth(Model& model, StepStats& stats) noexcept;
+void count_growth(context::Model& model, StepStats& stats) noexcept;
 /// Finish the preparation after additions or removals: memory for a step, and figures of the model.
 /// @throws std::bad_alloc.
-void finish_preparation(StepContext& ctx);
+void finish_preparation(context::StepContext& ctx);
 /// Analyse a system without shapes, splits and sleep. If it fails, the system is unchanged.
 /// @throws std::bad_alloc, LimitError.
-void prepare_alone(StepContext& ctx);
+void prepare_alone(context::StepContext& ctx);
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

@@ -10,21 +10,21 @@
 #include "solve/wire_plan.h"
 #include "solve/wraps.h"
 
-namespace hawser::stepper {
+namespace hawser::solve {
 namespace {
 
 using assembly::View;
 
 /// Return true if the solution starts at v_start. With contacts Newton's method has its own start.
-bool starts_moving(const Model& model) noexcept {
+bool starts_moving(const context::Model& model) noexcept {
     return model.system.contacts.count() == 0 && model.def.nonsmooth != Nonsmooth::pgs;
 }
 
 }  // namespace
 
-void assemble_system(StepContext& ctx) noexcept {
+void assemble_system(context::StepContext& ctx) noexcept {
     ctx.work.solve.losses_known = false;
-    const View v = view(ctx);
+    const View v = context::view(ctx);
     const assembly::Kernels& k = assembly::kernels();
     follow_wraps(ctx.model);
     hold_bounds(ctx.model, ctx.work.newton, ctx.model.def.step);
@@ -36,14 +36,14 @@ void assemble_system(StepContext& ctx) noexcept {
     View rows = v;
     // PGS computes residuals without updating the effect of v₊.
     if (!moving && ctx.model.def.nonsmooth != Nonsmooth::pgs) rows.v_start = nullptr;
-    sweep(
+    context::sweep(
         ctx.model, ctx.pool,
         [&](int strip) {
             evaluate_block(ctx.model, rows, strip);
             replan_wires(ctx.model, rows, strip);
             if (completes) (void)complete_block(ctx.model, v, strip, v.v_start, true);
-            each(ctx.model.system.strips.interactions(strip),
-                 [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b, moving); });
+            context::each(ctx.model.system.strips.interactions(strip),
+                          [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b, moving); });
         },
         [&](std::int32_t a, std::int32_t b, int) {
             k.body_terms(v, a, b);
@@ -54,4 +54,4 @@ void assemble_system(StepContext& ctx) noexcept {
     ctx.work.solve.rhs_ready = true;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

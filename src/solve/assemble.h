@@ -7,9 +7,9 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::solve {
 
 /// Assemble the system, with ghost bodies after their poses are set.
-void assemble_system(StepContext& ctx) noexcept;
+void assemble_system(context::StepContext& ctx) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hawser::stepper {
+namespace hawser::solve {
 namespace {
 
 using assembly::View;
@@ -21,7 +21,7 @@ bool limits_power(const model::Interactions& in, std::int32_t id) noexcept {
     return (in.flags[at(id)] & model::kMotor) != 0 && in.power[at(id)] < model::kUnbounded;
 }
 
-double stiffness_scale(const Model& model, std::size_t i) noexcept {
+double stiffness_scale(const context::Model& model, std::size_t i) noexcept {
     const model::Interactions& in = model.interactions;
     return model.system.bounded_mobility[i] +
            in.sigma[at(in.row_begin[at(model.system.bounded[i])])];
@@ -29,18 +29,20 @@ double stiffness_scale(const Model& model, std::size_t i) noexcept {
 
 /// Return W + Σ for the rule by which rows switch. In the convex phase it uses a fraction of W, as
 /// contacts do.
-double switch_scale(const Model& model, const Newton& newton, std::size_t i) noexcept {
+double switch_scale(const context::Model& model, const context::Newton& newton,
+                    std::size_t i) noexcept {
     const double scale = stiffness_scale(model, i);
-    return newton.convex ? scale - (1.0 - kConvexFraction) * model.system.bounded_mobility[i]
-                         : scale;
+    return newton.convex
+               ? scale - (1.0 - context::kConvexFraction) * model.system.bounded_mobility[i]
+               : scale;
 }
 
 /// Return λ and r = c − G v − Σλ. r is 0 for an active row, which has been solved for.
-BoundedRow row_now(const View& v, std::int32_t id) noexcept {
+context::BoundedRow row_now(const View& v, std::int32_t id) noexcept {
     const std::int32_t row = v.row_begin[id];
     const double lambda = v.lambda[row];
     const double r =
-        v.active[id] != 0.0 ? 0.0 : v.c[row] - row_speed(v, id) - v.sigma[row] * lambda;
+        v.active[id] != 0.0 ? 0.0 : v.c[row] - assembly::row_speed(v, id) - v.sigma[row] * lambda;
     return {lambda, r};
 }
 
@@ -54,8 +56,8 @@ double moved_with(const ImpulseRange& range, double held) noexcept {
     return held < middle ? range.low : range.high;
 }
 
-BoundedRow along(const Newton& n, std::size_t i, double t) noexcept {
-    const BoundedRow &a = n.row[i], &b = n.row_end[i];
+context::BoundedRow along(const context::Newton& n, std::size_t i, double t) noexcept {
+    const context::BoundedRow &a = n.row[i], &b = n.row_end[i];
     return {a.lambda + t * (b.lambda - a.lambda), a.r + t * (b.r - a.r)};
 }
 
@@ -74,8 +76,9 @@ struct SwitchRequest {
     double projected;  ///< Its impulse, clamped to the range [N s].
     [[nodiscard]] bool asks() const noexcept { return active != was_active || across; }
 };
-SwitchRequest request_of(const Model& model, const Newton& newton, const View& v, std::size_t i,
-                         const BoundedRow& p, const ImpulseRange& range) noexcept {
+SwitchRequest request_of(const context::Model& model, const context::Newton& newton, const View& v,
+                         std::size_t i, const context::BoundedRow& p,
+                         const ImpulseRange& range) noexcept {
     const std::int32_t id = model.system.bounded[i];
     const bool was_active = v.active[id] != 0.0;
     // An inactive row first follows its bound. Then the rule decides whether it stays inactive.
@@ -88,14 +91,15 @@ SwitchRequest request_of(const Model& model, const Newton& newton, const View& v
     return {was_active, active, across, projected};
 }
 /// Return true for rows that never switch: broken or replaced rows, and ranges with equal ends.
-bool stays(const Model& model, const View& v, std::int32_t id, const ImpulseRange& range) noexcept {
+bool stays(const context::Model& model, const View& v, std::int32_t id,
+           const ImpulseRange& range) noexcept {
     return v.parted[id] || model.wires.is_replaced(id) ||
            ((v.flags[id] & model::kRange) && range.low == range.high);
 }
 
 /// Return true if a request to switch a turning point of a run is due to rounding of its tensions.
-bool is_rounding(const Model& model, std::int32_t id, const SwitchRequest& wish, double lambda,
-                 const ImpulseRange& range) noexcept {
+bool is_rounding(const context::Model& model, std::int32_t id, const SwitchRequest& wish,
+                 double lambda, const ImpulseRange& range) noexcept {
     const double way = std::fabs(wish.projected - lambda), width = range.high - range.low;
     // A stop without a finite bound gives no scale.
     constexpr double kStop = 1e20;  // [N s]
@@ -107,7 +111,7 @@ bool is_rounding(const Model& model, std::int32_t id, const SwitchRequest& wish,
 
 }  // namespace
 
-void reserve_bounds(const Model& model, Newton& newton) {
+void reserve_bounds(const context::Model& model, context::Newton& newton) {
     newton.row.resize(model.system.bounded.size());
     newton.row_end.resize(model.system.bounded.size());
     const model::Interactions& in = model.interactions;
@@ -127,7 +131,7 @@ void reserve_bounds(const Model& model, Newton& newton) {
     newton.follow.reserve(newton.loaded.size());
 }
 
-void hold_bounds(Model& model, Newton& newton, double time) noexcept {
+void hold_bounds(context::Model& model, context::Newton& newton, double time) noexcept {
     model::Interactions& in = model.interactions;
     newton.bound_time = time;
     newton.follow.restart();
@@ -141,39 +145,40 @@ void hold_bounds(Model& model, Newton& newton, double time) noexcept {
     }
 }
 
-void take_bounds(Model& model, Newton& newton) noexcept {
-    const View v = row_view(model);
+void take_bounds(context::Model& model, context::Newton& newton) noexcept {
+    const View v = context::row_view(model);
     for (std::size_t i = 0; i < model.system.bounded.size(); ++i)
         newton.row_end[i] = row_now(v, model.system.bounded[i]);
 }
 
-void keep_bounds(Newton& newton, double t) noexcept {
-    Newton& n = newton;
+void keep_bounds(context::Newton& newton, double t) noexcept {
+    context::Newton& n = newton;
     if (t == 1.0) return n.row.swap(n.row_end);
     for (std::size_t i = 0; i < n.row.size(); ++i) n.row[i] = along(n, i, t);
 }
 
-double bounds_merit(const Model& model, const Newton& newton, double t) noexcept {
+double bounds_merit(const context::Model& model, const context::Newton& newton, double t) noexcept {
     double sum = 0.0;
     for (std::size_t i = 0; i < model.system.bounded.size(); ++i) {
         const ImpulseRange range = impulse_range(model, newton, model.system.bounded[i]);
         const double scale = stiffness_scale(model, i);
-        const BoundedRow p = along(newton, i, t);
+        const context::BoundedRow p = along(newton, i, t);
         const double e = p.lambda - std::clamp(p.lambda + p.r / scale, range.low, range.high);
         sum += scale * e * e;
     }
     return sum;
 }
 
-double bounds_slope(const Model& model, const Newton& newton, double t) noexcept {
-    const View v = row_view(const_cast<Model&>(model));  // reads only
+double bounds_slope(const context::Model& model, const context::Newton& newton, double t) noexcept {
+    const View v = context::row_view(const_cast<context::Model&>(model));  // reads only
     double sum = 0.0;
     for (std::size_t i = 0; i < model.system.bounded.size(); ++i) {
         const std::int32_t id = model.system.bounded[i];
         const ImpulseRange range = impulse_range(model, newton, id);
         if (stays(model, v, id, range)) continue;
         const double sigma = v.sigma[v.row_begin[id]];
-        const BoundedRow &from = newton.row[i], &to = newton.row_end[i], p = along(newton, i, t);
+        const context::BoundedRow &from = newton.row[i], &to = newton.row_end[i],
+                                  p = along(newton, i, t);
         // c − G v = r + Σλ. A row without compliance is at a bound or has the impulse of the
         // solution.
         const double asked = p.r + sigma * p.lambda;
@@ -188,7 +193,7 @@ double bounds_slope(const Model& model, const Newton& newton, double t) noexcept
     return sum;
 }
 
-double bounds_map(const Model& model, const Newton& newton) noexcept {
+double bounds_map(const context::Model& model, const context::Newton& newton) noexcept {
     const model::Interactions& in = model.interactions;
     double largest = 0.0;
     const auto inactive = [&](std::int32_t id) {
@@ -219,14 +224,14 @@ double bounds_map(const Model& model, const Newton& newton) noexcept {
 namespace {
 
 /// Read the impulses of inactive rows at bounds that follow their loads; others give 0.
-void read_held(const Model& model, const Newton& newton, double* out) noexcept {
+void read_held(const context::Model& model, const context::Newton& newton, double* out) noexcept {
     for (const std::int32_t id : newton.loaded)
         *out++ = model.interactions.active[at(id)] == 0.0 ? model.interactions.held[at(id)] : 0.0;
 }
 
 /// Extrapolate bounds that moved with their loads, from the effect of earlier moves.
-void extrapolate_bounds(Model& model, Work& work) noexcept {
-    const View v = row_view(model);
+void extrapolate_bounds(context::Model& model, context::Work& work) noexcept {
+    const View v = context::row_view(model);
     nonsmooth::Anderson& follow = work.newton.follow;
     read_held(model, work.newton, follow.image());
     const double* x = follow.next(model.contact_floor);
@@ -242,8 +247,9 @@ void extrapolate_bounds(Model& model, Work& work) noexcept {
 
 }  // namespace
 
-std::int32_t switch_bounds(Model& model, Work& work, double floor, std::int32_t most) noexcept {
-    const View v = row_view(model);
+std::int32_t switch_bounds(context::Model& model, context::Work& work, double floor,
+                           std::int32_t most) noexcept {
+    const View v = context::row_view(model);
     std::int32_t asking = 0;
     const bool follows = most > 0 && !work.newton.loaded.empty();
     const bool runs = most == kAnyRows && !model.system.capstans.empty();
@@ -253,7 +259,7 @@ std::int32_t switch_bounds(Model& model, Work& work, double floor, std::int32_t 
         const std::int32_t id = model.system.bounded[i], row = v.row_begin[id];
         const ImpulseRange range = impulse_range(model, work.newton, id);
         if (stays(model, v, id, range)) continue;
-        const BoundedRow p = work.newton.row[i];
+        const context::BoundedRow p = work.newton.row[i];
         double& held = model.interactions.held[at(id)];
         const SwitchRequest wish = request_of(model, work.newton, v, i, p, range);
         if (wish.active && wish.was_active) continue;
@@ -278,13 +284,13 @@ std::int32_t switch_bounds(Model& model, Work& work, double floor, std::int32_t 
     return asking;
 }
 
-bool any_asks(const Model& model, const Newton& newton, const View& v) noexcept {
+bool any_asks(const context::Model& model, const context::Newton& newton, const View& v) noexcept {
     for (std::size_t i = 0; i < model.system.bounded.size(); ++i) {
         const std::int32_t id = model.system.bounded[i];
         if (pulls_on(v, id)) continue;
         const ImpulseRange range = impulse_range(model, newton, id);
         if (stays(model, v, id, range)) continue;
-        const BoundedRow p = row_now(v, id);
+        const context::BoundedRow p = row_now(v, id);
         const SwitchRequest wish = request_of(model, newton, v, i, p, range);
         if (wish.asks() && std::fabs(wish.projected - p.lambda) > 0.0 &&
             !is_rounding(model, id, wish, p.lambda, range))
@@ -293,8 +299,8 @@ bool any_asks(const Model& model, const Newton& newton, const View& v) noexcept 
     return false;
 }
 
-void show_held(Model& model) noexcept {
-    const View v = row_view(model);
+void show_held(context::Model& model) noexcept {
+    const View v = context::row_view(model);
     for (const std::int32_t id : model.system.bounded) {
         if (v.active[id] != 0.0 || v.parted[id] || model.wires.is_replaced(id)) continue;
         double& lambda = v.lambda[v.row_begin[id]];
@@ -302,13 +308,13 @@ void show_held(Model& model) noexcept {
     }
 }
 
-std::int32_t asking_rows(Model& model, Work& work, double floor) noexcept {
+std::int32_t asking_rows(context::Model& model, context::Work& work, double floor) noexcept {
     take_bounds(model, work.newton);
     keep_bounds(work.newton, 1.0);
     return switch_bounds(model, work, floor, 0);
 }
 
-void move_anchors(Model& model) noexcept {
+void move_anchors(context::Model& model) noexcept {
     model::Interactions& in = model.interactions;
     for (const std::int32_t id : in.frictions) {
         if (in.active[at(id)] != 0.0 || model.system.rests(id)) continue;
@@ -318,4 +324,4 @@ void move_anchors(Model& model) noexcept {
     }
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

@@ -30,52 +30,57 @@
 #include "context/context.h"
 #include "solve/impulse_range.h"
 
-namespace hawser::stepper {
+namespace hawser::solve {
 
 /// Reserve memory for the existing rows.
 /// @throws std::bad_alloc.
-void reserve_bounds(const Model& model, Newton& newton);
+void reserve_bounds(const context::Model& model, context::Newton& newton);
 
 /// Set the impulses of inactive rows from bounds that may have moved, before rows are assembled.
 /// @param time  Time for which bounds of forces act [s]: the step, or 0 in an impact.
-void hold_bounds(Model& model, Newton& newton, double time) noexcept;
+void hold_bounds(context::Model& model, context::Newton& newton, double time) noexcept;
 
 /// Read λ and r at the full step of an iteration.
-void take_bounds(Model& model, Newton& newton) noexcept;
+void take_bounds(context::Model& model, context::Newton& newton) noexcept;
 /// Start the next iteration at a fraction t of the way.
-void keep_bounds(Newton& newton, double t) noexcept;
+void keep_bounds(context::Newton& newton, double t) noexcept;
 /// Return Σ (W + Σ) (λ − P)² at a fraction t of the way [J].
-[[nodiscard]] double bounds_merit(const Model& model, const Newton& newton, double t) noexcept;
+[[nodiscard]] double bounds_merit(const context::Model& model, const context::Newton& newton,
+                                  double t) noexcept;
 
 /// Return the part of the rows in the slope of the convex phase, at a fraction t of the way [J]
 /// (convex_phase.h).
-[[nodiscard]] double bounds_slope(const Model& model, const Newton& newton, double t) noexcept;
+[[nodiscard]] double bounds_slope(const context::Model& model, const context::Newton& newton,
+                                  double t) noexcept;
 
 inline constexpr std::int32_t kAnyRows = 0x7fffffff;
 
 /// Return the largest relative distance of friction at its bound from the bound by its present
 /// loads. It is the part of joints in the residual of a step.
-[[nodiscard]] double bounds_map(const Model& model, const Newton& newton) noexcept;
+[[nodiscard]] double bounds_map(const context::Model& model,
+                                const context::Newton& newton) noexcept;
 
 /// Switch rows for the start of the next iteration, and move inactive ones with their bound.
 /// @param floor  Impulse below which differences are ignored [N s].
 /// @param most  Number of rows that may switch, the first ones; 0: only count.
 /// @return the number of rows that request another status.
-std::int32_t switch_bounds(Model& model, Work& work, double floor, std::int32_t most) noexcept;
+std::int32_t switch_bounds(context::Model& model, context::Work& work, double floor,
+                           std::int32_t most) noexcept;
 
 /// Set λ of inactive rows to the impulse that acts on the bodies. After a step back to an iterate,
 /// λ of a row that has switched since is out of date.
-void show_held(Model& model) noexcept;
+void show_held(context::Model& model) noexcept;
 
 /// Count the rows that request to switch at the current λ, v₊, without changes.
 /// @param floor  Impulse below which differences are ignored [N s].
-[[nodiscard]] std::int32_t asking_rows(Model& model, Work& work, double floor) noexcept;
+[[nodiscard]] std::int32_t asking_rows(context::Model& model, context::Work& work,
+                                       double floor) noexcept;
 
 /// Return asking_rows() > 0 for a floor of 0, without changes.
-[[nodiscard]] bool any_asks(const Model& model, const Newton& newton,
+[[nodiscard]] bool any_asks(const context::Model& model, const context::Newton& newton,
                             const assembly::View& v) noexcept;
 
 /// Move the anchors of friction that has slid, after the step.
-void move_anchors(Model& model) noexcept;
+void move_anchors(context::Model& model) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

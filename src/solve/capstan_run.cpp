@@ -5,14 +5,14 @@
 
 #include <cmath>
 
-namespace hawser::stepper {
+namespace hawser::solve {
 namespace {
 
 /// Relative rounding of the impulses whose difference acts at a place.
 constexpr double kRounding = 2e-15;
 
 /// Write the speed w of a turning point as a linear function of the impulses before and behind it.
-void write_speed(RunPoint& p) noexcept {
+void write_speed(context::RunPoint& p) noexcept {
     if (p.side == 0) {
         const double scale = 1.0 / (1.0 + p.sigma * p.mass);
         p.w0 = scale * (p.hold + p.sigma * p.mass * p.free);
@@ -27,23 +27,23 @@ void write_speed(RunPoint& p) noexcept {
 }
 
 /// Solve the tridiagonal system for the impulses λ of all parts, with the present statuses.
-void solve_run(std::size_t n, RunPoint* place, RunPart* part) noexcept {
+void solve_run(std::size_t n, context::RunPoint* place, context::RunPart* part) noexcept {
     for (std::size_t k = 0; k < n; ++k) write_speed(place[k]);
     double above = 0.0, above_right = 0.0;  // of the part before: upper/diagonal, right/diagonal
     for (std::size_t i = 0; i <= n; ++i) {
-        RunPart& p = part[i];
+        context::RunPart& p = part[i];
         double lower = 0.0;
         p.diagonal = p.softness;
         p.upper = 0.0;
         p.right = p.asked;
         if (i > 0) {
-            const RunPoint& a = place[i - 1];
+            const context::RunPoint& a = place[i - 1];
             lower = a.behind * a.w1;
             p.diagonal += a.behind * a.w2;
             p.right -= a.behind * a.w0;
         }
         if (i < n) {
-            const RunPoint& b = place[i];
+            const context::RunPoint& b = place[i];
             p.diagonal += b.before * b.w1;
             p.upper = b.before * b.w2;
             p.right -= b.before * b.w0;
@@ -66,10 +66,10 @@ void solve_run(std::size_t n, RunPoint* place, RunPart* part) noexcept {
 /// Compute the speeds w of all turning points from the impulses. In the equation of a sliding
 /// point, w is a small difference of large forces over a small mass. The equation of the part
 /// before it avoids this.
-void find_speeds(std::size_t n, RunPoint* place, const RunPart* part) noexcept {
+void find_speeds(std::size_t n, context::RunPoint* place, const context::RunPart* part) noexcept {
     for (std::size_t k = 0; k < n; ++k) {
-        RunPoint& p = place[k];
-        const RunPart& before = part[k];
+        context::RunPoint& p = place[k];
+        const context::RunPart& before = part[k];
         p.speed = p.w0 + p.w1 * before.lambda + p.w2 * part[k + 1].lambda;
         if (p.side == 0 || !before.pulls) continue;
         const double last = k > 0 ? place[k - 1].behind * place[k - 1].speed : 0.0;
@@ -81,10 +81,10 @@ void find_speeds(std::size_t n, RunPoint* place, const RunPart* part) noexcept {
 /// points between sticking and sliding in either direction.
 /// @param most  Maximum number of changes.
 /// @return the number of changes.
-int switch_run(std::size_t n, RunPoint* place, RunPart* part, int most) noexcept {
+int switch_run(std::size_t n, context::RunPoint* place, context::RunPart* part, int most) noexcept {
     int switched = 0;
     for (std::size_t i = 0; i <= n && switched < most; ++i) {
-        RunPart& p = part[i];
+        context::RunPart& p = part[i];
         if (!p.one_sided) continue;
         double left = p.asked;
         if (i > 0) left -= place[i - 1].behind * place[i - 1].speed;
@@ -95,7 +95,7 @@ int switch_run(std::size_t n, RunPoint* place, RunPart* part, int most) noexcept
     }
     std::int32_t before = 0;  // former side of the place before
     for (std::size_t k = 0; k < n && switched < most; ++k) {
-        RunPoint& p = place[k];
+        context::RunPoint& p = place[k];
         const std::int32_t was = p.side, behind = k + 1 < n ? place[k + 1].side : 0;
         const double w = p.speed;
         const double load = p.fraction[0] * std::fabs(part[k].lambda) +
@@ -126,7 +126,7 @@ int switch_run(std::size_t n, RunPoint* place, RunPart* part, int most) noexcept
 
 }  // namespace
 
-bool find_statuses(std::size_t n, RunPoint* place, RunPart* part) noexcept {
+bool find_statuses(std::size_t n, context::RunPoint* place, context::RunPart* part) noexcept {
     const int together = 20 + 4 * static_cast<int>(n), most = 2 * together;
     for (int pass = 0; pass < most; ++pass) {
         solve_run(n, place, part);
@@ -142,4 +142,4 @@ bool find_statuses(std::size_t n, RunPoint* place, RunPart* part) noexcept {
     return false;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

@@ -14,13 +14,13 @@
 
 #include <cstddef>
 
-namespace hawser::stepper {
+namespace hawser::solve {
 
 /// Find the sliding turning points and the pulling parts: solve the run and change contradicted
 /// statuses, in turns. If the limit of turns is reached, the statuses may be inconsistent, but less
 /// than those of the rejected solution.
 /// @param n  Number of turning points; there is one more part.
 /// @return true if the statuses differ from the initial ones.
-bool find_statuses(std::size_t n, RunPoint* place, RunPart* part) noexcept;
+bool find_statuses(std::size_t n, context::RunPoint* place, context::RunPart* part) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

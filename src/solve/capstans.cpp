@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <span>
 
-namespace hawser::stepper {
+namespace hawser::solve {
 namespace {
 
 using assembly::Capstan;
@@ -25,12 +25,12 @@ void each_capstan(assembly::System& system, F&& f) noexcept {
     }
 }
 
-bool slides(const Model& model, const Capstan& c) noexcept {
+bool slides(const context::Model& model, const Capstan& c) noexcept {
     return model.interactions.active[at(c.friction)] == 0.0;
 }
 
 /// Return the sign of the force of a sliding capstan. If the force is zero, return the last sign.
-double side_of(const Model& model, Capstan& c) noexcept {
+double side_of(const context::Model& model, Capstan& c) noexcept {
     const double held = model.interactions.held[at(c.friction)];
     if (held != 0.0) c.side = sign_of(held);
     return c.side;
@@ -38,7 +38,7 @@ double side_of(const Model& model, Capstan& c) noexcept {
 
 }  // namespace
 
-void begin_capstans(Model& model) noexcept {
+void begin_capstans(context::Model& model) noexcept {
     const model::Interactions& in = model.interactions;
     each_capstan(model.system, [&](Capstan& c, std::span<CapstanEntry> entries) {
         c.side = sign_of(in.held[at(c.friction)]);
@@ -51,7 +51,7 @@ void begin_capstans(Model& model) noexcept {
     });
 }
 
-void release_capstans(Model& model, const Newton& newton) noexcept {
+void release_capstans(context::Model& model, const context::Newton& newton) noexcept {
     model::Interactions& in = model.interactions;
     each_capstan(model.system, [&](Capstan& c, std::span<CapstanEntry>) {
         if (!slides(model, c)) return;
@@ -63,7 +63,8 @@ void release_capstans(Model& model, const Newton& newton) noexcept {
     });
 }
 
-void follow_capstans(Model& model, const Newton& newton, const assembly::View& v) noexcept {
+void follow_capstans(context::Model& model, const context::Newton& newton,
+                     const assembly::View& v) noexcept {
     model::Interactions& in = model.interactions;
     each_capstan(model.system, [&](Capstan& c, std::span<CapstanEntry>) {
         if (!slides(model, c)) return;
@@ -80,7 +81,7 @@ void follow_capstans(Model& model, const Newton& newton, const assembly::View& v
     });
 }
 
-bool couple_capstans(Model& model) noexcept {
+bool couple_capstans(context::Model& model) noexcept {
     bool any = false;
     const model::Interactions& in = model.interactions;
     each_capstan(model.system, [&](Capstan& c, std::span<CapstanEntry> entries) {
@@ -94,7 +95,7 @@ bool couple_capstans(Model& model) noexcept {
     return any;
 }
 
-bool is_capstan(const Model& model, std::int32_t friction) noexcept {
+bool is_capstan(const context::Model& model, std::int32_t friction) noexcept {
     const auto& all = model.system.capstans;  // ascending
     const auto found =
         std::lower_bound(all.begin(), all.end(), friction,
@@ -102,4 +103,4 @@ bool is_capstan(const Model& model, std::int32_t friction) noexcept {
     return found != all.end() && found->friction == friction;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

@@ -36,7 +36,7 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::solve {
 
 /// Fraction of the bound below which impulses on a slide are rounding. With slides of a millionth
 /// of the pulled mass, these are speeds of 1e-11 m/s.
@@ -51,20 +51,21 @@ inline constexpr double kCapstanAtBound = 1e-10;
 
 /// Set the directions of sliding at the start of a step from hold_bounds(), without data of the
 /// last step.
-void begin_capstans(Model& model) noexcept;
+void begin_capstans(context::Model& model) noexcept;
 
 /// Set the impulses of sliding capstans without their loads, for a solution that starts from λ = 0.
-void release_capstans(Model& model, const Newton& newton) noexcept;
+void release_capstans(context::Model& model, const context::Newton& newton) noexcept;
 
 /// Set the impulses of sliding capstans from their current loads. Call after each change of λ,
 /// before momentum is balanced.
-void follow_capstans(Model& model, const Newton& newton, const assembly::View& v) noexcept;
+void follow_capstans(context::Model& model, const context::Newton& newton,
+                     const assembly::View& v) noexcept;
 
 /// Write the coupling terms of the matrix for the current statuses.
 /// @return true if there are any.
-[[nodiscard]] bool couple_capstans(Model& model) noexcept;
+[[nodiscard]] bool couple_capstans(context::Model& model) noexcept;
 
 /// Return true if the bound of this friction is in the matrix.
-[[nodiscard]] bool is_capstan(const Model& model, std::int32_t friction) noexcept;
+[[nodiscard]] bool is_capstan(const context::Model& model, std::int32_t friction) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

@@ -3,21 +3,21 @@
 
 #include "context/sweeps.h"
 
-namespace hawser::stepper {
+namespace hawser::solve {
 
-void update_slots(Model& model, runtime::Pool& pool, const double* v) noexcept {
+void update_slots(context::Model& model, runtime::Pool& pool, const double* v) noexcept {
     assembly::Contacts& c = model.system.contacts;
-    over(pool, static_cast<std::int32_t>(c.count()),
-         [&](std::int32_t a, std::int32_t b) { c.update(v, a, b); });
-    over(pool, static_cast<std::int32_t>(c.resistances.count()),
-         [&](std::int32_t a, std::int32_t b) { c.update_resistances(v, a, b); });
+    context::over(pool, static_cast<std::int32_t>(c.count()),
+                  [&](std::int32_t a, std::int32_t b) { c.update(v, a, b); });
+    context::over(pool, static_cast<std::int32_t>(c.resistances.count()),
+                  [&](std::int32_t a, std::int32_t b) { c.update_resistances(v, a, b); });
 }
 
-void update_contacts(Model& model, runtime::Pool& pool, const double* v) noexcept {
+void update_contacts(context::Model& model, runtime::Pool& pool, const double* v) noexcept {
     update_slots(model, pool, v);
     assembly::Contacts& c = model.system.contacts;
-    over(pool, static_cast<std::int32_t>(c.touched()),
-         [&](std::int32_t a, std::int32_t b) { c.gather(a, b); });
+    context::over(pool, static_cast<std::int32_t>(c.touched()),
+                  [&](std::int32_t a, std::int32_t b) { c.gather(a, b); });
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

@@ -5,13 +5,13 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::solve {
 
 /// Compute u, λ and the impulses on slots.
 /// @param v  As for update_contacts().
-void update_slots(Model& model, runtime::Pool& pool, const double* v) noexcept;
+void update_slots(context::Model& model, runtime::Pool& pool, const double* v) noexcept;
 
 /// Compute the contact impulses at velocities v (null: zero), and their sums by body.
-void update_contacts(Model& model, runtime::Pool& pool, const double* v) noexcept;
+void update_contacts(context::Model& model, runtime::Pool& pool, const double* v) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <span>
 
-namespace hawser::stepper {
+namespace hawser::solve {
 namespace {
 
 /// Weights of the velocities before and after the step.
@@ -46,7 +46,7 @@ double impulse_times(const assembly::View& v, std::int32_t id, Weights weights,
 
 /// Return −λ·(G v of prescribed velocities): the work of carriers on elastic or rigid rows, which
 /// transfer it to the bodies or store it.
-double work_of_carriers(const Model& model, const assembly::View& v, std::int32_t id,
+double work_of_carriers(const context::Model& model, const assembly::View& v, std::int32_t id,
                         bool elastic_rows_only) noexcept {
     const model::RowState s = model.interactions.row_state(id, model.bodies);
     double work = 0.0;
@@ -59,7 +59,8 @@ double work_of_carriers(const Model& model, const assembly::View& v, std::int32_
 }
 
 /// Return the work of prescribed velocities on all rows of a friction [J].
-double friction_of_carriers(const Model& model, const assembly::View& v, std::int32_t id) noexcept {
+double friction_of_carriers(const context::Model& model, const assembly::View& v,
+                            std::int32_t id) noexcept {
     const model::RowState s = model.interactions.row_state(id, model.bodies);
     double work = 0.0;
     for (int r = 0; r < v.rows[id]; ++r) work -= v.lambda[v.row_begin[id] + r] * s.carried[r];
@@ -67,7 +68,7 @@ double friction_of_carriers(const Model& model, const assembly::View& v, std::in
 }
 
 /// True if a friction has an infinite bound: the stop of a guide.
-bool is_stop(const Model& model, std::int32_t id) {
+bool is_stop(const context::Model& model, std::int32_t id) {
     const InteractionDef& d = model.interactions.def[at(id)];
     return d.kind == InteractionKind::LineFriction && d.get("force") >= model::kUnbounded;
 }
@@ -75,7 +76,7 @@ bool is_stop(const Model& model, std::int32_t id) {
 /// Call f(id, true if friction, true if driven) for interactions that may do external work. The
 /// work of friction includes the energy of its spring.
 template <class F>
-void each_drive(const Model& model, const assembly::View& v, F&& f) noexcept {
+void each_drive(const context::Model& model, const assembly::View& v, F&& f) noexcept {
     for (const std::int32_t id : model.interactions.working) {
         if (v.active[id] == 0.0 && v.held[id] == 0.0) continue;
         const bool velocity = (v.row_flags[v.row_begin[id]] & model::kRowVelocity) != 0;
@@ -86,8 +87,8 @@ void each_drive(const Model& model, const assembly::View& v, F&& f) noexcept {
 
 }  // namespace
 
-DriveWork drive_work(Model& model) noexcept {
-    const assembly::View v = row_view(model);
+DriveWork drive_work(context::Model& model) noexcept {
+    const assembly::View v = context::row_view(model);
     DriveWork out;
     each_drive(model, v, [&](std::int32_t id, bool friction, bool driven) {
         const bool carried = (v.flags[id] & model::kCarried) != 0;
@@ -105,8 +106,8 @@ DriveWork drive_work(Model& model) noexcept {
     return out;
 }
 
-double drive_gain(Model& model) noexcept {
-    const assembly::View v = row_view(model);
+double drive_gain(context::Model& model) noexcept {
+    const assembly::View v = context::row_view(model);
     double gain = 0.0;
     each_drive(model, v, [&](std::int32_t id, bool friction, bool driven) {
         if (friction || driven) gain += impulse_times(v, id, {-1.0, 1.0}, !friction);
@@ -114,8 +115,8 @@ double drive_gain(Model& model) noexcept {
     return gain;
 }
 
-double spring_gain(Model& model, std::span<const std::int32_t> springs) noexcept {
-    const assembly::View v = row_view(model);
+double spring_gain(context::Model& model, std::span<const std::int32_t> springs) noexcept {
+    const assembly::View v = context::row_view(model);
     double gain = 0.0;
     for (const std::int32_t id : springs)
         if (v.active[id] != 0.0 && !model.system.rests(id))
@@ -123,8 +124,8 @@ double spring_gain(Model& model, std::span<const std::int32_t> springs) noexcept
     return gain;
 }
 
-double spring_way(Model& model, std::span<const std::int32_t> springs) noexcept {
-    const assembly::View v = row_view(model);
+double spring_way(context::Model& model, std::span<const std::int32_t> springs) noexcept {
+    const assembly::View v = context::row_view(model);
     double sum = 0.0;
     for (const std::int32_t id : springs) {
         if (v.active[id] == 0.0 || model.system.rests(id)) continue;
@@ -136,7 +137,7 @@ double spring_way(Model& model, std::span<const std::int32_t> springs) noexcept 
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
             const double speed =
-                along_row(v, id, jac, v.v, v.dof_begin, carried ? s.carried[r] : 0.0);
+                assembly::along_row(v, id, jac, v.v, v.dof_begin, carried ? s.carried[r] : 0.0);
             if ((v.row_flags[row] & model::kRowVelocity) == 0 &&
                 model::holds_energy(v.epsilon[row], v.rest_length[id]))
                 sum += v.h * v.h * speed * speed / v.epsilon[row];
@@ -145,7 +146,7 @@ double spring_way(Model& model, std::span<const std::int32_t> springs) noexcept 
     return sum;
 }
 
-void move_carriers(Model& model) noexcept {
+void move_carriers(context::Model& model) noexcept {
     model::Bodies& bodies = model.bodies;
     for (const std::int32_t body : bodies.driven) {
         const auto b = at(body);
@@ -159,7 +160,7 @@ void move_carriers(Model& model) noexcept {
     }
 }
 
-void follow_winches(Model& model, State& state) noexcept {
+void follow_winches(context::Model& model, context::State& state) noexcept {
     model::Interactions& in = model.interactions;
     const double h = model.def.step;
     for (const std::int32_t id : in.winches) {
@@ -178,7 +179,7 @@ void follow_winches(Model& model, State& state) noexcept {
     }
 }
 
-void report_saturation(StepContext& ctx) noexcept {
+void report_saturation(context::StepContext& ctx) noexcept {
     model::Interactions& in = ctx.model.interactions;
     for (std::size_t i = 0; i < in.motors.size(); ++i) {
         const std::int32_t id = in.motors[i];
@@ -186,9 +187,9 @@ void report_saturation(StepContext& ctx) noexcept {
         const bool off = in.low[at(id)] == 0.0 && in.high[at(id)] == 0.0;
         const bool at_end = in.active[at(id)] == 0.0 && !off;
         if (at_end && !in.saturated[i])
-            push_event(ctx, EventKind::saturation, id, in.force[at(in.row_begin[at(id)])]);
+            context::push_event(ctx, EventKind::saturation, id, in.force[at(in.row_begin[at(id)])]);
         in.saturated[i] = at_end ? 1 : 0;
     }
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-namespace hawser::stepper {
+namespace hawser::solve {
 
 /// Work in a step [J], see Energy.
 struct DriveWork {
@@ -18,27 +18,29 @@ struct DriveWork {
     double stopped = 0.0;   ///< Energy dissipated by stops of slides (wire/guide_system.h).
 };
 /// Compute the work before the velocities are overwritten.
-[[nodiscard]] DriveWork drive_work(Model& model) noexcept;
+[[nodiscard]] DriveWork drive_work(context::Model& model) noexcept;
 
 /// Return the sum of the impulses of drives over the step times the change of their velocities [J].
 /// Call before the velocities are overwritten.
-[[nodiscard]] double drive_gain(Model& model) noexcept;
+[[nodiscard]] double drive_gain(context::Model& model) noexcept;
 
 /// Return that sum for springs and lines [J].
 /// @param springs  Interactions.
-[[nodiscard]] double spring_gain(Model& model, std::span<const std::int32_t> springs) noexcept;
+[[nodiscard]] double spring_gain(context::Model& model,
+                                 std::span<const std::int32_t> springs) noexcept;
 
 /// Return Σ h² ġ²/ε of springs, with prescribed velocities [J].
-[[nodiscard]] double spring_way(Model& model, std::span<const std::int32_t> springs) noexcept;
+[[nodiscard]] double spring_way(context::Model& model,
+                                std::span<const std::int32_t> springs) noexcept;
 
 /// Move bodies with a prescribed velocity exactly: a rotation by h|ω| about ω.
-void move_carriers(Model& model) noexcept;
+void move_carriers(context::Model& model) noexcept;
 
 /// Update the stiffness of lines on drums, EA over the length paid out, from the drums'
 /// coordinates. Strain energy that moves onto or off the drum counts as driven.
-void follow_winches(Model& model, State& state) noexcept;
+void follow_winches(context::Model& model, context::State& state) noexcept;
 
 /// Report motors whose force has reached an end of its range.
-void report_saturation(StepContext& ctx) noexcept;
+void report_saturation(context::StepContext& ctx) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

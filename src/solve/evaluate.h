@@ -5,16 +5,17 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::solve {
 
 /// Evaluate the interactions of one row block: violations and Jacobian.
-void evaluate_block(const Model& model, const assembly::View& v, int strip) noexcept;
+void evaluate_block(const context::Model& model, const assembly::View& v, int strip) noexcept;
 
 /// Evaluate every interaction at the current poses (g, Jacobian), as stage 5 does.
-void evaluate_rows(Model& model, runtime::Pool& pool) noexcept;
+void evaluate_rows(context::Model& model, runtime::Pool& pool) noexcept;
 
 /// Call evaluate_rows(), which decides which ranges are active, and keep the ranges that were
 /// active.
-void evaluate_keeping_ranges(Model& model, Before& before, runtime::Pool& pool) noexcept;
+void evaluate_keeping_ranges(context::Model& model, context::Before& before,
+                             runtime::Pool& pool) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace hawser::stepper {
+namespace hawser::solve {
 namespace {
 
 using assembly::View;
@@ -40,7 +40,7 @@ void collect_columns(const assembly::System& s, const std::vector<std::uint8_t>&
 }
 
 /// Add the nodes of rows that became active or inactive since the matrix was factored.
-void add_switched(const Model& model, const std::vector<double>& factored,
+void add_switched(const context::Model& model, const std::vector<double>& factored,
                   std::vector<std::int32_t>& columns) noexcept {
     const assembly::System& s = model.system;
     const model::Interactions& in = model.interactions;
@@ -56,7 +56,7 @@ void add_switched(const Model& model, const std::vector<double>& factored,
     }
 }
 
-void keep_factored(const Model& model, std::vector<double>& factored) noexcept {
+void keep_factored(const context::Model& model, std::vector<double>& factored) noexcept {
     for (std::size_t i = 0; i < factored.size(); ++i)
         factored[i] = model.interactions.active[at(model.system.bounded[i])];
 }
@@ -69,16 +69,16 @@ bool fails(const factor::Numeric& numeric, int wrong) noexcept {
 
 }  // namespace
 
-std::size_t max_columns(const Model& model) noexcept {
+std::size_t max_columns(const context::Model& model) noexcept {
     const assembly::System& s = model.system;
     std::size_t rows = 0;
     for (const std::int32_t id : s.bounded) rows += at(model.interactions.bodies[at(id)]) + 1;
     return s.contacts.blocks.size() + std::max(rows, s.capstan_entries.size());
 }
 
-Status factor(StepContext& ctx, bool whole) noexcept {
+Status factor(context::StepContext& ctx, bool whole) noexcept {
     if (ctx.pool.stopping()) return Status::cancelled;
-    const View v = view(ctx);
+    const View v = context::view(ctx);
     assembly::System& s = ctx.model.system;
     ++ctx.work.stats.factorisations;
     ctx.work.solve.rhs_ready = false;
@@ -126,4 +126,4 @@ Status factor(StepContext& ctx, bool whole) noexcept {
     return Status::ok;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

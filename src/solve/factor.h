@@ -10,13 +10,13 @@
 
 #include <cstddef>
 
-namespace hawser::stepper {
+namespace hawser::solve {
 
 /// Write the blocks, factor, and solve for the right-hand side in the solver's vector, in place.
 /// @param whole  True if other data than contacts and active rows changed: factor the whole matrix.
-[[nodiscard]] Status factor(StepContext& ctx, bool whole) noexcept;
+[[nodiscard]] Status factor(context::StepContext& ctx, bool whole) noexcept;
 
 /// Return the capacity that SolveWork::columns needs.
-[[nodiscard]] std::size_t max_columns(const Model& model) noexcept;
+[[nodiscard]] std::size_t max_columns(const context::Model& model) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

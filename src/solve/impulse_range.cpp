@@ -9,11 +9,11 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hawser::stepper {
+namespace hawser::solve {
 namespace {
 
 /// Return the sum of the loads on the bound of friction, from the current impulses [N s].
-double load_of(const Model& model, std::int32_t id) noexcept {
+double load_of(const context::Model& model, std::int32_t id) noexcept {
     const model::Interactions& in = model.interactions;
     if (in.load_begin[at(id)] < 0) return 0.0;
     double sum = 0.0;
@@ -41,13 +41,14 @@ double impulse_of_power(double work, double w, double lambda, double mobility) n
 }
 
 /// Return the speed of the first row of an interaction at the current velocities.
-double speed_of_row(const Model& model, std::int32_t id) noexcept {
-    return row_speed(row_view(const_cast<Model&>(model)), id);  // reads only
+double speed_of_row(const context::Model& model, std::int32_t id) noexcept {
+    return assembly::row_speed(context::row_view(const_cast<context::Model&>(model)),
+                               id);  // reads only
 }
 
 /// Limit both ends of a motor's range to the impulses that its power allows. A range on one side of
 /// 0 beyond them (a rendering winch that pulls between two tensions) shrinks to the power limit.
-void limit_power(const Model& model, const Newton& newton, std::int32_t id,
+void limit_power(const context::Model& model, const context::Newton& newton, std::int32_t id,
                  ImpulseRange& range) noexcept {
     const model::Interactions& in = model.interactions;
     const double work = newton.bound_time * in.power[at(id)];
@@ -63,14 +64,16 @@ void limit_power(const Model& model, const Newton& newton, std::int32_t id,
 
 }  // namespace
 
-double power_excess(const Model& model, const Newton& newton, std::int32_t id) noexcept {
+double power_excess(const context::Model& model, const context::Newton& newton,
+                    std::int32_t id) noexcept {
     const model::Interactions& in = model.interactions;
     const double lambda = in.lambda[at(in.row_begin[at(id)])];
     const double work = lambda * speed_of_row(model, id);
     return work / (newton.bound_time * in.power[at(id)]) - 1.0;
 }
 
-ImpulseRange impulse_range(const Model& model, const Newton& newton, std::int32_t id) noexcept {
+ImpulseRange impulse_range(const context::Model& model, const context::Newton& newton,
+                           std::int32_t id) noexcept {
     const model::Interactions& in = model.interactions;
     const int flags = in.flags[at(id)];
     if (in.parted[at(id)] || model.wires.is_replaced(id)) return {0.0, 0.0};
@@ -93,4 +96,4 @@ ImpulseRange impulse_range(const Model& model, const Newton& newton, std::int32_
     return range;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

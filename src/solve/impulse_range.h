@@ -5,18 +5,18 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::solve {
 
 struct ImpulseRange {
     double low, high;  ///< [N s or N m s]
 };
 /// Return the allowed impulses of the first row of an interaction, for the current loads. If inputs
 /// have exchanged the ends, both are equal to the upper one.
-[[nodiscard]] ImpulseRange impulse_range(const Model& model, const Newton& newton,
+[[nodiscard]] ImpulseRange impulse_range(const context::Model& model, const context::Newton& newton,
                                          std::int32_t id) noexcept;
 
 /// Return λ w/(h P) − 1 of a motor with a power limit P: positive if it exceeds the limit.
-[[nodiscard]] double power_excess(const Model& model, const Newton& newton,
+[[nodiscard]] double power_excess(const context::Model& model, const context::Newton& newton,
                                   std::int32_t id) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace hawser::stepper {
+namespace hawser::solve {
 namespace {
 
 using assembly::Turning;
@@ -23,14 +23,15 @@ constexpr std::uint8_t kCoarse = 60;  ///< Steps for which a joint above the lim
 
 /// Write into the record of a compact joint (model/arms.h) whether it is completed. Kernels read it
 /// as the sign of the constant of its oscillation number.
-void mark_record(model::Interactions& in, const JointSlot& joint, bool completed) noexcept {
+void mark_record(model::Interactions& in, const context::JointSlot& joint,
+                 bool completed) noexcept {
     if (joint.record < 0) return;
     double& vibration = in.jacobian[at(joint.record)];
     vibration = completed ? -std::fabs(vibration) : std::fabs(vibration);
 }
 
 /// Find the spins of completed joints.
-void find_turning(Model& model) noexcept {
+void find_turning(context::Model& model) noexcept {
     const model::Interactions& in = model.interactions;
     std::fill(model.system.turning.begin(), model.system.turning.end(), std::uint8_t{0});
     model.completion.any = false;
@@ -44,8 +45,8 @@ void find_turning(Model& model) noexcept {
 
 }  // namespace
 
-void find_joints(Model& model, JointWork& joints) {
-    Completion& c = model.completion;
+void find_joints(context::Model& model, context::JointWork& joints) {
+    context::Completion& c = model.completion;
     const model::Interactions& in = model.interactions;
     c.joints.clear();
     c.places.clear();
@@ -77,39 +78,42 @@ void find_joints(Model& model, JointWork& joints) {
     joints.turnings.assign(at(model.system.strips.count() + model.system.strips.groups()), {});
 }
 
-void begin_completion(Model& model) noexcept {
+void begin_completion(context::Model& model) noexcept {
     model.completion.banned = false;
     std::fill(model.completion.refused.begin(), model.completion.refused.end(), std::uint8_t{0});
     std::copy(model.interactions.lambda.begin(), model.interactions.lambda.end(),
               model.completion.lambda_with.begin());
 }
 
-void choose_completed(Model& model, const State& state, runtime::Pool& pool) noexcept {
-    Completion& c = model.completion;
+void choose_completed(context::Model& model, const context::State& state,
+                      runtime::Pool& pool) noexcept {
+    context::Completion& c = model.completion;
     model::Interactions& in = model.interactions;
-    const bool allowed =
-        state.started && !c.banned && !has_cuts(model) && model.def.nonsmooth == Nonsmooth::newton;
-    over(pool, static_cast<std::int32_t>(c.joints.size()), [&](std::int32_t a, std::int32_t b) {
-        for (std::int32_t k = a; k < b; ++k) {
-            const std::int32_t id = c.joints[at(k)];
-            const std::uint8_t left = in.coarse[at(id)];
-            constexpr double kMaximum = kResolvedVibration * kResolvedVibration;
-            const bool fast =
-                c.refused[at(k)] || !(squared_vibration(model, k, in.lambda.data()) <= kMaximum);
-            c.coarse_next[at(k)] = fast ? kCoarse : static_cast<std::uint8_t>(left - (left > 0));
-            const bool chosen = allowed && c.coarse_next[at(k)] == 0 && in.parted[at(id)] == 0;
-            std::uint8_t completed = 0;
-            if (chosen)
-                completed = in.epsilon[at(c.places[at(k)].row)] == 0.0 ? assembly::kRigid
-                                                                       : assembly::kStiffDamper;
-            in.completed[at(id)] = completed;
-            mark_record(in, c.places[at(k)], chosen);
-        }
-    });
+    const bool allowed = state.started && !c.banned && !context::has_cuts(model) &&
+                         model.def.nonsmooth == Nonsmooth::newton;
+    context::over(
+        pool, static_cast<std::int32_t>(c.joints.size()), [&](std::int32_t a, std::int32_t b) {
+            for (std::int32_t k = a; k < b; ++k) {
+                const std::int32_t id = c.joints[at(k)];
+                const std::uint8_t left = in.coarse[at(id)];
+                constexpr double kMaximum = kResolvedVibration * kResolvedVibration;
+                const bool fast = c.refused[at(k)] ||
+                                  !(squared_vibration(model, k, in.lambda.data()) <= kMaximum);
+                c.coarse_next[at(k)] =
+                    fast ? kCoarse : static_cast<std::uint8_t>(left - (left > 0));
+                const bool chosen = allowed && c.coarse_next[at(k)] == 0 && in.parted[at(id)] == 0;
+                std::uint8_t completed = 0;
+                if (chosen)
+                    completed = in.epsilon[at(c.places[at(k)].row)] == 0.0 ? assembly::kRigid
+                                                                           : assembly::kStiffDamper;
+                in.completed[at(id)] = completed;
+                mark_record(in, c.places[at(k)], chosen);
+            }
+        });
     find_turning(model);
 }
 
-Turning complete_block(const Model& model, const View& v, int strip, const double* u,
+Turning complete_block(const context::Model& model, const View& v, int strip, const double* u,
                        bool first) noexcept {
     Turning t;
     for (const assembly::PoolRange& r : model.system.strips.pools(strip)) {
@@ -120,21 +124,23 @@ Turning complete_block(const Model& model, const View& v, int strip, const doubl
     return t;
 }
 
-void adopt_completed(StepContext& ctx) noexcept {
-    const View v = view(ctx);
+void adopt_completed(context::StepContext& ctx) noexcept {
+    const View v = context::view(ctx);
     const std::vector<std::int32_t>& joints = ctx.model.completion.joints;
-    over(ctx.pool, static_cast<std::int32_t>(joints.size()), [&](std::int32_t a, std::int32_t b) {
-        assembly::kernels().adopt_completed(v, joints.data(), a, b);
+    context::over(ctx.pool, static_cast<std::int32_t>(joints.size()),
+                  [&](std::int32_t a, std::int32_t b) {
+                      assembly::kernels().adopt_completed(v, joints.data(), a, b);
+                  });
+    context::over(ctx.pool, v.body_count, [&](std::int32_t a, std::int32_t b) {
+        assembly::kernels().adopt_spins(v, a, b);
     });
-    over(ctx.pool, v.body_count,
-         [&](std::int32_t a, std::int32_t b) { assembly::kernels().adopt_spins(v, a, b); });
 }
 
-Turning renew_completed(StepContext& ctx) noexcept {
-    const View v = view(ctx);
+Turning renew_completed(context::StepContext& ctx) noexcept {
+    const View v = context::view(ctx);
     const assembly::RowBlocks& strips = ctx.model.system.strips;
     auto& parts = ctx.work.joints.turnings;  // one per row block or group
-    sweep(
+    context::sweep(
         ctx.model, ctx.pool,
         [&](int strip) { parts[at(strip)] = complete_block(ctx.model, v, strip, v.v_new, false); },
         [&](std::int32_t a, std::int32_t b, int i) {
@@ -149,10 +155,10 @@ Turning renew_completed(StepContext& ctx) noexcept {
     return all;
 }
 
-void finish_completion(Model& model) noexcept {
-    Completion& c = model.completion;
+void finish_completion(context::Model& model) noexcept {
+    context::Completion& c = model.completion;
     for (std::size_t k = 0; k < c.joints.size(); ++k)
         model.interactions.coarse[at(c.joints[k])] = c.coarse_next[k];
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

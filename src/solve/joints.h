@@ -10,13 +10,13 @@
 
 #include <cstdint>
 
-namespace hawser::stepper {
+namespace hawser::solve {
 
 /// Oscillation number up to which joints are completed.
 inline constexpr double kResolvedVibration = 1.5;
 /// Return |p|² of a joint's impulse [N² s²].
 /// @param lambdas  By row.
-[[nodiscard]] inline double squared_impulse(const JointSlot& joint,
+[[nodiscard]] inline double squared_impulse(const context::JointSlot& joint,
                                             const double* lambdas) noexcept {
     const double* p = lambdas + joint.row;
     if (joint.rows == 3) return p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
@@ -26,38 +26,39 @@ inline constexpr double kResolvedVibration = 1.5;
 }
 /// Return s² of a joint under its impulse, s = h |p| max(r/I).
 /// @param k  Its index among the joints.
-[[nodiscard]] inline double squared_vibration(const Model& model, std::int32_t k,
+[[nodiscard]] inline double squared_vibration(const context::Model& model, std::int32_t k,
                                               const double* lambdas) noexcept {
-    const Completion& c = model.completion;
+    const context::Completion& c = model.completion;
     const double rate = model.def.step * model.interactions.vibration[at(c.joints[at(k)])];
     return rate * rate * squared_impulse(c.places[at(k)], lambdas);
 }
 
 /// Find the joints of a system that has just been analysed.
 /// @throws std::bad_alloc.
-void find_joints(Model& model, JointWork& joints);
+void find_joints(context::Model& model, context::JointWork& joints);
 
 /// Begin a step: no joint is rejected yet.
-void begin_completion(Model& model) noexcept;
+void begin_completion(context::Model& model) noexcept;
 
 /// Choose the joints that this step completes, by their forces in the last step, and mark their
 /// records.
-void choose_completed(Model& model, const State& state, runtime::Pool& pool) noexcept;
+void choose_completed(context::Model& model, const context::State& state,
+                      runtime::Pool& pool) noexcept;
 
 /// Compute c of completed rows of a row block about packed velocities u, see
 /// Kernels::complete_rows.
 /// @return the change.
-assembly::Turning complete_block(const Model& model, const assembly::View& v, int strip,
+assembly::Turning complete_block(const context::Model& model, const assembly::View& v, int strip,
                                  const double* u, bool first) noexcept;
 
 /// Compute the equations of completed joints and spins about the current v₊, without applying them.
 /// @return the change of the right-hand sides.
-assembly::Turning renew_completed(StepContext& ctx) noexcept;
+assembly::Turning renew_completed(context::StepContext& ctx) noexcept;
 
 /// Apply the equations of renew_completed().
-void adopt_completed(StepContext& ctx) noexcept;
+void adopt_completed(context::StepContext& ctx) noexcept;
 
 /// Update counters after a successful step.
-void finish_completion(Model& model) noexcept;
+void finish_completion(context::Model& model) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

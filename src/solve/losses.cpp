@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace hawser::stepper {
+namespace hawser::solve {
 namespace {
 
 using assembly::View;
@@ -20,7 +20,8 @@ struct Rates {
 };
 
 /// Compute rates from the Jacobian, with the part of bodies with a prescribed velocity.
-void rates_by_jacobian(const Model& model, const View& v, std::int32_t id, Rates& out) noexcept {
+void rates_by_jacobian(const context::Model& model, const View& v, std::int32_t id,
+                       Rates& out) noexcept {
     double buffer[model::kArmBufferSize];
     const double* jac = packed_rows(v, id, buffer);
     const bool carried = (v.flags[id] & model::kCarried) != 0;
@@ -66,7 +67,7 @@ bool was_taut(const View& v, std::int32_t row, double before) noexcept {
     return v.g[row] - 0.5 * v.h * before > 1e-9 * std::fabs(v.g[row]);
 }
 
-double losses_of(const Model& model, const View& v, std::int32_t id) noexcept {
+double losses_of(const context::Model& model, const View& v, std::int32_t id) noexcept {
     const int flags = v.flags[id];
     Rates rate;
     rates_by_rows(v, id, rate);
@@ -94,10 +95,11 @@ double losses_of(const Model& model, const View& v, std::int32_t id) noexcept {
 
 }  // namespace
 
-double losses_between(const Model& model, const View& v, std::int32_t begin,
+double losses_between(const context::Model& model, const View& v, std::int32_t begin,
                       std::int32_t end) noexcept {
     double taken = 0.0;
-    end = std::min(end, interaction_count(model));  // duplicated rows count with their original
+    end = std::min(end,
+                   context::interaction_count(model));  // duplicated rows count with their original
     for (; begin < end; begin += assembly::kLossChunk) {
         const std::int32_t to = std::min(end, begin + assembly::kLossChunk);
         std::int32_t left[assembly::kLossChunk];
@@ -108,21 +110,22 @@ double losses_between(const Model& model, const View& v, std::int32_t begin,
     return taken;
 }
 
-double row_losses(Model& model, SolveWork& solve, runtime::Pool& pool) noexcept {
-    const View v = row_view(model);
+double row_losses(context::Model& model, context::SolveWork& solve, runtime::Pool& pool) noexcept {
+    const View v = context::row_view(model);
     auto strip = [&](int i, int) noexcept {
         double& taken = solve.losses[static_cast<std::size_t>(i)];
         taken = 0.0;
-        each(model.system.strips.interactions(i), [&](std::int32_t begin, std::int32_t end) {
-            taken += losses_between(model, v, begin, end);
-        });
+        context::each(model.system.strips.interactions(i),
+                      [&](std::int32_t begin, std::int32_t end) {
+                          taken += losses_between(model, v, begin, end);
+                      });
     };
     if (!solve.losses_known) pool.for_each(model.system.strips.count(), strip);
     return std::accumulate(solve.losses.begin(), solve.losses.end(), 0.0);
 }
 
-double cut_losses(Model& model, std::int32_t id) noexcept {
-    const View v = row_view(model);
+double cut_losses(context::Model& model, std::int32_t id) noexcept {
+    const View v = context::row_view(model);
     if (v.parted[id]) return 0.0;
     const model::RowState before = model.interactions.row_state(id, model.bodies);
     const model::RowState after = model.interactions.row_state(id, model.bodies, v.v_new);
@@ -139,8 +142,8 @@ double cut_losses(Model& model, std::int32_t id) noexcept {
     return taken;
 }
 
-double held_by_line(Model& model, std::int32_t id) noexcept {
-    const View v = row_view(model);
+double held_by_line(context::Model& model, std::int32_t id) noexcept {
+    const View v = context::row_view(model);
     const std::int32_t row = v.row_begin[id];
     if (model.system.rests(id)) {  // cut: not evaluated in this step, and bodies have moved
         const model::RowState now = model.interactions.row_state(id, model.bodies);
@@ -151,4 +154,4 @@ double held_by_line(Model& model, std::int32_t id) noexcept {
     return held(v, id, row, v.g[row], v.g[row] + 0.5 * v.h * rate.after[0]);
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

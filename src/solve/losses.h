@@ -10,23 +10,24 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::solve {
 
 /// Return the energy lost in rows in the step [J], see Energy::damped: the energy absorbed from the
 /// motion less the increase of the stored energy. Call before velocities are overwritten.
-[[nodiscard]] double row_losses(Model& model, SolveWork& solve, runtime::Pool& pool) noexcept;
+[[nodiscard]] double row_losses(context::Model& model, context::SolveWork& solve,
+                                runtime::Pool& pool) noexcept;
 
 /// Return the part of interactions [begin, end) of a row block. The norms of a solution are
 /// computed at the same time, while rows are in the cache (SolveWork::losses_known).
-[[nodiscard]] double losses_between(const Model& model, const assembly::View& v, std::int32_t begin,
-                                    std::int32_t end) noexcept;
+[[nodiscard]] double losses_between(const context::Model& model, const assembly::View& v,
+                                    std::int32_t begin, std::int32_t end) noexcept;
 
 /// Return the loss of the rows of a cut interaction, with the mean of its sides' impulses
 /// (split/cuts.h) [J].
-[[nodiscard]] double cut_losses(Model& model, std::int32_t id) noexcept;
+[[nodiscard]] double cut_losses(context::Model& model, std::int32_t id) noexcept;
 
 /// Return the energy of a line at the half-step position after the step [J]; it is lost if the line
 /// breaks.
-[[nodiscard]] double held_by_line(Model& model, std::int32_t id) noexcept;
+[[nodiscard]] double held_by_line(context::Model& model, std::int32_t id) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hawser::stepper {
+namespace hawser::solve {
 namespace {
 
 using assembly::Capstan;
@@ -40,7 +40,7 @@ void each_run(const assembly::System& s, F&& f) noexcept {
     }
 }
 
-std::int32_t side_of(const Model& model, const Capstan& c) noexcept {
+std::int32_t side_of(const context::Model& model, const Capstan& c) noexcept {
     const auto id = at(c.friction);
     if (model.interactions.active[id] != 0.0) return 0;
     const double held = model.interactions.held[id];
@@ -60,8 +60,9 @@ double mobility_of(const model::Bodies& b, const View& v, std::int32_t body, con
 }
 
 /// Read the terms of a part for its slides. All other bodies that it pulls respond independently.
-void read_part(const Model& model, const View& v, std::int32_t id, std::int32_t slide_0,
-               std::int32_t slide_1, RunPart& p, double* entry_0, double* entry_1) noexcept {
+void read_part(const context::Model& model, const View& v, std::int32_t id, std::int32_t slide_0,
+               std::int32_t slide_1, context::RunPart& p, double* entry_0,
+               double* entry_1) noexcept {
     p.id = id;
     p.row = v.row_begin[id];
     p.pulls = v.active[id] != 0.0;
@@ -85,8 +86,8 @@ void read_part(const Model& model, const View& v, std::int32_t id, std::int32_t 
     p.asked = v.c[p.row] - speed + mobility * p.lambda;
 }
 
-void read_place(const Model& model, const Newton& newton, const View& v, const Capstan& c,
-                const CapstanEntry* loads, RunPoint& p) noexcept {
+void read_place(const context::Model& model, const context::Newton& newton, const View& v,
+                const Capstan& c, const CapstanEntry* loads, context::RunPoint& p) noexcept {
     const model::Interactions& in = model.interactions;
     const auto id = at(c.friction);
     const std::int32_t row = in.row_begin[id], dof = v.dof_begin[c.body];
@@ -101,7 +102,8 @@ void read_place(const Model& model, const Newton& newton, const View& v, const C
     p.was = static_cast<std::int32_t>(c.was);
 }
 
-void read_run(const Model& model, Newton& newton, const View& v, const Run& run) noexcept {
+void read_run(const context::Model& model, context::Newton& newton, const View& v,
+              const Run& run) noexcept {
     const assembly::System& s = model.system;
     const std::size_t n = run.last - run.first;
     const CapstanEntry* entry = &s.capstan_entries[run.entry];
@@ -121,18 +123,18 @@ void read_run(const Model& model, Newton& newton, const View& v, const Run& run)
     }
 }
 
-void adopt(Model& model, const Newton& newton, const Run& run) noexcept {
+void adopt(context::Model& model, const context::Newton& newton, const Run& run) noexcept {
     model::Interactions& in = model.interactions;
     const std::size_t n = run.last - run.first;
     for (std::size_t i = 0; i <= n; ++i) {
-        const RunPart& p = newton.run_parts[i];
+        const context::RunPart& p = newton.run_parts[i];
         in.active[at(p.id)] = p.pulls ? 1.0 : 0.0;
         in.held[at(p.id)] = 0.0;
         in.lambda[at(p.row)] = p.pulls ? p.lambda : 0.0;
     }
     for (std::size_t k = 0; k < n; ++k) {
         Capstan& c = model.system.capstans[run.first + k];
-        const RunPoint& p = newton.run_points[k];
+        const context::RunPoint& p = newton.run_points[k];
         const auto id = at(c.friction);
         in.active[id] = p.side == 0 ? 1.0 : 0.0;
         if (p.side == 0) continue;
@@ -145,18 +147,18 @@ void adopt(Model& model, const Newton& newton, const Run& run) noexcept {
 
 }  // namespace
 
-void reserve_runs(const Model& model, Newton& newton) {
+void reserve_runs(const context::Model& model, context::Newton& newton) {
     newton.run_points.resize(model.system.capstans.size());
     newton.run_parts.resize(model.system.capstans.size() + 1);
 }
 
-void note_runs(Model& model) noexcept {
+void note_runs(context::Model& model) noexcept {
     for (CapstanEntry& e : model.system.capstan_entries)
         e.was_active = model.interactions.active[at(e.load)] != 0.0 ? 1 : 0;
     for (Capstan& c : model.system.capstans) c.was = side_of(model, c);
 }
 
-double largest_in_run(const Model& model, std::int32_t friction) noexcept {
+double largest_in_run(const context::Model& model, std::int32_t friction) noexcept {
     const assembly::System& s = model.system;
     double largest = 0.0;
     each_run(s, [&](const Run& run) {
@@ -171,8 +173,8 @@ double largest_in_run(const Model& model, std::int32_t friction) noexcept {
     return largest;
 }
 
-void settle_runs(Model& model, Newton& newton) noexcept {
-    const View v = row_view(model);
+void settle_runs(context::Model& model, context::Newton& newton) noexcept {
+    const View v = context::row_view(model);
     each_run(model.system, [&](const Run& run) {
         const std::size_t n = run.last - run.first;
         read_run(model, newton, v, run);
@@ -181,4 +183,4 @@ void settle_runs(Model& model, Newton& newton) noexcept {
     });
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

@@ -20,20 +20,20 @@
 
 #include <cstdint>
 
-namespace hawser::stepper {
+namespace hawser::solve {
 
 /// Reserve memory for the existing runs.
 /// @throws std::bad_alloc.
-void reserve_runs(const Model& model, Newton& newton);
+void reserve_runs(const context::Model& model, context::Newton& newton);
 
 /// Store the statuses of runs in the current solution, before rows are switched.
-void note_runs(Model& model) noexcept;
+void note_runs(context::Model& model) noexcept;
 
 /// Return the largest impulse of the parts of a run [N s].
 /// @param friction  Friction of one of its turning points.
-[[nodiscard]] double largest_in_run(const Model& model, std::int32_t friction) noexcept;
+[[nodiscard]] double largest_in_run(const context::Model& model, std::int32_t friction) noexcept;
 
 /// Set the statuses of runs from a solution of each run by itself, after rows were switched.
-void settle_runs(Model& model, Newton& newton) noexcept;
+void settle_runs(context::Model& model, context::Newton& newton) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

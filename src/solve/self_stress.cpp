@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace hawser::stepper {
+namespace hawser::solve {
 namespace {
 
 using assembly::View;
@@ -33,7 +33,8 @@ struct Push {
 
 /// Write Gᵀλ into the solver's vector, for the impulses λ(row) of some joints.
 template <class Lambda>
-Push load_joints(const Model& model, SolveWork& solve, const View& v, Lambda lambda) noexcept {
+Push load_joints(const context::Model& model, context::SolveWork& solve, const View& v,
+                 Lambda lambda) noexcept {
     Push size;
     std::fill_n(v.solution, model.system.symbolic.scalars, 0.0);
     for (const std::int32_t id : model.completion.looped) {
@@ -58,8 +59,8 @@ Push load_joints(const Model& model, SolveWork& solve, const View& v, Lambda lam
 }
 
 /// Solve for u of K [u; −λ'] = [Gᵀλ; 0] in place, after load_joints().
-void solve_loaded(StepContext& ctx, const View& v) noexcept {
-    const StageTimer timer(ctx, Stage::factor);
+void solve_loaded(context::StepContext& ctx, const View& v) noexcept {
+    const context::StageTimer timer(ctx, Stage::factor);
     ctx.model.system.numeric.solve(ctx.model.system.symbolic, v.solution, ctx.pool);
     ++ctx.work.stats.substitutions;
 }
@@ -69,7 +70,7 @@ void read_filtered(const View& v, std::int32_t id, double* out) noexcept {
     double buffer[model::kArmBufferSize];
     const double* jac = packed_rows(v, id, buffer);
     for (int r = 0; r < v.rows[id]; ++r) {
-        const double speed = along_row(v, id, jac, v.solution, v.body_offset);
+        const double speed = assembly::along_row(v, id, jac, v.solution, v.body_offset);
         out[r] = v.interaction_offset[id] >= 0 ? v.solution[v.interaction_offset[id] + r]
                                                : speed * v.inv_sigma[v.row_begin[id] + r];
     }
@@ -94,7 +95,7 @@ bool is_changed(const View& v, std::int32_t id, Lambda lambda, double* kept) noe
 /// Correct `taken` so that its removal moves no body, Gᵀ `taken` = 0. One substitution leaves a
 /// residual momentum that the bodies would lack. The same filter, applied to `taken`, returns the
 /// part that must stay.
-void keep_momentum(StepContext& ctx, const View& v) noexcept {
+void keep_momentum(context::StepContext& ctx, const View& v) noexcept {
     constexpr double kMaximum = 1e-11;  ///< Relative to the impulses.
     constexpr int kFilterPasses = 2;
     double* taken = ctx.work.joints.taken.data();
@@ -114,7 +115,7 @@ void keep_momentum(StepContext& ctx, const View& v) noexcept {
 /// Filter `lost` once and replace it by the removed part. Clear the redundant mark of joints whose
 /// removed part is at most kShare of the drawn impulse.
 /// @return true if any marked joint remains.
-bool lose_again(StepContext& ctx, const View& v) noexcept {
+bool lose_again(context::StepContext& ctx, const View& v) noexcept {
     double* lost = ctx.work.joints.taken.data();
     (void)load_joints(ctx.model, ctx.work.solve, v,
                       [&](std::int32_t, std::int32_t row) noexcept { return lost[row]; });
@@ -143,8 +144,8 @@ bool lose_again(StepContext& ctx, const View& v) noexcept {
 ///
 /// Among many joints some draw almost zero. So the loss is compared with at least the mean draw.
 /// Otherwise one joint in thousands would count as redundant wherever a thousandth is removed.
-void probe_loops(StepContext& ctx) noexcept {
-    const View v = view(ctx);
+void probe_loops(context::StepContext& ctx) noexcept {
+    const View v = context::view(ctx);
     for (const std::int32_t id : ctx.model.completion.looped) {
         ctx.model.interactions.repeats[at(id)] = 1;
         for (int r = v.row_begin[id]; r < v.row_begin[id] + v.rows[id]; ++r)
@@ -157,7 +158,7 @@ void probe_loops(StepContext& ctx) noexcept {
 
 }  // namespace
 
-void take_self_stress(StepContext& ctx) noexcept {
+void take_self_stress(context::StepContext& ctx) noexcept {
     constexpr std::int64_t kEvery = 16;  // steps: loops become singular gradually
     const std::vector<std::int32_t>& looped = ctx.model.completion.looped;
     if (looped.empty()) return;
@@ -165,7 +166,7 @@ void take_self_stress(StepContext& ctx) noexcept {
     std::uint8_t* repeats = ctx.model.interactions.repeats.data();
     if (std::none_of(looped.begin(), looped.end(), [&](std::int32_t id) { return repeats[id]; }))
         return;
-    const View v = view(ctx);
+    const View v = context::view(ctx);
     const auto impulse = [&](std::int32_t id, std::int32_t row) noexcept {
         return repeats[id] ? v.lambda[row] : 0.0;
     };
@@ -191,4 +192,4 @@ void take_self_stress(StepContext& ctx) noexcept {
         }
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

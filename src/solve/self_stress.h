@@ -6,9 +6,9 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::solve {
 
 /// Filter the impulses of joints. Call after the end-of-step constraint iteration.
-void take_self_stress(StepContext& ctx) noexcept;
+void take_self_stress(context::StepContext& ctx) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

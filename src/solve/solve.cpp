@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hawser::stepper {
+namespace hawser::solve {
 namespace {
 
 using assembly::Norms;
@@ -40,42 +40,44 @@ Norms merged(const std::vector<Norms>& parts) noexcept {
 }
 
 /// Compute the right-hand side of the first solve from rows and body terms.
-void start_solve(Model& model, Work& work, runtime::Pool& pool, const View& v) noexcept {
+void start_solve(context::Model& model, context::Work& work, runtime::Pool& pool,
+                 const View& v) noexcept {
     const assembly::Kernels& k = assembly::kernels();
     release_capstans(model, work.newton);
-    sweep(
+    context::sweep(
         model, pool,
         [&](int strip) {
-            each(model.system.strips.interactions(strip),
-                 [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b, false); });
+            context::each(model.system.strips.interactions(strip),
+                          [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b, false); });
         },
         [&](std::int32_t a, std::int32_t b, int) { k.first_body_rhs(v, a, b, false); });
     work.solve.rhs_ready = true;
 }
 
 /// Update λ of all rows from the solver's vector, and that of sliding capstans from their loads.
-void update_rows(Model& model, const Work& work, runtime::Pool& pool, const View& v,
-                 bool first) noexcept {
+void update_rows(context::Model& model, const context::Work& work, runtime::Pool& pool,
+                 const View& v, bool first) noexcept {
     const assembly::Kernels& k = assembly::kernels();
-    over_interactions(model, pool,
-                      [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, first); });
+    context::over_interactions(
+        model, pool, [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, first); });
     follow_capstans(model, work.newton, v);
 }
 
 /// Compute the right-hand side that corrects the current v₊ and λ, after contacts or ranges
 /// changed.
-void continue_solve(Model& model, Work& work, runtime::Pool& pool, const View& v) noexcept {
+void continue_solve(context::Model& model, context::Work& work, runtime::Pool& pool,
+                    const View& v) noexcept {
     const assembly::Kernels& k = assembly::kernels();
     std::fill_n(v.solution, model.system.symbolic.scalars, 0.0);
     update_contacts(model, pool, v.v_new);
     const bool runs = !model.system.capstans.empty();
     if (runs) update_rows(model, work, pool, v, false);
-    sweep(
+    context::sweep(
         model, pool,
         [&](int strip) {
             if (runs) return;
-            each(model.system.strips.interactions(strip),
-                 [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, false); });
+            context::each(model.system.strips.interactions(strip),
+                          [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, false); });
         },
         [&](std::int32_t a, std::int32_t b, int) { k.body_rhs(v, a, b); });
     work.solve.rhs_ready = true;
@@ -83,8 +85,9 @@ void continue_solve(Model& model, Work& work, runtime::Pool& pool, const View& v
 
 /// Add the solution to v₊ for all bodies.
 void add_everywhere(runtime::Pool& pool, const View& v) noexcept {
-    over(pool, v.body_count,
-         [&](std::int32_t a, std::int32_t b) { assembly::kernels().add_solution(v, a, b); });
+    context::over(pool, v.body_count, [&](std::int32_t a, std::int32_t b) {
+        assembly::kernels().add_solution(v, a, b);
+    });
 }
 
 /// Next step after a correction of v₊ and λ: the right-hand side of another one, or the norms of
@@ -93,9 +96,9 @@ enum class Next { solve, measure };
 
 /// Correct v₊ and λ by the solver's vector and update the residuals.
 /// @param first  True if the vector is the solution itself.
-Norms correct(Model& model, Work& work, runtime::Pool& pool, const View& v, bool first,
-              Next next) noexcept {
-    SolveWork& solve = work.solve;
+Norms correct(context::Model& model, context::Work& work, runtime::Pool& pool, const View& v,
+              bool first, Next next) noexcept {
+    context::SolveWork& solve = work.solve;
     const assembly::Kernels& k = assembly::kernels();
     const assembly::RowBlocks& strips = model.system.strips;
     const bool touching = model.system.contacts.count() > 0;
@@ -106,18 +109,18 @@ Norms correct(Model& model, Work& work, runtime::Pool& pool, const View& v, bool
         if (touching) update_contacts(model, pool, v.v_new);
         if (runs) update_rows(model, work, pool, v, first);
     } else {
-        auto add_shared = [&](int i, int) noexcept { each(strips.shared(i), add); };
+        auto add_shared = [&](int i, int) noexcept { context::each(strips.shared(i), add); };
         pool.for_each(strips.groups(), add_shared);
     }
     if (next == Next::measure) std::fill(solve.norms.begin(), solve.norms.end(), Norms{});
     // With contacts, the last measured solution need not be that of the step.
     solve.losses_known = next == Next::measure && !touching;
-    sweep(
+    context::sweep(
         model, pool,
         [&](int strip) {
-            if (!touching && !runs) each(strips.bodies(strip), add);
+            if (!touching && !runs) context::each(strips.bodies(strip), add);
             double taken = 0.0;
-            each(strips.interactions(strip), [&](std::int32_t a, std::int32_t b) {
+            context::each(strips.interactions(strip), [&](std::int32_t a, std::int32_t b) {
                 if (!runs) k.row_update(v, a, b, first);
                 if (next == Next::measure) k.row_norms(v, a, b, &solve.norms[at(strip)]);
                 if (solve.losses_known) taken += losses_between(model, v, a, b);
@@ -133,16 +136,16 @@ Norms correct(Model& model, Work& work, runtime::Pool& pool, const View& v, bool
     return next == Next::measure ? merged(solve.norms) : Norms{};
 }
 
-double momentum_residual(const Model& model, const Norms& n) noexcept {
+double momentum_residual(const context::Model& model, const Norms& n) noexcept {
     return std::sqrt(n.momentum) / std::max(std::sqrt(n.impulse), model.residual_floor);
 }
 
-Status report(const Model& model, Work& work, const Norms& n) noexcept {
+Status report(const context::Model& model, context::Work& work, const Norms& n) noexcept {
     if (!std::isfinite(n.finite) || !std::isfinite(n.momentum)) return Status::not_finite;
     work.stats.momentum_residual = momentum_residual(model, n);
     work.stats.constraint_residual = n.constraint;
     work.stats.violation_max = n.gap;
-    work.stats.violation_worst = model.interactions.id(original(model, n.gap_id));
+    work.stats.violation_worst = model.interactions.id(context::original(model, n.gap_id));
     work.stats.stretch_error_max = n.stretch;
     work.solve.step_work = n.work;
     work.solve.step_drag = n.drag;
@@ -155,25 +158,27 @@ constexpr double kCorrected = 1e-11;
 
 /// Return true if a residual requires a correction: relative for momentum, in their units for rows
 /// [m/s, rad/s].
-bool needs_refinement(const Model& model, const StepStats& stats, const Norms& n) noexcept {
+bool needs_refinement(const context::Model& model, const StepStats& stats,
+                      const Norms& n) noexcept {
     const double good = stats.refinements > 0 ? kCorrected : model.def.solution_tolerance;
     return momentum_residual(model, n) > good || n.constraint > good;
 }
 
 /// Return the largest number of corrections: two more than defined, which stiff rows on very light
 /// bodies need.
-int max_refinements(const Model& model) noexcept {
+int max_refinements(const context::Model& model) noexcept {
     return model.def.refinements > 0 ? model.def.refinements + 2 : 0;
 }
 
 /// Repeat corrections while the residual requires them, then report it.
-Status finish_solve(Model& model, Work& work, runtime::Pool& pool, const View& v, Norms n,
-                    int most) noexcept {
+Status finish_solve(context::Model& model, context::Work& work, runtime::Pool& pool, const View& v,
+                    Norms n, int most) noexcept {
     for (int extra = 0; extra < most; ++extra) {
         if (!needs_refinement(model, work.stats, n)) break;
         const Norms before = n;
-        over(pool, v.body_count,
-             [&](std::int32_t a, std::int32_t b) { assembly::kernels().body_rhs(v, a, b); });
+        context::over(pool, v.body_count, [&](std::int32_t a, std::int32_t b) {
+            assembly::kernels().body_rhs(v, a, b);
+        });
         model.system.numeric.solve(model.system.symbolic, v.solution, pool);
         ++work.stats.refinements;
         ++work.stats.substitutions;
@@ -185,9 +190,9 @@ Status finish_solve(Model& model, Work& work, runtime::Pool& pool, const View& v
 
 }  // namespace
 
-Status factor_and_solve(StepContext& ctx) noexcept {
-    const StageTimer timer(ctx, Stage::factor);
-    const View v = view(ctx);
+Status factor_and_solve(context::StepContext& ctx) noexcept {
+    const context::StageTimer timer(ctx, Stage::factor);
+    const View v = context::view(ctx);
     if (!ctx.work.solve.rhs_ready) start_solve(ctx.model, ctx.work, ctx.pool, v);
     if (const Status status = factor(ctx, true); status != Status::ok) return status;
     // Measuring a solution before refining it costs an additional pass over all rows and bodies. If
@@ -218,9 +223,9 @@ Status factor_and_solve(StepContext& ctx) noexcept {
                         max_refinements(ctx.model) - refinements);
 }
 
-Status newton_solve(StepContext& ctx, bool first, bool whole) noexcept {
-    const StageTimer timer(ctx, Stage::factor);
-    const View v = view(ctx);
+Status newton_solve(context::StepContext& ctx, bool first, bool whole) noexcept {
+    const context::StageTimer timer(ctx, Stage::factor);
+    const View v = context::view(ctx);
     if (first) {
         if (!ctx.work.solve.rhs_ready) {
             update_contacts(ctx.model, ctx.pool, nullptr);
@@ -236,9 +241,9 @@ Status newton_solve(StepContext& ctx, bool first, bool whole) noexcept {
     return Status::ok;
 }
 
-void continue_with_factor(StepContext& ctx) noexcept {
-    const StageTimer timer(ctx, Stage::factor);
-    const View v = view(ctx);
+void continue_with_factor(context::StepContext& ctx) noexcept {
+    const context::StageTimer timer(ctx, Stage::factor);
+    const View v = context::view(ctx);
     continue_solve(ctx.model, ctx.work, ctx.pool, v);
     ctx.work.solve.rhs_ready = false;
     ctx.model.system.numeric.solve(ctx.model.system.symbolic, v.solution, ctx.pool);
@@ -248,11 +253,11 @@ void continue_with_factor(StepContext& ctx) noexcept {
     update_rows(ctx.model, ctx.work, ctx.pool, v, false);
 }
 
-Status refine(StepContext& ctx) noexcept {
-    const StageTimer timer(ctx, Stage::factor);
-    const View v = view(ctx);
-    over(ctx.pool, v.body_count,
-         [&](std::int32_t a, std::int32_t b) { assembly::kernels().body_rhs(v, a, b); });
+Status refine(context::StepContext& ctx) noexcept {
+    const context::StageTimer timer(ctx, Stage::factor);
+    const View v = context::view(ctx);
+    context::over(ctx.pool, v.body_count,
+                  [&](std::int32_t a, std::int32_t b) { assembly::kernels().body_rhs(v, a, b); });
     ctx.model.system.numeric.solve(ctx.model.system.symbolic, v.solution, ctx.pool);
     ctx.work.stats.refinements = 1;
     ++ctx.work.stats.substitutions;
@@ -261,7 +266,7 @@ Status refine(StepContext& ctx) noexcept {
                         max_refinements(ctx.model) - 1);
 }
 
-Status settle_iterations(StepContext& ctx, bool measured) noexcept {
+Status settle_iterations(context::StepContext& ctx, bool measured) noexcept {
     if (!measured)
         if (const Status status = measure(ctx); status != Status::ok) return status;
     const double good = ctx.model.def.solution_tolerance;
@@ -270,16 +275,17 @@ Status settle_iterations(StepContext& ctx, bool measured) noexcept {
     return wanted && ctx.model.def.refinements > 0 ? refine(ctx) : Status::ok;
 }
 
-Status measure(StepContext& ctx) noexcept {
-    const View v = view(ctx);
+Status measure(context::StepContext& ctx) noexcept {
+    const View v = context::view(ctx);
     const assembly::Kernels& k = assembly::kernels();
     std::fill(ctx.work.solve.norms.begin(), ctx.work.solve.norms.end(), Norms{});
-    sweep(
+    context::sweep(
         ctx.model, ctx.pool,
         [&](int strip) {
-            each(ctx.model.system.strips.interactions(strip), [&](std::int32_t a, std::int32_t b) {
-                k.row_norms(v, a, b, &ctx.work.solve.norms[at(strip)]);
-            });
+            context::each(ctx.model.system.strips.interactions(strip),
+                          [&](std::int32_t a, std::int32_t b) {
+                              k.row_norms(v, a, b, &ctx.work.solve.norms[at(strip)]);
+                          });
         },
         [&](std::int32_t a, std::int32_t b, int norm) {
             k.body_norms(v, a, b, &ctx.work.solve.norms[at(norm)]);
@@ -287,4 +293,4 @@ Status measure(StepContext& ctx) noexcept {
     return report(ctx.model, ctx.work, merged(ctx.work.solve.norms));
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

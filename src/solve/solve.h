@@ -6,26 +6,26 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::solve {
 
 /// Run stage 6: write the blocks of the matrix, factor, solve and refine v₊ and λ.
-[[nodiscard]] Status factor_and_solve(StepContext& ctx) noexcept;
+[[nodiscard]] Status factor_and_solve(context::StepContext& ctx) noexcept;
 
 /// Write the blocks, factor and solve once, without refinement: one iteration of Newton's method.
 /// @param first  True to start from v₊ = 0, otherwise from the current v₊ and λ.
-[[nodiscard]] Status newton_solve(StepContext& ctx, bool first, bool whole) noexcept;
+[[nodiscard]] Status newton_solve(context::StepContext& ctx, bool first, bool whole) noexcept;
 
 /// Run one more iteration from the current v₊ and λ with the current factorisation.
-void continue_with_factor(StepContext& ctx) noexcept;
+void continue_with_factor(context::StepContext& ctx) noexcept;
 
 /// Refine the result of newton_solve() and measure it.
-[[nodiscard]] Status refine(StepContext& ctx) noexcept;
+[[nodiscard]] Status refine(context::StepContext& ctx) noexcept;
 
 /// Call refine() if the residual is above solution_tolerance.
 /// @param measured  True if the residual is in the statistics; otherwise it is measured first.
-[[nodiscard]] Status settle_iterations(StepContext& ctx, bool measured) noexcept;
+[[nodiscard]] Status settle_iterations(context::StepContext& ctx, bool measured) noexcept;
 
 /// Measure the current v₊, λ and row residuals, found without the matrix.
-[[nodiscard]] Status measure(StepContext& ctx) noexcept;
+[[nodiscard]] Status measure(context::StepContext& ctx) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

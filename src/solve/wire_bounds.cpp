@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 
-namespace hawser::stepper {
+namespace hawser::solve {
 namespace {
 
 using assembly::View;
@@ -22,18 +22,18 @@ bool is_chain_element(const model::Interactions& in, std::int32_t id) noexcept {
 }
 
 /// Return the other element of a node with exactly two, −1: none.
-std::int32_t neighbour_of(const NodeElements& lump, std::int32_t element) noexcept {
+std::int32_t neighbour_of(const context::NodeElements& lump, std::int32_t element) noexcept {
     if (lump.count != 2) return -1;
     return lump.element[0] == element ? lump.element[1] : lump.element[0];
 }
 
-std::int32_t body_of(const Model& model, std::int32_t element, int slot) noexcept {
+std::int32_t body_of(const context::Model& model, std::int32_t element, int slot) noexcept {
     const std::int32_t id = model.system.bounded[at(element)];
     return model.interactions.body[at(kMaxInteractionBodies * id + slot)];
 }
 
 /// List the elements of each node, and mark all other rows as listed.
-void list_nodes(const Model& model, WireChains& chains) {
+void list_nodes(const context::Model& model, context::WireChains& chains) {
     const std::vector<std::int32_t>& bounded = model.system.bounded;
     chains.lumps.assign(at(model.bodies.count()), {});
     chains.listed.assign(bounded.size(), 0);
@@ -47,7 +47,7 @@ void list_nodes(const Model& model, WireChains& chains) {
         for (int slot = 0; slot < 2 && chains.listed[i] == 0; ++slot) {
             const std::int32_t b = body_of(model, static_cast<std::int32_t>(i), slot);
             if (model.bodies.kind[at(b)] != BodyKind::lump) continue;
-            NodeElements& lump = chains.lumps[at(b)];
+            context::NodeElements& lump = chains.lumps[at(b)];
             if (lump.count < 2) lump.element[at(lump.count)] = static_cast<std::int32_t>(i);
             ++lump.count;
         }
@@ -55,14 +55,16 @@ void list_nodes(const Model& model, WireChains& chains) {
 }
 
 /// True if one of the ends of an element has no neighbour.
-bool is_chain_end(const Model& model, const WireChains& chains, std::int32_t element) noexcept {
+bool is_chain_end(const context::Model& model, const context::WireChains& chains,
+                  std::int32_t element) noexcept {
     for (int slot = 0; slot < 2; ++slot)
         if (neighbour_of(chains.lumps[at(body_of(model, element, slot))], element) < 0) return true;
     return false;
 }
 
 /// Number the nodes of the chain that begins at entry `first` of the list.
-void number_nodes(const Model& model, WireChains& chains, std::size_t first) noexcept {
+void number_nodes(const context::Model& model, context::WireChains& chains,
+                  std::size_t first) noexcept {
     const auto chain = static_cast<std::int32_t>(chains.begin.size()) - 2;
     const std::size_t count = chains.element.size() - first;
     for (std::size_t i = 0; i <= count; ++i) {
@@ -74,7 +76,7 @@ void number_nodes(const Model& model, WireChains& chains, std::size_t first) noe
             const std::int32_t shared = chains.lump[first + (i > 0 ? count - 2 : 0)];
             if (end != shared) b = end;
         }
-        const NodeElements& lump = chains.lumps[at(b)];
+        const context::NodeElements& lump = chains.lumps[at(b)];
         const std::int32_t held_by = i > 0 && i < count ? 2 : 1;
         if (model.bodies.kind[at(b)] != BodyKind::lump || lump.attached != held_by) continue;
         chains.chain_of[at(b)] = chain;
@@ -83,7 +85,7 @@ void number_nodes(const Model& model, WireChains& chains, std::size_t first) noe
 }
 
 /// Add the chain that begins with an element, if the chain has more than one element.
-void add_chain(const Model& model, WireChains& chains, std::int32_t element) {
+void add_chain(const context::Model& model, context::WireChains& chains, std::int32_t element) {
     const std::size_t first = chains.element.size();
     while (element >= 0) {
         chains.listed[at(element)] = 1;
@@ -107,7 +109,7 @@ void add_chain(const Model& model, WireChains& chains, std::int32_t element) {
 }
 
 /// Sum Σ w² Eᵀ S E of the contacts of each node, without the part of S that makes it unsymmetric.
-void add_contacts_to_nodes(const Model& model, WireChains& chains) noexcept {
+void add_contacts_to_nodes(const context::Model& model, context::WireChains& chains) noexcept {
     std::fill(chains.block.begin(), chains.block.end(), std::array<double, 9>{});
     const assembly::Contacts& contacts = model.system.contacts;
     for (std::size_t k = 0; k < contacts.count(); ++k) {
@@ -129,7 +131,7 @@ void add_contacts_to_nodes(const Model& model, WireChains& chains) noexcept {
 }
 
 /// Return Â_n⁻¹ g of node n by Cramer's rule; Â is positive definite.
-std::array<double, 3> mobility_times(const Model& model, const WireChains& chains,
+std::array<double, 3> mobility_times(const context::Model& model, const context::WireChains& chains,
                                      std::int32_t body, const double* g) noexcept {
     std::array<double, 9> a = chains.block[at(body)];
     for (int i = 0; i < 3; ++i) a[at(4 * i)] += model.bodies.mass[at(body)];
@@ -156,9 +158,9 @@ const double* columns_at(const View& v, std::int32_t id, std::int32_t body) noex
 }
 
 /// Fill in the problem of chain [begin, end).
-void read_chain(Model& model, Newton& newton, const View& v, std::int32_t begin,
+void read_chain(context::Model& model, context::Newton& newton, const View& v, std::int32_t begin,
                 std::int32_t end) noexcept {
-    WireChains& chains = newton.chains;
+    context::WireChains& chains = newton.chains;
     for (std::int32_t k = begin; k < end; ++k) {
         const std::int32_t index = chains.element[at(k)], id = model.system.bounded[at(index)];
         ChainRow& row = chains.rows[at(k - begin)];
@@ -183,9 +185,9 @@ void read_chain(Model& model, Newton& newton, const View& v, std::int32_t begin,
     }
 }
 
-void adopt_chain(Model& model, Work& work, const View& v, std::int32_t begin,
+void adopt_chain(context::Model& model, context::Work& work, const View& v, std::int32_t begin,
                  std::int32_t end) noexcept {
-    const WireChains& chains = work.newton.chains;
+    const context::WireChains& chains = work.newton.chains;
     for (std::int32_t k = begin; k < end; ++k) {
         const std::int32_t id = model.system.bounded[at(chains.element[at(k)])];
         const ChainRow& row = chains.rows[at(k - begin)];
@@ -200,8 +202,8 @@ void adopt_chain(Model& model, Work& work, const View& v, std::int32_t begin,
 
 }  // namespace
 
-void reserve_wire_bounds(const Model& model, Newton& newton) {
-    WireChains& chains = newton.chains;
+void reserve_wire_bounds(const context::Model& model, context::Newton& newton) {
+    context::WireChains& chains = newton.chains;
     chains.element.clear();
     chains.lump.clear();
     chains.begin.assign(1, 0);
@@ -225,9 +227,9 @@ void reserve_wire_bounds(const Model& model, Newton& newton) {
     chains.block.resize(longest > 0 ? at(model.bodies.count()) : 0);
 }
 
-void settle_wire_bounds(Model& model, Work& work) noexcept {
-    WireChains& chains = work.newton.chains;
-    const View v = row_view(model);
+void settle_wire_bounds(context::Model& model, context::Work& work) noexcept {
+    context::WireChains& chains = work.newton.chains;
+    const View v = context::row_view(model);
     bool knows_contacts = false;
     for (std::size_t k = 0; k + 1 < chains.begin.size(); ++k) {
         const std::int32_t begin = chains.begin[k], end = chains.begin[k + 1];
@@ -244,4 +246,4 @@ void settle_wire_bounds(Model& model, Work& work) noexcept {
     }
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

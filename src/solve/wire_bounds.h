@@ -19,14 +19,14 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::solve {
 
 /// Find the chains of elements among the bounded rows.
 /// @throws std::bad_alloc.
-void reserve_wire_bounds(const Model& model, Newton& newton);
+void reserve_wire_bounds(const context::Model& model, context::Newton& newton);
 
 /// Set the statuses of each chain with a row that has switched since the matrix was factored. Call
 /// after switch_bounds().
-void settle_wire_bounds(Model& model, Work& work) noexcept;
+void settle_wire_bounds(context::Model& model, context::Work& work) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

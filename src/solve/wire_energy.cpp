@@ -9,7 +9,7 @@
 #include <cmath>
 #include <span>
 
-namespace hawser::stepper {
+namespace hawser::solve {
 namespace {
 
 using assembly::View;
@@ -19,7 +19,8 @@ using assembly::View;
 /// element that becomes taut may gain energy below that.
 constexpr double kResolved = 0.02;
 
-bool is_fast(const Model& model, const Before& kept, const View& v, std::int32_t id) noexcept {
+bool is_fast(const context::Model& model, const context::Before& kept, const View& v,
+             std::int32_t id) noexcept {
     const double rest = v.rest_length[id];
     const double length = rest > 0.0 ? rest : model.interactions.def[at(id)].params[0];
     const double impulse = std::max(-v.lambda[v.row_begin[id]], -kept.lambda[at(v.row_begin[id])]);
@@ -27,7 +28,7 @@ bool is_fast(const Model& model, const Before& kept, const View& v, std::int32_t
 }
 
 /// Return Σ ½ m |v₊² − v²| of some nodes.
-double kinetic_exchange(const Model& model, const View& v, std::int32_t begin,
+double kinetic_exchange(const context::Model& model, const View& v, std::int32_t begin,
                         std::int32_t end) noexcept {
     double sum = 0.0;
     for (std::int32_t i = begin; i < end; ++i) {
@@ -42,10 +43,10 @@ double kinetic_exchange(const Model& model, const View& v, std::int32_t begin,
 
 }  // namespace
 
-bool may_touch(const Model& model, std::int32_t wire) noexcept {
+bool may_touch(const context::Model& model, std::int32_t wire) noexcept {
     const std::span<const std::int32_t> touching = model.system.contacts.touching();
     if (touching.empty()) return false;
-    for (const WirePart& p : model.wires.parts) {
+    for (const context::WirePart& p : model.wires.parts) {
         if (p.wire != wire) continue;
         for (std::int32_t i = p.node_elements_begin; i < p.node_elements_end; ++i)
             if (std::binary_search(touching.begin(), touching.end(), model.wires.lump[at(i)]))
@@ -54,11 +55,11 @@ bool may_touch(const Model& model, std::int32_t wire) noexcept {
     return false;
 }
 
-bool find_fast_wires(Model& model, const Before& kept) noexcept {
-    Wires& w = model.wires;
-    const View v = row_view(model);
+bool find_fast_wires(context::Model& model, const context::Before& kept) noexcept {
+    context::Wires& w = model.wires;
+    const View v = context::row_view(model);
     bool any = false;
-    for (const WirePart& p : w.parts) {
+    for (const context::WirePart& p : w.parts) {
         std::uint8_t& fast = w.fast[at(p.wire)];
         for (std::int32_t i = p.element_begin; i < p.element_end && !fast; ++i)
             fast = is_fast(model, kept, v, w.element[at(i)]) ? 1 : 0;
@@ -67,11 +68,11 @@ bool find_fast_wires(Model& model, const Before& kept) noexcept {
     return any;
 }
 
-void measure_wires(Model& model, runtime::Pool& pool) noexcept {
-    Wires& w = model.wires;
-    const View v = row_view(model);
+void measure_wires(context::Model& model, runtime::Pool& pool) noexcept {
+    context::Wires& w = model.wires;
+    const View v = context::row_view(model);
     auto part = [&](int i, int) noexcept {
-        const WirePart& p = w.parts[at(i)];
+        const context::WirePart& p = w.parts[at(i)];
         if (!w.fast[at(p.wire)]) return;
         assembly::LineGain sum;
         assembly::kernels().line_gains(v, w.element.data() + p.element_begin,
@@ -80,10 +81,10 @@ void measure_wires(Model& model, runtime::Pool& pool) noexcept {
         w.part_gain[at(i)] = {sum.gain, sum.exchanged, sum.noise, sum.unbooked};
     };
     pool.for_each(static_cast<int>(w.parts.size()), part);
-    std::fill(w.gain.begin(), w.gain.end(), WireGain{});
+    std::fill(w.gain.begin(), w.gain.end(), context::WireGain{});
     for (std::size_t i = 0; i < w.parts.size(); ++i) {
         if (!w.fast[at(w.parts[i].wire)]) continue;
-        WireGain& g = w.gain[at(w.parts[i].wire)];
+        context::WireGain& g = w.gain[at(w.parts[i].wire)];
         g.gain += w.part_gain[i].gain;
         g.exchanged += w.part_gain[i].exchanged;
         g.noise += w.part_gain[i].noise;
@@ -95,4 +96,4 @@ void measure_wires(Model& model, runtime::Pool& pool) noexcept {
             w.gain[k].gain = -w.gain[k].unbooked;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

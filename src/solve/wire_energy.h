@@ -24,16 +24,16 @@
 
 #include <cstdint>
 
-namespace hawser::stepper {
+namespace hawser::solve {
 
 /// Mark wires whose transverse vibration the step does not resolve.
 /// @return true if there are any.
-[[nodiscard]] bool find_fast_wires(Model& model, const Before& kept) noexcept;
+[[nodiscard]] bool find_fast_wires(context::Model& model, const context::Before& kept) noexcept;
 
 /// True if a wire has a shape on one of its nodes.
-[[nodiscard]] bool may_touch(const Model& model, std::int32_t wire) noexcept;
+[[nodiscard]] bool may_touch(const context::Model& model, std::int32_t wire) noexcept;
 
 /// Compute the energy gain of the marked wires (Wires::gain [J]).
-void measure_wires(Model& model, runtime::Pool& pool) noexcept;
+void measure_wires(context::Model& model, runtime::Pool& pool) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

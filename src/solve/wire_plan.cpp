@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hawser::stepper {
+namespace hawser::solve {
 namespace {
 
 using assembly::View;
@@ -125,11 +125,11 @@ void write_bound(const View& v, std::int32_t id, const Line& l, bool holds) noex
 
 }  // namespace
 
-void plan_wires(Model& model, const Before& kept, std::int32_t wire) noexcept {
-    Wires& w = model.wires;
-    const View v = row_view(model);
+void plan_wires(context::Model& model, const context::Before& kept, std::int32_t wire) noexcept {
+    context::Wires& w = model.wires;
+    const View v = context::row_view(model);
     const int refused = w.level[at(wire)]++;
-    for (const WirePart& p : w.parts) {
+    for (const context::WirePart& p : w.parts) {
         if (p.wire != wire) continue;
         for (std::int32_t i = p.element_begin; i < p.element_end; ++i) {
             const std::int32_t id = w.element[at(i)], row = v.row_begin[id];
@@ -151,11 +151,12 @@ void plan_wires(Model& model, const Before& kept, std::int32_t wire) noexcept {
     }
 }
 
-void replan_wires(Model& model, const View& v, int strip) noexcept {
-    Wires& w = model.wires;
+void replan_wires(context::Model& model, const View& v, int strip) noexcept {
+    context::Wires& w = model.wires;
     if (!w.again) return;
-    each(model.system.strips.interactions(strip), [&](std::int32_t begin, std::int32_t end) {
-        for (std::int32_t id = begin; id < std::min(end, interaction_count(model)); ++id) {
+    context::each(model.system.strips.interactions(strip), [&](std::int32_t begin,
+                                                               std::int32_t end) {
+        for (std::int32_t id = begin; id < std::min(end, context::interaction_count(model)); ++id) {
             const std::int32_t wire = w.wire_of[at(id)];
             if (wire < 0 || w.level[at(wire)] == 0 || v.parted[id]) continue;
             const auto i = at(w.place[at(id)]);
@@ -168,15 +169,15 @@ void replan_wires(Model& model, const View& v, int strip) noexcept {
     });
 }
 
-void settle_wires(StepContext& ctx) noexcept {
-    Wires& w = ctx.model.wires;
+void settle_wires(context::StepContext& ctx) noexcept {
+    context::Wires& w = ctx.model.wires;
     remember_gains(ctx.model);
     // The loss of a guarded wire is known exactly, and replaces the one computed from its rows.
     if (w.measured)
         for (std::size_t k = 0; k < w.count(); ++k)
             if (w.fast[k]) ctx.state.ledger.damped += w.gain[k].unbooked;
     if (!w.replacing) return;
-    const View v = row_view(ctx.model);
+    const View v = context::row_view(ctx.model);
     for (const std::int32_t id : w.element) {
         const std::int32_t row = v.row_begin[id];
         if (!w.replaced[at(id)]) continue;
@@ -218,4 +219,4 @@ double held_by_element(const View& v, std::int32_t id) noexcept {
     return 0.5 * longer * longer / v.epsilon[row];
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

@@ -16,18 +16,18 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::solve {
 
 /// Choose the next laws of rejected wires from the rejected solution.
-void plan_wires(Model& model, const Before& kept, std::int32_t wire) noexcept;
+void plan_wires(context::Model& model, const context::Before& kept, std::int32_t wire) noexcept;
 
 /// Overwrite the results of evaluate() for rejected wires of one row block.
-void replan_wires(Model& model, const assembly::View& v, int strip) noexcept;
+void replan_wires(context::Model& model, const assembly::View& v, int strip) noexcept;
 
 /// Set multipliers and states of replaced elements, after their losses are counted.
-void settle_wires(StepContext& ctx) noexcept;
+void settle_wires(context::StepContext& ctx) noexcept;
 
 /// Return the elastic energy of an element at the half step before the current poses [J].
 [[nodiscard]] double held_by_element(const assembly::View& v, std::int32_t id) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

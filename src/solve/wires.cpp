@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hawser::stepper {
+namespace hawser::solve {
 namespace {
 
 constexpr std::int32_t kPart = 64;  ///< Number of elements or nodes in one part.
@@ -18,7 +18,7 @@ constexpr std::int32_t kPart = 64;  ///< Number of elements or nodes in one part
 /// exceeds the limit of the guard.
 constexpr double kAllowanceSteps = 240.0;
 
-bool is_element(const Model& model, std::int32_t id) {
+bool is_element(const context::Model& model, std::int32_t id) {
     const model::Interactions& in = model.interactions;
     if (in.gone(id)) return false;
     const KindInfo& kind = kind_info(in.kinds[at(id)]);
@@ -41,7 +41,7 @@ std::int32_t root_of(std::vector<std::int32_t>& joined, std::int32_t i) {
 }
 
 /// Join elements at nodes. By interaction: the first element of its wire; −1: not an element.
-void join_elements(const Model& model, std::int32_t count, WireWork& work) {
+void join_elements(const context::Model& model, std::int32_t count, context::WireWork& work) {
     const model::Interactions& in = model.interactions;
     std::vector<std::int32_t>& joined = work.joined;
     joined.resize(at(count));
@@ -62,8 +62,8 @@ void join_elements(const Model& model, std::int32_t count, WireWork& work) {
 }
 
 /// List the elements by wire: wires by their first element, elements ascending.
-void list_elements(std::int32_t count, WireWork& work) {
-    Wires& made = work.made;
+void list_elements(std::int32_t count, context::WireWork& work) {
+    context::Wires& made = work.made;
     made.wire_of.assign(at(count), -1);
     made.place.assign(at(count), -1);
     std::vector<std::int32_t>& begin = work.begin;
@@ -90,8 +90,8 @@ void list_elements(std::int32_t count, WireWork& work) {
 }
 
 /// List nodes by wire, and parts of elements and nodes.
-void make_parts(const Model& model, WireWork& work) {
-    Wires& w = work.made;
+void make_parts(const context::Model& model, context::WireWork& work) {
+    context::Wires& w = work.made;
     const model::Interactions& in = model.interactions;
     work.seen.assign(at(model.bodies.count()), 0);
     w.lump.clear();
@@ -117,12 +117,13 @@ void make_parts(const Model& model, WireWork& work) {
 
 }  // namespace
 
-bool on_guard(const Model& model) noexcept {
-    return model.wires.count() > 0 && !has_cuts(model) && model.def.geometric_stiffness > 0.0;
+bool on_guard(const context::Model& model) noexcept {
+    return model.wires.count() > 0 && !context::has_cuts(model) &&
+           model.def.geometric_stiffness > 0.0;
 }
 
-void release_wires(Model& model) noexcept {
-    Wires& w = model.wires;
+void release_wires(context::Model& model) noexcept {
+    context::Wires& w = model.wires;
     if (!w.replacing) return;
     for (const std::int32_t id : w.element) {
         if (!w.replaced[at(id)]) continue;
@@ -137,9 +138,10 @@ namespace {
 
 /// Transfer the memory of wires after their elements changed: each element keeps its part of its
 /// wire's memory.
-void recall_wires(const Model& model, const State& state, WireWork& work) {
-    const Wires& w = model.wires;
-    Wires& made = work.made;
+void recall_wires(const context::Model& model, const context::State& state,
+                  context::WireWork& work) {
+    const context::Wires& w = model.wires;
+    context::Wires& made = work.made;
     if (w.wire_of == made.wire_of && state.edits.interactions.empty()) {
         made.energy_allowance = w.energy_allowance;
         made.flag_steps = w.flag_steps;
@@ -166,7 +168,7 @@ void recall_wires(const Model& model, const State& state, WireWork& work) {
             ++kept;
             made.energy_allowance[k] += w.energy_allowance[at(wire)] / had[at(wire)];
             made.flag_steps[k] = std::max(made.flag_steps[k], w.flag_steps[at(wire)]);
-            made.recoil[k] = longer_recoil(made.recoil[k], w.recoil[at(wire)]);
+            made.recoil[k] = context::longer_recoil(made.recoil[k], w.recoil[at(wire)]);
         }
         // Keep the exact bits if it is still the same wire.
         if (kept > 0 && one && kept == had[at(first)])
@@ -176,10 +178,10 @@ void recall_wires(const Model& model, const State& state, WireWork& work) {
 
 }  // namespace
 
-void make_wires(Model& model, const State& state, WireWork& work) {
-    const std::int32_t count = interaction_count(model);
+void make_wires(context::Model& model, const context::State& state, context::WireWork& work) {
+    const std::int32_t count = context::interaction_count(model);
     join_elements(model, count, work);
-    Wires& made = work.made;
+    context::Wires& made = work.made;
     list_elements(count, work);
     const std::size_t wires = work.begin.size() - 1;
     made.energy_allowance.assign(wires, 0.0);
@@ -196,21 +198,21 @@ void make_wires(Model& model, const State& state, WireWork& work) {
     made.replaced.assign(at(model.interactions.count()), 0);
     made.again = made.replacing = made.measured = made.stale = false;
     std::swap(model.wires, made);
-    update_wire_flags(model);
+    context::update_wire_flags(model);
 }
 
-void remember_gains(Model& model) noexcept {
-    Wires& w = model.wires;
+void remember_gains(context::Model& model) noexcept {
+    context::Wires& w = model.wires;
     for (std::int32_t& left : w.recoil) {
         if (left <= 0) continue;
         --left;
         if (left == 0) w.stale = true;
     }
-    if (w.stale) update_wire_flags(model);
+    if (w.stale) context::update_wire_flags(model);
     if (!on_guard(model)) return;
     const bool any_fast = w.measured;
     constexpr double kept = 1.0 - 1.0 / kAllowanceSteps;
-    const std::int32_t flag_steps = max_flag_steps(model.def.step);
+    const std::int32_t flag_steps = context::max_flag_steps(model.def.step);
     for (std::size_t k = 0; k < w.count(); ++k) {
         const double lost = any_fast && w.fast[k] ? -w.gain[k].gain : 0.0;
         w.energy_allowance[k] =
@@ -219,7 +221,7 @@ void remember_gains(Model& model) noexcept {
         w.flag_steps[k] = any_fast && w.level[k] > 0 ? flag_steps : std::max(0, before - 1);
         if ((before > 0) != (w.flag_steps[k] > 0)) w.stale = true;
     }
-    if (w.stale) update_wire_flags(model);
+    if (w.stale) context::update_wire_flags(model);
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

@@ -6,20 +6,20 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::solve {
 
 /// Find the wires, after bodies or interactions were added.
 /// @throws std::bad_alloc.
-void make_wires(Model& model, const State& state, WireWork& work);
+void make_wires(context::Model& model, const context::State& state, context::WireWork& work);
 
 /// Return true if the guard checks this step. It does not with cuts, whose energy crosses the cut,
 /// nor without geometric stiffness, which its measures need.
-[[nodiscard]] bool on_guard(const Model& model) noexcept;
+[[nodiscard]] bool on_guard(const context::Model& model) noexcept;
 
 /// Let replaced rows follow their law again after a step that was not taken.
-void release_wires(Model& model) noexcept;
+void release_wires(context::Model& model) noexcept;
 
 /// Store the results of the current step for the next ones: gains, and ends of recoils.
-void remember_gains(Model& model) noexcept;
+void remember_gains(context::Model& model) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

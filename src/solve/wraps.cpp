@@ -6,19 +6,19 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hawser::stepper {
+namespace hawser::solve {
 namespace {
 
 constexpr double kTurn = 6.283185307179586;
 
-bool has_direction(const Model& model, const FrictionLoad& load) noexcept {
+bool has_direction(const context::Model& model, const FrictionLoad& load) noexcept {
     return load.interaction.valid() &&
            kind_info(model.interactions.kinds[at(load.interaction.index)]).uses_points;
 }
 
 }  // namespace
 
-double wrap_angle(const Model& model, std::int32_t friction) noexcept {
+double wrap_angle(const context::Model& model, std::int32_t friction) noexcept {
     const model::Interactions& in = model.interactions;
     const model::Bodies& bodies = model.bodies;
     const InteractionDef& d = in.def[at(friction)];
@@ -45,19 +45,19 @@ double wrap_angle(const Model& model, std::int32_t friction) noexcept {
     return std::max(0.0, lies + std::remainder(about - lies, kTurn));
 }
 
-void note_wheels(const Model& model, Work& work) noexcept {
+void note_wheels(const context::Model& model, context::Work& work) noexcept {
     const model::Interactions& in = model.interactions;
     for (std::size_t i = 0; i < in.spans.size(); ++i)
         work.wheel_angles[i] = in.wheel_angles(in.spans[i], model.bodies);
 }
 
-void follow_wheels(Model& model, const Work& work) noexcept {
+void follow_wheels(context::Model& model, const context::Work& work) noexcept {
     model::Interactions& in = model.interactions;
     for (std::size_t i = 0; i < in.spans.size(); ++i)
         in.follow_turns(in.spans[i], work.wheel_angles[i], model.bodies);
 }
 
-void follow_wraps(Model& model) noexcept {
+void follow_wraps(context::Model& model) noexcept {
     model::Interactions& in = model.interactions;
     for (const std::int32_t id : in.frictions) {
         if (!kind_info(in.kinds[at(id)]).is(kFollowsAngle) || in.load_begin[at(id)] < 0) continue;
@@ -68,4 +68,4 @@ void follow_wraps(Model& model) noexcept {
     }
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

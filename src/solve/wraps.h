@@ -18,17 +18,17 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::solve {
 
 /// Return the angle of the line at the turning point of a friction with kFollowsAngle [rad].
-[[nodiscard]] double wrap_angle(const Model& model, std::int32_t friction) noexcept;
+[[nodiscard]] double wrap_angle(const context::Model& model, std::int32_t friction) noexcept;
 
 /// Store the angles of spans on their wheels, and count their whole turns after bodies have moved.
-void note_wheels(const Model& model, Work& work) noexcept;
-void follow_wheels(Model& model, const Work& work) noexcept;
+void note_wheels(const context::Model& model, context::Work& work) noexcept;
+void follow_wheels(context::Model& model, const context::Work& work) noexcept;
 
 /// Update the factors of all friction with kFollowsAngle at the current poses. Call before bounds
 /// are evaluated.
-void follow_wraps(Model& model) noexcept;
+void follow_wraps(context::Model& model) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::solve

@@ -10,34 +10,34 @@
 #include "split/cuts.h"
 #include "state/undo.h"
 
-namespace hawser::stepper {
+namespace hawser::split {
 
-void analyse(StepContext& ctx, const factor::AnalysisState* state) {
+void analyse(context::StepContext& ctx, const factor::AnalysisState* state) {
     place_ghosts(ctx.model);
-    begin_analysis(ctx.model, ctx.state);
+    solve::begin_analysis(ctx.model, ctx.state);
     open_cuts(ctx.model);
     analyse_clique(ctx.model);
     // finish_cuts() sums the residuals of momentum
     ctx.model.system.keeps_momentum = ctx.model.cuts.grouped;
-    analyse_system(ctx.model, ctx.work, ctx.pool, state);
+    solve::analyse_system(ctx.model, ctx.work, ctx.pool, state);
 }
 
-void relink(StepContext& ctx) {
+void relink(context::StepContext& ctx) {
     // Bodies in contact belong to one part, so other cuts may be in force now.
     if (open_cuts(ctx.model)) return analyse(ctx);
     ctx.model.system.analysis.use(&ctx.pool);
     ctx.model.system.relink(ctx.model.bodies, ctx.model.interactions, ctx.pool.threads());
-    count_analysis(ctx.model, ctx.work.stats);
+    solve::count_analysis(ctx.model, ctx.work.stats);
 }
 
-Status ask_for_cuts(StepContext& ctx, std::uint64_t interfaces) noexcept {
+Status ask_for_cuts(context::StepContext& ctx, std::uint64_t interfaces) noexcept {
     if (interfaces == ctx.model.cuts.asked) return Status::ok;
-    const StageTimer timer(ctx, Stage::analyse);
-    return guarded(ctx, [&] {
-        keep_state(ctx, Undo::Depth::system);
+    const context::StageTimer timer(ctx, Stage::analyse);
+    return context::guarded(ctx, [&] {
+        state::keep_state(ctx, context::Undo::Depth::system);
         ctx.model.cuts.asked = interfaces;
         if (!ctx.model.cuts.list.empty() && open_cuts(ctx.model)) analyse(ctx);
     });
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::split

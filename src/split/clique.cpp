@@ -12,7 +12,7 @@
 
 #include <algorithm>
 
-namespace hawser::stepper {
+namespace hawser::split {
 namespace {
 
 WorldDef serial(WorldDef def) {
@@ -43,7 +43,7 @@ BodyDef definition(const model::Bodies& b, std::int32_t body, bool member) {
 }
 
 /// Select the bodies at cuts, and the bodies that share an interaction with them.
-std::vector<std::uint8_t> choose_members(const Model& model) {
+std::vector<std::uint8_t> choose_members(const context::Model& model) {
     const model::Interactions& in = model.interactions;
     std::vector<std::uint8_t> near(at(model.cuts.bodies), 0), member;
     auto mark = [&](std::int32_t id, std::vector<std::uint8_t>& marks) {
@@ -52,7 +52,7 @@ std::vector<std::uint8_t> choose_members(const Model& model) {
             if (model.bodies.dof(body) > 0) marks[at(body)] = 1;
         }
     };
-    for (const Cut& cut : model.cuts.list) mark(cut.id, near);
+    for (const context::Cut& cut : model.cuts.list) mark(cut.id, near);
     member = near;
     for (std::int32_t id = 0; id < model.cuts.interactions; ++id)
         for (std::size_t b = 0; b < in.bodies[at(id)]; ++b)
@@ -67,7 +67,7 @@ void copy_pose(model::Bodies& to, std::int32_t t, const model::Bodies& from, std
 }
 
 /// Copy the parameters and multipliers of the last step.
-void copy_interactions(Clique& c, const Model& world) noexcept {
+void copy_interactions(Clique& c, const context::Model& world) noexcept {
     model::Interactions& in = c.ctx.model.interactions;
     const model::Interactions& from = world.interactions;
     const double h = world.def.step;
@@ -91,7 +91,7 @@ void copy_interactions(Clique& c, const Model& world) noexcept {
 }
 
 /// Copy poses, velocities and forces. The forces include the contact impulses of the last step.
-void copy_bodies(Clique& c, const Model& world) noexcept {
+void copy_bodies(Clique& c, const context::Model& world) noexcept {
     model::Bodies& b = c.ctx.model.bodies;
     const model::Bodies& from = world.bodies;
     const double per_h = 1.0 / world.def.step;
@@ -123,7 +123,7 @@ void copy_bodies(Clique& c, const Model& world) noexcept {
 }
 
 /// Copy the loads of systems on the members.
-void copy_loads(Clique& c, const LoadStore& world) noexcept {
+void copy_loads(Clique& c, const assembly::LoadStore& world) noexcept {
     c.ctx.state.loads.clear();
     if (!world.any()) return;
     c.ctx.state.loads.begin_system(0);
@@ -135,7 +135,7 @@ void copy_loads(Clique& c, const LoadStore& world) noexcept {
 
 }  // namespace
 
-void make_clique(Model& model) {
+void make_clique(context::Model& model) {
     auto clique = std::make_shared<Clique>(serial(model.def));
     const model::Interactions& in = model.interactions;
     const std::vector<std::uint8_t> member = choose_members(model);
@@ -173,29 +173,29 @@ void make_clique(Model& model) {
     model.cuts.clique = std::move(clique);
 }
 
-void analyse_clique(Model& model) {
+void analyse_clique(context::Model& model) {
     if (!model.cuts.clique) return;
     Clique& c = *model.cuts.clique;
     for (std::size_t i = 0; i < c.body.size(); ++i)
         copy_pose(c.ctx.model.bodies, static_cast<std::int32_t>(i), model.bodies, c.body[i]);
     copy_interactions(c, model);
-    prepare_alone(c.ctx);
+    solve::prepare_alone(c.ctx);
 }
 
-bool solve_clique(Model& model, const State& state) noexcept {
+bool solve_clique(context::Model& model, const context::State& state) noexcept {
     Clique& c = *model.cuts.clique;
     copy_bodies(c, model);
     copy_interactions(c, model);
     copy_loads(c, state.loads);
     if (c.ctx.state.loads.out_of_memory()) return false;
-    release_wires(c.ctx.model);
-    assemble_system(c.ctx);
+    solve::release_wires(c.ctx.model);
+    solve::assemble_system(c.ctx);
     c.ctx.state.refine_unasked = 1;  // its own count would need a field in the saved state
-    Status status = factor_and_solve(c.ctx);
-    if (status == Status::ok) status = settle_bounds(c.ctx);
+    Status status = solve::factor_and_solve(c.ctx);
+    if (status == Status::ok) status = solve::settle_bounds(c.ctx);
     if (status != Status::ok) return false;
-    const assembly::View v = view(c.ctx);
-    for (const GhostBody& ghost : model.cuts.ghosts) {
+    const assembly::View v = context::view(c.ctx);
+    for (const context::GhostBody& ghost : model.cuts.ghosts) {
         const std::int32_t own = c.local[at(ghost.of)];
         const int dof = v.dof[own];
         std::copy_n(v.v_new + v.dof_begin[own], dof, &model.bodies.v_fixed[6 * at(ghost.body)]);
@@ -203,4 +203,4 @@ bool solve_clique(Model& model, const State& state) noexcept {
     return true;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::split

@@ -16,12 +16,12 @@
 
 #include <vector>
 
-namespace hawser::stepper {
+namespace hawser::split {
 
 struct Clique {
     explicit Clique(const WorldDef& def) : ctx(def) {}
 
-    StepContext ctx;                  ///< Data of its own bodies and interactions.
+    context::StepContext ctx;         ///< Data of its own bodies and interactions.
     std::vector<std::int32_t> body;   ///< Body of the world, by body of the clique.
     std::vector<std::int32_t> local;  ///< Body of the clique by body of the world, −1: none.
     /// By body of the clique: 1 solved for, 0 prescribed velocity.
@@ -36,10 +36,10 @@ struct Clique {
 };
 
 /// Build the clique of the present cuts. @throws std::bad_alloc.
-void make_clique(Model& model);
+void make_clique(context::Model& model);
 /// Analyse the clique at the poses of the world. @throws std::bad_alloc.
-void analyse_clique(Model& model);
+void analyse_clique(context::Model& model);
 /// Solve the clique. @return false if it failed; the velocities of ghost bodies are then unchanged.
-bool solve_clique(Model& model, const State& state) noexcept;
+bool solve_clique(context::Model& model, const context::State& state) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::split

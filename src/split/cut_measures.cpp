@@ -13,11 +13,11 @@
 #include <cmath>
 #include <numeric>
 
-namespace hawser::stepper {
+namespace hawser::split {
 namespace {
 
 /// Set the impulses of the original to the mean of its sides.
-void take_mean(model::Interactions& in, const Cut& cut) noexcept {
+void take_mean(model::Interactions& in, const context::Cut& cut) noexcept {
     double active = 0.0;
     for (int r = 0; r < in.rows[at(cut.id)]; ++r) {
         double sum = 0.0;
@@ -32,7 +32,7 @@ void take_mean(model::Interactions& in, const Cut& cut) noexcept {
 
 /// Copy multipliers and active flags to the copies of a cut that is not in force, in case it comes
 /// into force.
-void follow(model::Interactions& in, const Cut& cut) noexcept {
+void follow(model::Interactions& in, const context::Cut& cut) noexcept {
     for (std::int32_t i = cut.first; i < cut.first + cut.sides; ++i) {
         in.active[at(i)] = in.active[at(cut.id)];
         std::copy_n(&in.lambda[at(in.row_begin[at(cut.id)])], in.rows[at(cut.id)],
@@ -77,8 +77,8 @@ void add_geometric(const assembly::View& v, std::int32_t id, double* sum) noexce
 
 /// Return the norm of the sum of impulses that the sides exert on the bodies, linear parts: Gᵀ(λ of
 /// the side − mean) and geometric stiffness.
-double defect_of(Model& model, const Cut& cut) noexcept {
-    const assembly::View v = row_view(model);
+double defect_of(context::Model& model, const context::Cut& cut) noexcept {
+    const assembly::View v = context::row_view(model);
     const model::Interactions& in = model.interactions;
     const double* mean = &in.lambda[at(in.row_begin[at(cut.id)])];
     double sum[6] = {};
@@ -96,8 +96,8 @@ double defect_of(Model& model, const Cut& cut) noexcept {
 }
 
 /// Return max |G v₊ + Σλ − c|, with the Σ of the interaction when it is not cut.
-double residual_of(Model& model, const Cut& cut) noexcept {
-    const assembly::View v = row_view(model);
+double residual_of(context::Model& model, const context::Cut& cut) noexcept {
+    const assembly::View v = context::row_view(model);
     if (v.active[cut.id] == 0.0 || v.parted[cut.id]) return 0.0;
     const double h = v.h;
     const model::RowState now = model.interactions.row_state(cut.id, model.bodies);
@@ -116,7 +116,7 @@ double residual_of(Model& model, const Cut& cut) noexcept {
 
 /// Return the norm of the summed momentum residuals of all bodies, linear parts: momentum that
 /// neither rows nor bodies received.
-double residual_momentum(const Model& model, const assembly::View& v) noexcept {
+double residual_momentum(const context::Model& model, const assembly::View& v) noexcept {
     double sum[3] = {};
     for (const std::int32_t body : model.bodies.moving)
         if (v.dof[body] >= 3)
@@ -124,7 +124,7 @@ double residual_momentum(const Model& model, const assembly::View& v) noexcept {
     return std::hypot(sum[0], sum[1], sum[2]);
 }
 
-double mass(const Model& model) noexcept {
+double mass(const context::Model& model) noexcept {
     double sum = 0.0;
     for (const std::int32_t body : model.bodies.moving)
         if (model.bodies.dof(body) >= 3) sum += model.bodies.mass[at(body)];
@@ -133,13 +133,13 @@ double mass(const Model& model) noexcept {
 
 }  // namespace
 
-void finish_cuts(StepContext& ctx) noexcept {
+void finish_cuts(context::StepContext& ctx) noexcept {
     ctx.work.stats.cuts = 0;
     ctx.work.stats.cut_residual = ctx.work.stats.cut_defect = ctx.work.stats.momentum_defect = 0.0;
     if (!ctx.model.cuts.grouped) return;
-    const assembly::View v = row_view(ctx.model);
+    const assembly::View v = context::row_view(ctx.model);
     double defect = residual_momentum(ctx.model, v);
-    for (Cut& cut : ctx.model.cuts.list) {
+    for (context::Cut& cut : ctx.model.cuts.list) {
         if (!cut.open) {
             follow(ctx.model.interactions, cut);
             cut.defect = cut.residual = 0.0;
@@ -148,7 +148,7 @@ void finish_cuts(StepContext& ctx) noexcept {
         take_mean(ctx.model.interactions, cut);
         cut.defect = defect_of(ctx.model, cut);
         cut.residual = residual_of(ctx.model, cut);
-        ctx.state.ledger.damped += cut_losses(ctx.model, cut.id);
+        ctx.state.ledger.damped += solve::cut_losses(ctx.model, cut.id);
         defect += cut.defect;
         ctx.work.stats.cut_residual = std::max(ctx.work.stats.cut_residual, cut.residual);
         ctx.work.stats.cut_defect = std::max(ctx.work.stats.cut_defect, cut.defect);
@@ -159,20 +159,20 @@ void finish_cuts(StepContext& ctx) noexcept {
         defect / (ctx.model.def.step * g * std::max(mass(ctx.model), 1e-300));
 }
 
-void follow_cuts(Model& model) noexcept {
-    for (const Cut& cut : model.cuts.list) follow(model.interactions, cut);
+void follow_cuts(context::Model& model) noexcept {
+    for (const context::Cut& cut : model.cuts.list) follow(model.interactions, cut);
 }
 
-void part_all(Model& model, std::int32_t id) noexcept {
+void part_all(context::Model& model, std::int32_t id) noexcept {
     model::Interactions& in = model.interactions;
     auto part = [&](std::int32_t i) {
         in.parted[at(i)] = 1;
         in.active[at(i)] = 0.0;
     };
     part(id);
-    for (const Cut& cut : model.cuts.list)
+    for (const context::Cut& cut : model.cuts.list)
         if (cut.id == id)
             for (std::int32_t i = cut.first; i < cut.first + cut.sides; ++i) part(i);
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::split

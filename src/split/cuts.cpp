@@ -15,13 +15,13 @@
 #include <span>
 #include <unordered_map>
 
-namespace hawser::stepper {
+namespace hawser::split {
 namespace {
 
 /// Return the groups of the moving bodies in the order of the slots, without duplicates.
-std::vector<std::int32_t> sides_of(const Model& model, std::int32_t id) {
+std::vector<std::int32_t> sides_of(const context::Model& model, std::int32_t id) {
     std::vector<std::int32_t> sides;
-    for (const std::int32_t b : bodies_of(model.interactions, id)) {
+    for (const std::int32_t b : context::bodies_of(model.interactions, id)) {
         if (model.bodies.dof(b) == 0) continue;
         const std::int32_t g = model.cuts.group[at(b)];
         if (std::find(sides.begin(), sides.end(), g) == sides.end()) sides.push_back(g);
@@ -36,7 +36,8 @@ GroupPair pair_of(const std::vector<std::int32_t>& sides) {
 }
 
 /// Number the interfaces of the cuts that deadlines may request.
-std::map<GroupPair, int> number_interfaces(Model& model, const std::vector<std::int32_t>& wanted) {
+std::map<GroupPair, int> number_interfaces(context::Model& model,
+                                           const std::vector<std::int32_t>& wanted) {
     std::map<GroupPair, int> number;
     for (const std::int32_t id : wanted)
         if (model.cuts.coupling[at(id)] == Coupling::deadline) number[pair_of(sides_of(model, id))];
@@ -47,7 +48,7 @@ std::map<GroupPair, int> number_interfaces(Model& model, const std::vector<std::
 }
 
 /// Add a ghost body of a body. It is fixed, so that it does not count as driven.
-std::int32_t add_ghost(Model& model, std::int32_t body) {
+std::int32_t add_ghost(context::Model& model, std::int32_t body) {
     model::Bodies& b = model.bodies;
     const double *x = &b.x[3 * at(body)], *q = &b.q[4 * at(body)];
     BodyDef def;
@@ -59,7 +60,7 @@ std::int32_t add_ghost(Model& model, std::int32_t body) {
 }
 
 /// Add the copy of an interaction for one side.
-void add_copy(Model& model, std::int32_t id, std::int32_t side,
+void add_copy(context::Model& model, std::int32_t id, std::int32_t side,
               std::unordered_map<std::int32_t, std::int32_t>& ghost) {
     model::Interactions& in = model.interactions;
     InteractionDef def = in.def[at(id)];
@@ -81,26 +82,27 @@ void add_copy(Model& model, std::int32_t id, std::int32_t side,
 }
 
 /// List the interactions that act on the originals of ghost bodies, in the system or not.
-void list_pulls(Model& model) {
-    const std::vector<GhostBody>& ghosts = model.cuts.ghosts;
+void list_pulls(context::Model& model) {
+    const std::vector<context::GhostBody>& ghosts = model.cuts.ghosts;
     std::vector<std::int32_t> index(at(model.cuts.bodies), -1);
     for (std::size_t k = 0; k < ghosts.size(); ++k)
         index[at(ghosts[k].of)] = static_cast<std::int32_t>(k);
     for (std::int32_t id = 0; id < model.interactions.count(); ++id) {
         std::int32_t slot = 0;
-        for (const std::int32_t b : bodies_of(model.interactions, id)) {
+        for (const std::int32_t b : context::bodies_of(model.interactions, id)) {
             if (b < model.cuts.bodies && index[at(b)] >= 0)
                 model.cuts.pulls.push_back({index[at(b)], id, slot});
             ++slot;
         }
     }
-    std::stable_sort(model.cuts.pulls.begin(), model.cuts.pulls.end(),
-                     [](const Pull& a, const Pull& b) { return a.ghost < b.ghost; });
+    std::stable_sort(
+        model.cuts.pulls.begin(), model.cuts.pulls.end(),
+        [](const context::Pull& a, const context::Pull& b) { return a.ghost < b.ghost; });
 }
 
 }  // namespace
 
-bool can_cut(const Model& model, std::int32_t id) noexcept {
+bool can_cut(const context::Model& model, std::int32_t id) noexcept {
     const model::Interactions& in = model.interactions;
     if (in.flags[at(id)] & (model::kMotor | model::kFriction | model::kRange)) return false;
     if (kind_info(in.def[at(id)].kind).is(kWoundUp)) return false;
@@ -113,21 +115,21 @@ bool can_cut(const Model& model, std::int32_t id) noexcept {
                         [row](const model::Load& l) { return l.rows > 0 && l.row_begin == row; });
 }
 
-bool makes_groups(const Model& model) noexcept {
+bool makes_groups(const context::Model& model) noexcept {
     const auto split = [](Coupling c) { return c != Coupling::exact; };
     return model.def.parts > 0 &&
            (split(model.def.coupling) ||
             std::any_of(model.cuts.coupling.begin(), model.cuts.coupling.end(), split));
 }
 
-bool may_split(const Model& model) noexcept {
+bool may_split(const context::Model& model) noexcept {
     const std::vector<std::int32_t>& group = model.cuts.group;
     return model.cuts.bodies >= 0 || makes_groups(model) ||
            std::any_of(group.begin(), group.end(), [&](std::int32_t g) { return g != group[0]; });
 }
 
-void make_cuts(Model& model) {
-    Cuts& cuts = model.cuts;
+void make_cuts(context::Model& model) {
+    context::Cuts& cuts = model.cuts;
     drop_cuts(model);
     const std::int32_t bodies = model.bodies.count(), count = model.interactions.count();
     cuts.group.resize(at(bodies), 0);
@@ -160,8 +162,8 @@ void make_cuts(Model& model) {
     if (model.def.predictor == Predictor::clique) make_clique(model);
 }
 
-void drop_cuts(Model& model) {
-    Cuts& cuts = model.cuts;
+void drop_cuts(context::Model& model) {
+    context::Cuts& cuts = model.cuts;
     if (cuts.bodies >= 0) {
         // Later bodies and interactions at these indices are new ones.
         model.system.node_of_body.resize(
@@ -182,9 +184,9 @@ void drop_cuts(Model& model) {
     model.system.sides.clear();
 }
 
-void join_model(Model& model) noexcept {
+void join_model(context::Model& model) noexcept {
     drop_cuts(model);
     model.regroup.stale = true;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::split

@@ -24,17 +24,17 @@
 
 #include <cstdint>
 
-namespace hawser::stepper {
+namespace hawser::split {
 
 /// Make ghost bodies and copies for the present groups and couplings. @throws std::bad_alloc.
-void make_cuts(Model& model);
+void make_cuts(context::Model& model);
 /// Remove all ghost bodies and copies.
-void drop_cuts(Model& model);
+void drop_cuts(context::Model& model);
 
 /// Determine the cuts in force: those whose sides are not connected in any other way. Contacts and
 /// interactions that cannot be cut unite two groups to one part. Call before the system is
 /// analysed.
 /// @return true if the set of cuts in force has changed.
-bool open_cuts(Model& model);
+bool open_cuts(context::Model& model);
 
-}  // namespace hawser::stepper
+}  // namespace hawser::split

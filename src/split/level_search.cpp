@@ -14,17 +14,17 @@
 #include <numeric>
 #include <vector>
 
-namespace hawser::stepper {
+namespace hawser::split {
 namespace {
 
 /// Return the cost of cutting each interface, from the forces, velocities and violations of the
 /// last step.
-std::vector<double> interface_weights(Model& model) {
+std::vector<double> interface_weights(context::Model& model) {
     assembly::PartGraph g;
     read_graph(model, g);
     weigh_graph(model, g);
     std::vector<double> weight(at(model.cuts.interfaces), 0.0);
-    for (const Cut& c : model.cuts.list) {
+    for (const context::Cut& c : model.cuts.list) {
         if (model.cuts.coupling[at(c.id)] != Coupling::deadline) continue;
         double sum = g.edge_weight[at(c.id)];
         for (std::int32_t k = g.begin[at(c.id)]; k < g.begin[at(c.id) + 1]; ++k)
@@ -35,8 +35,8 @@ std::vector<double> interface_weights(Model& model) {
 }
 
 /// Return the work of the matrix if the given interfaces are cut [flops].
-double analysed_work(StepContext& ctx, std::uint64_t interfaces) {
-    keep_state(ctx, Undo::Depth::system);
+double analysed_work(context::StepContext& ctx, std::uint64_t interfaces) {
+    state::keep_state(ctx, context::Undo::Depth::system);
     assembly::System beside;
     beside.max_bytes = ctx.model.def.max_memory;
     leave_out(ctx.model, interfaces, beside);
@@ -44,19 +44,19 @@ double analysed_work(StepContext& ctx, std::uint64_t interfaces) {
     // a copy, because the analysis chooses the forms of rows
     model::Interactions rows = ctx.model.interactions;
     beside.analyse(ctx.model.bodies, rows, ctx.model.def, ctx.pool.threads());
-    return matrix_work(static_cast<double>(beside.symbolic.flops),
-                       static_cast<double>(beside.symbolic.factor_nnz));
+    return budget::matrix_work(static_cast<double>(beside.symbolic.flops),
+                               static_cast<double>(beside.symbolic.factor_nnz));
 }
 
 }  // namespace
 
-std::vector<CutLevels::Level> find_cut_levels(StepContext& ctx) {
+std::vector<budget::CutLevels::Level> find_cut_levels(context::StepContext& ctx) {
     const std::vector<double> weight = interface_weights(ctx.model);
     std::vector<int> order(weight.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(),
                      [&](int a, int b) { return weight[at(a)] < weight[at(b)]; });
-    std::vector<CutLevels::Level> levels{{0, analysed_work(ctx, 0)}};
+    std::vector<budget::CutLevels::Level> levels{{0, analysed_work(ctx, 0)}};
     for (const int i : order) {
         const std::uint64_t interfaces = levels.back().interfaces | std::uint64_t{1} << i;
         levels.push_back({interfaces, analysed_work(ctx, interfaces)});
@@ -64,4 +64,4 @@ std::vector<CutLevels::Level> find_cut_levels(StepContext& ctx) {
     return levels;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::split

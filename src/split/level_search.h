@@ -7,11 +7,11 @@
 #include "budget/cut_levels.h"
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::split {
 
 /// Return the levels of the present state. Their matrices are analysed next to the world, which
 /// does not change. Call within a step, which is undone if this throws. @throws std::bad_alloc,
 /// LimitError.
-[[nodiscard]] std::vector<CutLevels::Level> find_cut_levels(StepContext& ctx);
+[[nodiscard]] std::vector<budget::CutLevels::Level> find_cut_levels(context::StepContext& ctx);
 
-}  // namespace hawser::stepper
+}  // namespace hawser::split

@@ -11,43 +11,43 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace hawser::stepper {
+namespace hawser::split {
 namespace {
 
 /// Return the work of the step's solver.
-Load load_of(const StepContext& ctx) noexcept {
+budget::Load load_of(const context::StepContext& ctx) noexcept {
     const double rows = ctx.model.interactions.row_count + ctx.model.bodies.dofs +
                         12.0 * static_cast<double>(ctx.state.contacts.awake);
-    return {rows, matrix_work(static_cast<double>(ctx.work.stats.factor_flops),
-                              static_cast<double>(ctx.work.stats.factor_nnz)) +
-                      kRowWork * rows};
+    return {rows, budget::matrix_work(static_cast<double>(ctx.work.stats.factor_flops),
+                                      static_cast<double>(ctx.work.stats.factor_nnz)) +
+                      budget::kRowWork * rows};
 }
 
 /// Fraction of the budget that is planned; the rest is a margin for prediction errors.
 constexpr double kAim = 0.95;
 
 /// True if deadlines may request cuts in this step.
-bool may_cut(const Model& model, const State& state) noexcept {
+bool may_cut(const context::Model& model, const context::State& state) noexcept {
     return model.def.budget > 0.0 && model.cuts.interfaces > 0 && !state.imposed.any() &&
            state.step > 0;
 }
 
 }  // namespace
 
-void begin_laps(Work& work) noexcept {
-    LimitWork& limits = work.limits;
+void begin_laps(context::Work& work) noexcept {
+    context::LimitWork& limits = work.limits;
     limits.laps = {};
     limits.analyses = work.stats.plans + work.stats.repairs;
     limits.knew_levels = limits.cut_levels.known();
 }
 
-Status prepare_levels(StepContext& ctx) noexcept {
+Status prepare_levels(context::StepContext& ctx) noexcept {
     if (!may_cut(ctx.model, ctx.state) || ctx.work.limits.cut_levels.known()) return Status::ok;
-    const StageTimer timer(ctx, Stage::analyse);
-    return guarded(ctx, [&] { ctx.work.limits.cut_levels.set(find_cut_levels(ctx)); });
+    const context::StageTimer timer(ctx, Stage::analyse);
+    return context::guarded(ctx, [&] { ctx.work.limits.cut_levels.set(find_cut_levels(ctx)); });
 }
 
-Status choose_cuts(StepContext& ctx) noexcept {
+Status choose_cuts(context::StepContext& ctx) noexcept {
     std::uint64_t cuts = ctx.state.imposed.cuts;
     if (may_cut(ctx.model, ctx.state))
         cuts = ctx.work.limits.cut_levels.choose(ctx.work.limits.deadline, load_of(ctx),
@@ -57,13 +57,13 @@ Status choose_cuts(StepContext& ctx) noexcept {
     return status;
 }
 
-void begin_budget(StepContext& ctx) noexcept {
+void begin_budget(context::StepContext& ctx) noexcept {
     ctx.work.newton.iterations = 0;  // counts all solves of the step from here on
-    Limits limits{.seconds = kAim * ctx.model.def.budget,
-                  .work = 0.0,
-                  .most = 0,
-                  .foreseen = 0.0,
-                  .imposed = ctx.state.imposed};
+    budget::Limits limits{.seconds = kAim * ctx.model.def.budget,
+                          .work = 0.0,
+                          .most = 0,
+                          .foreseen = 0.0,
+                          .imposed = ctx.state.imposed};
     ctx.work.stats.degradation.wires =
         ctx.state.imposed.any() ? ctx.state.imposed.wires : ctx.work.limits.coarsening.level();
     if (ctx.work.limits.coarsening.comes_first() && !ctx.state.imposed.any()) limits.seconds = 0.0;
@@ -75,7 +75,7 @@ void begin_budget(StepContext& ctx) noexcept {
     if (!ctx.work.limits.budget.needs_time()) return;
     ctx.work.limits.laps.start = ctx.work.limits.laps.first = ctx.work.limits.laps.last =
         ctx.stopwatch->seconds();
-    const Load load = load_of(ctx);
+    const budget::Load load = load_of(ctx);
     if (ctx.work.limits.deadline.knows()) {
         // The time since the start of the step is measured; the remaining time is predicted.
         const double left = limits.seconds - ctx.work.limits.laps.start +
@@ -92,7 +92,7 @@ void begin_budget(StepContext& ctx) noexcept {
 namespace {
 
 /// Return the used fraction of the budget, at least kCut if the step was cut; 0: no budget.
-double demand_of(const StepContext& ctx) noexcept {
+double demand_of(const context::StepContext& ctx) noexcept {
     const WorldDef& def = ctx.model.def;
     const StepStats& s = ctx.work.stats;
     double demand = 0.0;
@@ -107,7 +107,7 @@ double demand_of(const StepContext& ctx) noexcept {
 
 }  // namespace
 
-void end_budget(StepContext& ctx) noexcept {
+void end_budget(context::StepContext& ctx) noexcept {
     StepStats& s = ctx.work.stats;
     ctx.work.limits.laps.analysed =
         s.plans + s.repairs > ctx.work.limits.analyses ||
@@ -131,4 +131,4 @@ void end_budget(StepContext& ctx) noexcept {
     ctx.work.limits.budget.end();  // a trial step is not limited
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::split

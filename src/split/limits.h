@@ -10,18 +10,18 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::split {
 
 /// Start the measurement of laps when the solver starts.
-void begin_laps(Work& work) noexcept;
+void begin_laps(context::Work& work) noexcept;
 /// Find the levels of cuts, in the first step in which forces are known.
-[[nodiscard]] Status prepare_levels(StepContext& ctx) noexcept;
+[[nodiscard]] Status prepare_levels(context::StepContext& ctx) noexcept;
 /// Choose the cuts of this step. Without a budget only cuts that do not depend on deadlines are in
 /// force.
-[[nodiscard]] Status choose_cuts(StepContext& ctx) noexcept;
+[[nodiscard]] Status choose_cuts(context::StepContext& ctx) noexcept;
 /// Set the limits of time or work for the solve that follows.
-void begin_budget(StepContext& ctx) noexcept;
+void begin_budget(context::StepContext& ctx) noexcept;
 /// Update the rates from the times of the step, and report the omitted work.
-void end_budget(StepContext& ctx) noexcept;
+void end_budget(context::StepContext& ctx) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::split

@@ -15,7 +15,7 @@
 #include <span>
 #include <utility>
 
-namespace hawser::stepper {
+namespace hawser::split {
 namespace {
 
 std::int32_t root(std::vector<std::int32_t>& part, std::int32_t b) {
@@ -24,7 +24,7 @@ std::int32_t root(std::vector<std::int32_t>& part, std::int32_t b) {
 }
 
 /// Unite the parts of the moving bodies in the list.
-void join(Model& model, std::span<const std::int32_t> bodies) {
+void join(context::Model& model, std::span<const std::int32_t> bodies) {
     std::int32_t first = -1;
     for (const std::int32_t b : bodies) {
         if (model.bodies.dof(b) == 0) continue;
@@ -35,8 +35,8 @@ void join(Model& model, std::span<const std::int32_t> bodies) {
 }
 
 /// True if two bodies of different groups are connected without this cut.
-bool holds_otherwise(Model& model, const Cut& cut) {
-    const auto bodies = bodies_of(model.interactions, cut.id);
+bool holds_otherwise(context::Model& model, const context::Cut& cut) {
+    const auto bodies = context::bodies_of(model.interactions, cut.id);
     for (std::size_t i = 0; i < bodies.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
             const std::int32_t a = bodies[i], b = bodies[j];
@@ -50,8 +50,8 @@ bool holds_otherwise(Model& model, const Cut& cut) {
 
 }  // namespace
 
-bool open_cuts(Model& model) {
-    Cuts& cuts = model.cuts;
+bool open_cuts(context::Model& model) {
+    context::Cuts& cuts = model.cuts;
     assembly::System& system = model.system;
     if (cuts.list.empty()) return false;
     const std::vector<std::int32_t> before = std::move(system.left_out);
@@ -65,31 +65,31 @@ bool open_cuts(Model& model) {
         if (cut != cuts.list.end() && cut->id == id)
             ++cut;
         else
-            join(model, bodies_of(model.interactions, id));
+            join(model, context::bodies_of(model.interactions, id));
     }
     for (std::size_t k = 0; k < cuts.of.size(); ++k) {
         std::vector<std::int32_t> own;
-        for (const std::int32_t b :
-             bodies_of(model.interactions, cuts.interactions + static_cast<std::int32_t>(k)))
+        for (const std::int32_t b : context::bodies_of(
+                 model.interactions, cuts.interactions + static_cast<std::int32_t>(k)))
             if (b < cuts.bodies) own.push_back(b);
         join(model, own);
     }
     for (const assembly::Contacts::Link& l : system.contacts.links)
         join(model, std::array<std::int32_t, 2>{l.first, l.second});
-    for (Cut& c : cuts.list) {
+    for (context::Cut& c : cuts.list) {
         c.open = cuts.coupling[at(c.id)] != Coupling::deadline || (cuts.asked >> c.interface & 1U);
-        if (!c.open) join(model, bodies_of(model.interactions, c.id));
+        if (!c.open) join(model, context::bodies_of(model.interactions, c.id));
     }
     for (bool again = true; again;) {
         again = false;
-        for (Cut& c : cuts.list) {
+        for (context::Cut& c : cuts.list) {
             if (!c.open || !holds_otherwise(model, c)) continue;
             c.open = false;
-            join(model, bodies_of(model.interactions, c.id));
+            join(model, context::bodies_of(model.interactions, c.id));
             again = true;
         }
     }
-    for (const Cut& c : cuts.list) {
+    for (const context::Cut& c : cuts.list) {
         if (c.open) {
             system.left_out.push_back(c.id);
             const bool soften = cuts.coupling[at(c.id)] != Coupling::kinematic;
@@ -101,15 +101,15 @@ bool open_cuts(Model& model) {
     return before != system.left_out;
 }
 
-std::uint64_t open_interfaces(const Model& model) noexcept {
+std::uint64_t open_interfaces(const context::Model& model) noexcept {
     std::uint64_t interfaces = 0;
-    for (const Cut& c : model.cuts.list)
+    for (const context::Cut& c : model.cuts.list)
         if (c.open && model.cuts.coupling[at(c.id)] == Coupling::deadline)
             interfaces |= std::uint64_t{1} << c.interface;
     return interfaces;
 }
 
-void leave_out(Model& model, std::uint64_t interfaces, assembly::System& beside) {
+void leave_out(context::Model& model, std::uint64_t interfaces, assembly::System& beside) {
     const std::uint64_t asked = std::exchange(model.cuts.asked, interfaces);
     (void)open_cuts(model);
     beside.left_out = model.system.left_out;
@@ -118,4 +118,4 @@ void leave_out(Model& model, std::uint64_t interfaces, assembly::System& beside)
     (void)open_cuts(model);
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::split

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace hawser::stepper {
+namespace hawser::split {
 namespace {
 
 /// Copy v_k of the original of a ghost body to six entries.
@@ -22,8 +22,8 @@ using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 /// Update v += M⁻¹ (p + h (f − D v + m g) − h ω × Iω) of a rigid body, for an impulse p of rows and
 /// contacts.
-void push_rigid(const Model& model, const State& state, std::int32_t body, const double* p,
-                double* v) noexcept {
+void push_rigid(const context::Model& model, const context::State& state, std::int32_t body,
+                const double* p, double* v) noexcept {
     const model::Bodies& b = model.bodies;
     const auto i = at(body);
     const double h = model.def.step;
@@ -51,8 +51,8 @@ void push_rigid(const Model& model, const State& state, std::int32_t body, const
 
 /// Update v += (p + h (f − D v + m g))/m of a node or a scalar body, for an impulse p of rows and
 /// contacts. Scalar bodies have no weight.
-void push_point(const Model& model, const State& state, std::int32_t body, const double* p,
-                double* v) noexcept {
+void push_point(const context::Model& model, const context::State& state, std::int32_t body,
+                const double* p, double* v) noexcept {
     const model::Bodies& b = model.bodies;
     const auto i = at(body);
     const double h = model.def.step;
@@ -67,18 +67,18 @@ void push_point(const Model& model, const State& state, std::int32_t body, const
 }
 
 /// Predict the velocities of ghost bodies from current velocities and forces, as the paper states.
-void predict_by_forces(Model& model, const State& state) noexcept {
+void predict_by_forces(context::Model& model, const context::State& state) noexcept {
     const model::Interactions& in = model.interactions;
     model::Bodies& b = model.bodies;
     std::size_t pull = 0;
     for (std::size_t k = 0; k < model.cuts.ghosts.size(); ++k) {
-        const GhostBody ghost = model.cuts.ghosts[k];
+        const context::GhostBody ghost = model.cuts.ghosts[k];
         double impulse[6] = {};
         std::copy_n(&model.cuts.touch[at(b.dof_begin[at(ghost.of)])], b.dof(ghost.of), impulse);
         for (; pull < model.cuts.pulls.size() &&
                model.cuts.pulls[pull].ghost == static_cast<std::int32_t>(k);
              ++pull) {
-            const Pull& p = model.cuts.pulls[pull];
+            const context::Pull& p = model.cuts.pulls[pull];
             if (model.system.rests(p.id)) continue;
             in.add_impulse(p.id, p.slot, b, &in.lambda[at(in.row_begin[at(p.id)])], impulse);
         }
@@ -92,9 +92,9 @@ void predict_by_forces(Model& model, const State& state) noexcept {
 
 }  // namespace
 
-void place_ghosts(Model& model) noexcept {
+void place_ghosts(context::Model& model) noexcept {
     model::Bodies& b = model.bodies;
-    for (const GhostBody& ghost : model.cuts.ghosts) {
+    for (const context::GhostBody& ghost : model.cuts.ghosts) {
         const auto to = at(ghost.body), from = at(ghost.of);
         std::copy_n(&b.x[3 * from], 3, &b.x[3 * to]);
         std::copy_n(&b.q[4 * from], 4, &b.q[4 * to]);
@@ -102,25 +102,25 @@ void place_ghosts(Model& model) noexcept {
     }
 }
 
-void predict(Model& model, const State& state) noexcept {
+void predict(context::Model& model, const context::State& state) noexcept {
     if (model.cuts.list.empty()) return;
     model::Bodies& b = model.bodies;
     for (const std::int32_t body : b.driven)
         std::copy_n(&b.v_fixed[6 * at(body)], 6, &b.v_before[6 * at(body)]);
     place_ghosts(model);
-    for (const GhostBody& ghost : model.cuts.ghosts) {
+    for (const context::GhostBody& ghost : model.cuts.ghosts) {
         double* v = &b.v_fixed[6 * at(ghost.body)];
         velocity_of(b, ghost.of, v);
         std::copy_n(v, 6, &b.v_before[6 * at(ghost.body)]);
     }
-    for (const Cut& cut : model.cuts.list)
+    for (const context::Cut& cut : model.cuts.list)
         for (std::int32_t i = 0; i < cut.sides; ++i)
             model.interactions.mirror(cut.first + i, cut.id, b, model.def.step);
     if (model.def.predictor == Predictor::forces) predict_by_forces(model, state);
     if (model.def.predictor == Predictor::clique) (void)solve_clique(model, state);
 }
 
-void keep_touch(Model& model, std::vector<double>& room) noexcept {
+void keep_touch(context::Model& model, std::vector<double>& room) noexcept {
     if (model.cuts.list.empty()) return;
     const assembly::Contacts& c = model.system.contacts;
     for (std::size_t k = 0; k < c.count(); ++k) std::copy_n(c.cones[k].lambda, 3, &room[3 * k]);
@@ -130,4 +130,4 @@ void keep_touch(Model& model, std::vector<double>& room) noexcept {
     c.scatter(room.data(), model.cuts.touch.data(), model.bodies.dof_begin.data());
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::split

@@ -30,14 +30,14 @@
 #include <algorithm>
 #include <utility>
 
-namespace hawser::stepper {
+namespace hawser::split {
 namespace {
 
 /// Evaluate the violation and Jacobian of every interaction at the present poses. Stage assemble
 /// leaves out cut interactions, and a restored world has not assembled anything yet. The evaluation
 /// overwrites the active flags of ranges. They are part of the state, so they are restored.
-void evaluate_all(Model& model) {
-    const assembly::View v = row_view(model);
+void evaluate_all(context::Model& model) {
+    const assembly::View v = context::row_view(model);
     base::Array<double>& active = model.interactions.active;
     model.regroup.active.assign(active.begin(), active.end());
     for (std::size_t k = 0; k < model.interactions.pool.size(); ++k) {
@@ -53,8 +53,8 @@ void evaluate_all(Model& model) {
 }
 
 /// Mark the interactions that must stay whole: those coupled exactly and those that cannot be cut.
-void keep_exact(const Model& model, assembly::PartGraph& graph) {
-    for (std::int32_t i = 0; i < interaction_count(model); ++i) {
+void keep_exact(const context::Model& model, assembly::PartGraph& graph) {
+    for (std::int32_t i = 0; i < context::interaction_count(model); ++i) {
         if (graph.edge_weight[at(i)] == graph::kNeverCut) continue;
         const std::vector<Coupling>& coupling = model.cuts.coupling;
         const Coupling c = at(i) < coupling.size() ? coupling[at(i)] : model.def.coupling;
@@ -63,9 +63,9 @@ void keep_exact(const Model& model, assembly::PartGraph& graph) {
 }
 
 /// Number the groups from the user: they are the first parts, in the order of their first bodies.
-void number_groups(Model& model) {
-    Regroup& r = model.regroup;
-    const auto bodies = at(body_count(model));
+void number_groups(context::Model& model) {
+    context::Regroup& r = model.regroup;
+    const auto bodies = at(context::body_count(model));
     r.by_hand.resize(bodies, -1);
     r.part_of_name.clear();
     std::int32_t parts = 0;
@@ -78,36 +78,36 @@ void number_groups(Model& model) {
 }
 
 /// Return the part of a body's group from the user; −1: the body is free.
-std::int32_t part_by_hand(const Model& model, std::int32_t body) noexcept {
-    const Regroup& r = model.regroup;
+std::int32_t part_by_hand(const context::Model& model, std::int32_t body) noexcept {
+    const context::Regroup& r = model.regroup;
     const std::int32_t name = r.by_hand[at(body)];
     return name < 0 || model.bodies.dof(body) == 0 ? -1 : r.part_of_name[at(name)];
 }
 
 /// Read the graph to be partitioned, with the groups from the user.
-void read_own_graph(Model& model, bool weigh) {
-    Regroup& r = model.regroup;
+void read_own_graph(context::Model& model, bool weigh) {
+    context::Regroup& r = model.regroup;
     read_graph(model, r.graph);
     keep_exact(model, r.graph);
     if (weigh) weigh_graph(model, r.graph);
     number_groups(model);
     r.graph.group.clear();
     if (r.part_of_name.empty()) return;
-    r.graph.group.resize(at(body_count(model)));
-    for (std::int32_t b = 0; b < body_count(model); ++b)
+    r.graph.group.resize(at(context::body_count(model)));
+    for (std::int32_t b = 0; b < context::body_count(model); ++b)
         r.graph.group[at(b)] = part_by_hand(model, b);
 }
 
 /// Make groups from the model if there are none, or if the model has changed.
-void make_groups(Model& model, const State& state) {
-    Regroup& r = model.regroup;
+void make_groups(context::Model& model, const context::State& state) {
+    context::Regroup& r = model.regroup;
     if (!makes_groups(model)) {
         r.parts = {};
         r.stale = true;
         return;
     }
-    if (!r.stale && r.parts.part.size() == at(body_count(model)) &&
-        r.interactions == interaction_count(model))
+    if (!r.stale && r.parts.part.size() == at(context::body_count(model)) &&
+        r.interactions == context::interaction_count(model))
         return;
     read_own_graph(model, false);
     r.next = r.parts;
@@ -115,43 +115,43 @@ void make_groups(Model& model, const State& state) {
     std::swap(r.parts, r.next);
     (void)assign_groups(model);
     r.made = r.seen = state.step;
-    r.interactions = interaction_count(model);
+    r.interactions = context::interaction_count(model);
     r.stale = false;
 }
 
 /// True if a new choice of parts is due before the step.
-bool due(const Model& model, const State& state) noexcept {
-    const Regroup& r = model.regroup;
+bool due(const context::Model& model, const context::State& state) noexcept {
+    const context::Regroup& r = model.regroup;
     if (model.def.regroup_every < 1 || !makes_groups(model) || state.step == r.seen) return false;
     const std::int64_t age = state.step - r.made;
-    return age > 0 && (age == Regroup::kSettle || age % model.def.regroup_every == 0);
+    return age > 0 && (age == context::Regroup::kSettle || age % model.def.regroup_every == 0);
 }
 
 /// Run the part of prepare() that depends on groups.
-void cut_anew(StepContext& ctx) {
+void cut_anew(context::StepContext& ctx) {
     make_cuts(ctx.model);
     ctx.model.cuts.asked = 0;  // interfaces have new indices
     ctx.work.limits.cut_levels.set({});
-    const StageTimer timer(ctx, Stage::analyse);
+    const context::StageTimer timer(ctx, Stage::analyse);
     analyse(ctx);
-    reserve_sleep(ctx.model, ctx.work.sleep);
+    context::reserve_sleep(ctx.model, ctx.work.sleep);
     ctx.work.before.lambda.resize(ctx.model.interactions.lambda.size());
     ctx.work.before.repeats.resize(ctx.model.interactions.repeats.size());
-    reserve_undo(ctx.model, ctx.work.undo);
+    state::reserve_undo(ctx.model, ctx.work.undo);
 }
 
 }  // namespace
 
-void read_graph(const Model& model, assembly::PartGraph& graph) {
-    graph.build(model.bodies, body_count(model), model.interactions, interaction_count(model),
-                model.system.contacts.links);
+void read_graph(const context::Model& model, assembly::PartGraph& graph) {
+    graph.build(model.bodies, context::body_count(model), model.interactions,
+                context::interaction_count(model), model.system.contacts.links);
 }
 
-void weigh_graph(Model& model, assembly::PartGraph& graph) {
+void weigh_graph(context::Model& model, assembly::PartGraph& graph) {
     evaluate_all(model);
     std::vector<std::int32_t>& cut = model.regroup.cut;
     cut.clear();
-    for (const Cut& c : model.cuts.list)
+    for (const context::Cut& c : model.cuts.list)
         if (c.open) cut.push_back(c.id);
     graph.weigh(model.bodies, model.interactions, cut, model.def);
     // Contacts of the last step are part of the state.
@@ -161,11 +161,11 @@ void weigh_graph(Model& model, assembly::PartGraph& graph) {
                 if (b >= 0) graph.touch(b);
 }
 
-std::int64_t assign_groups(Model& model) {
+std::int64_t assign_groups(context::Model& model) {
     number_groups(model);
     std::int64_t moved = 0;
-    model.cuts.group.resize(at(body_count(model)), 0);
-    for (std::int32_t b = 0; b < body_count(model); ++b) {
+    model.cuts.group.resize(at(context::body_count(model)), 0);
+    for (std::int32_t b = 0; b < context::body_count(model); ++b) {
         const std::int32_t hand = part_by_hand(model, b);
         const std::int32_t part = hand >= 0 ? hand : std::max(0, model.regroup.parts.part[at(b)]);
         moved += model.cuts.group[at(b)] != part ? 1 : 0;
@@ -174,22 +174,22 @@ std::int64_t assign_groups(Model& model) {
     return moved;
 }
 
-void split_model(StepContext& ctx) {
+void split_model(context::StepContext& ctx) {
     make_groups(ctx.model, ctx.state);
     make_cuts(ctx.model);
     ctx.work.limits.cut_levels.set({});  // they belong to cuts that no longer exist
 }
 
-Status regroup(StepContext& ctx) noexcept {
+Status regroup(context::StepContext& ctx) noexcept {
     if (!due(ctx.model, ctx.state)) return Status::ok;
-    Regroup& r = ctx.model.regroup;
-    const StageTimer timer(ctx, Stage::graph);
-    return guarded(ctx, [&] {
-        keep_state(ctx, Undo::Depth::system);
+    context::Regroup& r = ctx.model.regroup;
+    const context::StageTimer timer(ctx, Stage::graph);
+    return context::guarded(ctx, [&] {
+        state::keep_state(ctx, context::Undo::Depth::system);
         read_own_graph(ctx.model, true);
         r.next = r.parts;
         const graph::PartitionOptions options{ctx.model.def.parts};
-        if (ctx.state.step - r.made == Regroup::kSettle)
+        if (ctx.state.step - r.made == context::Regroup::kSettle)
             r.splitter.split(r.graph.view(), options, r.next);
         else
             (void)r.splitter.follow(r.graph.view(), options, r.next);
@@ -197,11 +197,11 @@ Status regroup(StepContext& ctx) noexcept {
         std::swap(r.parts, r.next);
         const std::int64_t moved = assign_groups(ctx.model);
         if (moved == 0) return;
-        keep_state(ctx, Undo::Depth::model);
+        state::keep_state(ctx, context::Undo::Depth::model);
         cut_anew(ctx);
         ++ctx.work.stats.regroupings;
         ctx.work.stats.regrouped_bodies += moved;
     });
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::split

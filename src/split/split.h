@@ -22,88 +22,88 @@
 
 #include <cstdint>
 
-namespace hawser::stepper {
+namespace hawser::split {
 
 // Preparation.
 
 /// True if there are ghost bodies and copies, or split_model() would make some.
-[[nodiscard]] bool may_split(const Model& model) noexcept;
+[[nodiscard]] bool may_split(const context::Model& model) noexcept;
 
 /// Make groups if they are required and either missing or outdated. Then make ghost bodies and
 /// copies for the present groups and couplings. @throws std::bad_alloc.
-void split_model(StepContext& ctx);
+void split_model(context::StepContext& ctx);
 
 /// Remove ghost bodies and copies. Call before bodies or interactions are added or removed.
 /// Automatic groups are made again for the new model.
-void join_model(Model& model) noexcept;
+void join_model(context::Model& model) noexcept;
 
 // Stages of a step.
 
 /// Choose parts again if this is due (stage graph). If groups have changed, make new cuts and run
 /// stage analyse. If allocation fails, the state is unchanged.
-[[nodiscard]] Status regroup(StepContext& ctx) noexcept;
+[[nodiscard]] Status regroup(context::StepContext& ctx) noexcept;
 
 /// Analyse the system of the present interactions and links, without cut interactions (stage
 /// analyse).
 /// @param state  State of the analysis of a saved world, from which to continue.
 /// @throws std::bad_alloc.
-void analyse(StepContext& ctx, const factor::AnalysisState* state = nullptr);
+void analyse(context::StepContext& ctx, const factor::AnalysisState* state = nullptr);
 
 /// Update the links of contacts in stage analyse, if new pairs of bodies touch. If other cuts come
 /// into force, analyse the whole system. @throws std::bad_alloc; call prepare() then.
-void relink(StepContext& ctx);
+void relink(context::StepContext& ctx);
 
 /// Copy the poses of bodies to their ghost bodies.
-void place_ghosts(Model& model) noexcept;
+void place_ghosts(context::Model& model) noexcept;
 
 /// Set poses and velocities of ghost bodies before rows are assembled. The velocities come from the
 /// predictor of the world (WorldDef::predictor).
-void predict(Model& model, const State& state) noexcept;
+void predict(context::Model& model, const context::State& state) noexcept;
 
 /// Sum the contact impulses of the last step by body, for predictors. Does nothing without cuts.
 /// @param room  Buffer of three values for each triple of contacts and resistances.
-void keep_touch(Model& model, std::vector<double>& room) noexcept;
+void keep_touch(context::Model& model, std::vector<double>& room) noexcept;
 
 /// Compute the multipliers for readers, which are the means of the sides, and the errors of the
 /// cuts. Call after the solve, before bodies move.
-void finish_cuts(StepContext& ctx) noexcept;
+void finish_cuts(context::StepContext& ctx) noexcept;
 
 /// Break a line; if it is cut, break all its copies.
-void part_all(Model& model, std::int32_t id) noexcept;
+void part_all(context::Model& model, std::int32_t id) noexcept;
 
 // Requests of deadlines (budget).
 
 /// Bring the given interfaces into force (Degradation::cuts), and analyse if that changes a cut.
-[[nodiscard]] Status ask_for_cuts(StepContext& ctx, std::uint64_t interfaces) noexcept;
+[[nodiscard]] Status ask_for_cuts(context::StepContext& ctx, std::uint64_t interfaces) noexcept;
 
 /// Return the interfaces that have a cut of Coupling::deadline in force.
-[[nodiscard]] std::uint64_t open_interfaces(const Model& model) noexcept;
+[[nodiscard]] std::uint64_t open_interfaces(const context::Model& model) noexcept;
 
 /// Leave out of a second system the interactions that would be cut if the given interfaces were
 /// requested. The cuts of the world are restored afterwards.
-void leave_out(Model& model, std::uint64_t interfaces, assembly::System& beside);
+void leave_out(context::Model& model, std::uint64_t interfaces, assembly::System& beside);
 
 // Functions for the world and its saved states.
 
 /// True if an interaction can be cut: it is no drive, friction, range or winch, and does not load
 /// friction.
-[[nodiscard]] bool can_cut(const Model& model, std::int32_t id) noexcept;
+[[nodiscard]] bool can_cut(const context::Model& model, std::int32_t id) noexcept;
 
 /// True if the world makes groups automatically (WorldDef::parts).
-[[nodiscard]] bool makes_groups(const Model& model) noexcept;
+[[nodiscard]] bool makes_groups(const context::Model& model) noexcept;
 
 /// Set Cuts::group from the parts and the groups of the user. @return number of bodies that change
 /// their group.
-std::int64_t assign_groups(Model& model);
+std::int64_t assign_groups(context::Model& model);
 
 /// Set the multipliers of copies to those of their originals.
-void follow_cuts(Model& model) noexcept;
+void follow_cuts(context::Model& model) noexcept;
 
 /// Build the graph of the user's model, for all callers that choose parts. @throws std::bad_alloc.
-void read_graph(const Model& model, assembly::PartGraph& graph);
+void read_graph(const context::Model& model, assembly::PartGraph& graph);
 
 /// Set the weights from the state; rows are evaluated at the present poses. The state does not
 /// change. The system must have been analysed. @throws std::bad_alloc.
-void weigh_graph(Model& model, assembly::PartGraph& graph);
+void weigh_graph(context::Model& model, assembly::PartGraph& graph);
 
-}  // namespace hawser::stepper
+}  // namespace hawser::split

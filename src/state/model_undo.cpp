@@ -5,11 +5,11 @@
 
 #include <utility>
 
-namespace hawser::stepper {
+namespace hawser::state {
 
-void ModelUndo::keep(const StepContext& ctx) {
-    const Model& m = ctx.model;
-    const State& s = ctx.state;
+void ModelUndo::keep(const context::StepContext& ctx) {
+    const context::Model& m = ctx.model;
+    const context::State& s = ctx.state;
     bodies_ = m.bodies;
     interactions_ = m.interactions;
     m.collider.keep(collider_);
@@ -46,9 +46,9 @@ void ModelUndo::keep(const StepContext& ctx) {
     contact_count_ = ctx.work.stats.contacts;
 }
 
-void ModelUndo::go_back(StepContext& ctx) noexcept {
-    Model& m = ctx.model;
-    State& s = ctx.state;
+void ModelUndo::go_back(context::StepContext& ctx) noexcept {
+    context::Model& m = ctx.model;
+    context::State& s = ctx.state;
     std::swap(m.bodies, bodies_);
     std::swap(m.interactions, interactions_);
     m.collider.go_back(collider_);
@@ -81,16 +81,18 @@ void ModelUndo::go_back(StepContext& ctx) noexcept {
     std::swap(s.edits, edits_);
     s.changed = changed_;
     // If the model was to be prepared anyway, that follows from the restored order.
-    if (changed_ != Changed::all)
-        s.repair = repair_ == PendingRepair::follow || repair_ == PendingRepair::all_follow
-                       ? PendingRepair::all_follow
-                       : PendingRepair::all;
+    if (changed_ != context::Changed::all)
+        s.repair = repair_ == context::PendingRepair::follow ||
+                           repair_ == context::PendingRepair::all_follow
+                       ? context::PendingRepair::all_follow
+                       : context::PendingRepair::all;
     else
-        s.repair = repair_ == PendingRepair::nothing ? PendingRepair::rebuild : repair_;
+        s.repair =
+            repair_ == context::PendingRepair::nothing ? context::PendingRepair::rebuild : repair_;
     ctx.work.stats.event_count = event_count_;
     ctx.work.stats.asleep = asleep_;
     ctx.work.stats.contacts = contact_count_;
     s.events.release(false);
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::state

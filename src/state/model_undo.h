@@ -16,16 +16,16 @@
 #include <cstdint>
 #include <vector>
 
-namespace hawser::stepper {
+namespace hawser::state {
 
 class ModelUndo {
   public:
     /// Save the model and state.
     /// @throws std::bad_alloc.
-    void keep(const StepContext& ctx);
+    void keep(const context::StepContext& ctx);
     /// Restore the saved data. Call once after keep(), after the step has been undone
     /// (restore_kept()).
-    void go_back(StepContext& ctx) noexcept;
+    void go_back(context::StepContext& ctx) noexcept;
 
   private:
     // Model.
@@ -39,8 +39,8 @@ class ModelUndo {
     base::Array<assembly::ResistanceMemory> resistances_;
     std::vector<assembly::Contacts::Link> links_;
     std::vector<std::int64_t> link_used_;
-    Cuts cuts_;
-    Wires wires_;
+    context::Cuts cuts_;
+    context::Wires wires_;
     graph::Partition parts_;
     std::vector<std::int32_t> manual_groups_;
     std::int64_t made_ = 0, seen_ = -1;
@@ -48,18 +48,18 @@ class ModelUndo {
     std::int32_t grouped_interactions_ = 0;
 
     // State.
-    Ledger ledger_;
+    context::Ledger ledger_;
     double work_ = 0.0, water_ = 0.0, added_ = 0.0;
-    MonitorState monitor_;
+    context::MonitorState monitor_;
     collide::ContactSet contacts_;
     base::Array<double> contact_impulse_;
     base::Array<std::uint8_t> contact_sliding_;
     base::Array<double> analysed_x_, analysed_r_;
-    Changed changed_ = Changed::all;
-    Edits edits_;
-    PendingRepair repair_ = PendingRepair::nothing;
+    context::Changed changed_ = context::Changed::all;
+    context::Edits edits_;
+    context::PendingRepair repair_ = context::PendingRepair::nothing;
     std::array<std::int64_t, kEventKindCount> event_count_{};
     std::int32_t asleep_ = 0, contact_count_ = 0;
 };
 
-}  // namespace hawser::stepper
+}  // namespace hawser::state

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-namespace hawser::stepper {
+namespace hawser::state {
 
-void remember(StepContext& ctx) noexcept {
+void remember(context::StepContext& ctx) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     std::copy(in.lambda.begin(), in.lambda.end(), ctx.work.before.lambda.begin());
     std::copy(in.repeats.begin(), in.repeats.end(), ctx.work.before.repeats.begin());
@@ -16,7 +16,7 @@ void remember(StepContext& ctx) noexcept {
             in.active[static_cast<std::size_t>(ctx.model.system.bounded[i])];
 }
 
-void recall(StepContext& ctx) noexcept {
+void recall(context::StepContext& ctx) noexcept {
     model::Interactions& in = ctx.model.interactions;
     std::copy(ctx.work.before.lambda.begin(), ctx.work.before.lambda.end(), in.lambda.begin());
     std::copy(ctx.work.before.repeats.begin(), ctx.work.before.repeats.end(), in.repeats.begin());
@@ -26,4 +26,4 @@ void recall(StepContext& ctx) noexcept {
             ctx.work.before.active[i];
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::state

@@ -5,13 +5,13 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::state {
 
 /// Save or restore the part of the state that a solve overwrites: λ and the active flags of rows.
 /// The multipliers λ are saved bit by bit, because h times the stored force would differ in its
 /// last bit.
-void remember(StepContext& ctx) noexcept;
+void remember(context::StepContext& ctx) noexcept;
 
-void recall(StepContext& ctx) noexcept;
+void recall(context::StepContext& ctx) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::state

@@ -8,16 +8,16 @@
 
 #include <cstring>
 
-namespace hawser::stepper {
+namespace hawser::state {
 
-std::uint64_t state_hash(const Model& model, const State& state) noexcept {
+std::uint64_t state_hash(const context::Model& model, const context::State& state) noexcept {
     const char* isa = instruction_set();
     std::uint64_t hash = base::fnv1a(isa, std::strlen(isa));
     auto add = [&](const auto& array) {
         hash = base::fnv1a(array.data(), array.size() * sizeof(array[0]), hash);
     };
     // Ghost bodies (cuts.h) follow from the others and are left out.
-    const auto bodies = at(body_count(model));
+    const auto bodies = at(context::body_count(model));
     auto front = [&](const base::Array<double>& array, std::size_t each) {
         hash = base::fnv1a(array.data(), each * bodies * sizeof(double), hash);
     };
@@ -49,4 +49,4 @@ std::uint64_t state_hash(const Model& model, const State& state) noexcept {
     return base::fnv1a(&state.step, sizeof state.step, hash);
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::state

@@ -5,9 +5,10 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::state {
 
-/// Compute the hash of the state: see World::state_hash.
-[[nodiscard]] std::uint64_t state_hash(const Model& model, const State& state) noexcept;
+/// Compute the hash of the state: see WorldState::hash.
+[[nodiscard]] std::uint64_t state_hash(const context::Model& model,
+                                       const context::State& state) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::state

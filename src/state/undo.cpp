@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace hawser::stepper {
+namespace hawser::state {
 namespace {
 
 /// Copy an array without an allocation: its capacity was reserved before.
@@ -16,13 +16,13 @@ void put(const A& from, A& to) noexcept {
     to.assign(from.begin(), from.end());
 }
 
-Undo::Scalars read(const State& state, const StepStats& stats) noexcept {
+context::Undo::Scalars read(const context::State& state, const StepStats& stats) noexcept {
     return {state.step,        state.time,         state.ledger,         state.loads.work,
             state.loads.water, state.loads.added,  state.refine_unasked, state.started,
             stats.event_count, state.monitor.state};
 }
 
-void write(const Undo::Scalars& from, StepContext& c) noexcept {
+void write(const context::Undo::Scalars& from, context::StepContext& c) noexcept {
     c.state.step = c.work.stats.step = from.step;
     c.state.time = c.work.stats.time = from.time;
     c.state.ledger = from.ledger;
@@ -35,8 +35,8 @@ void write(const Undo::Scalars& from, StepContext& c) noexcept {
     c.state.monitor.state = from.monitor;
 }
 
-void keep_system(StepContext& ctx) {
-    Undo& u = ctx.work.undo;
+void keep_system(context::StepContext& ctx) {
+    context::Undo& u = ctx.work.undo;
     reserve_undo(ctx.model, ctx.work.undo);
     ctx.model.system.keep(u.system);
     u.analysed_x = ctx.state.analysed_x;
@@ -48,7 +48,7 @@ void keep_system(StepContext& ctx) {
     u.group = ctx.model.cuts.group;
     u.coupling = ctx.model.cuts.coupling;
     u.parts = ctx.model.regroup.parts;
-    if (ctx.state.changed != Changed::nothing) u.wires = ctx.model.wires;
+    if (ctx.state.changed != context::Changed::nothing) u.wires = ctx.model.wires;
     keep_links(ctx.model, ctx.work.undo);
     keep_motion(ctx);
     u.repair = ctx.state.repair;
@@ -63,8 +63,8 @@ void keep_system(StepContext& ctx) {
     u.grouped_interactions = ctx.model.regroup.interactions;
 }
 
-void go_back_system(StepContext& ctx) noexcept {
-    Undo& u = ctx.work.undo;
+void go_back_system(context::StepContext& ctx) noexcept {
+    context::Undo& u = ctx.work.undo;
     ctx.model.system.go_back(u.system);
     ctx.state.analysed_x.swap(u.analysed_x);
     ctx.state.analysed_r.swap(u.analysed_r);
@@ -82,13 +82,14 @@ void go_back_system(StepContext& ctx) noexcept {
     ctx.model.regroup.seen = u.seen;
     ctx.model.regroup.stale = u.stale;
     ctx.model.regroup.interactions = u.grouped_interactions;
-    if (u.changed != Changed::nothing) std::swap(ctx.model.wires, u.wires);
+    if (u.changed != context::Changed::nothing) std::swap(ctx.model.wires, u.wires);
     ctx.state.changed = u.changed;
-    ctx.state.repair = u.repair == PendingRepair::nothing ? PendingRepair::rebuild : u.repair;
+    ctx.state.repair =
+        u.repair == context::PendingRepair::nothing ? context::PendingRepair::rebuild : u.repair;
 }
 
-void go_back_all(StepContext& ctx) noexcept {
-    Undo& u = ctx.work.undo;
+void go_back_all(context::StepContext& ctx) noexcept {
+    context::Undo& u = ctx.work.undo;
     ctx.model.collider.kept().swap(u.kept);
     ctx.model.collider.kept_awake() = u.kept_awake;
     ctx.model.system.contacts.memory.swap(u.memory);
@@ -101,8 +102,8 @@ void go_back_all(StepContext& ctx) noexcept {
 
 }  // namespace
 
-void reserve_undo(const Model& model, Undo& undo) {
-    Undo& u = undo;
+void reserve_undo(const context::Model& model, context::Undo& undo) {
+    context::Undo& u = undo;
     u.v.reserve(model.bodies.v.size());
     u.spin_change.reserve(model.bodies.spin_change.size());
     u.lambda.reserve(model.interactions.lambda.size());
@@ -114,8 +115,8 @@ void reserve_undo(const Model& model, Undo& undo) {
     u.recoil.reserve(model.wires.recoil.size());
 }
 
-void keep_motion(StepContext& ctx) noexcept {
-    Undo& u = ctx.work.undo;
+void keep_motion(context::StepContext& ctx) noexcept {
+    context::Undo& u = ctx.work.undo;
     if (u.moved) return;
     put(ctx.model.bodies.v, u.v);
     put(ctx.model.bodies.spin_change, u.spin_change);
@@ -130,15 +131,15 @@ void keep_motion(StepContext& ctx) noexcept {
     u.moved = true;
 }
 
-void keep_links(const Model& model, Undo& undo) {
-    Undo& u = undo;
+void keep_links(const context::Model& model, context::Undo& undo) {
+    context::Undo& u = undo;
     if (u.linked) return;
     u.link_used = model.system.contacts.link_used;
     u.linked = true;
 }
 
-void keep_state(StepContext& ctx, Undo::Depth depth) {
-    Undo& u = ctx.work.undo;
+void keep_state(context::StepContext& ctx, context::Undo::Depth depth) {
+    context::Undo& u = ctx.work.undo;
     if (u.depth < 0) {
         keep_system(ctx);
         u.depth = 0;
@@ -147,7 +148,7 @@ void keep_state(StepContext& ctx, Undo::Depth depth) {
     u.bodies = ctx.model.bodies;
     u.interactions = ctx.model.interactions;
     u.all_cuts = ctx.model.cuts;
-    if (depth == Undo::Depth::all) {
+    if (depth == context::Undo::Depth::all) {
         u.kept = ctx.model.collider.kept();
         u.memory = ctx.model.system.contacts.memory;
         u.resistances = ctx.model.system.contacts.resistances.memory;
@@ -160,9 +161,9 @@ void keep_state(StepContext& ctx, Undo::Depth depth) {
     u.depth = static_cast<int>(depth);
 }
 
-void restore_kept(StepContext& ctx) noexcept {
-    Undo& u = ctx.work.undo;
-    if (u.depth >= static_cast<int>(Undo::Depth::model)) {
+void restore_kept(context::StepContext& ctx) noexcept {
+    context::Undo& u = ctx.work.undo;
+    if (u.depth >= static_cast<int>(context::Undo::Depth::model)) {
         std::swap(ctx.model.bodies, u.bodies);
         std::swap(ctx.model.interactions, u.interactions);
         std::swap(ctx.model.cuts, u.all_cuts);
@@ -172,7 +173,7 @@ void restore_kept(StepContext& ctx) noexcept {
         ctx.model.bodies.asleep.swap(u.asleep);
         ctx.model.bodies.quiet.swap(u.quiet);
     }
-    if (u.depth >= static_cast<int>(Undo::Depth::all)) go_back_all(ctx);
+    if (u.depth >= static_cast<int>(context::Undo::Depth::all)) go_back_all(ctx);
     if (u.linked) ctx.model.system.contacts.link_used.swap(u.link_used);
     if (u.moved) {
         put(u.v, ctx.model.bodies.v);
@@ -184,17 +185,17 @@ void restore_kept(StepContext& ctx) noexcept {
         put(u.energy_allowance, ctx.model.wires.energy_allowance);
         put(u.flag_steps, ctx.model.wires.flag_steps);
         put(u.recoil, ctx.model.wires.recoil);
-        update_wire_flags(ctx.model);
+        context::update_wire_flags(ctx.model);
         write(u.scalars, ctx);
     }
     drop_kept(ctx.work.undo);
 }
 
-void drop_kept(Undo& undo) noexcept {
-    Undo& u = undo;
+void drop_kept(context::Undo& undo) noexcept {
+    context::Undo& u = undo;
     u.moved = u.linked = false;
     // Copies of the whole model are rare and large, so their memory is freed.
-    if (u.depth >= static_cast<int>(Undo::Depth::model)) {
+    if (u.depth >= static_cast<int>(context::Undo::Depth::model)) {
         u.bodies = {};
         u.interactions = {};
         u.all_cuts = {};
@@ -202,4 +203,4 @@ void drop_kept(Undo& undo) noexcept {
     u.depth = -1;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::state

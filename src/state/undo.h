@@ -19,21 +19,21 @@
 #include "context/context.h"
 #include "context/undo_data.h"
 
-namespace hawser::stepper {
+namespace hawser::state {
 
 /// Reserve the capacity to save motions without an allocation. @throws std::bad_alloc.
-void reserve_undo(const Model& model, Undo& undo);
+void reserve_undo(const context::Model& model, context::Undo& undo);
 /// Save the motion. Call before v, λ or spin_change change outside stage integrate; later calls in
 /// a step do nothing.
-void keep_motion(StepContext& ctx) noexcept;
+void keep_motion(context::StepContext& ctx) noexcept;
 /// Save the step in which each link was used last. @throws std::bad_alloc if the number of links
 /// has grown.
-void keep_links(const Model& model, Undo& undo);
+void keep_links(const context::Model& model, context::Undo& undo);
 /// Save the state before the system changes. @throws std::bad_alloc; nothing has changed then.
-void keep_state(StepContext& ctx, Undo::Depth depth);
+void keep_state(context::StepContext& ctx, context::Undo::Depth depth);
 /// Restore all values that were saved first.
-void restore_kept(StepContext& ctx) noexcept;
+void restore_kept(context::StepContext& ctx) noexcept;
 /// Discard the saved values after a successful step.
-void drop_kept(Undo& undo) noexcept;
+void drop_kept(context::Undo& undo) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::state

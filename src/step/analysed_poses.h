@@ -5,12 +5,12 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::step {
 
 /// Restores poses and active rows of the last analysis while it lives.
 class AnalysedPoses {
   public:
-    explicit AnalysedPoses(StepContext& ctx)
+    explicit AnalysedPoses(context::StepContext& ctx)
         : ctx_(ctx),
           x_(ctx.model.bodies.x),
           r_(ctx.model.bodies.r),
@@ -27,8 +27,8 @@ class AnalysedPoses {
     AnalysedPoses& operator=(const AnalysedPoses&) = delete;
 
   private:
-    StepContext& ctx_;
+    context::StepContext& ctx_;
     base::Array<double> x_, r_, active_;
 };
 
-}  // namespace hawser::stepper
+}  // namespace hawser::step

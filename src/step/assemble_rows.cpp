@@ -6,15 +6,15 @@
 #include "solve/wires.h"
 #include "split/split.h"
 
-namespace hawser::stepper {
+namespace hawser::step {
 
-void assemble_rows(StepContext& ctx) noexcept {
-    const StageTimer timer(ctx, Stage::assemble);
+void assemble_rows(context::StepContext& ctx) noexcept {
+    const context::StageTimer timer(ctx, Stage::assemble);
     if (!ctx.model.wires.again) {
-        release_wires(ctx.model);
-        predict(ctx.model, ctx.state);
+        solve::release_wires(ctx.model);
+        split::predict(ctx.model, ctx.state);
     }
-    assemble_system(ctx);
+    solve::assemble_system(ctx);
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::step

@@ -5,10 +5,10 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::step {
 
 /// Run stage 5: violation and Jacobian of rows, body terms, right-hand sides. Blocks of the matrix
 /// are written in stage 6, each piece just before it is factorised.
-void assemble_rows(StepContext& ctx) noexcept;
+void assemble_rows(context::StepContext& ctx) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::step

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hawser::stepper {
+namespace hawser::step {
 namespace {
 
 using assembly::View;
@@ -26,7 +26,7 @@ constexpr double kFarTurn = 0.7;  ///< Rotation beyond which directions have cha
 constexpr int kMaxClosings = 12;
 
 /// True if a joint that the step has linearised may be open.
-bool may_be_open(const Model& model, const StepStats& stats) noexcept {
+bool may_be_open(const context::Model& model, const StepStats& stats) noexcept {
     const model::Interactions& in = model.interactions;
     const std::vector<std::int32_t>& joints = model.completion.rigid;
     if (std::all_of(joints.begin(), joints.end(),
@@ -44,7 +44,7 @@ bool may_be_open(const Model& model, const StepStats& stats) noexcept {
 }
 
 /// Write −g/h of rigid joints at the present poses to the right-hand side. @return largest |g|.
-double write_gaps(const Model& model, const View& v) noexcept {
+double write_gaps(const context::Model& model, const View& v) noexcept {
     std::fill_n(v.solution, model.system.symbolic.scalars, 0.0);
     const double per_h = 1.0 / v.h;
     double most = 0.0;
@@ -63,7 +63,7 @@ double write_gaps(const Model& model, const View& v) noexcept {
 
 /// Move bodies by the solution vector of the solver. Angular velocities rotate with the bodies, so
 /// that the kinetic energy does not change.
-void move(Model& model, const View& v, double time) noexcept {
+void move(context::Model& model, const View& v, double time) noexcept {
     for (const std::int32_t body : model.bodies.moving) {
         const int dof = v.dof[body];
         const double* d = v.solution + v.body_offset[body];
@@ -80,7 +80,7 @@ void move(Model& model, const View& v, double time) noexcept {
 }
 
 /// Return the potential energy of gravity [J].
-double height(const Model& model) noexcept {
+double height(const context::Model& model) noexcept {
     const model::Bodies& b = model.bodies;
     double sum = 0.0;
     for (const std::int32_t body : b.moving) {
@@ -92,7 +92,7 @@ double height(const Model& model) noexcept {
 }
 
 /// Return the largest rotation rate of a body in the vector of the solver [rad/s].
-double fastest_turn(const Model& model, const View& v) noexcept {
+double fastest_turn(const context::Model& model, const View& v) noexcept {
     double most = 0.0;
     for (const std::int32_t body : model.bodies.moving) {
         if (v.dof[body] < 6) continue;
@@ -103,8 +103,8 @@ double fastest_turn(const Model& model, const View& v) noexcept {
 }
 
 /// Close gaps with the factorisation of the step. @return the remaining gap.
-double close_with_factor(Model& model, Work& work, runtime::Pool& pool, const View& v,
-                         double gap) noexcept {
+double close_with_factor(context::Model& model, context::Work& work, runtime::Pool& pool,
+                         const View& v, double gap) noexcept {
     constexpr double kConverges = 0.5;
     for (int round = 0; round < kMaxClosings && gap > kClosed; ++round) {
         model.system.numeric.solve(model.system.symbolic, v.solution, pool);
@@ -122,7 +122,8 @@ double close_with_factor(Model& model, Work& work, runtime::Pool& pool, const Vi
 
 /// Move poses by the solution vector of the solver, with a smaller fraction as long as the gap
 /// grows. @return the new gap; if no fraction reduces it, the earlier one.
-double move_some(Model& model, JointWork& joints, const View& v, double gap) noexcept {
+double move_some(context::Model& model, context::JointWork& joints, const View& v,
+                 double gap) noexcept {
     constexpr int kMaxHalvings = 4;
     const double turn = v.h * fastest_turn(model, v);
     double fraction = turn > kFarTurn ? kFarTurn / turn : 1.0;
@@ -143,14 +144,14 @@ double move_some(Model& model, JointWork& joints, const View& v, double gap) noe
 /// Close gaps with Jacobians and factors at the poses reached: Newton's method. Each factorisation
 /// is used for more iterations while they reduce the gap by more than 10 %. Light bodies between
 /// heavy ones slow an iteration down by their contribution to Σ.
-void close_again(StepContext& ctx, const View& v) noexcept {
+void close_again(context::StepContext& ctx, const View& v) noexcept {
     constexpr int kMaxFactors = 8, kMaxIterationsEach = 8;
     constexpr double kGoesOn = 0.9;
     for (int i = 0; i < kMaxFactors; ++i) {
-        evaluate_keeping_ranges(ctx.model, ctx.work.before, ctx.pool);
+        solve::evaluate_keeping_ranges(ctx.model, ctx.work.before, ctx.pool);
         double gap = write_gaps(ctx.model, v);
         const double first = gap;
-        if (gap <= kClosed || factor(ctx, true) != Status::ok) return;
+        if (gap <= kClosed || solve::factor(ctx, true) != Status::ok) return;
         for (int round = 0; round < kMaxIterationsEach; ++round) {
             const double before = gap;
             gap = move_some(ctx.model, ctx.work.joints, v, gap);
@@ -165,23 +166,23 @@ void close_again(StepContext& ctx, const View& v) noexcept {
 
 }  // namespace
 
-void close_joints(StepContext& ctx) noexcept {
-    MonitorState& monitors = ctx.state.monitor.state;
+void close_joints(context::StepContext& ctx) noexcept {
+    context::MonitorState& monitors = ctx.state.monitor.state;
     monitors.closed = monitors.closed_elastic = 0.0;
-    if (has_cuts(ctx.model) || ctx.model.def.nonsmooth != Nonsmooth::newton ||
+    if (context::has_cuts(ctx.model) || ctx.model.def.nonsmooth != Nonsmooth::newton ||
         !may_be_open(ctx.model, ctx.work.stats))
         return;
-    const View v = row_view(ctx.model);
+    const View v = context::row_view(ctx.model);
     const double gap = write_gaps(ctx.model, v);
     if (!(gap > kOpen)) return;
     const double before = height(ctx.model);
     double* const gaps = ctx.work.joints.closing.data();
-    read_spring_gaps(ctx.model, ctx.state, gaps);
+    monitor::read_spring_gaps(ctx.model, ctx.state, gaps);
     ctx.pool.shield(true);  // poses have begun to move
     if (!(close_with_factor(ctx.model, ctx.work, ctx.pool, v, gap) <= kOpen)) close_again(ctx, v);
     ctx.pool.shield(false);
     monitors.closed = height(ctx.model) - before;
-    monitors.closed_elastic = held_by_closing(ctx.model, ctx.state, gaps);
+    monitors.closed_elastic = monitor::held_by_closing(ctx.model, ctx.state, gaps);
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::step

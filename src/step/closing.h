@@ -22,11 +22,13 @@
 /// several lengths. The monitors report it. The work of gravity and springs along δ is not counted:
 /// the energy balance shows it as unexplained.
 
-namespace hawser::stepper {
-
+namespace hawser::context {
 struct StepContext;
+}  // namespace hawser::context
+
+namespace hawser::step {
 
 /// Close joints after bodies have moved. No effect if joints are closed, or the world has cuts.
-void close_joints(StepContext& ctx) noexcept;
+void close_joints(context::StepContext& ctx) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::step

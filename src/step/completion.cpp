@@ -22,7 +22,7 @@
 #include <cmath>
 #include <utility>
 
-namespace hawser::stepper {
+namespace hawser::step {
 namespace {
 
 using assembly::Turning;
@@ -35,24 +35,24 @@ constexpr double kTurning = 1e-7, kSlowTurn = 5.0, kSolution = 1e-10;
 constexpr int kMaxRounds = 12;
 constexpr double kGap = 1e-4;  ///< Maximum gap that a step may leave [m or rad].
 /// Value of s from the force of the step itself that ends a trial.
-constexpr double kTooFast = 2.0 * kResolvedVibration;
+constexpr double kTooFast = 2.0 * solve::kResolvedVibration;
 
 /// Iterate with the present factorisation. @return result of the last iteration; if it is not
 /// finite or too large, the iterations diverged.
-Turning iterate_joints(StepContext& ctx) noexcept {
+Turning iterate_joints(context::StepContext& ctx) noexcept {
     double first = 0.0;
     const double enough = kTurning * std::min(1.0, ctx.model.def.solution_tolerance / kSolution);
     const auto ended = [enough](const Turning& turning) {
         const double fast = std::max(1.0, turning.spin / kSlowTurn);
         return turning.change <= enough * fast * fast * fast;
     };
-    Turning t = renew_completed(ctx);
+    Turning t = solve::renew_completed(ctx);
     for (int round = 0; round < kMaxRounds && !ended(t); ++round) {
-        adopt_completed(ctx);
-        continue_with_factor(ctx);
+        solve::adopt_completed(ctx);
+        solve::continue_with_factor(ctx);
         ctx.work.solve.losses_known = false;
         ++ctx.work.stats.completion_rounds;
-        t = renew_completed(ctx);
+        t = solve::renew_completed(ctx);
         if (round == 0) first = t.change;
         constexpr double kGrowth = 4.0;
         if (!std::isfinite(t.change) || (round > 1 && t.change > kGrowth * first)) {
@@ -65,7 +65,7 @@ Turning iterate_joints(StepContext& ctx) noexcept {
 }
 
 /// Solve the step again, with a new selection by choose_completed().
-Status assemble_and_solve(StepContext& ctx) noexcept {
+Status assemble_and_solve(context::StepContext& ctx) noexcept {
     if (ctx.model.collider.count() > 0)
         if (const Status s = start_contacts(ctx, Phase::regular); s != Status::ok) return s;
     assemble_rows(ctx);
@@ -73,40 +73,41 @@ Status assemble_and_solve(StepContext& ctx) noexcept {
 }
 
 /// Solve the step again with all joints linearised once.
-Status solve_linearised(StepContext& ctx) noexcept {
+Status solve_linearised(context::StepContext& ctx) noexcept {
     ctx.model.completion.banned = true;
     ++ctx.work.stats.completion_failures;
-    recall(ctx);
+    state::recall(ctx);
     return assemble_and_solve(ctx);
 }
 
 /// True if the force of a joint has grown within the step beyond the value used in the solution.
 /// Either a completed joint oscillates too fast now and is rejected, or the stiffness of another
 /// one belongs to a much smaller force. @param k  Index of the joint.
-bool has_outgrown(Model& model, std::int32_t k) noexcept {
-    Completion& c = model.completion;
+bool has_outgrown(context::Model& model, std::int32_t k) noexcept {
+    context::Completion& c = model.completion;
     const model::Interactions& in = model.interactions;
     const std::int32_t id = c.joints[at(k)];
     // The force of a redundant joint is not known before the filter.
     if (in.repeats[at(id)]) return false;
     if (in.completed[at(id)]) {
-        if (squared_vibration(model, k, in.lambda.data()) <= kTooFast * kTooFast) return false;
+        if (solve::squared_vibration(model, k, in.lambda.data()) <= kTooFast * kTooFast)
+            return false;
         c.refused[at(k)] = 1;
         return true;
     }
     constexpr double kGrown = 1.5;
-    const JointSlot& joint = c.places[at(k)];
-    return !(squared_impulse(joint, in.lambda.data()) <=
-                 kGrown * kGrown * squared_impulse(joint, c.lambda_with.data()) ||
-             squared_vibration(model, k, in.lambda.data()) <=
-                 kResolvedVibration * kResolvedVibration);
+    const context::JointSlot& joint = c.places[at(k)];
+    return !(solve::squared_impulse(joint, in.lambda.data()) <=
+                 kGrown * kGrown * solve::squared_impulse(joint, c.lambda_with.data()) ||
+             solve::squared_vibration(model, k, in.lambda.data()) <=
+                 solve::kResolvedVibration * solve::kResolvedVibration);
 }
 
 /// Check all joints. @return true if any has outgrown its force.
-bool outgrown(StepContext& ctx) noexcept {
+bool outgrown(context::StepContext& ctx) noexcept {
     std::atomic<bool> found{false};  // without order: it is only set
     const auto count = static_cast<std::int32_t>(ctx.model.completion.joints.size());
-    over(ctx.pool, count, [&](std::int32_t a, std::int32_t b) {
+    context::over(ctx.pool, count, [&](std::int32_t a, std::int32_t b) {
         bool any = false;
         for (std::int32_t k = a; k < b; ++k) any |= has_outgrown(ctx.model, k);
         if (any) found.store(true, std::memory_order_relaxed);
@@ -115,18 +116,18 @@ bool outgrown(StepContext& ctx) noexcept {
 }
 
 /// Solve the step again with the stiffness of the new forces, if they are larger.
-Status solve_with_new_forces(StepContext& ctx) noexcept {
+Status solve_with_new_forces(context::StepContext& ctx) noexcept {
     model::Interactions& in = ctx.model.interactions;
-    Completion& c = ctx.model.completion;
+    context::Completion& c = ctx.model.completion;
     for (std::size_t k = 0; k < c.joints.size(); ++k) {
         const std::int32_t id = c.joints[k];
-        const bool larger =
-            in.vibration[at(id)] > 0.0 && squared_impulse(c.places[k], in.lambda.data()) >
-                                              squared_impulse(c.places[k], c.lambda_with.data());
+        const bool larger = in.vibration[at(id)] > 0.0 &&
+                            solve::squared_impulse(c.places[k], in.lambda.data()) >
+                                solve::squared_impulse(c.places[k], c.lambda_with.data());
         const auto row = in.row_begin[at(id)];
         if (larger) std::copy_n(&in.lambda[at(row)], in.rows[at(id)], &c.lambda_with[at(row)]);
     }
-    recall(ctx);
+    state::recall(ctx);
     ++ctx.work.stats.restiffened;
     for (const std::int32_t id : c.joints)
         std::copy_n(&c.lambda_with[at(in.row_begin[at(id)])], in.rows[at(id)],
@@ -135,13 +136,13 @@ Status solve_with_new_forces(StepContext& ctx) noexcept {
 }
 
 /// Refine, and treat rows that the iterations moved across their bounds.
-Status settle_free(StepContext& ctx) noexcept {
+Status settle_free(context::StepContext& ctx) noexcept {
     constexpr int kMaximum = 4;
     Status status = Status::ok;
     for (int i = 0; i < kMaximum && status == Status::ok; ++i) {
-        status = settle_iterations(ctx, ctx.work.stats.completion_rounds == 0);
+        status = solve::settle_iterations(ctx, ctx.work.stats.completion_rounds == 0);
         const std::int32_t before = ctx.work.stats.factorisations;
-        if (status == Status::ok) status = settle_bounds(ctx);
+        if (status == Status::ok) status = solve::settle_bounds(ctx);
         if (ctx.work.stats.factorisations == before || status != Status::ok) break;
         (void)iterate_joints(ctx);
     }
@@ -149,32 +150,32 @@ Status settle_free(StepContext& ctx) noexcept {
 }
 
 /// Refine with contacts, and treat rows across their bounds as in settle_free().
-Status settle_touching(StepContext& ctx) noexcept {
+Status settle_touching(context::StepContext& ctx) noexcept {
     constexpr int kMaximum = 4;
-    Status status = settle_newton(ctx);
-    for (int i = 0; i < kMaximum && status == Status::ok && rows_ask(ctx); ++i) {
-        status = settle_rows(ctx);
+    Status status = contact::settle_newton(ctx);
+    for (int i = 0; i < kMaximum && status == Status::ok && contact::rows_ask(ctx); ++i) {
+        status = contact::settle_rows(ctx);
         if (status != Status::ok) break;
         (void)iterate_joints(ctx);
-        status = settle_newton(ctx);
+        status = contact::settle_newton(ctx);
     }
     return status;
 }
 
 /// Finish the iterations: laws of contacts, rows at their bounds, refinement. If this needed
 /// substitutions, the change of a further iteration is measured again.
-Status settle(StepContext& ctx) noexcept {
+Status settle(context::StepContext& ctx) noexcept {
     const std::int32_t before = ctx.work.stats.substitutions;
     const bool contacts = ctx.model.system.contacts.count() > 0;
     const Status status = contacts ? settle_touching(ctx) : settle_free(ctx);
     if (status == Status::ok && ctx.work.stats.substitutions != before)
-        ctx.work.stats.completion_change = renew_completed(ctx).change;
+        ctx.work.stats.completion_change = solve::renew_completed(ctx).change;
     return status;
 }
 
 }  // namespace
 
-Status complete(StepContext& ctx) noexcept {
+Status complete(context::StepContext& ctx) noexcept {
     Status status = Status::ok;
     constexpr int kMaxGrowths = 2;  // number of repeated solves for new forces
     if (ctx.state.started)
@@ -184,13 +185,13 @@ Status complete(StepContext& ctx) noexcept {
         const Turning t = iterate_joints(ctx);
         status = t.gap <= kGap ? settle(ctx) : solve_linearised(ctx);
     }
-    if (status == Status::ok) take_self_stress(ctx);
+    if (status == Status::ok) solve::take_self_stress(ctx);
     return status;
 }
 
-Status solve_assembled(StepContext& ctx) noexcept {
+Status solve_assembled(context::StepContext& ctx) noexcept {
     const Status status = solve_linear(ctx);
     return status == Status::ok ? complete(ctx) : status;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::step

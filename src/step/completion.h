@@ -60,14 +60,14 @@
 #include <cstdint>
 #include <vector>
 
-namespace hawser::stepper {
+namespace hawser::step {
 
 /// Iterate until the equations hold at the end of the step; then filter. v₊ and λ must solve the
 /// linear equations. No effect if no joint is to be completed.
-[[nodiscard]] Status complete(StepContext& ctx) noexcept;
+[[nodiscard]] Status complete(context::StepContext& ctx) noexcept;
 
 /// Run stages factor and nonsmooth for assembled rows, repeated while the set of active rows
 /// changes. Then complete the rigid joints at the end of the step (completion.h).
-Status solve_assembled(StepContext& ctx) noexcept;
+Status solve_assembled(context::StepContext& ctx) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::step

@@ -18,32 +18,32 @@
 #include <cmath>
 #include <new>
 
-namespace hawser::stepper {
+namespace hawser::step {
 namespace {
 
 using assembly::Contacts;
 using nonsmooth::Cone;
 
 /// Size the arrays for this step's contacts and count growth.
-void reserve_more(StepContext& ctx) {
+void reserve_more(context::StepContext& ctx) {
     Contacts& c = ctx.model.system.contacts;
     const std::size_t held = c.bytes();
     const std::size_t all = ctx.state.contacts.contacts.size(), n = ctx.state.contacts.awake;
     c.begin(n, all - n);
-    ctx.work.solve.partial.resize(at(StepContext::chunks(static_cast<std::int32_t>(n))));
+    ctx.work.solve.partial.resize(at(context::StepContext::chunks(static_cast<std::int32_t>(n))));
     if (ctx.model.def.nonsmooth == Nonsmooth::split)
-        reserve_gauss_seidel(ctx.model, ctx.work.newton, n);
+        methods::reserve_gauss_seidel(ctx.model, ctx.work.newton, n);
     ctx.state.contact_impulse.resize(3 * all);
     ctx.state.contact_sliding.resize(all);
     if (c.bytes() > held) ++ctx.work.stats.growths;
 }
 
 /// Prepare the resistances of this step's contacts, and arrays for their rows.
-void make_resistances(StepContext& ctx) {
+void make_resistances(context::StepContext& ctx) {
     Contacts& c = ctx.model.system.contacts;
     const std::size_t held = c.resistances.bytes();
     c.resistances.begin(ctx.state.contacts, c.rows, ctx.model.bodies, ctx.model.def.step);
-    reserve_newton(ctx.model, ctx.work.newton);
+    contact::reserve_newton(ctx.model, ctx.work.newton);
     ctx.work.contact_speed.resize(3 * c.triples());
     if (c.resistances.bytes() > held) ++ctx.work.stats.growths;
 }
@@ -70,7 +70,7 @@ void ask_for_acceleration(nonsmooth::Resistance& a) noexcept {
 
 }  // namespace
 
-Contacts::Blocks prepare_contacts(Model& model, Work& work) {
+Contacts::Blocks prepare_contacts(context::Model& model, context::Work& work) {
     std::vector<std::uint8_t>& touches = work.sleep.mark;  // scratch, as in sleep
     touches.assign(at(model.bodies.count()), 0);
     for (const collide::Shape& s : model.collider.shapes())
@@ -83,58 +83,61 @@ Contacts::Blocks prepare_contacts(Model& model, Work& work) {
     return model.system.contacts.set_bodies(touching, model.bodies);
 }
 
-Status start_contacts(StepContext& ctx, Phase phase) noexcept {
-    const StageTimer timer(ctx, Stage::assemble);
+Status start_contacts(context::StepContext& ctx, Phase phase) noexcept {
+    const context::StageTimer timer(ctx, Stage::assemble);
     Contacts& c = ctx.model.system.contacts;
     const collide::ContactSet& set = ctx.state.contacts;
-    Status status = guarded(ctx, [&] {
-        keep_links(ctx.model, ctx.work.undo);
+    Status status = context::guarded(ctx, [&] {
+        state::keep_links(ctx.model, ctx.work.undo);
         reserve_more(ctx);
-        over(ctx.pool, static_cast<std::int32_t>(set.awake), [&](std::int32_t a, std::int32_t b) {
-            for (std::size_t k = at(a); k < at(b); ++k)
-                c.set(k, set.contacts[k], set.surfaces[at(set.contacts[k].surface)],
-                      ctx.model.bodies, ctx.model.def.step);
-        });
+        context::over(ctx.pool, static_cast<std::int32_t>(set.awake),
+                      [&](std::int32_t a, std::int32_t b) {
+                          for (std::size_t k = at(a); k < at(b); ++k)
+                              c.set(k, set.contacts[k], set.surfaces[at(set.contacts[k].surface)],
+                                    ctx.model.bodies, ctx.model.def.step);
+                      });
         for (std::size_t k = set.awake; k < set.contacts.size(); ++k)
             c.set_asleep(k, set.contacts[k].previous);
         make_resistances(ctx);
         if (!c.connect(ctx.state.step)) {
-            const StageTimer again(ctx, Stage::analyse);
-            keep_state(ctx, Undo::Depth::system);
+            const context::StageTimer again(ctx, Stage::analyse);
+            state::keep_state(ctx, context::Undo::Depth::system);
             c.relink(ctx.state.step);
-            relink(ctx);
+            split::relink(ctx);
             if (!c.connect(ctx.state.step)) throw std::bad_alloc();
         }
-        ctx.work.solve.columns.reserve(max_columns(ctx.model));
+        ctx.work.solve.columns.reserve(solve::max_columns(ctx.model));
     });
     if (status != Status::ok) c.forget_rows();
     if (status == Status::ok && ctx.pool.stopping()) status = Status::cancelled;
     if (status != Status::ok) return status;
     // u at the velocities of the last step; λ is that of the last step.
-    update_slots(ctx.model, ctx.pool, ctx.model.bodies.v.data());
+    solve::update_slots(ctx.model, ctx.pool, ctx.model.bodies.v.data());
     c.resistances.recall(c.rows);
-    over(ctx.pool, static_cast<std::int32_t>(c.count()), [&](std::int32_t a, std::int32_t b) {
-        for (std::size_t k = at(a); k < at(b); ++k) {
-            std::copy_n(c.cones[k].u, 3, &ctx.work.contact_speed[3 * k]);
-            c.recall_lambda(k);
-            if (phase == Phase::stagger) ask_for_acceleration(c.cones[k], set.contacts[k].gap);
-        }
-    });
+    context::over(ctx.pool, static_cast<std::int32_t>(c.count()),
+                  [&](std::int32_t a, std::int32_t b) {
+                      for (std::size_t k = at(a); k < at(b); ++k) {
+                          std::copy_n(c.cones[k].u, 3, &ctx.work.contact_speed[3 * k]);
+                          c.recall_lambda(k);
+                          if (phase == Phase::stagger)
+                              ask_for_acceleration(c.cones[k], set.contacts[k].gap);
+                      }
+                  });
     double* speed = ctx.work.contact_speed.data() + 3 * c.count();
     for (nonsmooth::Resistance& a : c.resistances.laws) {
         speed = std::copy_n(a.u, 3, speed);
         if (phase == Phase::stagger) ask_for_acceleration(a);
     }
-    keep_touch(ctx.model, ctx.work.newton.x);
+    split::keep_touch(ctx.model, ctx.work.newton.x);
     if (phase == Phase::impact) return Status::ok;
-    if (c.count() > 0) begin_contacts(ctx.model, ctx.work, ctx.pool);
-    update_contacts(ctx.model, ctx.pool, nullptr);
+    if (c.count() > 0) methods::begin_contacts(ctx.model, ctx.work, ctx.pool);
+    solve::update_contacts(ctx.model, ctx.pool, nullptr);
     return Status::ok;
 }
 
 // λ·J(v + v₊)/2 is exactly the work of a contact on the kinetic energy of moving bodies. It equals
 // λ·(u + u₊)/2 less the work of bodies with a prescribed velocity.
-void count_contact_work(StepContext& ctx) noexcept {
+void count_contact_work(context::StepContext& ctx) noexcept {
     const Contacts& contacts = ctx.model.system.contacts;
     for (std::size_t k = 0; k < contacts.count(); ++k) {
         const Cone& c = contacts.cones[k];
@@ -158,10 +161,11 @@ void count_contact_work(StepContext& ctx) noexcept {
     }
 }
 
-void remember_contacts(Model& model, State& state, runtime::Pool& pool) noexcept {
+void remember_contacts(context::Model& model, context::State& state, runtime::Pool& pool) noexcept {
     Contacts& c = model.system.contacts;
-    over(pool, static_cast<std::int32_t>(c.count()),
-         [&](std::int32_t a, std::int32_t b) { c.remember(model.bodies, model.def.step, a, b); });
+    context::over(pool, static_cast<std::int32_t>(c.count()), [&](std::int32_t a, std::int32_t b) {
+        c.remember(model.bodies, model.def.step, a, b);
+    });
     c.keep(model.def.step);
     for (std::size_t k = 0; k < state.contacts.contacts.size(); ++k) {
         std::copy_n(c.memory[k].lambda, 3, &state.contact_impulse[3 * k]);
@@ -170,4 +174,4 @@ void remember_contacts(Model& model, State& state, runtime::Pool& pool) noexcept
     }
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::step

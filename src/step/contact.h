@@ -5,11 +5,11 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::step {
 
 /// Prepare the links between bodies that may touch, for the present shapes. Part of prepare().
 /// @throws std::bad_alloc.
-assembly::Contacts::Blocks prepare_contacts(Model& model, Work& work);
+assembly::Contacts::Blocks prepare_contacts(context::Model& model, context::Work& work);
 
 /// Purpose of starting contacts.
 enum class Phase : std::uint8_t {
@@ -20,12 +20,12 @@ enum class Phase : std::uint8_t {
 
 /// Make the rows of the contacts of stage collide, linearised about the last solution. If two
 /// bodies touch for the first time, the system is analysed.
-[[nodiscard]] Status start_contacts(StepContext& ctx, Phase phase) noexcept;
+[[nodiscard]] Status start_contacts(context::StepContext& ctx, Phase phase) noexcept;
 
 /// Count the energy that contacts absorbed from bodies in this step, before bodies move.
-void count_contact_work(StepContext& ctx) noexcept;
+void count_contact_work(context::StepContext& ctx) noexcept;
 
 /// Store the friction memory and the output for readers, before bodies move.
-void remember_contacts(Model& model, State& state, runtime::Pool& pool) noexcept;
+void remember_contacts(context::Model& model, context::State& state, runtime::Pool& pool) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::step

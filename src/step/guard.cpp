@@ -15,7 +15,7 @@
 
 #include <algorithm>
 
-namespace hawser::stepper {
+namespace hawser::step {
 namespace {
 
 using assembly::View;
@@ -23,17 +23,17 @@ using assembly::View;
 constexpr int kMaxRepeats = 7;     ///< See guard.h.
 constexpr double kMayGain = 1e-3;  ///< Limit of the gain relative to the exchanged energy.
 
-bool accepted(const Wires& w, std::size_t wire) noexcept {
-    const WireGain& g = w.gain[wire];
+bool accepted(const context::Wires& w, std::size_t wire) noexcept {
+    const context::WireGain& g = w.gain[wire];
     return !w.fast[wire] || g.gain <= kMayGain * g.exchanged + g.noise + w.energy_allowance[wire];
 }
 
 /// Restore the initial multipliers, on which the geometric stiffness depends, and the state of
 /// lines. Lines of rejected wires keep their latest state.
 /// @param warm  The repeated solve starts from the rejected solution: lines keep their state.
-void restore_start(Model& model, Before& kept, bool warm) noexcept {
+void restore_start(context::Model& model, context::Before& kept, bool warm) noexcept {
     model::Interactions& in = model.interactions;
-    Wires& w = model.wires;
+    context::Wires& w = model.wires;
     std::copy(kept.lambda.begin(), kept.lambda.end(), in.lambda.begin());
     // Joints whose force has grown within the step keep the stiffness of the larger force.
     for (const std::int32_t id : model.completion.joints)
@@ -41,14 +41,14 @@ void restore_start(Model& model, Before& kept, bool warm) noexcept {
                     &in.lambda[at(in.row_begin[at(id)])]);
     for (std::size_t i = 0; i < kept.active.size() && !warm; ++i) {
         const std::int32_t id = model.system.bounded[i];
-        const std::int32_t wire = id < interaction_count(model) ? w.wire_of[at(id)] : -1;
+        const std::int32_t wire = id < context::interaction_count(model) ? w.wire_of[at(id)] : -1;
         if (wire < 0 || w.level[at(wire)] == 0) in.active[at(id)] = kept.active[i];
     }
 }
 
 /// Mark the rows of wires that are to be bounded.
-void replace(Model& model) noexcept {
-    Wires& w = model.wires;
+void replace(context::Model& model) noexcept {
+    context::Wires& w = model.wires;
     constexpr int kFirstBound = 4;
     for (const std::int32_t id : w.element) {
         if (w.level[at(w.wire_of[at(id)])] < kFirstBound || model.interactions.parted[at(id)] ||
@@ -59,38 +59,38 @@ void replace(Model& model) noexcept {
     }
 }
 
-Status solve_again(StepContext& ctx) noexcept {
+Status solve_again(context::StepContext& ctx) noexcept {
     ++ctx.work.stats.wire_repeats;
     // Few contacts change with the rejected wire: its solution is closer than the last step's.
-    const bool warm = keep_solution(ctx.model, ctx.work);
-    release_wires(ctx.model);
+    const bool warm = contact::keep_solution(ctx.model, ctx.work);
+    solve::release_wires(ctx.model);
     restore_start(ctx.model, ctx.work.before, warm);
     replace(ctx.model);
     ctx.model.wires.again = true;
     Status status = Status::ok;
     if (ctx.model.collider.count() > 0) status = start_contacts(ctx, Phase::regular);
     if (status == Status::ok) {
-        if (warm) begin_newton_again(ctx);
+        if (warm) contact::begin_newton_again(ctx);
         assemble_rows(ctx);
         status = solve_assembled(ctx);
     }
     ctx.model.wires.again = false;
-    if (status != Status::ok) release_wires(ctx.model);
+    if (status != Status::ok) solve::release_wires(ctx.model);
     return status;
 }
 
 /// Set the next plan of each rejected wire. @return true if there are any.
-bool refuse(Model& model, const Before& kept) noexcept {
-    Wires& w = model.wires;
+bool refuse(context::Model& model, const context::Before& kept) noexcept {
+    context::Wires& w = model.wires;
     bool any = false;
     for (std::size_t k = 0; k < w.count(); ++k) {
         if (accepted(w, k) || w.level[k] >= kMaxRepeats) continue;
         const auto wire = static_cast<std::int32_t>(k);
         const bool first = w.level[k] == 0;
-        plan_wires(model, kept, wire);
+        solve::plan_wires(model, kept, wire);
         // For wires that may touch, the first plan fails about half of the time, so two are applied
         // at once (guard.h).
-        if (first && may_touch(model, wire)) plan_wires(model, kept, wire);
+        if (first && solve::may_touch(model, wire)) solve::plan_wires(model, kept, wire);
         any = true;
     }
     return any;
@@ -98,13 +98,13 @@ bool refuse(Model& model, const Before& kept) noexcept {
 
 }  // namespace
 
-void keep_start_velocities(Model& model, const Before& kept) noexcept {
-    if (!on_guard(model)) return;
-    Wires& w = model.wires;
-    const View v = row_view(model);
+void keep_start_velocities(context::Model& model, const context::Before& kept) noexcept {
+    if (!solve::on_guard(model)) return;
+    context::Wires& w = model.wires;
+    const View v = context::row_view(model);
     std::fill(w.fast.begin(), w.fast.end(), 0);
-    if (!find_fast_wires(model, kept)) return;
-    for (const WirePart& p : w.parts) {
+    if (!solve::find_fast_wires(model, kept)) return;
+    for (const context::WirePart& p : w.parts) {
         if (!w.fast[at(p.wire)]) continue;
         for (std::int32_t i = p.node_elements_begin; i < p.node_elements_end; ++i) {
             const std::int32_t begin = v.dof_begin[w.lump[at(i)]];
@@ -113,24 +113,24 @@ void keep_start_velocities(Model& model, const Before& kept) noexcept {
     }
 }
 
-Status guard_wires(StepContext& ctx) noexcept {
+Status guard_wires(context::StepContext& ctx) noexcept {
     ctx.model.wires.measured = false;
-    if (!on_guard(ctx.model)) return Status::ok;
-    Wires& w = ctx.model.wires;
+    if (!solve::on_guard(ctx.model)) return Status::ok;
+    context::Wires& w = ctx.model.wires;
     std::fill(w.fast.begin(), w.fast.end(), 0);
     std::fill(w.level.begin(), w.level.end(), 0);
-    const bool any_fast = find_fast_wires(ctx.model, ctx.work.before);
+    const bool any_fast = solve::find_fast_wires(ctx.model, ctx.work.before);
     if (any_fast) {
-        measure_wires(ctx.model, ctx.pool);
+        solve::measure_wires(ctx.model, ctx.pool);
         while (refuse(ctx.model, ctx.work.before)) {
             const Status status = solve_again(ctx);
             if (status != Status::ok) return status;
-            (void)find_fast_wires(ctx.model, ctx.work.before);
-            measure_wires(ctx.model, ctx.pool);
+            (void)solve::find_fast_wires(ctx.model, ctx.work.before);
+            solve::measure_wires(ctx.model, ctx.pool);
         }
     }
     ctx.model.wires.measured = any_fast;
     return Status::ok;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::step

@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hawser::stepper {
+namespace hawser::step {
 namespace {
 
 using assembly::View;
@@ -27,23 +27,23 @@ constexpr double kStiff = 1e-6;   ///< Σ over W: an error of e of 1e-6.
 constexpr double kSolved = 1e-8;  ///< Residual that rounding permits with kStiff.
 
 /// Return the speed below which bodies come to rest without a bounce [m/s].
-double threshold(const Model& model) noexcept {
+double threshold(const context::Model& model) noexcept {
     return std::max(1e-3, 2.0 * model.def.gravity.norm() * model.def.step);
 }
 
-double restitution(const State& state, std::size_t k) noexcept {
+double restitution(const context::State& state, std::size_t k) noexcept {
     const collide::ContactSet& set = state.contacts;
     return set.surfaces[at(set.contacts[k].surface)].restitution;
 }
 
-bool hits(const Model& model, const State& state, std::size_t k) noexcept {
+bool hits(const context::Model& model, const context::State& state, std::size_t k) noexcept {
     const double speed = model.system.contacts.cones[k].u[0];
     return speed < -threshold(model) &&
            state.contacts.contacts[k].gap + model.def.step * speed < 0.0;
 }
 
 /// Set the law of every contact for this stage.
-void set_laws(Model& model, const State& state, double scale) noexcept {
+void set_laws(context::Model& model, const context::State& state, double scale) noexcept {
     for (std::size_t k = 0; k < model.system.contacts.count(); ++k) {
         Cone& c = model.system.contacts.cones[k];
         const double e = scale * restitution(state, k);
@@ -63,8 +63,8 @@ void set_laws(Model& model, const State& state, double scale) noexcept {
 }
 
 /// Set right-hand sides of rows and bodies such that without contacts the motion does not change.
-void hold_motion(StepContext& ctx) noexcept {
-    const View v = view(ctx);
+void hold_motion(context::StepContext& ctx) noexcept {
+    const View v = context::view(ctx);
     const assembly::Kernels& k = assembly::kernels();
     std::copy_n(v.v, v.dof_count, v.v_new);
     std::fill_n(v.lambda, ctx.model.interactions.row_count, 0.0);
@@ -73,33 +73,35 @@ void hold_motion(StepContext& ctx) noexcept {
               0.0);
     auto update_rows = [&] {
         std::fill_n(v.solution, ctx.model.system.symbolic.scalars, 0.0);
-        over_interactions(ctx.model, ctx.pool,
-                          [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, false); });
+        context::over_interactions(ctx.model, ctx.pool, [&](std::int32_t a, std::int32_t b) {
+            k.row_update(v, a, b, false);
+        });
     };
-    hold_bounds(ctx.model, ctx.work.newton, 0.0);  // bounded forces have no impulse
-    update_rows();                                 // residual + Σλ = c − G v; then c is set to G v
+    solve::hold_bounds(ctx.model, ctx.work.newton, 0.0);  // bounded forces have no impulse
+    update_rows();  // residual + Σλ = c − G v; then c is set to G v
     for (std::int32_t id = 0; id < v.interaction_count; ++id)
         for (std::int32_t r = v.row_begin[id]; r < v.row_begin[id] + v.rows[id]; ++r)
             v.c[r] -= v.active[id] != 0.0 ? v.residual[r] + v.sigma[r] * v.lambda[r] : 0.0;
     std::fill_n(v.lambda, ctx.model.interactions.row_count, 0.0);
     std::fill_n(v.residual, ctx.model.interactions.row_count, 0.0);
     update_rows();  // residuals of zero
-    over(ctx.pool, v.body_count, [&](std::int32_t a, std::int32_t b) { k.body_rhs(v, a, b); });
+    context::over(ctx.pool, v.body_count,
+                  [&](std::int32_t a, std::int32_t b) { k.body_rhs(v, a, b); });
     for (const std::int32_t body : ctx.model.bodies.moving)
         for (int j = 0; j < v.dof[body]; ++j)
             v.a[v.dof_begin[body] + j] = -v.solution[v.body_offset[body] + j];
 }
 
 /// Run one attempt. @return ok if v_new contains v⁺; otherwise velocities do not change.
-Status attempt(StepContext& ctx, double scale) noexcept {
+Status attempt(context::StepContext& ctx, double scale) noexcept {
     if (const Status s = start_contacts(ctx, Phase::impact); s != Status::ok) return s;
     set_laws(ctx.model, ctx.state, scale);
     assemble_rows(ctx);
     hold_motion(ctx);
-    begin_newton(ctx.model, ctx.work, ctx.pool);
-    update_contacts(ctx.model, ctx.pool, nullptr);
+    contact::begin_newton(ctx.model, ctx.work, ctx.pool);
+    solve::update_contacts(ctx.model, ctx.pool, nullptr);
     ctx.work.solve.rhs_ready = false;
-    return solve_newton(ctx);
+    return contact::solve_newton(ctx);
 }
 
 /// True if a failure is not due to the attempt but to its resources: the step is undone.
@@ -110,24 +112,24 @@ bool ends_step(Status status) noexcept {
 
 }  // namespace
 
-Status impact(StepContext& ctx, bool& found) noexcept {
+Status impact(context::StepContext& ctx, bool& found) noexcept {
     const std::size_t count = ctx.model.system.contacts.count();
     found = false;
     bool bouncy = false;
     for (std::size_t k = 0; k < count && !bouncy; ++k) bouncy = restitution(ctx.state, k) > 0.0;
     if (!bouncy) return Status::ok;
-    update_contacts(ctx.model, ctx.pool, ctx.model.bodies.v.data());
+    solve::update_contacts(ctx.model, ctx.pool, ctx.model.bodies.v.data());
     for (std::size_t k = 0; k < count && !found; ++k)
         found = restitution(ctx.state, k) > 0.0 && hits(ctx.model, ctx.state, k);
     if (!found) {
-        update_contacts(ctx.model, ctx.pool, nullptr);
+        solve::update_contacts(ctx.model, ctx.pool, nullptr);
         return Status::ok;
     }
     ++ctx.work.stats.impacts;
-    keep_motion(ctx);
-    const View v = view(ctx);
+    state::keep_motion(ctx);
+    const View v = context::view(ctx);
     const auto moving = [&](const double* of) {
-        return kinetic_energy(ctx.model.bodies, of) +
+        return assembly::kinetic_energy(ctx.model.bodies, of) +
                added_energy(ctx.model, ctx.state, ctx.pool, of);
     };
     const double before = moving(v.v);
@@ -146,7 +148,7 @@ Status impact(StepContext& ctx, bool& found) noexcept {
             std::copy_n(v.v_new, v.dof_count, v.v);
         }
         // Lines and multipliers continue from the last step.
-        recall(ctx);
+        state::recall(ctx);
         if (good) break;
     }
     ctx.work.stats.flips_left = 0;  // the solve of the step itself follows
@@ -154,4 +156,4 @@ Status impact(StepContext& ctx, bool& found) noexcept {
     return Status::ok;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::step

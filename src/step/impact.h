@@ -19,10 +19,10 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::step {
 
 /// Find impacts among the contacts of the step and change v by them. If there were any, contacts
 /// must be started again. @param found  Output: true if there were impacts.
-[[nodiscard]] Status impact(StepContext& ctx, bool& found) noexcept;
+[[nodiscard]] Status impact(context::StepContext& ctx, bool& found) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::step

@@ -6,9 +6,9 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::step {
 
 /// Integrate a step that has been solved and checked. Cannot fail.
-void integrate(StepContext& ctx) noexcept;
+void integrate(context::StepContext& ctx) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::step

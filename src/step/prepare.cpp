@@ -10,36 +10,36 @@
 #include "step/analysed_poses.h"
 #include "step/contact.h"
 
-namespace hawser::stepper {
+namespace hawser::step {
 
 namespace {
 
 using assembly::Contacts;
 
 /// Rebuild after a failed step, from the order of the last analysis and at its poses.
-void rebuild_undone(StepContext& ctx) {
-    const bool all =
-        ctx.state.repair == PendingRepair::all || ctx.state.repair == PendingRepair::all_follow;
+void rebuild_undone(context::StepContext& ctx) {
+    const bool all = ctx.state.repair == context::PendingRepair::all ||
+                     ctx.state.repair == context::PendingRepair::all_follow;
     ctx.model.system.contacts.make_blocks();
     {
         const AnalysedPoses poses(ctx);
-        analyse(ctx);
+        split::analyse(ctx);
     }
     if (all) finish_preparing(ctx);
-    reserve_sleep(ctx.model, ctx.work.sleep);
+    context::reserve_sleep(ctx.model, ctx.work.sleep);
     ctx.work.before.lambda.resize(ctx.model.interactions.lambda.size());
     ctx.work.before.repeats.resize(ctx.model.interactions.repeats.size());
-    reserve_undo(ctx.model, ctx.work.undo);
-    ctx.state.changed = Changed::nothing;
+    state::reserve_undo(ctx.model, ctx.work.undo);
+    ctx.state.changed = context::Changed::nothing;
 }
 
 /// Update after changes of shapes alone: the blocks of contacts, and the order if links were
 /// removed. Forms and damping fractions stay those of the last analysis.
 /// @return false if an analysis is needed.
-bool follow_shapes(StepContext& ctx, Contacts::Blocks changed) {
-    if (ctx.state.changed != Changed::shapes) return false;
+bool follow_shapes(context::StepContext& ctx, Contacts::Blocks changed) {
+    if (ctx.state.changed != context::Changed::shapes) return false;
     // Earlier updates were undone, so the changed blocks are unknown.
-    const bool undone = ctx.state.repair != PendingRepair::nothing;
+    const bool undone = ctx.state.repair != context::PendingRepair::nothing;
     // With the first shapes that may touch, updates of fronts are kept.
     if ((changed != Contacts::Blocks::same || undone) &&
         ctx.model.system.contacts.blocks.empty() == ctx.model.system.symbolic.updates_kept)
@@ -50,47 +50,47 @@ bool follow_shapes(StepContext& ctx, Contacts::Blocks changed) {
     }
     if (changed == Contacts::Blocks::own)
         ctx.model.system.follow_touching(ctx.model.bodies, ctx.model.interactions);
-    if (changed == Contacts::Blocks::links) relink(ctx);
-    count_growth(ctx.model, ctx.work.stats);
-    ctx.state.changed = Changed::nothing;
+    if (changed == Contacts::Blocks::links) split::relink(ctx);
+    solve::count_growth(ctx.model, ctx.work.stats);
+    ctx.state.changed = context::Changed::nothing;
     return true;
 }
 
 }  // namespace
 
-Contacts::Blocks prepare_touching(StepContext& ctx) {
+Contacts::Blocks prepare_touching(context::StepContext& ctx) {
     if (ctx.model.collider.count() == 0) return Contacts::Blocks::same;
     ctx.model.collider.prepare(ctx.model.bodies, ctx.model.interactions, ctx.model.def.step);
     ctx.model.collider.surfaces(ctx.model.def.step, ctx.state.contacts);
     return prepare_contacts(ctx.model, ctx.work);
 }
 
-void finish_preparing(StepContext& ctx) {
+void finish_preparing(context::StepContext& ctx) {
     const bool any = ctx.state.edits.any;
     ctx.state.edits.any = true;  // the monitors continue
     try {
-        prepare_monitors(ctx.model, ctx.state);
+        monitor::prepare_monitors(ctx.model, ctx.state);
     } catch (...) {
         ctx.state.edits.any = any;
         throw;
     }
     ctx.state.edits.any = any;
-    finish_preparation(ctx);
+    solve::finish_preparation(ctx);
 }
 
-void prepare(StepContext& ctx) {
-    split_model(ctx);
+void prepare(context::StepContext& ctx) {
+    split::split_model(ctx);
     const Contacts::Blocks blocks = prepare_touching(ctx);
     if (ctx.state.edits.any)
-        check_asleep(ctx.model, ctx.work.stats);
+        context::check_asleep(ctx.model, ctx.work.stats);
     else
-        wake_all(ctx.model, ctx.work.stats);
+        context::wake_all(ctx.model, ctx.work.stats);
     if (follow_shapes(ctx, blocks)) return;
-    make_wires(ctx.model, ctx.state, ctx.work.wires);
-    analyse(ctx);
-    reserve_sleep(ctx.model, ctx.work.sleep);
-    prepare_monitors(ctx.model, ctx.state);
-    finish_preparation(ctx);
+    solve::make_wires(ctx.model, ctx.state, ctx.work.wires);
+    split::analyse(ctx);
+    context::reserve_sleep(ctx.model, ctx.work.sleep);
+    monitor::prepare_monitors(ctx.model, ctx.state);
+    solve::finish_preparation(ctx);
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::step

@@ -6,19 +6,19 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::step {
 
 /// Run the systems: loads, inputs. No effect without systems.
-[[nodiscard]] Status prestep(StepContext& ctx) noexcept;
+[[nodiscard]] Status prestep(context::StepContext& ctx) noexcept;
 
 /// Accept the changes of systems after a successful step.
-void accept_systems(StepContext& ctx) noexcept;
+void accept_systems(context::StepContext& ctx) noexcept;
 
 /// Undo the changes of systems after a failed step.
-void take_back_systems(StepContext& ctx) noexcept;
+void take_back_systems(context::StepContext& ctx) noexcept;
 
 /// Return ½ vᵀA v of the added mass of loads in this step [J].
-[[nodiscard]] double added_energy(const Model& model, State& state, runtime::Pool& pool,
-                                  const double* v) noexcept;
+[[nodiscard]] double added_energy(const context::Model& model, context::State& state,
+                                  runtime::Pool& pool, const double* v) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::step

@@ -10,62 +10,66 @@
 
 #include <utility>
 
-namespace hawser::stepper {
-void repair(StepContext& ctx) {
-    if (ctx.state.repair == PendingRepair::nothing) return;
+namespace hawser::step {
+void repair(context::StepContext& ctx) {
+    if (ctx.state.repair == context::PendingRepair::nothing) return;
     assembly::System::Kept before;
     ctx.model.system.keep(before);
-    const bool all =
-        ctx.state.repair == PendingRepair::all || ctx.state.repair == PendingRepair::all_follow;
-    const bool same =
-        ctx.state.repair == PendingRepair::rebuild || ctx.state.repair == PendingRepair::all;
+    const bool all = ctx.state.repair == context::PendingRepair::all ||
+                     ctx.state.repair == context::PendingRepair::all_follow;
+    const bool same = ctx.state.repair == context::PendingRepair::rebuild ||
+                      ctx.state.repair == context::PendingRepair::all;
     try {
         const factor::AnalysisState order = before.analysis.state;
         if (all) prepare_touching(ctx);
         ctx.model.system.contacts.make_blocks();
         const AnalysedPoses poses(ctx);
-        analyse(ctx, same ? &order : nullptr);
+        split::analyse(ctx, same ? &order : nullptr);
     } catch (...) {
         ctx.model.system.go_back(before);
         throw;
     }
     if (all) finish_preparing(ctx);
-    reserve_sleep(ctx.model, ctx.work.sleep);
+    context::reserve_sleep(ctx.model, ctx.work.sleep);
     ctx.work.before.lambda.resize(ctx.model.interactions.lambda.size());
     ctx.work.before.repeats.resize(ctx.model.interactions.repeats.size());
-    reserve_undo(ctx.model, ctx.work.undo);
-    ctx.state.repair = PendingRepair::nothing;
+    state::reserve_undo(ctx.model, ctx.work.undo);
+    ctx.state.repair = context::PendingRepair::nothing;
 }
 
-void make_ready(StepContext& ctx) {
-    if (ctx.state.changed != Changed::nothing) {
-        keep_state(ctx, may_split(ctx.model) ? Undo::Depth::model : Undo::Depth::system);
+void make_ready(context::StepContext& ctx) {
+    if (ctx.state.changed != context::Changed::nothing) {
+        state::keep_state(ctx, split::may_split(ctx.model) ? context::Undo::Depth::model
+                                                           : context::Undo::Depth::system);
         prepare(ctx);
-        ctx.state.repair = PendingRepair::nothing;
+        ctx.state.repair = context::PendingRepair::nothing;
     } else {
         repair(ctx);
     }
 }
 
-Transaction::Transaction(StepContext& ctx) noexcept : ctx_(ctx), done_(ctx.work.undo.holds()) {}
+Transaction::Transaction(context::StepContext& ctx) noexcept
+    : ctx_(ctx), done_(ctx.work.undo.holds()) {}
 
 Transaction::~Transaction() {
-    if (!done_) restore_kept(ctx_);
+    if (!done_) state::restore_kept(ctx_);
 }
 
 void Transaction::done() noexcept {
     if (!done_) {
-        drop_kept(ctx_.work.undo);
+        state::drop_kept(ctx_.work.undo);
         ctx_.state.edits.clear();
     }
     done_ = true;
 }
 
-void ready(StepContext& ctx) {
-    if (ctx.state.changed == Changed::nothing && ctx.state.repair == PendingRepair::nothing) return;
+void ready(context::StepContext& ctx) {
+    if (ctx.state.changed == context::Changed::nothing &&
+        ctx.state.repair == context::PendingRepair::nothing)
+        return;
     Transaction all(ctx);
     make_ready(ctx);
     all.done();
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::step

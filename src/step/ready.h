@@ -6,31 +6,31 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::step {
 
 /// Analyse as ctx.state.repair requests. The state does not change in any case. @throws
 /// std::bad_alloc, LimitError.
-void repair(StepContext& ctx);
+void repair(context::StepContext& ctx);
 
 /// Bring the analysed system up to date with the state: rebuild after a failed step, analyse
 /// additions. Saves an undo copy first. @throws std::bad_alloc, LimitError.
-void make_ready(StepContext& ctx);
+void make_ready(context::StepContext& ctx);
 
 /// Restores the saved state on destruction without done(). If nested, the outer one does it.
 class Transaction {
   public:
-    explicit Transaction(StepContext& ctx) noexcept;
+    explicit Transaction(context::StepContext& ctx) noexcept;
     ~Transaction();
     Transaction(const Transaction&) = delete;
     Transaction& operator=(const Transaction&) = delete;
     void done() noexcept;
 
   private:
-    StepContext& ctx_;
+    context::StepContext& ctx_;
     bool done_;
 };
 
 /// Call make_ready() between steps, all or nothing. @throws std::bad_alloc, LimitError.
-void ready(StepContext& ctx);
+void ready(context::StepContext& ctx);
 
-}  // namespace hawser::stepper
+}  // namespace hawser::step

@@ -16,7 +16,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace hawser::stepper {
+namespace hawser::step {
 namespace {
 
 /// Number of steps between searches for islands.
@@ -48,7 +48,7 @@ struct Members {
 /// Call f with the bodies of each interaction, contact and segment, which join islands. Friction
 /// belongs to its loads, even if they have no common body.
 template <class F>
-void each_bond(const Model& model, const State& state, F&& f) noexcept {
+void each_bond(const context::Model& model, const context::State& state, F&& f) noexcept {
     const model::Interactions& in = model.interactions;
     for (std::int32_t i = 0; i < in.count(); ++i) {
         Members m;
@@ -64,13 +64,13 @@ void each_bond(const Model& model, const State& state, F&& f) noexcept {
         if (s.segment()) f(std::span<const std::int32_t>(s.body));
 }
 
-void find_islands(StepContext& ctx) noexcept {
+void find_islands(context::StepContext& ctx) noexcept {
     std::vector<std::int32_t>& island = ctx.work.sleep.island;
     std::iota(island.begin(), island.end(), 0);
     each_bond(ctx.model, ctx.state, [&](std::span<const std::int32_t> bodies) {
         std::int32_t first = -1;
         for (const std::int32_t b : bodies) {
-            if (!moves(ctx.model.bodies, b)) continue;
+            if (!context::moves(ctx.model.bodies, b)) continue;
             const std::int32_t r = island_of(island, b);
             // The smallest index is the root, so that the result does not depend on numbering.
             if (first >= 0 && r != first) island[at(std::max(r, first))] = std::min(r, first);
@@ -82,8 +82,8 @@ void find_islands(StepContext& ctx) noexcept {
 /// Mark the islands of bodies for which `wanted` holds, and islands in contact with a kinematic
 /// body in motion.
 template <class F>
-void mark_islands(StepContext& ctx, F&& wanted) noexcept {
-    Sleep& s = ctx.work.sleep;
+void mark_islands(context::StepContext& ctx, F&& wanted) noexcept {
+    context::Sleep& s = ctx.work.sleep;
     std::fill(s.mark.begin(), s.mark.end(), std::uint8_t{0});
     for (const std::int32_t b : ctx.model.bodies.moving)
         if (wanted(b)) s.mark[at(island_of(s.island, b))] = 1;
@@ -95,12 +95,12 @@ void mark_islands(StepContext& ctx, F&& wanted) noexcept {
                          [&](std::int32_t b) { return carries(ctx.model.bodies, b); }))
             return;
         for (const std::int32_t b : bodies)
-            if (moves(ctx.model.bodies, b)) s.mark[at(island_of(s.island, b))] = 1;
+            if (context::moves(ctx.model.bodies, b)) s.mark[at(island_of(s.island, b))] = 1;
     });
 }
 
 /// Set a body asleep or awake. @return true if this is a change.
-bool set_asleep(Model& model, StepStats& stats, std::int32_t body, bool asleep) noexcept {
+bool set_asleep(context::Model& model, StepStats& stats, std::int32_t body, bool asleep) noexcept {
     std::uint8_t& now = model.bodies.asleep[at(body)];
     if ((now != 0) == asleep) return false;
     now = asleep ? 1 : 0;
@@ -109,7 +109,7 @@ bool set_asleep(Model& model, StepStats& stats, std::int32_t body, bool asleep) 
 }
 
 /// True if an island has to wake.
-bool disturbed(const Model& model, const State& state) noexcept {
+bool disturbed(const context::Model& model, const context::State& state) noexcept {
     const model::Bodies& b = model.bodies;
     for (const std::int32_t body : b.moving)
         if (b.asleep[at(body)] != 0 && b.quiet[at(body)] == 0) return true;
@@ -118,7 +118,8 @@ bool disturbed(const Model& model, const State& state) noexcept {
         bool asleep = false, moving = false;
         for (const std::int32_t body : bodies) {
             asleep = asleep || b.asleep[at(body)] != 0;
-            moving = moving || carries(b, body) || (moves(b, body) && b.asleep[at(body)] == 0);
+            moving =
+                moving || carries(b, body) || (context::moves(b, body) && b.asleep[at(body)] == 0);
         }
         found = found || (asleep && moving);
     });
@@ -127,7 +128,7 @@ bool disturbed(const Model& model, const State& state) noexcept {
 
 /// Wake islands with a body that is awake or disturbed. If a sleeping body and an active one have
 /// come close, they belong to one island already. @return true if any island woke.
-bool wake_islands(StepContext& ctx) noexcept {
+bool wake_islands(context::StepContext& ctx) noexcept {
     model::Bodies& b = ctx.model.bodies;
     find_islands(ctx);
     mark_islands(
@@ -143,21 +144,21 @@ bool wake_islands(StepContext& ctx) noexcept {
 }
 
 /// Analyse the system without sleeping bodies. @throws std::bad_alloc, LimitError.
-void reanalyse(StepContext& ctx) {
-    const StageTimer timer(ctx, Stage::analyse);
+void reanalyse(context::StepContext& ctx) {
+    const context::StageTimer timer(ctx, Stage::analyse);
     // An analysis evaluates active limits; the step is to determine and report them.
     const base::Array<double> active = ctx.model.interactions.active;
-    analyse(ctx);
+    split::analyse(ctx);
     ctx.model.interactions.active = active;
 }
 
 /// Analyse after a finished step. If it fails, the next step does it.
-void analyse_after_step(StepContext& ctx) noexcept {
+void analyse_after_step(context::StepContext& ctx) noexcept {
     ctx.state.analysed_x = ctx.model.bodies.x;
     ctx.state.analysed_r = ctx.model.bodies.r;
-    ctx.state.repair = PendingRepair::follow;
-    const StageTimer timer(ctx, Stage::analyse);
-    (void)guarded(ctx, [&] {
+    ctx.state.repair = context::PendingRepair::follow;
+    const context::StageTimer timer(ctx, Stage::analyse);
+    (void)context::guarded(ctx, [&] {
         // Completed joints of the step are read later; the next step chooses again.
         const base::Array<std::uint8_t> completed = ctx.model.interactions.completed;
         repair(ctx);
@@ -167,11 +168,11 @@ void analyse_after_step(StepContext& ctx) noexcept {
 
 }  // namespace
 
-Status wake_disturbed(StepContext& ctx) noexcept {
+Status wake_disturbed(context::StepContext& ctx) noexcept {
     if (ctx.work.stats.asleep == 0) return Status::ok;
     if (disturbed(ctx.model, ctx.state)) {
-        const Status status = guarded(ctx, [&] {
-            keep_state(ctx, Undo::Depth::system);
+        const Status status = context::guarded(ctx, [&] {
+            state::keep_state(ctx, context::Undo::Depth::system);
             if (wake_islands(ctx)) reanalyse(ctx);
         });
         if (status != Status::ok) return status;
@@ -181,20 +182,21 @@ Status wake_disturbed(StepContext& ctx) noexcept {
     return room ? Status::ok : Status::out_of_memory;
 }
 
-void fall_asleep(StepContext& ctx) noexcept {
+void fall_asleep(context::StepContext& ctx) noexcept {
     if (!(ctx.model.def.sleep_after > 0.0)) return;
     model::Bodies& b = ctx.model.bodies;
     // Other methods have no certificate.
     const bool certified = ctx.model.def.nonsmooth != Nonsmooth::newton ||
                            (!ctx.work.stats.cut && ctx.work.stats.flips_left == 0 &&
                             ctx.work.stats.natural_map <= ctx.model.def.contact_tolerance);
-    const auto most = static_cast<std::int32_t>(
-        std::min<double>(std::ceil(ctx.model.def.sleep_after / ctx.model.def.step), kMaxQuiet));
+    const auto most = static_cast<std::int32_t>(std::min<double>(
+        std::ceil(ctx.model.def.sleep_after / ctx.model.def.step), context::kMaxQuiet));
     bool any = false;
     for (const std::int32_t body : b.moving) {
         if (b.asleep[at(body)] != 0) continue;
         const double limit = ctx.model.def.sleep_speed * ctx.model.def.sleep_speed;
-        const double square = 2.0 * kinetic_energy_of(b, body, b.v.data()) / b.mass[at(body)];
+        const double square =
+            2.0 * assembly::kinetic_energy_of(b, body, b.v.data()) / b.mass[at(body)];
         std::int32_t& quiet = b.quiet[at(body)];
         const bool rests = certified && square < limit && !ctx.state.loads.loaded(body);
         quiet = rests ? std::min(quiet + 1, most) : 0;
@@ -210,4 +212,4 @@ void fall_asleep(StepContext& ctx) noexcept {
     if (fallen) analyse_after_step(ctx);
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::step

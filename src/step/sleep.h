@@ -31,12 +31,12 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::step {
 
 /// Wake disturbed islands and separate the contacts of the others, before the step is solved.
-[[nodiscard]] Status wake_disturbed(StepContext& ctx) noexcept;
+[[nodiscard]] Status wake_disturbed(context::StepContext& ctx) noexcept;
 
 /// Count the steps at rest of each body, and let islands fall asleep, after a successful step.
-void fall_asleep(StepContext& ctx) noexcept;
+void fall_asleep(context::StepContext& ctx) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::step

@@ -6,13 +6,16 @@
 #include "solve/active_set.h"
 #include "solve/solve.h"
 
-namespace hawser::stepper {
+namespace hawser::step {
 
-Status solve_linear(StepContext& ctx) noexcept {
-    if (ctx.model.def.nonsmooth == Nonsmooth::pgs) return timed(ctx, Stage::nonsmooth, solve_pgs);
-    if (ctx.model.system.contacts.count() > 0) return timed(ctx, Stage::nonsmooth, solve_contacts);
-    const Status status = factor_and_solve(ctx);
-    return status == Status::ok ? timed(ctx, Stage::nonsmooth, settle_bounds) : status;
+Status solve_linear(context::StepContext& ctx) noexcept {
+    if (ctx.model.def.nonsmooth == Nonsmooth::pgs)
+        return context::timed(ctx, Stage::nonsmooth, methods::solve_pgs);
+    if (ctx.model.system.contacts.count() > 0)
+        return context::timed(ctx, Stage::nonsmooth, methods::solve_contacts);
+    const Status status = solve::factor_and_solve(ctx);
+    return status == Status::ok ? context::timed(ctx, Stage::nonsmooth, solve::settle_bounds)
+                                : status;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::step

@@ -5,10 +5,10 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::step {
 
 /// Run solve_assembled() without completion: the equations are linearised about the start of the
 /// step.
-Status solve_linear(StepContext& ctx) noexcept;
+Status solve_linear(context::StepContext& ctx) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::step

@@ -19,7 +19,7 @@
 #include <cmath>
 #include <vector>
 
-namespace hawser::stepper {
+namespace hawser::step {
 namespace {
 
 /// Store the effect of torques on a body in the trial step, for its gyroscopic impulse.
@@ -34,7 +34,7 @@ void keep_spin_change(model::Bodies& bodies, const assembly::View& v, std::int32
 }
 
 /// Compute the violations of all rows with every body moved by time t at its velocity.
-void violations_at(Model& model, runtime::Pool& pool, double t, std::vector<double>& g) {
+void violations_at(context::Model& model, runtime::Pool& pool, double t, std::vector<double>& g) {
     model::Bodies& b = model.bodies;
     g.resize(model.interactions.g.size());
     const auto x = b.x;
@@ -52,8 +52,8 @@ void violations_at(Model& model, runtime::Pool& pool, double t, std::vector<doub
         const double* v = &b.v_fixed[6 * at(body)];
         b.drift(body, v, v + 3, t);
     }
-    place_ghosts(model);
-    evaluate_rows(model, pool);
+    split::place_ghosts(model);
+    solve::evaluate_rows(model, pool);
     std::copy(model.interactions.g.begin(), model.interactions.g.end(), g.begin());
     b.x = x;
     b.q = q;
@@ -62,7 +62,7 @@ void violations_at(Model& model, runtime::Pool& pool, double t, std::vector<doub
 
 /// Return Ġ v of every row [m/s² or rad/s²]: the second difference of g along the motion. Zero for
 /// velocity rows.
-std::vector<double> row_curvature(Model& model, runtime::Pool& pool) {
+std::vector<double> row_curvature(context::Model& model, runtime::Pool& pool) {
     std::vector<double> before, now, after;
     const double h = model.def.step;
     violations_at(model, pool, -h, before);
@@ -74,7 +74,7 @@ std::vector<double> row_curvature(Model& model, runtime::Pool& pool) {
 }
 
 /// Return h²W/4ε of a row that stores energy: (hω)²/4 of its vibration with its bodies.
-double vibration_of(const Model& model, std::int32_t id, int r) {
+double vibration_of(const context::Model& model, std::int32_t id, int r) {
     const model::Interactions& in = model.interactions;
     const auto row = at(in.row_begin[at(id)] + r);
     if ((in.row_flags[row] & model::kRowVelocity) ||
@@ -93,18 +93,18 @@ double vibration_of(const Model& model, std::int32_t id, int r) {
 ///
 /// @param add  True to add to the right-hand side of a trial, so that half of the change gives v₋.
 /// @return true if there is such a spring.
-bool slow_springs(Model& model, bool add) noexcept {
-    const assembly::View v = row_view(model);
+bool slow_springs(context::Model& model, bool add) noexcept {
+    const assembly::View v = context::row_view(model);
     constexpr double kResolvedFraction = 0.25;
     bool any = false;
-    for (std::int32_t id = 0; id < interaction_count(model); ++id) {
+    for (std::int32_t id = 0; id < context::interaction_count(model); ++id) {
         // Wires are treated by keep_start_velocities().
         if (model.system.rests(id) || v.active[id] == 0.0 || model.wires.wire_of[at(id)] >= 0)
             continue;
         double room[model::kArmBufferSize];
         const double* jac = packed_rows(v, id, room);
         for (int r = 0; r < v.rows[id]; ++r) {
-            const double speed = along_row(v, id, jac, v.v, v.dof_begin);
+            const double speed = assembly::along_row(v, id, jac, v.v, v.dof_begin);
             const double z = speed == 0.0 ? 0.0 : vibration_of(model, id, r);
             if (!(z > kResolvedFraction)) continue;
             any = true;
@@ -116,7 +116,8 @@ bool slow_springs(Model& model, bool add) noexcept {
 }
 
 /// Compute v₊ and λ of a start at time 0.
-Status try_step(StepContext& ctx, const std::vector<double>& curvature, bool slower) noexcept {
+Status try_step(context::StepContext& ctx, const std::vector<double>& curvature,
+                bool slower) noexcept {
     assemble_rows(ctx);
     for (std::size_t i = 0; i < curvature.size(); ++i)
         ctx.model.interactions.c[i] -= ctx.model.def.step * curvature[i];
@@ -126,16 +127,16 @@ Status try_step(StepContext& ctx, const std::vector<double>& curvature, bool slo
 }
 
 /// Run the trial steps. On success v₋ has replaced v₀.
-Status try_stagger(StepContext& ctx) noexcept {
+Status try_stagger(context::StepContext& ctx) noexcept {
     std::vector<double> curvature;
     base::Array<double> active, lambda;
-    const Status room = guarded(ctx, [&] {
+    const Status room = context::guarded(ctx, [&] {
         curvature = row_curvature(ctx.model, ctx.pool);
         active = ctx.model.interactions.active;
         lambda = ctx.model.interactions.lambda;
     });
     if (room != Status::ok) return room;
-    const assembly::View v = row_view(ctx.model);
+    const assembly::View v = context::row_view(ctx.model);
     // The first trial computes λ without geometric stiffness, the second uses it.
     for (int trial = 0; trial < 2; ++trial) {
         if (const Status s = try_step(ctx, curvature, false); s != Status::ok) return s;
@@ -163,16 +164,16 @@ Status try_stagger(StepContext& ctx) noexcept {
 ///
 /// If it fails, the world has not started: all changes of a trial are undone, and the next step
 /// tries again.
-Status stagger(StepContext& ctx) noexcept {
+Status stagger(context::StepContext& ctx) noexcept {
     if (!ctx.model.def.staggered_start) {
         ctx.state.started = true;
         return Status::ok;
     }
-    keep_motion(ctx);
-    remember(ctx);
+    state::keep_motion(ctx);
+    state::remember(ctx);
     const Status status = try_stagger(ctx);
     ctx.state.started = status == Status::ok;
     return status;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::step

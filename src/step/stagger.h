@@ -5,11 +5,11 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::step {
 
 /// Shift v₀ from time 0 to −h/2, which makes the scheme second order: v₋ = v₀ − (h/2) a. The
 /// acceleration a at time 0 comes from a trial step (stagger.cpp). Also computes the first λ for
 /// geometric stiffness.
-Status stagger(StepContext& ctx) noexcept;
+Status stagger(context::StepContext& ctx) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::step

@@ -26,13 +26,13 @@
 #include <cmath>
 #include <limits>
 
-namespace hawser::stepper {
+namespace hawser::step {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
 /// Run stage 2: find contacts at the present poses.
-Status find_contacts(StepContext& ctx) noexcept {
+Status find_contacts(context::StepContext& ctx) noexcept {
     const std::int64_t growths = ctx.model.collider.growths();
     const bool found = ctx.model.collider.collide(ctx.model.bodies, ctx.model.def.step,
                                                   ctx.state.contacts, ctx.pool);
@@ -47,21 +47,22 @@ Status find_contacts(StepContext& ctx) noexcept {
 }
 
 /// Start the contacts of the step, after impacts.
-Status start_moving(StepContext& ctx) noexcept {
+Status start_moving(context::StepContext& ctx) noexcept {
     bool found = false;
     Status status = start_contacts(ctx, Phase::regular);
     if (status == Status::ok)
-        status = timed(ctx, Stage::nonsmooth, [&](StepContext& c) { return impact(c, found); });
+        status = context::timed(ctx, Stage::nonsmooth,
+                                [&](context::StepContext& c) { return impact(c, found); });
     return status == Status::ok && found ? start_contacts(ctx, Phase::regular) : status;
 }
 
 /// Move velocities from time 0 to −h/2, in the first step.
-Status start_world(StepContext& ctx) noexcept {
+Status start_world(context::StepContext& ctx) noexcept {
     // The trial steps need the loads of systems.
     if (const Status acted = prestep(ctx); acted != Status::ok) return acted;
-    keep_motion(ctx);
+    state::keep_motion(ctx);
     ctx.state.loads.added = added_energy(ctx.model, ctx.state, ctx.pool, ctx.model.bodies.v.data());
-    begin_monitors(ctx);
+    monitor::begin_monitors(ctx);
     Status status = Status::ok;
     if (ctx.model.collider.count() > 0) status = find_contacts(ctx);
     if (status == Status::ok && ctx.model.collider.count() > 0)
@@ -71,13 +72,13 @@ Status start_world(StepContext& ctx) noexcept {
     return status;
 }
 
-void clear_figures(Model& model, Work& work) noexcept {
+void clear_figures(context::Model& model, context::Work& work) noexcept {
     work.stats.stage_seconds.fill(0.0);
     work.stats.factorisations = 0;
     work.stats.substitutions = work.stats.completion_rounds = work.stats.undetermined = 0;
     work.stats.restiffened = 0;
     work.stats.completion_change = 0.0;
-    begin_completion(model);
+    solve::begin_completion(model);
     work.stats.partial_factorisations = 0;
     work.stats.flips_left = 0;
     work.stats.wire_repeats = 0;
@@ -92,87 +93,87 @@ void clear_figures(Model& model, Work& work) noexcept {
 
 /// Start the timers of the solver.
 /// @return its start time.
-Clock::time_point start_solver(StepContext& ctx) noexcept {
+Clock::time_point start_solver(context::StepContext& ctx) noexcept {
     const Clock::time_point start = Clock::now();
     ctx.stopwatch->start();
-    begin_laps(ctx.work);
+    split::begin_laps(ctx.work);
     return start;
 }
 
-void end_solver(StepContext& ctx, Clock::time_point start) noexcept {
+void end_solver(context::StepContext& ctx, Clock::time_point start) noexcept {
     StepStats& s = ctx.work.stats;
     s.solver_seconds = std::chrono::duration<double>(Clock::now() - start).count();
     s.solver_cpu_seconds = ctx.stopwatch->seconds();
-    end_budget(ctx);
+    split::end_budget(ctx);
     s.newton_iterations = ctx.work.newton.iterations;
     s.factor_work = static_cast<double>(ctx.work.solve.step_flops) /
                     static_cast<double>(std::max<std::int64_t>(1, s.factor_flops));
 }
 
 /// Run stage collide: find contacts at the present poses and wake bodies by them.
-Status collide(StepContext& ctx) noexcept {
+Status collide(context::StepContext& ctx) noexcept {
     ctx.state.loads.count_change(ctx.model.bodies, ctx.pool);
     Status status = Status::ok;
-    if (ctx.model.collider.count() > 0) status = timed(ctx, Stage::collide, find_contacts);
+    if (ctx.model.collider.count() > 0) status = context::timed(ctx, Stage::collide, find_contacts);
     return status == Status::ok ? wake_disturbed(ctx) : status;
 }
 
 /// Run stage graph: update groups that follow the state, and the cuts that a deadline may use.
-Status graph(StepContext& ctx) noexcept {
-    const Status status = regroup(ctx);
-    return status == Status::ok ? prepare_levels(ctx) : status;
+Status graph(context::StepContext& ctx) noexcept {
+    const Status status = split::regroup(ctx);
+    return status == Status::ok ? split::prepare_levels(ctx) : status;
 }
 
 /// Run stage analyse if the system differs from that of the last step, by other cuts or a first
 /// contact of bodies. Afterwards contacts are rows and impacts are done.
-Status analyse_step(StepContext& ctx) noexcept {
-    if (const Status status = choose_cuts(ctx); status != Status::ok) return status;
-    remember(ctx);
+Status analyse_step(context::StepContext& ctx) noexcept {
+    if (const Status status = split::choose_cuts(ctx); status != Status::ok) return status;
+    state::remember(ctx);
     return ctx.model.collider.count() > 0 ? start_moving(ctx) : Status::ok;
 }
 
 /// Run stages factor and nonsmooth, which alternate.
-Status solve_velocities(StepContext& ctx) noexcept {
-    begin_budget(ctx);
+Status solve_velocities(context::StepContext& ctx) noexcept {
+    split::begin_budget(ctx);
     const Status status = solve_assembled(ctx);
     return status == Status::ok ? guard_wires(ctx) : status;
 }
 
 /// Check whether the solution may become the state.
-Status accept(StepContext& ctx) noexcept {
+Status accept(context::StepContext& ctx) noexcept {
     // A cancelled solution is incomplete and must not be used.
     if (ctx.pool.stopping()) return Status::cancelled;
-    return timed(ctx, Stage::integrate, [](StepContext& c) {
+    return context::timed(ctx, Stage::integrate, [](context::StepContext& c) {
         c.state.loads.measure(c.model.bodies, c.model.def.step, c.model.bodies.v.data(),
-                              view(c).v_new, c.pool);
-        return run_monitors(c);
+                              context::view(c).v_new, c.pool);
+        return monitor::run_monitors(c);
     });
 }
 
 /// Run stage integrate, which cannot be undone.
-void finish(StepContext& ctx) noexcept {
+void finish(context::StepContext& ctx) noexcept {
     ctx.state.events.release(true);
-    timed(ctx, Stage::integrate, integrate);
+    context::timed(ctx, Stage::integrate, integrate);
     ctx.state.imposed = {};
     if (ctx.model.collider.count() > 0) ctx.model.collider.keep();
-    drop_kept(ctx.work.undo);
+    state::drop_kept(ctx.work.undo);
     ctx.state.edits.clear();
     accept_systems(ctx);
     fall_asleep(ctx);
 }
 
 /// Run all stages. If it fails, the state may be incomplete.
-Status take_step(StepContext& ctx) noexcept {
+Status take_step(context::StepContext& ctx) noexcept {
     const bool starts = !ctx.state.started;
     // Solves read figures of the step. A start reads none of an earlier step.
     clear_figures(ctx.model, ctx.work);
     Status status = starts ? start_world(ctx) : Status::ok;
     if (status != Status::ok) return status;
-    const StepTimer timer(ctx);
+    const context::StepTimer timer(ctx);
     const Clock::time_point begin = Clock::now();
     if (starts) clear_figures(ctx.model, ctx.work);
 
-    if (!starts) status = timed(ctx, Stage::prestep, prestep);
+    if (!starts) status = context::timed(ctx, Stage::prestep, prestep);
     if (status == Status::ok) status = collide(ctx);
     if (status != Status::ok) return status;
     const Clock::time_point solver = start_solver(ctx);
@@ -191,9 +192,9 @@ Status take_step(StepContext& ctx) noexcept {
 }
 
 /// Restore the last good state after a failed step.
-void go_back(StepContext& ctx) noexcept {
-    if (ctx.work.before.remembered && !ctx.work.undo.moved) recall(ctx);
-    restore_kept(ctx);
+void go_back(context::StepContext& ctx) noexcept {
+    if (ctx.work.before.remembered && !ctx.work.undo.moved) state::recall(ctx);
+    state::restore_kept(ctx);
     take_back_systems(ctx);
     // Report a NaN residual as the largest number, because readers compare and print it.
     StepStats& s = ctx.work.stats;
@@ -203,11 +204,11 @@ void go_back(StepContext& ctx) noexcept {
 
 }  // namespace
 
-Status step(StepContext& ctx) noexcept {
+Status step(context::StepContext& ctx) noexcept {
     ctx.work.stats.bound_met = {};
     ctx.work.before.remembered = false;
     Status status = ctx.pool.stopping() ? Status::cancelled : Status::ok;
-    if (status == Status::ok) status = guarded(ctx, [&] { make_ready(ctx); });
+    if (status == Status::ok) status = context::guarded(ctx, [&] { make_ready(ctx); });
     if (status == Status::ok) {
         ctx.pool.resume();
         status = take_step(ctx);
@@ -222,4 +223,4 @@ Status step(StepContext& ctx) noexcept {
     return ctx.work.stats.status = status;
 }
 
-}  // namespace hawser::stepper
+}  // namespace hawser::step

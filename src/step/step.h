@@ -19,9 +19,9 @@
 
 #include "context/context.h"
 
-namespace hawser::stepper {
+namespace hawser::step {
 
 /// Advance by h. The state changes only if the result is ok.
-Status step(StepContext& ctx) noexcept;
+Status step(context::StepContext& ctx) noexcept;
 
-}  // namespace hawser::stepper
+}  // namespace hawser::step

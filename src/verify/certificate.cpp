@@ -140,7 +140,7 @@ void Verifier::before_step(const World& world) {
         const auto force = world.force(id);
         last_[slot(id.index)].assign(force.begin(), force.end());
         intact_[slot(id.index)] = world.intact(id);
-        alert_[slot(id.index)] = world.wire_alert(id);
+        alert_[slot(id.index)] = world.wires().damped_steps(id);
     }
     unsure_.assign(unsure_.size(), false);
     turning_.assign(unsure_.size(), false);

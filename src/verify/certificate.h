@@ -113,7 +113,7 @@ class Verifier : public Observer {
     std::vector<Twist> twist_,
         earlier_;              ///< Velocities before this step, and before the last one …
     std::vector<Twist> left_;  ///< … and after the last step; NaN: the body was added since.
-    std::vector<int> alert_;   ///< World::wire_alert() before the step, for each interaction.
+    std::vector<int> alert_;  ///< WorldWires::damped_steps() before the step, for each interaction.
     std::vector<BodyId> bodies_, moving_;
     std::vector<InteractionId> interactions_;
     std::vector<std::vector<double>> last_;  ///< Forces of each interaction's rows before the step.

@@ -94,14 +94,14 @@ void Verifier::add_interactions(const World& world) {
         // If the step was solved twice, the second solve used the stiffness of the forces from the
         // first one.
         if (world.stats().restiffened > 0) {
-            const auto with = world.stiffness_force(id);
+            const auto with = world.solver().stiffness_force(id);
             std::copy_n(with.begin(), last_[i].size(), last_[i].begin());
         }
         // A system may break it at the beginning of the step; an element breaks by its load at the
         // end.
         const bool held = intact_[i] && (world.intact(id) || has_force(world, id));
         // For an interaction from an edit, the wire's alert is known only after the step.
-        const int alert = std::max(alert_[i], world.wire_alert(id));
+        const int alert = std::max(alert_[i], world.wires().damped_steps(id));
         const Wrenches other =
             held ? stiffness_wrenches(world, id, pose_, twist_, earlier_, last_[i], alert)
                  : Wrenches{};
@@ -114,7 +114,7 @@ void Verifier::add_interactions(const World& world) {
             linear_[b] += linear;
             angular_[b] += turn;
             if (checks_.states) states_.add_stiffness(id, on, g);
-            if (world.completed(id)) turning_[b] = true;
+            if (world.solver().completed(id)) turning_[b] = true;
             if (!rows.known || !other.known) unsure_[b] = true;
             const BodyDef& body = world.body_def(on);
             if (body.kind == BodyKind::fixed || body.kind == BodyKind::kinematic) continue;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verify/coupling.h"
 
+#include <hawser/experimental/splits.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -36,7 +38,7 @@ class Linearised {
         for (const BodyId id : world.bodies())
             if (moves(world, id)) bodies_.push_back(id);
         // Linearise one step with the present groups.
-        for (World* w : {&base_, &moved_}) w->follow_groups(world.settings().parts, 0);
+        for (World* w : {&base_, &moved_}) w->splits().follow_groups(world.settings().parts, 0);
         ok_ = base_.step() == Status::ok;
     }
 
@@ -45,7 +47,7 @@ class Linearised {
     /// Replace d by its image under the linearised step. @return ‖change of velocities‖,
     /// mass-weighted; −1: the step failed.
     double apply(std::vector<Deviation>& d) {
-        moved_.copy_state(world_);
+        moved_.state().copy_from(world_);
         for (std::size_t i = 0; i < bodies_.size(); ++i) displace(bodies_[i], kSmall * d[i]);
         if (!ok_ || moved_.step() != Status::ok) return -1.0;
         double sum = 0.0;
@@ -129,7 +131,7 @@ void CouplingObserver::before_step(const World& world) {
     if (same(world.bodies(), exact_.bodies()) &&
         same(world.interactions(), exact_.interactions()) &&
         same(world.shapes(), exact_.shapes()) && same(world.inputs(), exact_.inputs())) {
-        exact_.copy_state(world);
+        exact_.state().copy_from(world);
     } else {
         exact_ = world.twin(Coupling::exact);
         figures_.steps = 0;  // new objects have no previous velocity
@@ -158,7 +160,7 @@ void CouplingObserver::after_step(const World& world) {
         figures_.jerk_difference_max =
             std::max(figures_.jerk_difference_max, per_h2 * (v - e).norm());
     }
-    for (const CutView& cut : world.cuts()) {
+    for (const CutView& cut : world.splits().cuts()) {
         const char* units = kind_info(world.interaction_def(cut.interaction).kind).row_units;
         const auto f = world.force(cut.interaction), e = exact_.force(cut.interaction);
         for (std::size_t r = 0; r < f.size() && units[r] == 'm'; ++r) {

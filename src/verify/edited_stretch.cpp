@@ -16,8 +16,8 @@ std::size_t at_index(std::int32_t i) { return static_cast<std::size_t>(i); }
 /// Call f(element, its definition) for the whole elements of all wires.
 template <class F>
 void each_element(const World& world, F&& f) {
-    for (const WireId wire : world.wires())
-        for (const InteractionId id : world.elements(wire))
+    for (const WireId wire : world.wires().ids())
+        for (const InteractionId id : world.wires().elements(wire))
             if (world.alive(id) && world.intact(id)) f(id, world.interaction_def(id));
 }
 

@@ -38,7 +38,7 @@ struct Wrenches {
 /// (docs/theory/stiffness.md). They belong to the step from velocities `before` to the present
 /// ones.
 /// @param earlier  Velocities one step earlier than `before`. @param last  Forces of the rows in
-/// that step. @param alert  World::wire_alert() before the present step.
+/// that step. @param alert  WorldWires::damped_steps() before the present step.
 [[nodiscard]] Wrenches stiffness_wrenches(const World& world, InteractionId id,
                                           std::span<const Pose> pose, std::span<const Twist> before,
                                           std::span<const Twist> earlier,

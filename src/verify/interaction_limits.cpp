@@ -206,7 +206,8 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
     Wrenches out;
     if (!(is_line(kind) || is_joint(kind)) || settings.nonsmooth == Nonsmooth::pgs) return out;
     // A World does not show the replacement terms of a flagged wire that would have gained energy.
-    out.known = world.wire_alert(id) < std::lround(std::ceil(std::max(20.0, 1.0 / settings.step)));
+    out.known = world.wires().damped_steps(id) <
+                std::lround(std::ceil(std::max(20.0, 1.0 / settings.step)));
     const double h = settings.step, scale = 0.25 * h * h * settings.geometric_stiffness;
     const LineEnds ends = is_line(kind) ? line_ends(on) : LineEnds{{on.point(0), on.point(1)}, {}};
     const Vec3 between = ends.at[1] - ends.at[0];
@@ -218,7 +219,7 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
     } else {
         pull = Vec3(last[0], last[1], last[2]);
     }
-    const bool completed = world.completed(id);
+    const bool completed = world.solver().completed(id);
     const double held = completed ? completed_fraction(on, world, pull.norm()) : 1.0;
     if (held == 0.0) return out;
     // Excess of the oscillation about a joint over the resolved frequency:

@@ -89,7 +89,8 @@ double turn_between(const World& world, InteractionId before, InteractionId behi
     if (wheel == 0.0) return angle;
     const bool with = u.cross(v).dot(first.axis(1, 2)) * wheel >= 0.0;
     const double turn = 2.0 * std::acos(-1.0), now = with ? angle : -angle;
-    const double about = defined + world.wrapped(before)[1] + world.wrapped(behind)[0];
+    const double about =
+        defined + world.wires().wrapped(before)[1] + world.wires().wrapped(behind)[0];
     const double turns = std::round((about - now) / turn);
     return std::max(0.0, now + turns * turn);
 }

@@ -27,8 +27,8 @@ SeaVerifier::SeaVerifier(const World& world) : def_(find_sea(world)) {
     volumes_.reserve(sorts);  // pointers into it stay
     for (const WaterLine& line : def_->lines) {
         if (!world.alive(line.wire)) continue;
-        const auto elements = world.elements(line.wire);
-        const auto nodes = world.nodes(line.wire);
+        const auto elements = world.wires().elements(line.wire);
+        const auto nodes = world.wires().nodes(line.wire);
         std::size_t e = 0;
         for (std::size_t k = 0; k < line.sections.size(); ++k) {
             volumes_.push_back(line.sections[k].water);
@@ -49,8 +49,8 @@ void SeaVerifier::before_step(const World& world) {
     if (def_ == nullptr) return;
     time_ = world.time();
     intact_.assign(numbered(world.interaction_count()), false);
-    for (const WireId wire : world.wires())
-        for (const InteractionId id : world.elements(wire))
+    for (const WireId wire : world.wires().ids())
+        for (const InteractionId id : world.wires().elements(wire))
             intact_[numbered(id.index)] = world.alive(id) && world.intact(id);
     inputs_ = {.waves = world.system_signal("sea.waves"),
                .current = world.system_signal("sea.current"),
@@ -132,7 +132,7 @@ SeaVerifier::Water SeaVerifier::water(const Vec3& x) const {
 Vec3 SeaVerifier::wind(double z) const { return sea_->wind(air_, z); }
 
 const LineWater* SeaVerifier::sort_of(const World& world, WireId wire, std::size_t element) const {
-    const auto elements = world.elements(wire);
+    const auto elements = world.wires().elements(wire);
     const auto own = [&](std::size_t i) -> const LineWater* {
         const auto at =
             std::lower_bound(known_.begin(), known_.end(), elements[i],
@@ -149,8 +149,8 @@ const LineWater* SeaVerifier::sort_of(const World& world, WireId wire, std::size
 void SeaVerifier::add_half(const World& world, WireId wire, std::size_t element, bool last,
                            const Water& at, const std::vector<Pose>& pose,
                            const std::vector<Twist>& before) {
-    const auto nodes = world.nodes(wire);
-    const InteractionId id = world.elements(wire)[element];
+    const auto nodes = world.wires().nodes(wire);
+    const InteractionId id = world.wires().elements(wire)[element];
     const LineWater* w = world.alive(id) ? sort_of(world, wire, element) : nullptr;
     if (w == nullptr) return;
     const BodyId own = nodes[element + (last ? 1 : 0)], other = nodes[element + (last ? 0 : 1)];
@@ -172,9 +172,9 @@ void SeaVerifier::add_half(const World& world, WireId wire, std::size_t element,
     Vec3 t = line.normalized();
     // A broken element hangs like the node's other element.
     const std::size_t next = last ? element + 1 : element - 1;  // −1: beyond the end, too
-    if (line.isZero(0.0) && next < world.elements(wire).size() &&
+    if (line.isZero(0.0) && next < world.wires().elements(wire).size() &&
         sort_of(world, wire, next) != nullptr &&
-        intact_[numbered(world.elements(wire)[next].index)])
+        intact_[numbered(world.wires().elements(wire)[next].index)])
         t = (place(nodes[last ? next + 1 : next]) - x).normalized();
     const Mat3 tt = outer(t), across = Mat3::Identity() - tt;
     const Vec3 r = at.flow - v, rn = across * r, rt = tt * r;
@@ -196,16 +196,16 @@ void SeaVerifier::add_half(const World& world, WireId wire, std::size_t element,
 
 void SeaVerifier::add_lines(const World& world, const std::vector<Pose>& pose,
                             const std::vector<Twist>& before) {
-    for (const WireId wire : world.wires()) {
-        const auto nodes = world.nodes(wire);
+    for (const WireId wire : world.wires().ids()) {
+        const auto nodes = world.wires().nodes(wire);
         for (std::size_t i = 0; i < nodes.size(); ++i) {
             if (!world.alive(nodes[i]) || world.body_def(nodes[i]).kind != BodyKind::lump) continue;
             const bool at_end = i == 0 || i + 1 == nodes.size();
             if (at_end && std::find(ends_.begin(), ends_.end(), nodes[i]) != ends_.end()) continue;
             bool wet = false;
             for (std::size_t e = i > 0 ? i - 1 : 0; e < std::min(i + 1, nodes.size() - 1); ++e)
-                wet = wet ||
-                      (world.alive(world.elements(wire)[e]) && sort_of(world, wire, e) != nullptr);
+                wet = wet || (world.alive(world.wires().elements(wire)[e]) &&
+                              sort_of(world, wire, e) != nullptr);
             if (!wet) continue;
             const Vec3 x = pose[numbered(nodes[i].index)].position;
             Water at = water(x);

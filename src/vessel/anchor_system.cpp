@@ -20,9 +20,9 @@ constexpr double kAtBound = 1e-9;  ///< Relative distance of a sliding row's for
 bool pull_of_lines(const World& world, BodyId body, WireId only, Vec3& pull) noexcept {
     bool any = false;
     pull.setZero();
-    for (const WireId wire : world.wires()) {
-        const std::span<const BodyId> nodes = world.nodes(wire);
-        const std::span<const InteractionId> elements = world.elements(wire);
+    for (const WireId wire : world.wires().ids()) {
+        const std::span<const BodyId> nodes = world.wires().nodes(wire);
+        const std::span<const InteractionId> elements = world.wires().elements(wire);
         if (elements.empty() || (only.valid() && wire != only)) continue;
         for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
             const BodyId last = end == 0 ? nodes.front() : nodes.back();
@@ -31,7 +31,7 @@ bool pull_of_lines(const World& world, BodyId body, WireId only, Vec3& pull) noe
             if (!world.alive(id)) continue;
             any = true;
             if (!world.intact(id)) continue;
-            const auto at = world.ends(id);
+            const auto at = world.wires().ends(id);
             const Vec3 along = at[1 - end] - at[end];
             const double length = along.norm();
             const double tension = std::max(0.0, -world.force(id)[0]);

@@ -38,7 +38,7 @@ void check_anchor_body(World& world, const AnchorDef& def) {
         refuse_anchor(def, "body", "it is no rigid body; give one, with the line at its shackle");
     if (def.wire.valid()) {
         const auto nodes =
-            world.alive(def.wire) ? world.nodes(def.wire) : std::span<const BodyId>();
+            world.alive(def.wire) ? world.wires().nodes(def.wire) : std::span<const BodyId>();
         if (nodes.empty() || (nodes.front() != def.body && nodes.back() != def.body))
             refuse_anchor(def, "wire",
                           "no end of it is on the body '" + world.body_def(def.body).name +

@@ -43,7 +43,7 @@ void check_gauge_parts(World& world, const StabilityDef& def) {
         refuse_gauge(def, "body", "there is no such rigid body; give the ship");
     if (!world.alive(def.wire))
         refuse_gauge(def, "wire", "there is no such wire; give the towline");
-    const auto nodes = world.nodes(def.wire);
+    const auto nodes = world.wires().nodes(def.wire);
     if (nodes.front() != def.body && nodes.back() != def.body)
         refuse_gauge(def, "wire",
                      "no end of it is on the body '" + world.body_def(def.body).name +

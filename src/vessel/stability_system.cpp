@@ -13,7 +13,7 @@ namespace {
 
 /// Return the number of the end of a wire on a body; −1 if there is none.
 int end_on(const World& world, WireId wire, BodyId body) noexcept {
-    const std::span<const BodyId> nodes = world.nodes(wire);
+    const std::span<const BodyId> nodes = world.wires().nodes(wire);
     if (nodes.empty()) return -1;
     return nodes.front() == body ? 0 : (nodes.back() == body ? 1 : -1);
 }
@@ -68,13 +68,13 @@ void StabilitySystem::read_wire(const World& world) noexcept {
     tension_ = 0.0;
     const int end = world.alive(def.wire) ? end_on(world, def.wire, def.body) : -1;
     if (end < 0) return;
-    const std::span<const InteractionId> elements = world.elements(def.wire);
+    const std::span<const InteractionId> elements = world.wires().elements(def.wire);
     const Vec3 pin = world.world_point(def.body, def.pin);
     Vec3 aboard = pin;
     for (std::size_t k = 0; k < elements.size(); ++k) {
         const InteractionId id = elements[end == 0 ? k : elements.size() - 1 - k];
         if (!world.alive(id) || !world.intact(id)) return;
-        const auto at = world.ends(id);
+        const auto at = world.wires().ends(id);
         if (k == 0) aboard = at[static_cast<std::size_t>(end)];
         const Vec3& outer = at[static_cast<std::size_t>(1 - end)];
         if ((outer - aboard).norm() <= (pin - aboard).norm()) continue;

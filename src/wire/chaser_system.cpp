@@ -83,7 +83,7 @@ void ChaserSystem::holds(HoldTable& table) const {
 /// run through.
 PointOnWire ChaserSystem::nearest(const World& world) const {
     const auto loose = [&](WireId wire) {
-        const auto nodes = world.nodes(wire);
+        const auto nodes = world.wires().nodes(wire);
         return std::find(nodes.begin(), nodes.end(), def_.body) == nodes.end();
     };
     return nearest_on_wire(world, world.world_point(def_.body, def_.point), kFromEnd, loose,
@@ -106,7 +106,7 @@ void ChaserSystem::take(NodeEdits& nodes) {
     };
     if (!(found.far <= def_.reach)) return miss();
     const InteractionDef element = world.interaction_def(found.element);
-    const std::array<Vec3, 2> ends = world.ends(found.element);
+    const std::array<Vec3, 2> ends = world.wires().ends(found.element);
     GuideDef def = no_guide(def_)->def();
     def.wire = found.wire;
     def.element = found.element;
@@ -140,11 +140,11 @@ void ChaserSystem::sample(const World& world) {
     held_ = at_ = left_ = arrived_ = angle_ = speed_ = tension_[0] = tension_[1] = 0.0;
     shown_ = state_;
     if (!is(ChaserState::on)) return;
-    const WireId wire = world.wire_of(guide_->ids().before);
+    const WireId wire = world.wires().of(guide_->ids().before);
     held_ = number_of(world, wire);
     if (!wire.valid()) return;
     bool before = true;
-    for (const InteractionId id : world.elements(wire)) {
+    for (const InteractionId id : world.wires().elements(wire)) {
         if (!world.alive(id)) continue;
         (before ? at_ : left_) += rest_length(world, id);
         if (id == guide_->ids().before) before = false;

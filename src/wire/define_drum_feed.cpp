@@ -21,10 +21,10 @@ namespace {
 InteractionId element_on_drum(const World& world, const DrumFeedDef& def) {
     if (!world.alive(def.wire)) refuse_feed(def, "the wire does not exist");
     if (def.end != 0 && def.end != 1) refuse_feed(def, "end must be 0, the first one, or 1");
-    const auto elements = world.elements(def.wire);
+    const auto elements = world.wires().elements(def.wire);
     const InteractionId id = def.end == 0 ? elements.front() : elements.back();
     if (!world.alive(id) || world.interaction_def(id).kind != InteractionKind::WinchStretch)
-        refuse_feed(def, "this end of its wire does not lie on a drum; call World::wind_up()");
+        refuse_feed(def, "this end of its wire does not lie on a drum; call WorldWires::spool()");
     return id;
 }
 
@@ -39,7 +39,7 @@ void check_nodes(const World& world, const DrumFeedDef& def, InteractionId line)
     const BodyId fairlead = at_drum.body[def.end == 0 ? 0 : 1];
     if (world.body_def(fairlead).kind == BodyKind::lump)
         refuse_feed(def, "the fairlead must not be on a point mass");
-    for (const InteractionId id : world.elements(def.wire))
+    for (const InteractionId id : world.wires().elements(def.wire))
         if (id != line && world.alive(id) && !(world.interaction_def(id).get("mass") > 0.0))
             refuse_feed(def,
                         "the elements of its wire have no mass for new nodes (consistent_mass)");

@@ -32,10 +32,10 @@ InteractionId nearest_element(const World& world, const GuideDef& def) {
     const Vec3 at = world.world_point(def.body, def.point);
     InteractionId best{};
     double least = 1e300, guided = 1e300;
-    for (const InteractionId id : world.elements(def.wire)) {
+    for (const InteractionId id : world.wires().elements(def.wire)) {
         if (!world.alive(id) || !world.intact(id)) continue;
         const KindInfo& kind = kind_info(world.interaction_def(id).kind);
-        const std::array<Vec3, 2> ends = world.ends(id);
+        const std::array<Vec3, 2> ends = world.wires().ends(id);
         const double far = separation(at, ends[0], ends[1]);
         if (kind.is(kAtGuide)) guided = std::min(guided, far);
         if (kind.is(kWoundUp) || far >= least) continue;
@@ -58,7 +58,7 @@ Guide guide_there_is(const World& world, const GuideDef& def) {
     Guide out;
     out.slide = def.slide;
     if (!world.alive(def.slide)) refuse(def, "its slide is not there");
-    for (const InteractionId id : world.elements(def.wire)) {
+    for (const InteractionId id : world.wires().elements(def.wire)) {
         if (!world.alive(id)) continue;
         const InteractionDef& d = world.interaction_def(id);
         if (!kind_info(d.kind).is(kAtGuide) || d.body[2] != def.slide) continue;
@@ -77,7 +77,7 @@ Guide guide_there_is(const World& world, const GuideDef& def) {
 void check_space(const World& world, const GuideDef& def, InteractionId before,
                  InteractionId behind, const std::array<double, 2>& material) {
     if (!(def.element_length > 0.0)) return;
-    const auto elements = world.elements(def.wire);
+    const auto elements = world.wires().elements(def.wire);
     const auto length = [&](InteractionId id) { return world.interaction_def(id).get("length"); };
     constexpr double kRoom = 2.0, kRounding = 1e-6;
     // Beside another guide elements are shortened as needed (room.h). A drum creates its own.
@@ -216,9 +216,9 @@ namespace wire {
 namespace {
 
 DrawnWire drawn_wire(const World& world, WireId wire, InteractionId element) {
-    const auto elements = world.elements(wire);
+    const auto elements = world.wires().elements(wire);
     const auto direction = [&](std::size_t k) -> Vec3 {
-        const std::array<Vec3, 2> ends = world.ends(elements[k]);
+        const std::array<Vec3, 2> ends = world.wires().ends(elements[k]);
         return (ends[1] - ends[0]).normalized();
     };
     std::size_t k = 0;
@@ -260,12 +260,12 @@ Guide lay_on(World& world, GuideDef& def, double speed, std::array<double, 2>& m
              bool drawn) {
     Guide out;
     const InteractionId id = def.element.valid() ? def.element : nearest_element(world, def);
-    if (!world.alive(id) || world.wire_of(id) != def.wire)
+    if (!world.alive(id) || world.wires().of(id) != def.wire)
         refuse(def, "its element is none of its wire");
     const InteractionDef element = world.interaction_def(id);
     if (kind_info(element.kind).is(kWoundUp))
         refuse(def, "its element is at a drum or another guide; choose one farther away");
-    const std::array<Vec3, 2> ends = world.ends(id);
+    const std::array<Vec3, 2> ends = world.wires().ends(id);
     const double length = element.get("length"), mass = element.get("mass");
     if (std::isnan(def.mass_per_length)) def.mass_per_length = mass / length;
     if (std::isnan(def.element_length)) def.element_length = mass > 0.0 ? length : 0.0;
@@ -292,7 +292,7 @@ Guide lay_on(World& world, GuideDef& def, double speed, std::array<double, 2>& m
     out.slide = world.add_body(plan.slide);
     try {
         for (InteractionDef* part : {&plan.before, &plan.behind}) part->body[2] = out.slide;
-        const auto parts = world.lay_over(id, plan.before, plan.behind);
+        const auto parts = world.wires().engage(id, plan.before, plan.behind);
         out.before = parts[0];
         out.behind = parts[1];
     } catch (...) {

@@ -89,7 +89,7 @@ void add_gypsy_parts(World& world, const WinchDef& def, const GypsyWheel& wheel,
     end.body[0] = ids.chain;
     end.set("force", 0.0).set("back", 0.0);
     // Held by the chain between it and the wheel.
-    const auto elements = world.elements(def.wire);
+    const auto elements = world.wires().elements(def.wire);
     const double EA =
         world.interaction_def(def.end == 0 ? elements.front() : elements.back()).get("EA");
     end.compliance[0] = moving_chain(def) / (EA * wheel.radius * wheel.radius);

@@ -83,7 +83,7 @@ bool NodeEdits::lay_over(GuideDef& def, double speed, Guide& out, double (&mater
 InteractionId NodeEdits::lift_off(const Guide& guide, const InteractionDef& element) noexcept {
     if (!hands_.begin()) return {};
     try {
-        return world_.lift_off(guide.before, guide.behind, element);
+        return world_.wires().disengage(guide.before, guide.behind, element);
     } catch (const std::bad_alloc&) {
         hands_.out_of_memory();
         return {};
@@ -95,7 +95,7 @@ InteractionId NodeEdits::lift_off(const Guide& guide, const InteractionDef& elem
 bool NodeEdits::move_along(const Guide& guide, double along, double fed) noexcept {
     if (!hands_.begin()) return false;
     try {
-        return world_.move_along(guide.before, guide.behind, along, fed);
+        return world_.wires().move_along(guide.before, guide.behind, along, fed);
     } catch (const std::bad_alloc&) {
         hands_.out_of_memory();
         return false;

@@ -38,7 +38,7 @@ std::vector<wire::WireResolution::Line> lines_of(const World& world, WireId wire
         double EA, mass, length;
     };
     std::vector<Sum> sums;
-    for (const InteractionId id : world.elements(wire)) {
+    for (const InteractionId id : world.wires().elements(wire)) {
         if (!world.alive(id)) continue;
         const InteractionDef& d = world.interaction_def(id);
         if (kind_info(d.kind).is(kWoundUp) || !(d.get("mass") > 0.0)) continue;
@@ -61,7 +61,7 @@ std::vector<wire::WireResolution::Line> lines_of(const World& world, WireId wire
 
 /// Return the length of the element that a drum pays out [m]; 0: no drum.
 double length_at_drum(const World& world, WireId wire) {
-    const auto elements = world.elements(wire);
+    const auto elements = world.wires().elements(wire);
     for (const InteractionId id : {elements.front(), elements.back()}) {
         if (!world.alive(id)) continue;
         const InteractionDef& d = world.interaction_def(id);
@@ -109,7 +109,7 @@ void check_wire(World& world, const ResolutionDef& def) {
     for (int i = 0; i < world.system_count(); ++i)
         if (const auto* other = dynamic_cast<const wire::WireResolution*>(&world.system(i));
             other != nullptr && other->wire() == def.wire)
-            refuse(def, "the wire '" + world.wire_name(def.wire) + "' has the resolution '" +
+            refuse(def, "the wire '" + world.wires().name(def.wire) + "' has the resolution '" +
                             std::string(other->name()) + "' already; give one a wire");
 }
 
@@ -125,7 +125,7 @@ void define(World& world, const ResolutionDef& given) {
     auto lines = lines_of(world, def.wire);
     if (!std::isnan(def.mass_per_length)) lines.assign(1, {0.0, def.mass_per_length});
     if (lines.empty())
-        refuse(def, "the elements of the wire '" + world.wire_name(def.wire) +
+        refuse(def, "the elements of the wire '" + world.wires().name(def.wire) +
                         "' have no mass for new nodes; make it with consistent_mass");
     for (const auto& line : lines)
         if (!(line.mass_per_length > 0.0 && line.mass_per_length < 1e12))
@@ -139,10 +139,10 @@ void define(World& world, const ResolutionDef& given) {
     }
     check_bound(def, "drum_length", def.drum_length);
     const std::size_t room =
-        std::max(static_cast<std::size_t>(def.max_nodes), world.nodes(def.wire).size()) + 1;
+        std::max(static_cast<std::size_t>(def.max_nodes), world.wires().nodes(def.wire).size()) + 1;
     world.add_system(std::make_unique<wire::WireResolution>(
         def, std::move(lines), room, std::int64_t{world.system_count()},
-        static_cast<double>(world.nodes(def.wire).size()), world.bodies().size()));
+        static_cast<double>(world.wires().nodes(def.wire).size()), world.bodies().size()));
 }
 
 }  // namespace hawser

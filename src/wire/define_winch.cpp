@@ -112,7 +112,7 @@ void check_scalar(const World& world, const WinchDef& def, BodyId body, const ch
 InteractionId wound_end(const World& world, const WinchDef& def) {
     check_scalar(world, def, def.drum, "drum", drum_mass(def));
     if (is_gypsy(def)) check_scalar(world, def, def.chain, "chain", gypsy_chain_inertia(def));
-    const auto elements = world.elements(def.wire);
+    const auto elements = world.wires().elements(def.wire);
     const InteractionId id = def.end == 0 ? elements.front() : elements.back();
     if (!world.alive(id) || !kind_info(world.interaction_def(id).kind).is(kWoundUp) ||
         world.interaction_def(id).body[2] != (is_gypsy(def) ? def.chain : def.drum))
@@ -123,7 +123,7 @@ InteractionId wound_end(const World& world, const WinchDef& def) {
 /// Return the length of the elements that it pays out [m]; 0: it makes no nodes.
 /// @throws DefError
 double element_of(const World& world, const WinchDef& def) {
-    const auto elements = world.elements(def.wire);
+    const auto elements = world.wires().elements(def.wire);
     const InteractionId at_drum = def.end == 0 ? elements.front() : elements.back();
     double mass = 0.0;  // of an element with own mass
     for (const InteractionId id : elements)
@@ -264,7 +264,7 @@ WinchIds define(World& world, const WinchDef& given_def) {
         }
         const double radius =
             wheel.gypsy ? wheel.gypsy->radius : wheel.drum.leaving_radius(def.stored);
-        if (!given) ids.line = world.wind_up(def.wire, def.end, wound, radius);
+        if (!given) ids.line = world.wires().spool(def.wire, def.end, wound, radius);
         const wire::WinchInputs inputs = add_inputs(world, def, ids);
         if (given) {
             world.set_input(inputs.drum_zero, world.pose(wound).position.x());

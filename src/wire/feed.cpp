@@ -51,7 +51,7 @@ void load_ends(const World& world, Loads& loads, InteractionId line, std::size_t
 }
 
 Vec3 along_element(const World& world, InteractionId line, std::size_t node) {
-    const std::array<Vec3, 2> ends = world.ends(line);
+    const std::array<Vec3, 2> ends = world.wires().ends(line);
     return ends[node] - ends[1 - node];
 }
 
@@ -83,7 +83,7 @@ bool take_node(NodeEdits& nodes, const Feed& feed, std::size_t node, double& at)
     const World& world = nodes.world;
     const BodyId lump = world.interaction_def(feed.line).body[node];
     if (world.body_def(lump).kind != BodyKind::lump) return false;
-    const auto elements = world.elements(world.wire_of(feed.line));
+    const auto elements = world.wires().elements(world.wires().of(feed.line));
     std::size_t k = 0;
     while (k < elements.size() && elements[k] != feed.line) ++k;
     if (feed.ahead ? k + 1 >= elements.size() : k == 0 || k >= elements.size()) return false;

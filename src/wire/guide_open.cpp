@@ -82,7 +82,7 @@ Wheel wheel_of(const World& world, const GuideDef& def) {
 
 Piece piece_of(const World& world, InteractionId id) {
     const InteractionDef& d = world.interaction_def(id);
-    const std::array<Vec3, 2> at = world.ends(id);
+    const std::array<Vec3, 2> at = world.wires().ends(id);
     return {at, {speed_at_point(world, d.body[0], at[0]), speed_at_point(world, d.body[1], at[1])}};
 }
 
@@ -114,7 +114,7 @@ Passing passing(const Piece& piece, const Wheel& wheel) {
 /// there is none.
 Passing nearest_passing(const World& world, const GuideDef& def, const Wheel& wheel) {
     Passing best;
-    for (const InteractionId id : world.elements(def.wire)) {
+    for (const InteractionId id : world.wires().elements(def.wire)) {
         if (!world.alive(id) || !world.intact(id)) continue;
         if (kind_info(world.interaction_def(id).kind).is(kWoundUp)) continue;
         Passing one = passing(piece_of(world, id), wheel);
@@ -175,10 +175,10 @@ void GuideSystem::come_back(NodeEdits& nodes) noexcept {
     const Wheel wheel = wheel_of(world, def_);
     Passing at = nearest_passing(world, def_, wheel);
     if (!meets(at, world.settings().step)) return;
-    const double length = world.length(def_.wire);
+    const double length = world.wires().length(def_.wire);
     const bool first = at.fraction < kAtNode;
     if (first || at.fraction > 1.0 - kAtNode) {
-        const auto elements = world.elements(def_.wire);
+        const auto elements = world.wires().elements(def_.wire);
         const auto here = std::find(elements.begin(), elements.end(), at.element);
         const bool ends = first ? here == elements.begin() : here + 1 == elements.end();
         const BodyId node = world.interaction_def(at.element).body[first ? 0 : 1];
@@ -193,7 +193,7 @@ void GuideSystem::come_back(NodeEdits& nodes) noexcept {
         }
     }
     // Rest length that removing the node took from the wire [m].
-    const double kept = length - world.length(def_.wire);
+    const double kept = length - world.wires().length(def_.wire);
     try {
         (void)lay_back(nodes, at.element, speed_along(world, at, wheel), kept);
     } catch (const std::bad_alloc&) {
@@ -238,17 +238,17 @@ void GuideSystem::land(const World& world, Loads& loads) noexcept {
     const double reach = h * std::sqrt(tension / def_.mass_per_length);
     Vec3 along = Vec3::Zero();
     for (const InteractionId id : {ids_.before, ids_.behind}) {
-        const std::array<Vec3, 2> ends = world.ends(id);
+        const std::array<Vec3, 2> ends = world.wires().ends(id);
         along += (ends[1] - ends[0]).normalized();
     }
     const Vec3 n = along.cross(wheel.axis).normalized();
-    const auto elements = world.elements(def_.wire);
+    const auto elements = world.wires().elements(def_.wire);
     Vec3 lost = Vec3::Zero();  // by the nodes in this step [N]
     for (const std::size_t side : {0U, 1U}) {
         auto at = std::find(elements.begin(), elements.end(), element(side));
         double way = 0.0;
         while (at != elements.end() && world.alive(*at) && world.intact(*at)) {
-            const std::array<Vec3, 2> ends = world.ends(*at);
+            const std::array<Vec3, 2> ends = world.wires().ends(*at);
             const BodyId lump = world.interaction_def(*at).body[side];
             way += (ends[1] - ends[0]).norm();
             const BodyDef& body = world.body_def(lump);

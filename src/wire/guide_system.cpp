@@ -154,7 +154,7 @@ void GuideSystem::sample(const World& world) noexcept {
     Vec3 u[2];
     for (std::size_t side = 0; side < 2; ++side) {
         material_[side] += kSign[side] * ran;
-        const std::array<Vec3, 2> ends = world.ends(element(side));
+        const std::array<Vec3, 2> ends = world.wires().ends(element(side));
         u[side] = (ends[1] - ends[0]).normalized();
         // At the guide the element also carries the weight of half of it, and accelerates it along
         // the wire.
@@ -184,7 +184,7 @@ double GuideSystem::pressing(const World& world, double slack) const noexcept {
     const Vec3 axis = world.pose(def_.body).orientation * def_.axis.normalized();
     Vec3 along = Vec3::Zero(), weight = Vec3::Zero();
     for (std::size_t side = 0; side < 2; ++side) {
-        const std::array<Vec3, 2> ends = world.ends(element(side));
+        const std::array<Vec3, 2> ends = world.wires().ends(element(side));
         along += (ends[1] - ends[0]).normalized();
         weight += weight_at(world, element(side), 1 - kPlace[side], half_mass(side));
     }
@@ -200,7 +200,7 @@ void GuideSystem::weigh(const World& world, Loads& loads) const noexcept {
         const InteractionId line = element(side);
         const std::size_t node = 1 - kPlace[side];
         const double half = half_mass(side);
-        const std::array<Vec3, 2> ends = world.ends(line);
+        const std::array<Vec3, 2> ends = world.wires().ends(line);
         const Vec3 weight = weight_at(world, line, node, half);
         const Vec3 u = (ends[node] - ends[kPlace[side]]).normalized();
         load_ends(world, loads, line, node, half, weight,
@@ -259,7 +259,7 @@ void GuideSystem::before_step(NodeEdits& nodes) noexcept {
     sample(world);
     if (lifted()) return come_back(nodes);
     if (parted_ != 0) return;
-    def_.wire = world.wire_of(ids_.before);  // a cut or splice may have changed the wire
+    def_.wire = world.wires().of(ids_.before);  // a cut or splice may have changed the wire
     for (std::size_t side = 0; side < 2 && def_.element_length > 0.0; ++side) {
         const double out = straight(world, side), there = material_[side];
         const double length = length_[side] = element_beside(world, def_, element(side), side, out);

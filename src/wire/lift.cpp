@@ -28,7 +28,7 @@ bool holds_only(const World& world, BodyId lump, InteractionId a, InteractionId 
 /// Return the next element of the wire away from a guide; invalid if there is none or it has
 /// broken.
 InteractionId next_to_end(const World& world, InteractionId element, std::size_t side) {
-    const auto elements = world.elements(world.wire_of(element));
+    const auto elements = world.wires().elements(world.wires().of(element));
     const auto at = std::find(elements.begin(), elements.end(), element);
     if (at == elements.end() || at == (side == 0 ? elements.begin() : elements.end() - 1))
         return {};
@@ -44,7 +44,7 @@ InteractionDef lifted_element(const World& world, const GuideSystem& guide, bool
     const double rest =
         rest_length(world, guide.ids().before) + rest_length(world, guide.ids().behind);
     const auto way = [&](InteractionId id) {
-        const std::array<Vec3, 2> ends = world.ends(id);
+        const std::array<Vec3, 2> ends = world.wires().ends(id);
         return (ends[1] - ends[0]).norm();
     };
     const Vec3 first = world.world_point(a.body[0], a.point[0]),
@@ -80,7 +80,7 @@ bool ends_free(const World& world, InteractionId part, std::size_t side, double 
         return d.kind == BodyKind::lump && d.mass <= mass_per_length * element_length &&
                holds_only(world, body, a, b);
     };
-    if (!world.wire_of(part).valid()) return false;
+    if (!world.wires().of(part).valid()) return false;
     const BodyId lump = world.interaction_def(part).body[side];
     const InteractionId next = next_to_end(world, part, side);
     if (!next.valid()) return free(lump, part, {});

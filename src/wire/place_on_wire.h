@@ -28,13 +28,13 @@ template <class TakesWire, class TakesElement>
                                           const TakesWire& takes_wire,
                                           const TakesElement& takes_element) {
     PointOnWire out;
-    for (const WireId wire : world.wires()) {
+    for (const WireId wire : world.wires().ids()) {
         if (!takes_wire(wire)) continue;
-        for (const InteractionId id : world.elements(wire)) {
+        for (const InteractionId id : world.wires().elements(wire)) {
             if (!world.alive(id) || !world.intact(id)) continue;
             const InteractionDef& d = world.interaction_def(id);
             if (kind_info(d.kind).is(kWoundUp) || !takes_element(d)) continue;
-            const std::array<Vec3, 2> ends = world.ends(id);
+            const std::array<Vec3, 2> ends = world.wires().ends(id);
             const Vec3 along = ends[1] - ends[0];
             const double fraction =
                 std::clamp((point - ends[0]).dot(along) / std::max(along.squaredNorm(), 1e-300),
@@ -47,9 +47,10 @@ template <class TakesWire, class TakesElement>
     return out;
 }
 
-/// Return the number by which outputs identify a wire: 1 for the first of World::wires(), 0: none.
+/// Return the number by which outputs identify a wire: 1 for the first of WorldWires::ids(), 0:
+/// none.
 [[nodiscard]] inline double number_of(const World& world, WireId wire) noexcept {
-    const auto wires = world.wires();
+    const auto wires = world.wires().ids();
     const auto found = std::find(wires.begin(), wires.end(), wire);
     return found == wires.end() ? 0.0 : 1.0 + static_cast<double>(found - wires.begin());
 }

@@ -28,7 +28,7 @@ constexpr std::int32_t kWait = 15;  ///< Steps.
 /// Return the element before or behind another; invalid if there is none or if a drum or guide
 /// loads it.
 InteractionId neighbour(const World& world, WireId wire, InteractionId element, bool behind) {
-    const auto elements = world.elements(wire);
+    const auto elements = world.wires().elements(wire);
     const auto at = std::find(elements.begin(), elements.end(), element);
     if (at == elements.end() || at == (behind ? elements.end() - 1 : elements.begin())) return {};
     const InteractionId out = *(behind ? at + 1 : at - 1);

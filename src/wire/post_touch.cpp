@@ -58,9 +58,9 @@ bool PostSystem::find(const World& world, ShapeId segment, Touch& out) const {
     // A body that holds one end may also hold the wire elsewhere.
     const bool first = world.body_def(capsule.body).kind == BodyKind::lump;
     const BodyId lump = first ? capsule.body : capsule.body_b;
-    for (const WireId wire : world.wires()) {
-        const auto nodes = world.nodes(wire);
-        const auto elements = world.elements(wire);
+    for (const WireId wire : world.wires().ids()) {
+        const auto nodes = world.wires().nodes(wire);
+        const auto elements = world.wires().elements(wire);
         const auto at = std::find(nodes.begin(), nodes.end(), lump);
         if (at == nodes.end()) continue;
         for (const std::ptrdiff_t k : {at - nodes.begin(), at - nodes.begin() - 1}) {

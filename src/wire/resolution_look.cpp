@@ -24,8 +24,8 @@ double WireResolution::mass_per_length_of(const InteractionDef& element) const n
 
 /// Sample elements and nodes.
 void WireResolution::sample(const World& world) {
-    const auto elements = world.elements(def_.wire);
-    const auto nodes = world.nodes(def_.wire);
+    const auto elements = world.wires().elements(def_.wire);
+    const auto nodes = world.wires().nodes(def_.wire);
     elements_.assign(elements.size(), {});
     at_.assign(nodes.size(), {});
     for (std::size_t i = 0; i < nodes.size(); ++i) at_[i].id = nodes[i];

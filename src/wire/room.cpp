@@ -29,11 +29,11 @@ bool is_of(const GuideDef& guide, std::string_view post) noexcept {
 template <class F>
 void each_element(const World& world, const GuideDef& guide, InteractionId line, std::size_t side,
                   F&& f) {
-    const auto elements = world.elements(guide.wire);
+    const auto elements = world.wires().elements(guide.wire);
     auto at = std::find(elements.begin(), elements.end(), line);
     double sum = 0.0;
     while (at != elements.end() && world.alive(*at) && world.intact(*at)) {
-        std::array<Vec3, 2> ends = world.ends(*at);
+        std::array<Vec3, 2> ends = world.wires().ends(*at);
         if (side == 0) std::swap(ends[0], ends[1]);
         if (!f(ends, sum, *at) || (side == 0 && at == elements.begin())) return;
         sum += (ends[1] - ends[0]).norm();

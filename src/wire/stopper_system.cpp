@@ -88,7 +88,7 @@ std::optional<StopperClaim> StopperSystem::claim(const World& world) const noexc
     const PointOnWire found = nearest(world);
     if (!(found.far <= def_.reach)) return std::nullopt;
     StopperClaim out{found.wire, 0.0};
-    for (const InteractionId id : world.elements(found.wire)) {
+    for (const InteractionId id : world.wires().elements(found.wire)) {
         if (id == found.element) break;
         if (world.alive(id)) out.at += rest_length(world, id);
     }
@@ -128,7 +128,7 @@ BodyId StopperSystem::node_at(NodeEdits& nodes, const PointOnWire& found) noexce
 void StopperSystem::tell(const World& world, const PointOnWire& found) noexcept {
     held_ = number_of(world, found.wire);
     at_ = 0.0;
-    for (const InteractionId id : world.elements(found.wire)) {
+    for (const InteractionId id : world.wires().elements(found.wire)) {
         if (!world.alive(id)) continue;
         const double rest = rest_length(world, id);
         at_ += id == found.element ? found.fraction * rest : rest;

@@ -123,7 +123,7 @@ void WinchSystem::follow_aids(Prestep& now) noexcept {
     Aids& a = aids_;
     const double paid = def_.stored - stored_;
     if (a.begun == 0) {
-        a.first = now.world.length(def_.wire) - paid;
+        a.first = now.world.wires().length(def_.wire) - paid;
         a.begun = 1;
     }
     a.out = a.first + paid;

@@ -78,7 +78,7 @@ void WireResolution::bound_elements(const World& world) {
         }
         return false;
     };
-    scale_ = std::pow(kLevel, world.coarsening());
+    scale_ = std::pow(kLevel, world.solver().coarsening());
     for (std::size_t i = 0; i < elements_.size(); ++i) {
         Element& e = elements_[i];
         const double curvature = std::max({at_[i].curvature, at_[i + 1].curvature, 1e-30});
@@ -196,10 +196,10 @@ bool WireResolution::coarsen(NodeEdits& nodes) noexcept {
 
 /// Set the outputs: nodes, material, longest and shortest element.
 void WireResolution::tell(const World& world) noexcept {
-    nodes_ = static_cast<double>(world.nodes(def_.wire).size());
+    nodes_ = static_cast<double>(world.wires().nodes(def_.wire).size());
     material_ = longest_ = 0.0;
     shortest_ = 1e30;
-    for (const InteractionId id : world.elements(def_.wire)) {
+    for (const InteractionId id : world.wires().elements(def_.wire)) {
         if (!world.alive(id)) continue;
         const InteractionDef& d = world.interaction_def(id);
         const double mass = kind_info(d.kind).is(kWoundUp) ? 0.0 : d.get("mass");

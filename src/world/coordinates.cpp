@@ -32,7 +32,7 @@ namespace {
 
 /// Return the coordinate of an interaction.
 /// @throws DefError for a kind without a coordinate.
-model::Coordinate coordinate_of(const stepper::StepContext& ctx, std::size_t i) {
+model::Coordinate coordinate_of(const context::StepContext& ctx, std::size_t i) {
     const InteractionDef& def = ctx.model.interactions.def[i];
     const KindInfo& kind = kind_info(def.kind);
     if (kind.coordinate == KindCoordinate::none)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Couplings of single interactions, and worlds that differ only in coupling.
+#include <hawser/experimental/splits.h>
 #include <hawser/inspect.h>
-#include <hawser/partition.h>
 
 #include "context/asleep.h"
 #include "context/context.h"
@@ -28,22 +28,22 @@
 
 namespace hawser {
 
-void World::set_group(BodyId id, const std::string& group) {
-    const world::Using use(impl_->use, "set_group");
-    const std::size_t b = impl_->place(id);
-    Impl& m = *impl_;
+void WorldSplits::set_group(BodyId id, const std::string& group) {
+    const world::Using use(impl().use, "set_group");
+    const std::size_t b = impl().place(id);
+    WorldImpl& m = impl();
     if (m.body_defs[b].group == group) return;
     std::string name = group;
     m.ctx.model.regroup.by_hand[b] = m.number_of_group(group);
     m.body_defs[b].group.swap(name);
     m.ctx.model.regroup.stale = true;
-    if (!stepper::makes_groups(m.ctx.model))
+    if (!split::makes_groups(m.ctx.model))
         m.ctx.model.cuts.group[b] = m.ctx.model.regroup.by_hand[b];
-    m.ctx.state.changed = stepper::Changed::all;
+    m.ctx.state.changed = context::Changed::all;
     if (m.listener != nullptr) m.listener->set_group(id, group);
 }
 
-std::int32_t World::Impl::number_of_group(const std::string& name) {
+std::int32_t WorldImpl::number_of_group(const std::string& name) {
     if (name.empty()) return -1;
     if (const std::int32_t known = groups.find(name); known >= 0) return known;
     const auto number = static_cast<std::int32_t>(groups.size());
@@ -51,9 +51,9 @@ std::int32_t World::Impl::number_of_group(const std::string& name) {
     return number;
 }
 
-void World::follow_groups(int parts, int every) {
-    const world::Using use(impl_->use, "follow_groups");
-    stepper::StepContext& c = impl_->ctx;
+void WorldSplits::follow_groups(int parts, int every) {
+    const world::Using use(impl().use, "follow_groups");
+    context::StepContext& c = impl().ctx;
     WorldDef def = c.model.def;
     def.parts = parts;
     def.regroup_every = every;
@@ -62,36 +62,36 @@ void World::follow_groups(int parts, int every) {
         std::vector<std::int32_t> by_hand = c.model.regroup.by_hand;
         c.model.regroup.parts = {};
         c.model.regroup.stale = true;
-        c.state.changed = stepper::Changed::all;
+        c.state.changed = context::Changed::all;
         if (parts == 0) c.model.cuts.group.swap(by_hand);
     }
     c.model.def = def;
-    if (impl_->listener != nullptr) impl_->listener->follow_groups(parts, every);
+    if (impl().listener != nullptr) impl().listener->follow_groups(parts, every);
 }
 
-std::vector<std::int32_t> World::groups() const {
-    const world::Using use(impl_->use, "groups");
-    stepper::StepContext& c = impl_->ctx;
-    stepper::ready(c);
+std::vector<std::int32_t> WorldSplitsView::groups() const {
+    const world::Using use(impl().use, "groups");
+    context::StepContext& c = impl().ctx;
+    step::ready(c);
     std::vector<std::int32_t> out = c.model.cuts.group;
-    for (std::int32_t b = 0; b < body_count(); ++b)
+    for (std::int32_t b = 0; b < world_->body_count(); ++b)
         if (c.model.bodies.dof(b) == 0) out[at(b)] = -1;
     return out;
 }
 
-void World::set_groups(int parts) {
-    const world::Using use(impl_->use, "set_groups");
+void WorldSplits::set_groups(int parts) {
+    const world::Using use(impl().use, "set_groups");
     if (parts < 1 || parts > 4096)
         throw DefError("groups: parts = " + std::to_string(parts) + "; give 1 to 4096");
-    Impl& m = *impl_;
+    WorldImpl& m = impl();
     std::vector<std::string> names;
     for (const BodyDef& b : m.body_defs) names.push_back(b.group);
     std::vector<std::int32_t> by_hand = m.ctx.model.regroup.by_hand;
     const WorldDef before = m.ctx.model.def;
-    stepper::Transaction all(m.ctx);
-    stepper::keep_state(m.ctx, stepper::Undo::Depth::model);
+    step::Transaction all(m.ctx);
+    state::keep_state(m.ctx, context::Undo::Depth::model);
     try {
-        const Impl::Untold untold(m);
+        const WorldImpl::Untold untold(m);
         regroup_all(parts);
     } catch (...) {
         m.ctx.model.def = before;
@@ -103,47 +103,47 @@ void World::set_groups(int parts) {
     if (m.listener != nullptr) m.listener->set_groups(parts);
 }
 
-void World::regroup_all(int parts) {
-    follow_groups(0, impl_->ctx.model.def.regroup_every);
-    for (const BodyId b : bodies()) set_group(b, "");
+void WorldSplits::regroup_all(int parts) {
+    follow_groups(0, impl().ctx.model.def.regroup_every);
+    for (const BodyId b : world_->bodies()) set_group(b, "");
     if (parts == 1) return;
     const PartitionView view = partition({.use = PartitionUse::cuts, .parts = parts});
-    for (const BodyId b : bodies())
+    for (const BodyId b : world_->bodies())
         if (view.part_of_body[at(b.index)] >= 0)
             set_group(b, "part " + std::to_string(view.part_of_body[at(b.index)]));
 }
 
-void World::set_coupling(InteractionId id, Coupling coupling) {
-    const world::Using use(impl_->use, "set_coupling");
-    const std::size_t i = impl_->place(id);
-    stepper::StepContext& c = impl_->ctx;
+void WorldSplits::set_coupling(InteractionId id, Coupling coupling) {
+    const world::Using use(impl().use, "set_coupling");
+    const std::size_t i = impl().place(id);
+    context::StepContext& c = impl().ctx;
     if (coupling > Coupling::deadline) throw DefError("unknown coupling");
     if (coupling != Coupling::exact && c.model.def.sleep_after > 0.0)
         throw DefError("a coupling other than exact needs sleep_after 0");
-    if (coupling != Coupling::exact && !stepper::can_cut(c.model, id.index))
+    if (coupling != Coupling::exact && !split::can_cut(c.model, id.index))
         throw DefError(world::label("interaction", c.model.interactions.def[i].name) +
                        ": a motor, a range, friction, a load of friction or a winch cannot be cut; "
                        "use the exact coupling");
-    c.model.cuts.coupling.resize(at(interaction_count()), c.model.def.coupling);
+    c.model.cuts.coupling.resize(at(world_->interaction_count()), c.model.def.coupling);
     if (c.model.cuts.coupling[i] == coupling) return;
     c.model.cuts.coupling[i] = coupling;
     c.model.regroup.stale = true;
-    c.state.changed = stepper::Changed::all;
-    if (impl_->listener != nullptr) impl_->listener->set_coupling(id, coupling);
+    c.state.changed = context::Changed::all;
+    if (impl().listener != nullptr) impl().listener->set_coupling(id, coupling);
 }
 
-Coupling World::coupling(InteractionId id) const {
-    const std::size_t i = impl_->place(id);
-    const stepper::Cuts& cuts = impl_->ctx.model.cuts;
-    return i < cuts.coupling.size() ? cuts.coupling[i] : impl_->ctx.model.def.coupling;
+Coupling WorldSplitsView::coupling(InteractionId id) const {
+    const std::size_t i = impl().place(id);
+    const context::Cuts& cuts = impl().ctx.model.cuts;
+    return i < cuts.coupling.size() ? cuts.coupling[i] : impl().ctx.model.def.coupling;
 }
 
-std::vector<CutView> World::cuts() const {
-    const world::Using use(impl_->use, "cuts");
-    Impl& m = *impl_;
-    stepper::ready(m.ctx);
+std::vector<CutView> WorldSplitsView::cuts() const {
+    const world::Using use(impl().use, "cuts");
+    WorldImpl& m = impl();
+    step::ready(m.ctx);
     std::vector<CutView> out;
-    for (const stepper::Cut& c : m.ctx.model.cuts.list)
+    for (const context::Cut& c : m.ctx.model.cuts.list)
         out.push_back({m.ctx.model.interactions.id(c.id), m.ctx.model.cuts.coupling[at(c.id)],
                        c.open, c.defect, c.residual});
     return out;
@@ -152,7 +152,7 @@ std::vector<CutView> World::cuts() const {
 namespace {
 
 /// Copy motion and memory, up to the common length of each array.
-void copy_motion(const stepper::StepContext& from, stepper::StepContext& to) {
+void copy_motion(const context::StepContext& from, context::StepContext& to) {
     std::vector<std::span<const std::byte>> arrays;
     world::visit_motion(from,
                         [&](const auto& a) { arrays.push_back(std::as_bytes(std::span(a))); });
@@ -173,11 +173,11 @@ void copy_motion(const stepper::StepContext& from, stepper::StepContext& to) {
         std::fill(to.model.bodies.asleep.begin(), to.model.bodies.asleep.end(), std::uint8_t{0});
         std::fill(to.model.bodies.quiet.begin(), to.model.bodies.quiet.end(), 0);
     }
-    stepper::check_asleep(to.model, to.work.stats);
-    stepper::update_wire_flags(to.model);
+    context::check_asleep(to.model, to.work.stats);
+    context::update_wire_flags(to.model);
 }
 
-void copy_values(const stepper::StepContext& from, stepper::StepContext& to) {
+void copy_values(const context::StepContext& from, context::StepContext& to) {
     std::vector<std::span<const std::byte>> values;
     world::visit_values(from,
                         [&](const auto& v) { values.push_back(std::as_bytes(std::span(&v, 1))); });
@@ -192,7 +192,7 @@ void copy_values(const stepper::StepContext& from, stepper::StepContext& to) {
 
 /// Copy remembered contacts.
 /// @return true if other bodies touch than before.
-bool copy_contacts(const stepper::StepContext& from, stepper::StepContext& to) {
+bool copy_contacts(const context::StepContext& from, context::StepContext& to) {
     assembly::Contacts& c = to.model.system.contacts;
     const assembly::Contacts& f = from.model.system.contacts;
     to.model.collider.kept() = from.model.collider.kept();
@@ -212,74 +212,76 @@ bool copy_contacts(const stepper::StepContext& from, stepper::StepContext& to) {
 }
 
 /// Copy groups that follow the state, if both worlds have some.
-void copy_groups(const stepper::StepContext& from, stepper::StepContext& to) {
-    if (!stepper::makes_groups(from.model) || !stepper::makes_groups(to.model)) return;
+void copy_groups(const context::StepContext& from, context::StepContext& to) {
+    if (!split::makes_groups(from.model) || !split::makes_groups(to.model)) return;
     const bool same = to.model.regroup.parts.part == from.model.regroup.parts.part;
     to.model.regroup.parts = from.model.regroup.parts;
     to.model.regroup.made = from.model.regroup.made;
     to.model.regroup.seen = from.model.regroup.seen;
-    if (same || stepper::assign_groups(to.model) == 0) return;
-    to.state.changed = stepper::Changed::all;
-    stepper::prepare(to);
+    if (same || split::assign_groups(to.model) == 0) return;
+    to.state.changed = context::Changed::all;
+    step::prepare(to);
 }
 
 }  // namespace
 
-void World::copy_state(const World& other) {
-    const world::Using use(impl_->use, "copy_state"), reading(other.impl_->use, "copy_state");
-    const stepper::StepContext& from = other.impl_->ctx;
-    stepper::StepContext& to = impl_->ctx;
-    stepper::ready(other.impl_->ctx);
-    stepper::ready(to);
-    if (other.body_count() != body_count() || other.interaction_count() != interaction_count() ||
-        other.input_count() != input_count() ||
+void WorldState::copy_from(const World& other) {
+    const world::Using use(impl().use, "state().copy_from"),
+        reading(impl(other).use, "state().copy_from");
+    const context::StepContext& from = impl(other).ctx;
+    context::StepContext& to = impl().ctx;
+    step::ready(impl(other).ctx);
+    step::ready(to);
+    if (other.body_count() != world_->body_count() ||
+        other.interaction_count() != world_->interaction_count() ||
+        other.input_count() != world_->input_count() ||
         from.model.bodies.v.size() != to.model.bodies.v.size() ||
         from.model.def.step != to.model.def.step)
-        throw DefError("copy_state: the worlds have other bodies, interactions, inputs or steps");
-    if (other.impl_->systems.layout() != impl_->systems.layout())
-        throw DefError("copy_state: the worlds have other systems, or systems of other sizes");
-    std::vector<std::byte> systems(impl_->systems.state_bytes());
+        throw DefError("copy_from: the worlds have other bodies, interactions, inputs or steps");
+    if (impl(other).systems.layout() != impl().systems.layout())
+        throw DefError("copy_from: the worlds have other systems, or systems of other sizes");
+    std::vector<std::byte> systems(impl().systems.state_bytes());
     std::vector<std::byte> systems_before(systems.size());
-    other.impl_->systems.save(systems.data());
-    impl_->systems.save(systems_before.data());
-    std::vector<double> inputs = impl_->input_values;
+    impl(other).systems.save(systems.data());
+    impl().systems.save(systems_before.data());
+    std::vector<double> inputs = impl().input_values;
     std::vector<std::pair<Vec3, Vec3>> forces;
-    for (const BodyDef& def : impl_->body_defs) forces.emplace_back(def.force, def.torque);
-    stepper::Transaction all(to);
-    stepper::keep_state(to, stepper::Undo::Depth::all);
+    for (const BodyDef& def : impl().body_defs) forces.emplace_back(def.force, def.torque);
+    step::Transaction all(to);
+    state::keep_state(to, context::Undo::Depth::all);
     std::vector<std::byte> copied;
     try {
-        copy_from(other);
-        for (const BodyId id : impl_->body_ids) {
-            impl_->body_defs[at(id.index)].force = other.impl_->body_defs[at(id.index)].force;
-            impl_->body_defs[at(id.index)].torque = other.impl_->body_defs[at(id.index)].torque;
+        impl().copy_from(impl(other));
+        for (const BodyId id : impl().body_ids) {
+            impl().body_defs[at(id.index)].force = impl(other).body_defs[at(id.index)].force;
+            impl().body_defs[at(id.index)].torque = impl(other).body_defs[at(id.index)].torque;
         }
-        impl_->systems.restore(systems.data());
-        if (impl_->listener != nullptr) copied = save();
+        impl().systems.restore(systems.data());
+        if (impl().listener != nullptr) copied = save();
     } catch (...) {
-        impl_->input_values.swap(inputs);
+        impl().input_values.swap(inputs);
         for (std::size_t b = 0; b < forces.size(); ++b)
-            std::tie(impl_->body_defs[b].force, impl_->body_defs[b].torque) = forces[b];
-        impl_->systems.restore(systems_before.data());
+            std::tie(impl().body_defs[b].force, impl().body_defs[b].torque) = forces[b];
+        impl().systems.restore(systems_before.data());
         throw;
     }
     all.done();
-    impl_->systems.forget();
-    impl_->outputs.forget_figures();
-    if (impl_->listener != nullptr) impl_->listener->restored(copied);
+    impl().systems.forget();
+    impl().outputs.forget_figures();
+    if (impl().listener != nullptr) impl().listener->restored(copied);
 }
 
-void World::copy_from(const World& other) {
-    const stepper::StepContext& from = other.impl_->ctx;
-    stepper::StepContext& to = impl_->ctx;
+void WorldImpl::copy_from(const WorldImpl& other) {
+    const context::StepContext& from = other.ctx;
+    context::StepContext& to = ctx;
     copy_groups(from, to);
     const auto asleep = to.model.bodies.asleep;
     copy_motion(from, to);
-    if (copy_contacts(from, to) || asleep != to.model.bodies.asleep) stepper::analyse(to);
+    if (copy_contacts(from, to) || asleep != to.model.bodies.asleep) split::analyse(to);
     copy_values(from, to);
-    for (std::size_t i = 0; i < impl_->inputs.size(); ++i) {
-        impl_->input_values[i] = other.impl_->input_values[i];
-        if (impl_->inputs[i].interaction.valid()) impl_->apply_input(i, impl_->input_values[i]);
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        input_values[i] = other.input_values[i];
+        if (inputs[i].interaction.valid()) apply_input(i, input_values[i]);
     }
     for (const auto* list : {&to.model.interactions.frictions, &to.model.interactions.spans})
         for (const std::int32_t id : *list)
@@ -288,9 +290,9 @@ void World::copy_from(const World& other) {
         to.model.interactions.follow_length(id, to.model.bodies, to.model.def.step);
     // Ghost bodies and duplicated rows differ with the coupling.
     if (from.model.interactions.count() != to.model.interactions.count())
-        stepper::follow_cuts(to.model);
+        split::follow_cuts(to.model);
     if (from.model.cuts.interfaces == to.model.cuts.interfaces &&
-        stepper::ask_for_cuts(to, from.model.cuts.asked) != Status::ok)
+        split::ask_for_cuts(to, from.model.cuts.asked) != Status::ok)
         throw std::bad_alloc();
 }
 

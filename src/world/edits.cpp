@@ -55,7 +55,7 @@ BodyId World::add_body(const BodyDef& def) {
     const world::Using use(impl_->use, "add_body");
     world::check(def);
     Impl& m = *impl_;
-    stepper::StepContext& c = m.ctx;
+    context::StepContext& c = m.ctx;
     refuse_beyond(m.body_ids.size(), c.model.def.max_bodies, "bodies");
     BodyDef kept = def;
     base::reserve_more(m.body_defs, 1);
@@ -67,12 +67,12 @@ BodyId World::add_body(const BodyDef& def) {
     std::int32_t group = -1;
     claim_for(m.body_names, def.name, place, "body", [&] { group = m.number_of_group(def.group); });
     // No call below throws.
-    stepper::begin_edit(c);
+    edit::begin_edit(c);
     (void)c.model.bodies.add(def);
     put(m.body_defs, place, std::move(kept));
     put(c.model.regroup.by_hand, place, std::int32_t{group});
     put(c.model.cuts.group, place, std::int32_t{group});
-    stepper::settle_body(c, place);
+    edit::settle_body(c, place);
     const BodyId id = c.model.bodies.id(place);
     insert_id(m.body_ids, id);
     if (m.listener != nullptr) m.listener->added(def);
@@ -82,7 +82,7 @@ BodyId World::add_body(const BodyDef& def) {
 InteractionId World::add_interaction(const InteractionDef& def) {
     const world::Using use(impl_->use, "add_interaction");
     Impl& m = *impl_;
-    stepper::StepContext& c = m.ctx;
+    context::StepContext& c = m.ctx;
     model::Interactions& all = c.model.interactions;
     world::check(def, c.model.bodies, body_count(),
                  std::span(all.def).first(at(interaction_count())), all.slots);
@@ -91,7 +91,7 @@ InteractionId World::add_interaction(const InteractionDef& def) {
     world::fill_in(d, c);
     all.reserve_more(d.kind);
     base::reserve_more(m.interaction_ids, 1);
-    stepper::reserve_edit(c);
+    edit::reserve_edit(c);
     const std::int32_t place = next_place(all.place_for(d.kind), interaction_count());
     claim(m.interaction_names, d.name, place, "interaction");
     // No call below throws.
@@ -100,13 +100,13 @@ InteractionId World::add_interaction(const InteractionDef& def) {
     return id;
 }
 
-InteractionId World::Impl::put_interaction(InteractionDef&& whole) noexcept {
-    stepper::begin_edit(ctx);
+InteractionId WorldImpl::put_interaction(InteractionDef&& whole) noexcept {
+    edit::begin_edit(ctx);
     model::Interactions& all = ctx.model.interactions;
     const std::int32_t place = all.add(std::move(whole), ctx.model.bodies, ctx.model.def.step);
     if (at(place) < ctx.model.cuts.coupling.size())
         ctx.model.cuts.coupling[at(place)] = ctx.model.def.coupling;
-    stepper::settle_interaction(ctx, place);
+    edit::settle_interaction(ctx, place);
     const InteractionId id = all.id(place);
     insert_id(interaction_ids, id);
     return id;
@@ -118,7 +118,7 @@ ShapeId World::add_shape(const ShapeDef& def) {
     world::check(def, m.ctx.model.bodies, body_count(), material_count());
     ShapeDef kept = def;
     base::reserve_more(m.shape_defs, 1);
-    stepper::reserve_edit(m.ctx);
+    edit::reserve_edit(m.ctx);
     base::reserve_more(m.shape_ids, 1);
     const std::int32_t place = next_place(
         m.ctx.model.collider.slots.find_vacant([](std::int32_t) { return true; }), shape_count());
@@ -126,8 +126,8 @@ ShapeId World::add_shape(const ShapeDef& def) {
               [&] { m.ctx.model.collider.add(def, m.ctx.model.bodies); });
     // No call below throws.
     put(m.shape_defs, place, std::move(kept));
-    stepper::begin_shape_edit(m.ctx);
-    stepper::settle_shape(m.ctx, place);
+    edit::begin_shape_edit(m.ctx);
+    edit::settle_shape(m.ctx, place);
     const auto id = m.ctx.model.collider.slots.id<ShapeId>(place);
     insert_id(m.shape_ids, id);
     if (m.listener != nullptr) m.listener->added(def);
@@ -175,8 +175,8 @@ const Removed& World::remove_shape(ShapeId id) { return remove_one(*impl_, id, "
 const Removed& World::remove_input(InputId id) { return remove_one(*impl_, id, "remove_input"); }
 
 /// Reserve capacity for all objects, because removing a hull may remove any of them.
-void World::Impl::reserve_removal() {
-    stepper::reserve_edit(ctx);
+void WorldImpl::reserve_removal() {
+    edit::reserve_edit(ctx);
     ctx.model.bodies.reserve_more();
     ctx.model.interactions.slots.reserve_more();
     input_slots.reserve_more();
@@ -187,7 +187,7 @@ void World::Impl::reserve_removal() {
     forget_removal();
 }
 
-void World::Impl::forget_removal() noexcept {
+void WorldImpl::forget_removal() noexcept {
     removed.bodies.clear();
     removed.interactions.clear();
     removed.shapes.clear();
@@ -204,7 +204,7 @@ void note(std::vector<Id>& list, Id id) noexcept {
 
 }  // namespace
 
-const Removed& World::Impl::sorted_removal() noexcept {
+const Removed& WorldImpl::sorted_removal() noexcept {
     std::sort(removed.interactions.begin(), removed.interactions.end());
     std::sort(removed.shapes.begin(), removed.shapes.end());
     std::sort(removed.inputs.begin(), removed.inputs.end());
@@ -212,9 +212,9 @@ const Removed& World::Impl::sorted_removal() noexcept {
 }
 
 /// Remove a body, its attached objects first.
-void World::Impl::remove(BodyId id) noexcept {
+void WorldImpl::remove(BodyId id) noexcept {
     const model::Interactions& in = ctx.model.interactions;
-    for (std::int32_t i = stepper::interaction_count(ctx.model); i-- > 0;) {
+    for (std::int32_t i = context::interaction_count(ctx.model); i-- > 0;) {
         const std::int32_t* body = &in.body[kMaxInteractionBodies * at(i)];
         if (std::find(body, body + in.bodies[at(i)], id.index) != body + in.bodies[at(i)])
             remove(in.id(i));
@@ -226,36 +226,36 @@ void World::Impl::remove(BodyId id) noexcept {
     }
     for (std::int32_t k = input_slots.count(); k-- > 0;)
         if (inputs[at(k)].body == id) remove(input_slots.id<InputId>(k));
-    stepper::begin_edit(ctx);
+    edit::begin_edit(ctx);
     world::release(body_names, body_defs[at(id.index)].name);
     body_defs[at(id.index)] = {.kind = BodyKind::fixed, .gravity = false};
     ctx.model.regroup.by_hand[at(id.index)] = ctx.model.cuts.group[at(id.index)] = -1;
-    stepper::remove_body(ctx, id.index);
+    edit::remove_body(ctx, id.index);
     erase_id(body_ids, id);
     note(removed.bodies, id);
 }
 
-void World::Impl::remove(InteractionId id) noexcept {
+void WorldImpl::remove(InteractionId id) noexcept {
     for (std::int32_t k = input_slots.count(); k-- > 0;)
         if (inputs[at(k)].interaction == id) remove(input_slots.id<InputId>(k));
-    stepper::begin_edit(ctx);
+    edit::begin_edit(ctx);
     world::release(interaction_names, ctx.model.interactions.def[at(id.index)].name);
-    stepper::remove_interaction(ctx, id.index);
+    edit::remove_interaction(ctx, id.index);
     erase_id(interaction_ids, id);
     note(removed.interactions, id);
 }
 
-void World::Impl::remove(ShapeId id) noexcept {
-    stepper::begin_shape_edit(ctx);
+void WorldImpl::remove(ShapeId id) noexcept {
+    edit::begin_shape_edit(ctx);
     world::release(shape_names, shape_defs[at(id.index)].name);
     shape_defs[at(id.index)] = {};
-    stepper::remove_shape(ctx, id.index);
+    edit::remove_shape(ctx, id.index);
     erase_id(shape_ids, id);
     note(removed.shapes, id);
 }
 
 /// Remove an input. The value that it set remains.
-void World::Impl::remove(InputId id) noexcept {
+void WorldImpl::remove(InputId id) noexcept {
     InputDef& def = inputs[at(id.index)];
     const InteractionId driven = def.interaction;
     world::release(input_names, def.name);
@@ -274,7 +274,7 @@ void World::Impl::remove(InputId id) noexcept {
     note(removed.inputs, id);
     const auto same = [&](const InputDef& other) { return other.interaction == driven; };
     if (!driven.valid() || std::any_of(inputs.begin(), inputs.end(), same)) return;
-    stepper::begin_edit(ctx);  // the interaction may take part in the end-of-step iteration now
+    edit::begin_edit(ctx);  // the interaction may take part in the end-of-step iteration now
     ctx.model.interactions.unmark_driven(driven.index);
 }
 

@@ -90,11 +90,11 @@ void add(const std::vector<ShapeDef>& shapes, const collide::Collider& collider,
 
 }  // namespace
 
-std::uint64_t layout_of(const stepper::StepContext& ctx, std::size_t inputs) {
+std::uint64_t layout_of(const context::StepContext& ctx, std::size_t inputs) {
     Digest to;
     // Only user objects count, because ghost bodies and duplicated rows of cuts follow from them.
-    const auto bodies = static_cast<std::size_t>(stepper::body_count(ctx.model)),
-               count = static_cast<std::size_t>(stepper::interaction_count(ctx.model));
+    const auto bodies = static_cast<std::size_t>(context::body_count(ctx.model)),
+               count = static_cast<std::size_t>(context::interaction_count(ctx.model));
     to.front(ctx.model.bodies.kind, bodies);
     to.front(ctx.model.regroup.by_hand, bodies);
     to.front(ctx.model.interactions.body, kMaxInteractionBodies * count);
@@ -119,12 +119,12 @@ std::uint64_t layout_of(const stepper::StepContext& ctx, std::size_t inputs) {
     return to.result();
 }
 
-std::uint64_t parameters_of(const stepper::StepContext& ctx, const std::vector<InputDef>& inputs,
+std::uint64_t parameters_of(const context::StepContext& ctx, const std::vector<InputDef>& inputs,
                             const std::vector<ShapeDef>& shapes) {
     Digest to;
     add(shapes, ctx.model.collider, to);
-    const auto bodies = static_cast<std::size_t>(stepper::body_count(ctx.model)),
-               count = static_cast<std::size_t>(stepper::interaction_count(ctx.model));
+    const auto bodies = static_cast<std::size_t>(context::body_count(ctx.model)),
+               count = static_cast<std::size_t>(context::interaction_count(ctx.model));
     to.front(ctx.model.bodies.mass, bodies);
     to.front(ctx.model.bodies.inertia, 9 * bodies);
     to.front(ctx.model.bodies.damping, 6 * bodies);
@@ -132,7 +132,7 @@ std::uint64_t parameters_of(const stepper::StepContext& ctx, const std::vector<I
     for (const SettingInfo& s : setting_infos())
         for (int c = 0; s.identity && c < (s.type == SettingType::vector ? 3 : 1); ++c)
             to.value(s.get(ctx.model.def, c));
-    if (stepper::makes_groups(ctx.model)) {
+    if (split::makes_groups(ctx.model)) {
         to.value(ctx.model.def.parts);
         to.value(ctx.model.def.regroup_every);
     }

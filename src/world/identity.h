@@ -14,12 +14,12 @@
 namespace hawser::world {
 
 /// Return a hash of all data that determine the meaning of a snapshot's bytes.
-[[nodiscard]] std::uint64_t layout_of(const stepper::StepContext& ctx, std::size_t inputs);
+[[nodiscard]] std::uint64_t layout_of(const context::StepContext& ctx, std::size_t inputs);
 
 /// Return a hash of the parameters of bodies, interactions, inputs and settings, without the state.
 /// A run continues bit for bit only with equal parameters. Excluded are parameters driven by
 /// inputs, applied forces, the number of threads, and the form, whose results agree to rounding.
-[[nodiscard]] std::uint64_t parameters_of(const stepper::StepContext& ctx,
+[[nodiscard]] std::uint64_t parameters_of(const context::StepContext& ctx,
                                           const std::vector<InputDef>& inputs,
                                           const std::vector<ShapeDef>& shapes);
 

@@ -26,12 +26,12 @@
 
 namespace hawser {
 
-struct World::Impl final : private world::InputDoor {
-    explicit Impl(const WorldDef& def) : ctx(def), material_names{{"default", 0}} {}
-    Impl(const Impl&) = delete;
-    Impl& operator=(const Impl&) = delete;
+struct WorldImpl final : private world::InputDoor {
+    explicit WorldImpl(const WorldDef& def) : ctx(def), material_names{{"default", 0}} {}
+    WorldImpl(const WorldImpl&) = delete;
+    WorldImpl& operator=(const WorldImpl&) = delete;
 
-    stepper::StepContext ctx;
+    context::StepContext ctx;
     std::vector<BodyDef> body_defs;
     /// BodyDef::group, in order of use; "" is none.
     world::Names groups;
@@ -46,11 +46,11 @@ struct World::Impl final : private world::InputDoor {
     /// Return the index of an id.
     /// @throws DefError for an invalid id or a removed object.
     [[nodiscard]] std::size_t place(BodyId id) const {
-        return world::place_of(id, ctx.model.bodies.slots, stepper::body_count(ctx.model), "body");
+        return world::place_of(id, ctx.model.bodies.slots, context::body_count(ctx.model), "body");
     }
     [[nodiscard]] std::size_t place(InteractionId id) const {
         return world::place_of(id, ctx.model.interactions.slots,
-                               stepper::interaction_count(ctx.model), "interaction");
+                               context::interaction_count(ctx.model), "interaction");
     }
     [[nodiscard]] std::size_t place(ShapeId id) const {
         return world::place_of(id, ctx.model.collider.slots, ctx.model.collider.count(), "shape");
@@ -77,9 +77,9 @@ struct World::Impl final : private world::InputDoor {
     /// State of a world before several objects are added together.
     struct Mark {
         std::int32_t bodies, interactions, shapes;  ///< Array sizes.
-        std::size_t noted;                          ///< Number of entries of stepper::Edits.
-        stepper::Edited edited;                     ///< Edits of the energy ledger.
-        stepper::Changed changed;
+        std::size_t noted;                          ///< Number of entries of context::Edits.
+        context::Edited edited;                     ///< Edits of the energy ledger.
+        context::Changed changed;
         bool any_edit, stale;
         BodyId end[2];          ///< Touched bodies …
         std::int32_t quiet[2];  ///< … and the number of steps for which they had been at rest.
@@ -99,7 +99,7 @@ struct World::Impl final : private world::InputDoor {
     // updates of the definitions of bodies and elements about a node; the capsule of an element.
     [[nodiscard]] world::Wire* wire_with(InteractionId element) noexcept;
     void know_wire_of(InteractionId element);
-    void follow_definitions(const stepper::NodeSurroundings& place) noexcept;
+    void follow_definitions(const edit::NodeSurroundings& place) noexcept;
     void follow_inputs(std::int32_t element) noexcept;
     void put_segment(ShapeId segment, BodyId first, BodyId second, const Vec3& point) noexcept;
     void move_segment(ShapeId segment, std::size_t side, BodyId to) noexcept;
@@ -110,7 +110,7 @@ struct World::Impl final : private world::InputDoor {
     [[nodiscard]] InteractionId element_at(BodyId node, std::size_t side) noexcept;
     /// Join a short element at a cut end with the next one, if its node can be removed.
     void join_short_end(World& world, InteractionId end, std::size_t side) noexcept;
-    void check_cut_at_node(const std::string& where, stepper::NodeSurroundings& place) const;
+    void check_cut_at_node(const std::string& where, edit::NodeSurroundings& place) const;
     [[nodiscard]] bool carried(const world::Wire& wire, std::size_t element) const noexcept;
     [[nodiscard]] std::pair<InteractionId, double> beside_carried(const world::Wire& wire,
                                                                   std::size_t node,
@@ -119,12 +119,12 @@ struct World::Impl final : private world::InputDoor {
     void drop_folded(std::int32_t bend) noexcept;
     [[nodiscard]] world::Wire& wire_on_guide(InteractionId before, InteractionId behind,
                                              const InteractionDef& element);
-    void refuse_two_lines(BodyId node, const stepper::NodeSurroundings& place) const;
-    [[nodiscard]] double stiffness_beside(const stepper::NodeSurroundings& place,
+    void refuse_two_lines(BodyId node, const edit::NodeSurroundings& place) const;
+    [[nodiscard]] double stiffness_beside(const edit::NodeSurroundings& place,
                                           const world::Wire* wire) const noexcept;
-    [[nodiscard]] std::int32_t check_node_goes(BodyId node, stepper::NodeSurroundings& place,
+    [[nodiscard]] std::int32_t check_node_goes(BodyId node, edit::NodeSurroundings& place,
                                                double bend) const;
-    [[nodiscard]] std::optional<ShapeDef> next_segment(const stepper::NodeSurroundings& place,
+    [[nodiscard]] std::optional<ShapeDef> next_segment(const edit::NodeSurroundings& place,
                                                        BodyId node, bool first,
                                                        const world::Wire* wire) const;
 
@@ -133,7 +133,7 @@ struct World::Impl final : private world::InputDoor {
     [[nodiscard]] WireId id_of(const world::Wire& wire) const noexcept {
         return wires.slots.id<WireId>(static_cast<std::int32_t>(&wire - wires.wires.data()));
     }
-    void part_lump(const stepper::NodeSurroundings& place, BodyId end) noexcept;
+    void part_lump(const edit::NodeSurroundings& place, BodyId end) noexcept;
     void divide_load(BodyId from, BodyId to, double share) noexcept;
     void follow_definition(BodyId lump) noexcept;
     void turn_round(std::span<const std::int32_t> chain) noexcept;
@@ -172,7 +172,7 @@ struct World::Impl final : private world::InputDoor {
     /// Suspends the listener, for calls within a reported call.
     class Untold {
       public:
-        explicit Untold(Impl& impl) noexcept : impl_(impl), listener_(impl.listener) {
+        explicit Untold(WorldImpl& impl) noexcept : impl_(impl), listener_(impl.listener) {
             impl.listener = nullptr;
         }
         ~Untold() { impl_.listener = listener_; }
@@ -180,7 +180,7 @@ struct World::Impl final : private world::InputDoor {
         Untold& operator=(const Untold&) = delete;
 
       private:
-        Impl& impl_;
+        WorldImpl& impl_;
         ChangeListener* listener_;
     };
     world::Systems systems{*this};
@@ -188,6 +188,14 @@ struct World::Impl final : private world::InputDoor {
     /// @return ok, bad_edit or out_of_memory.
     [[nodiscard]] Status make_edits(World& world) noexcept;
     [[nodiscard]] Structure structure() const;
+
+    // Saved states (snapshot.cpp, restore.cpp, structure.cpp) and the state of another world
+    // (cuts.cpp).
+    void write_saved(std::vector<std::byte>& out, bool with_systems);
+    void take_saved(World& self, std::span<const std::byte> bytes, bool variant);
+    void restore_saved(World& self, std::span<const std::byte> bytes, bool variant);
+    static void restore(World& self, const Structure& made_of, std::span<const std::byte> bytes);
+    void copy_from(const WorldImpl& other);
 
     /// A force input along world axes, ascending. The force on a body is the user's (BodyDef::force
     /// and torque) plus the values of these inputs in this order.
@@ -215,7 +223,7 @@ struct World::Impl final : private world::InputDoor {
     /// Definitions, ids and names before the first edit of a system within a step.
     struct StepUndo {
         bool holds = false;
-        stepper::ModelUndo model;
+        state::ModelUndo model;
         std::vector<BodyDef> body_defs;
         std::vector<ShapeDef> shape_defs;
         std::vector<InputDef> inputs;
@@ -240,7 +248,7 @@ struct World::Impl final : private world::InputDoor {
     /// Return true if a rejected call of several edits is undone as a whole (Attempt). Edits of a
     /// system before a step undo their own additions, except with cuts.
     [[nodiscard]] bool composite() const noexcept {
-        return stepper::has_cuts(ctx.model) || !systems.editing();
+        return context::has_cuts(ctx.model) || !systems.editing();
     }
     /// Save the state for undo.
     /// @throws std::bad_alloc.
@@ -279,5 +287,8 @@ struct World::Impl final : private world::InputDoor {
     [[nodiscard]] bool begin_edits() noexcept override;
     [[nodiscard]] std::size_t count() const noexcept override { return inputs.size(); }
 };
+
+inline WorldImpl& Facet::impl(const World& world) noexcept { return *world.impl_; }
+inline WorldImpl& Facet::impl() const noexcept { return *world_->impl_; }
 
 }  // namespace hawser

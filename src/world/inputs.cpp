@@ -178,7 +178,7 @@ void World::set_input(InputId id, double value) {
             world::number(std::min(range.max, def.max)) + " " + range.unit);
     const double clamped = std::min(std::max(value, def.min), def.max);
     check_pair(*this, def, clamped);
-    stepper::StepContext& c = impl_->ctx;
+    context::StepContext& c = impl_->ctx;
     if (clamped != value) {
         c.state.events.push({c.state.time, EventKind::input_clamped, def.interaction, value, id});
         ++c.work.stats.event_count[static_cast<std::size_t>(EventKind::input_clamped)];
@@ -198,7 +198,7 @@ void World::set_input(InputId id, double value) {
     if (impl_->listener != nullptr) impl_->listener->set(id, value);
 }
 
-bool World::Impl::empties_range(std::int32_t input) const noexcept {
+bool WorldImpl::empties_range(std::int32_t input) const noexcept {
     const InputDef& def = inputs[at(input)];
     if (!def.interaction.valid()) return false;
     const InteractionDef& d = ctx.model.interactions.def[at(def.interaction.index)];
@@ -207,24 +207,24 @@ bool World::Impl::empties_range(std::int32_t input) const noexcept {
     return false;
 }
 
-double World::Impl::applied(const InputDef& input) const {
+double WorldImpl::applied(const InputDef& input) const {
     if (input.interaction.valid())
         return ctx.model.interactions.def[at(input.interaction.index)].get(input.param);
     return input_values[at(&input - inputs.data())];
 }
 
-void World::Impl::disturb(const InputDef& input) noexcept {
+void WorldImpl::disturb(const InputDef& input) noexcept {
     if (!input.interaction.valid()) {
-        stepper::disturb(ctx.model, input.body.index);
+        context::disturb(ctx.model, input.body.index);
         return;
     }
     const std::size_t first = kMaxInteractionBodies * at(input.interaction.index);
     for (std::size_t b = 0; b < ctx.model.interactions.bodies[at(input.interaction.index)]; ++b) {
-        stepper::disturb(ctx.model, ctx.model.interactions.body[first + b]);
+        context::disturb(ctx.model, ctx.model.interactions.body[first + b]);
     }
 }
 
-void World::Impl::apply_input(std::size_t index, double value) {
+void WorldImpl::apply_input(std::size_t index, double value) {
     const InputDef& def = inputs[index];
     input_values[index] = value;
     if (def.interaction.valid()) {
@@ -235,12 +235,12 @@ void World::Impl::apply_input(std::size_t index, double value) {
     }
 }
 
-double World::Impl::user_force(std::size_t body, int component) const noexcept {
+double WorldImpl::user_force(std::size_t body, int component) const noexcept {
     const BodyDef& def = body_defs[body];
     return component < 3 ? def.force[component] : def.torque[component - 3];
 }
 
-void World::Impl::add_up_force(BodyId body, int component) noexcept {
+void WorldImpl::add_up_force(BodyId body, int component) noexcept {
     double sum = user_force(at(body.index), component);
     auto input = std::lower_bound(force_inputs.begin(), force_inputs.end(),
                                   ForceInput{body.index, component, 0});
@@ -251,24 +251,24 @@ void World::Impl::add_up_force(BodyId body, int component) noexcept {
     ctx.model.bodies.force[6 * at(body.index) + at(component)] = sum;
 }
 
-void World::Impl::leave_user_forces() noexcept {
+void WorldImpl::leave_user_forces() noexcept {
     for (const ForceInput& input : force_inputs)
         ctx.model.bodies.force[6 * at(input.body) + at(input.component)] =
             user_force(at(input.body), input.component);
 }
 
-void World::Impl::add_up_forces() noexcept {
+void WorldImpl::add_up_forces() noexcept {
     for (const ForceInput& input : force_inputs) add_up_force(BodyId{input.body}, input.component);
 }
 
-void World::Impl::put_user_forces() noexcept {
+void WorldImpl::put_user_forces() noexcept {
     for (const BodyId id : body_ids)
         for (int c = 0; c < 6; ++c)
             ctx.model.bodies.force[6 * at(id.index) + at(c)] = user_force(at(id.index), c);
     add_up_forces();
 }
 
-void World::Impl::take_user_forces() noexcept {
+void WorldImpl::take_user_forces() noexcept {
     for (const BodyId id : body_ids) {
         const double* force = &ctx.model.bodies.force[6 * at(id.index)];
         BodyDef& def = body_defs[at(id.index)];
@@ -278,7 +278,7 @@ void World::Impl::take_user_forces() noexcept {
     add_up_forces();
 }
 
-void World::Impl::turn_forces() noexcept {
+void WorldImpl::turn_forces() noexcept {
     double* before = forces_before.data();
     for (const std::int32_t i : local_inputs) {
         const InputDef& def = inputs[at(i)];
@@ -290,7 +290,7 @@ void World::Impl::turn_forces() noexcept {
     }
 }
 
-void World::Impl::unturn_forces() noexcept {
+void WorldImpl::unturn_forces() noexcept {
     // Reverse order, because several inputs may act on one body.
     for (std::size_t k = local_inputs.size(); k-- > 0;) {
         const InputDef& def = inputs[at(local_inputs[k])];

@@ -43,12 +43,12 @@ void check_parts(const world::Where& where, const InteractionDef& old, const Int
 double given_to_guide(const World& world, const world::Wire& wire, InteractionId element,
                       std::size_t end, double half) {
     const double has = world.body_def(world.interaction_def(element).body[end]).mass;
-    if (stepper::has_more_than(has, half)) return half;
+    if (edit::has_more_than(has, half)) return half;
     const auto at = std::find(wire.elements.begin(), wire.elements.end(), element);
     if (end == 0 ? at == wire.elements.begin() : at + 1 == wire.elements.end()) return 0.0;
     const InteractionId next = end == 0 ? *(at - 1) : *(at + 1);
     if (!world.alive(next) || !kind_info(world.interaction_def(next).kind).is(kWoundUp)) return 0.0;
-    return std::max(0.0, std::min(has, half) - stepper::kKeptMass * half);
+    return std::max(0.0, std::min(has, half) - edit::kKeptMass * half);
 }
 
 /// Parts of an element at a guide, and their capsules.
@@ -82,40 +82,39 @@ Parts add_parts(World& world, const WireTrim& trim, const InteractionDef& before
 
 }  // namespace
 
-std::array<InteractionId, 2> World::lay_over(InteractionId element, InteractionDef before,
-                                             const InteractionDef& behind) {
-    const world::Using use(impl_->use, "lay_over");
-    const Attempt attempt(*this, impl_->composite());
-    Impl& m = *impl_;
-    const InteractionDef old = interaction_def(element);
+std::array<InteractionId, 2> WorldWires::engage(InteractionId element, InteractionDef before,
+                                                const InteractionDef& behind) {
+    const world::Using use(impl().use, "wires().engage");
+    const Attempt attempt(*world_, impl().composite());
+    WorldImpl& m = impl();
+    const InteractionDef old = world_->interaction_def(element);
     const world::Where where("interaction", old.name);
     if (!kind_info(old.kind).is(kWireElement) || kind_info(old.kind).is(kWoundUp))
         world::refuse(where, "only an element of a wire that no drum or guide has can be divided");
-    if (!intact(element)) world::refuse(where, "it is broken");
+    if (!world_->intact(element)) world::refuse(where, "it is broken");
     check_parts(where, old, before, behind);
     world::Wire* wire = m.wire_with(element);
     if (wire == nullptr) world::refuse(where, "it is of no wire");
-    const double half = 0.5 * stepper::mass_of_element(m.ctx, element.index);
+    const double half = 0.5 * edit::mass_of_element(m.ctx, element.index);
     std::array<double, 2> given{};
     for (const std::size_t end : {0U, 1U}) {
-        if (body_def(old.body[end]).kind != BodyKind::lump || !(half > 0.0)) continue;
-        given[end] = given_to_guide(*this, *wire, element, end, half);
+        if (world_->body_def(old.body[end]).kind != BodyKind::lump || !(half > 0.0)) continue;
+        given[end] = given_to_guide(*world_, *wire, element, end, half);
         if (!(given[end] > 0.0)) world::refuse(where, "a node at its end has less than half of it");
     }
     m.refuse_held(element);
     base::reserve_more(wire->elements, 1);
     base::reserve_more(wire->nodes, 1);
     base::reserve_more(wire->shapes, 2);
-    const std::array<Vec3, 2> speed{
-        stepper::speed_of(m.ctx, element.index, 0, m.ctx.model.bodies.v),
-        stepper::speed_of(m.ctx, element.index, 1, m.ctx.model.bodies.v)};
+    const std::array<Vec3, 2> speed{edit::speed_of(m.ctx, element.index, 0, m.ctx.model.bodies.v),
+                                    edit::speed_of(m.ctx, element.index, 1, m.ctx.model.bodies.v)};
     std::array<InteractionId, 2> out;
     {
-        const Impl::Untold untold(m);
+        const WorldImpl::Untold untold(m);
         // The name moves after all checks.
         const std::string name_before = std::exchange(before.name, "");
         const Parts parts =
-            add_parts(*this, wire->trim, before, behind, [&m] { m.reserve_removal(); });
+            add_parts(*world_, wire->trim, before, behind, [&m] { m.reserve_removal(); });
         before.name = name_before;
         out = parts.element;
         for (const ShapeId id : parts.capsule)
@@ -137,11 +136,11 @@ std::array<InteractionId, 2> World::lay_over(InteractionId element, InteractionD
         wire->nodes.insert(wire->nodes.begin() + k + 1, before.body[1]);
         for (const std::size_t side : {0U, 1U})  // its neighbour is now the guide
             m.turn_bend(old.body[side], old.body[1 - side], before.body[1],
-                        stepper::held_at(m.ctx, out[side].index, 1 - side));
-        std::erase_if(wire->bends, [&](InteractionId id) { return !alive(id); });
+                        edit::held_at(m.ctx, out[side].index, 1 - side));
+        std::erase_if(wire->bends, [&](InteractionId id) { return !world_->alive(id); });
         for (const std::size_t end : {0U, 1U})
             if (given[end] > 0.0)
-                set_mass(old.body[end], body_def(old.body[end]).mass - given[end]);
+                set_mass(old.body[end], world_->body_def(old.body[end]).mass - given[end]);
         world::stop_across(m.ctx, {out[0].index, out[1].index}, speed, 0.5 * (given[0] + given[1]));
     }
     if (m.listener != nullptr) m.listener->laid_over(element, before, behind);
@@ -149,11 +148,11 @@ std::array<InteractionId, 2> World::lay_over(InteractionId element, InteractionD
 }
 
 /// Replace a neighbour of the bend about a node by a body that holds it at a point of its frame.
-void World::Impl::turn_bend(BodyId lump, BodyId from, BodyId to, const Vec3& point) noexcept {
+void WorldImpl::turn_bend(BodyId lump, BodyId from, BodyId to, const Vec3& point) noexcept {
     model::Interactions& in = ctx.model.interactions;
-    const std::int32_t bend = stepper::bend_about(ctx, lump.index, from.index);
+    const std::int32_t bend = edit::bend_about(ctx, lump.index, from.index);
     if (bend < 0) return;
-    const std::size_t slot = stepper::end_of(ctx, bend, 0) == from.index ? 0 : 2;
+    const std::size_t slot = edit::end_of(ctx, bend, 0) == from.index ? 0 : 2;
     in.def[at(bend)].point[slot] = point;
     in.rewire(bend, slot, to, ctx.model.bodies);
     drop_folded(bend);
@@ -162,15 +161,15 @@ void World::Impl::turn_bend(BodyId lump, BodyId from, BodyId to, const Vec3& poi
 /// Remove a bend between two turning points of one body. An interaction can have each body once
 /// only, and the effect of a node's bend between a bollard and a drum of one ship is negligible.
 /// Capacity has been reserved (reserve_removal()).
-void World::Impl::drop_folded(std::int32_t bend) noexcept {
-    if (bend >= 0 && stepper::end_of(ctx, bend, 0) == stepper::end_of(ctx, bend, 2))
+void WorldImpl::drop_folded(std::int32_t bend) noexcept {
+    if (bend >= 0 && edit::end_of(ctx, bend, 0) == edit::end_of(ctx, bend, 2))
         remove(ctx.model.interactions.id(bend));
 }
 
 /// Return the wire of two parts.
 /// @throws DefError if they are not results of lay_over().
-world::Wire& World::Impl::wire_on_guide(InteractionId before, InteractionId behind,
-                                        const InteractionDef& element) {
+world::Wire& WorldImpl::wire_on_guide(InteractionId before, InteractionId behind,
+                                      const InteractionDef& element) {
     const InteractionDef &a = ctx.model.interactions.def[at(before.index)],
                          &b = ctx.model.interactions.def[at(behind.index)];
     const world::Where where("interaction", a.name);
@@ -185,18 +184,19 @@ world::Wire& World::Impl::wire_on_guide(InteractionId before, InteractionId behi
     return *wire;
 }
 
-InteractionId World::lift_off(InteractionId before, InteractionId behind, InteractionDef element) {
-    const world::Using use(impl_->use, "lift_off");
-    const Attempt attempt(*this, impl_->composite());
-    Impl& m = *impl_;
-    const InteractionDef a = interaction_def(before), b = interaction_def(behind);
+InteractionId WorldWires::disengage(InteractionId before, InteractionId behind,
+                                    InteractionDef element) {
+    const world::Using use(impl().use, "wires().disengage");
+    const Attempt attempt(*world_, impl().composite());
+    WorldImpl& m = impl();
+    const InteractionDef a = world_->interaction_def(before), b = world_->interaction_def(behind);
     world::Wire& wire = m.wire_on_guide(before, behind, element);
     m.refuse_held(a.body[2]);
     const std::string given = std::exchange(element.name, "");
-    const auto is_lump = [&](BodyId id) { return body_def(id).kind == BodyKind::lump; };
+    const auto is_lump = [&](BodyId id) { return world_->body_def(id).kind == BodyKind::lump; };
     const double half = std::isnan(element.get("mass")) ? 0.0 : 0.5 * element.get("mass");
     const BodyId ends[2] = {a.body[0], b.body[1]};
-    const double had[2] = {body_def(ends[0]).mass, body_def(ends[1]).mass};
+    const double had[2] = {world_->body_def(ends[0]).mass, world_->body_def(ends[1]).mass};
     const world::AtWheel wheel = world::at_wheel(m.ctx, {before.index, behind.index}, 2.0 * half);
     const auto weigh = [&](double more) {
         for (const std::size_t k : {0U, 1U})
@@ -204,19 +204,19 @@ InteractionId World::lift_off(InteractionId before, InteractionId behind, Intera
     };
     InteractionId out;
     {
-        const Impl::Untold untold(m);
+        const WorldImpl::Untold untold(m);
         weigh(half);  // An element with a mass needs nodes with that mass.
         ShapeId capsule;
         try {
-            out = add_interaction(element);
-            if (const auto segment = world::capsule_of(*this, wire.trim, element)) {
+            out = world_->add_interaction(element);
+            if (const auto segment = world::capsule_of(*world_, wire.trim, element)) {
                 base::reserve_more(wire.shapes, 1);
-                capsule = add_shape(*segment);
+                capsule = world_->add_shape(*segment);
             }
             m.reserve_removal();
         } catch (...) {
-            if (capsule.valid()) (void)remove_shape(capsule);
-            if (out.valid()) (void)remove_interaction(out);
+            if (capsule.valid()) (void)world_->remove_shape(capsule);
+            if (out.valid()) (void)world_->remove_interaction(out);
             weigh(0.0);
             throw;
         }
@@ -242,7 +242,7 @@ InteractionId World::lift_off(InteractionId before, InteractionId behind, Intera
                          far = side == 0 ? b.body[1] : a.body[0];
             m.turn_bend(end, a.body[1], far, element.point[1 - side]);
         }
-        std::erase_if(wire.bends, [&](InteractionId id) { return !alive(id); });
+        std::erase_if(wire.bends, [&](InteractionId id) { return !world_->alive(id); });
         for (const std::size_t end : {0U, 1U})
             if (half > 0.0 && is_lump(ends[end]))
                 world::divide_momentum(m.ctx, ends[end].index, wheel, end);
@@ -252,22 +252,23 @@ InteractionId World::lift_off(InteractionId before, InteractionId behind, Intera
     return out;
 }
 
-std::array<Vec3, 2> World::ends(InteractionId id) const {
-    const InteractionDef& d = interaction_def(id);
+std::array<Vec3, 2> WorldWiresView::ends(InteractionId id) const {
+    const InteractionDef& d = world_->interaction_def(id);
     const KindInfo& kind = kind_info(d.kind);
     if (!kind.is(kPulls) || !kind.uses_points)
         throw DefError(world::label("interaction", d.name) + ": a " + kind.name +
                        " is no piece of a line with two ends");
     if (!kind.is(kRouted))
-        return {world_point(d.body[0], d.point[0]), world_point(d.body[1], d.point[1])};
+        return {world_->world_point(d.body[0], d.point[0]),
+                world_->world_point(d.body[1], d.point[1])};
     const model::LineShape s =
-        impl_->ctx.model.interactions.line_shape(id.index, impl_->ctx.model.bodies);
+        impl().ctx.model.interactions.line_shape(id.index, impl().ctx.model.bodies);
     return {s.at[0], s.at[1]};
 }
 
-std::array<double, 2> World::wrapped(InteractionId id) const {
-    if (!kind_info(interaction_def(id).kind).is(kRouted)) return {};
-    return impl_->ctx.model.interactions.wrapped(id.index, impl_->ctx.model.bodies);
+std::array<double, 2> WorldWiresView::wrapped(InteractionId id) const {
+    if (!kind_info(world_->interaction_def(id).kind).is(kRouted)) return {};
+    return impl().ctx.model.interactions.wrapped(id.index, impl().ctx.model.bodies);
 }
 
 }  // namespace hawser

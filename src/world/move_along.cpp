@@ -24,10 +24,9 @@ struct Part {
     std::size_t place = 0, slot = 0;  ///< Slots of the place in the part and in the bend.
 };
 
-Part part_at(const stepper::StepContext& ctx, InteractionId id, std::size_t place) noexcept {
+Part part_at(const context::StepContext& ctx, InteractionId id, std::size_t place) noexcept {
     const InteractionDef& d = ctx.model.interactions.def[at(id.index)];
-    Part out{id.index, stepper::bend_about(ctx, d.body[1 - place].index, d.body[place].index),
-             place};
+    Part out{id.index, edit::bend_about(ctx, d.body[1 - place].index, d.body[place].index), place};
     if (out.bend >= 0)
         out.slot = ctx.model.interactions.def[at(out.bend)].body[0] == d.body[place] ? 0 : 2;
     return out;
@@ -56,13 +55,13 @@ void check_move(const World& world, const model::Interactions& in, InteractionId
 
 }  // namespace
 
-bool World::move_along(InteractionId before, InteractionId behind, double along, double fed) {
-    const world::Using use(impl_->use, "move_along");
-    Impl& m = *impl_;
-    stepper::StepContext& c = m.ctx;
+bool WorldWires::move_along(InteractionId before, InteractionId behind, double along, double fed) {
+    const world::Using use(impl().use, "move_along");
+    WorldImpl& m = impl();
+    context::StepContext& c = m.ctx;
     model::Interactions& in = c.model.interactions;
-    check_move(*this, in, before, behind, along, fed);
-    if (!intact(before) || !intact(behind)) return false;
+    check_move(*world_, in, before, behind, along, fed);
+    if (!world_->intact(before) || !world_->intact(behind)) return false;
     const std::array<Part, 2> parts{part_at(c, before, 1), part_at(c, behind, 0)};
     // The ledger has its energies half a step before the poses. The energy added by a move must
     // also be found if a part becomes much longer, which elastic() leaves out.
@@ -72,11 +71,11 @@ bool World::move_along(InteractionId before, InteractionId behind, double along,
     const auto held = [&] {
         Held sum;
         for (const Part& part : parts) {
-            sum.ledger += stepper::energy_of_interaction(c, part.id);
+            sum.ledger += edit::energy_of_interaction(c, part.id);
             const double longer = std::max(0.0, in.row_state(part.id, c.model.bodies).g[0]);
             sum.posed += 0.5 * longer * longer / in.epsilon[at(in.row_begin[at(part.id)])];
             if (part.bend < 0) continue;
-            const double bent = stepper::energy_of_interaction(c, part.bend);
+            const double bent = edit::energy_of_interaction(c, part.bend);
             sum.ledger += bent;
             sum.posed += bent;
         }
@@ -116,11 +115,11 @@ bool World::move_along(InteractionId before, InteractionId behind, double along,
     c.state.ledger.friction += had.ledger - has.ledger;
     for (const Part& part : parts)
         for (std::size_t b = 0; b < in.bodies[at(part.id)]; ++b)
-            stepper::disturb(c.model, in.body[kMaxInteractionBodies * at(part.id) + b]);
+            context::disturb(c.model, in.body[kMaxInteractionBodies * at(part.id) + b]);
     m.follow_inputs(before.index);
     m.follow_inputs(behind.index);
     // Damping fractions in an analysis depend on the directions of lines, so it must be repeated.
-    stepper::begin_shape_edit(c);
+    edit::begin_shape_edit(c);
     if (m.listener != nullptr) m.listener->moved_along(before, behind, along, fed);
     return true;
 }

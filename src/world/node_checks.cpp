@@ -13,7 +13,7 @@ namespace hawser {
 
 /// Check that an element can have a node.
 /// @throws DefError with the remedy.
-void World::Impl::check_node(InteractionId element, double share, double mass) const {
+void WorldImpl::check_node(InteractionId element, double share, double mass) const {
     const model::Interactions& in = ctx.model.interactions;
     const std::size_t e = place(element);
     const world::Where where("interaction", in.def[e].name);
@@ -29,12 +29,12 @@ void World::Impl::check_node(InteractionId element, double share, double mass) c
             world::refuse(where, "a drum pays it out: its mass must be given, not " +
                                      world::number(mass) + " kg");
         const auto lump = [&](std::size_t slot) {
-            return stepper::is_lump(ctx, stepper::end_of(ctx, element.index, slot));
+            return edit::is_lump(ctx, edit::end_of(ctx, element.index, slot));
         };
         if (lump(0) && lump(1)) world::refuse(where, "its fairlead must not be on a point mass");
     } else if (!std::isnan(mass)) {
         world::refuse(where, "its mass is its own; leave it out");
-    } else if (!(stepper::mass_of_element(ctx, element.index) > 0.0)) {
+    } else if (!(edit::mass_of_element(ctx, element.index) > 0.0)) {
         world::refuse(where, "it has no mass for a new node (give it `mass`)");
     }
     if ((in.flags[e] & model::kFromLength) == 0)
@@ -44,12 +44,12 @@ void World::Impl::check_node(InteractionId element, double share, double mass) c
 /// Check that two elements have one line type, so that one can replace both. Masses per length
 /// differ slightly by edits, which change rest lengths.
 /// @throws DefError.
-void World::Impl::refuse_two_lines(BodyId node, const stepper::NodeSurroundings& place) const {
+void WorldImpl::refuse_two_lines(BodyId node, const edit::NodeSurroundings& place) const {
     constexpr double kSame = 0.1;
     const model::Interactions& in = ctx.model.interactions;
     const InteractionDef &a = in.def[at(place.first)], &b = in.def[at(place.second)];
     for (const std::int32_t id : {place.first, place.second})
-        if (stepper::is_wound(ctx, id)) return;  // has the line type of the other one
+        if (edit::is_wound(ctx, id)) return;  // has the line type of the other one
     const double x = a.get("mass") * b.get("length"), y = b.get("mass") * a.get("length");
     if (a.get("EA") == b.get("EA") && std::abs(x - y) <= kSame * std::max(x, y)) return;
     world::refuse(world::Where("body", body_defs[at(node.index)].name),
@@ -59,18 +59,18 @@ void World::Impl::refuse_two_lines(BodyId node, const stepper::NodeSurroundings&
 /// Check that a node can be removed.
 /// @return the adjacent element that remains.
 /// @throws DefError with the remedy.
-std::int32_t World::Impl::check_node_goes(BodyId node, stepper::NodeSurroundings& place,
-                                          double bend) const {
+std::int32_t WorldImpl::check_node_goes(BodyId node, edit::NodeSurroundings& place,
+                                        double bend) const {
     const world::Where where("body", body_defs[at(node.index)].name);
-    if (body_defs[at(node.index)].kind != BodyKind::lump || !stepper::find_place(ctx, place))
+    if (body_defs[at(node.index)].kind != BodyKind::lump || !edit::find_place(ctx, place))
         world::refuse(where, "it is no node between two elements of a wire, and nothing else");
-    const bool second = stepper::is_wound(ctx, place.second);
-    if (second && stepper::is_wound(ctx, place.first))
+    const bool second = edit::is_wound(ctx, place.second);
+    if (second && edit::is_wound(ctx, place.first))
         world::refuse(where, "drums pay out both of its elements");
     for (const std::int32_t id : {place.first, place.second}) {
-        if (stepper::is_wound(ctx, id)
+        if (edit::is_wound(ctx, id)
                 ? (ctx.model.interactions.flags[at(id)] & model::kFromLength) != 0
-                : stepper::mass_of_element(ctx, id) > 0.0 && stepper::is_of_material(ctx, id))
+                : edit::mass_of_element(ctx, id) > 0.0 && edit::is_of_material(ctx, id))
             continue;
         world::refuse(
             where, "its elements have no `mass`, or a compliance that does not match their length");
@@ -78,11 +78,11 @@ std::int32_t World::Impl::check_node_goes(BodyId node, stepper::NodeSurroundings
     refuse_two_lines(node, place);
     double own = 0.0;  // mass of the wire
     for (const std::int32_t id : {place.first, place.second})
-        own += 0.5 * stepper::mass_of_element(ctx, id);
+        own += 0.5 * edit::mass_of_element(ctx, id);
     // The mass that a node kept between two drums or guides is removed with it. Elements may have
     // been ten times as long, on either side.
-    constexpr double kKept = 10.0 * 2.0 * stepper::kKeptMass;
-    const bool drum = second || stepper::is_wound(ctx, place.first);
+    constexpr double kKept = 10.0 * 2.0 * edit::kKeptMass;
+    const bool drum = second || edit::is_wound(ctx, place.first);
     const double more = drum ? kKept : 1e-6;  // otherwise rounding
     if (body_defs[at(node.index)].mass > (1.0 + more) * own)
         world::refuse(where,

@@ -9,7 +9,7 @@
 
 namespace hawser::world {
 
-BodyDef node_body(const World& w, const InteractionDef& element, const stepper::NodeDef& node) {
+BodyDef node_body(const World& w, const InteractionDef& element, const edit::NodeDef& node) {
     BodyDef out{.name = {}, .kind = BodyKind::lump, .position = node.position};
     out.velocity = node.velocity;
     out.mass = node.mass;

@@ -19,7 +19,7 @@ namespace hawser::world {
 
 /// Return a node with the properties of the nodes at the ends of its element.
 [[nodiscard]] BodyDef node_body(const World& w, const InteractionDef& element,
-                                const stepper::NodeDef& node);
+                                const edit::NodeDef& node);
 
 /// Return the element on the other side of the node.
 /// @param element  The existing element. It begins at the node if `first` is true and ends there

@@ -115,7 +115,7 @@ void check_line(const std::string& where, const OutputDef& def, const model::Int
 
 }  // namespace
 
-int check_output(OutputDef& def, const stepper::StepContext& ctx, const WireList& wires, int bodies,
+int check_output(OutputDef& def, const context::StepContext& ctx, const WireList& wires, int bodies,
                  int interactions) {
     if (def.name.empty()) throw DefError("an output needs a name");
     const std::string where = label("output", def.name);

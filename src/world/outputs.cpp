@@ -79,7 +79,7 @@ double tension(const model::Interactions& in, InteractionId id) noexcept {
 }
 
 /// Return true if all objects that an output reads exist.
-bool alive(const stepper::StepContext& ctx, const WireList& wires, const OutputDef& def) noexcept {
+bool alive(const context::StepContext& ctx, const WireList& wires, const OutputDef& def) noexcept {
     const auto body = [&](BodyId id) { return !id.valid() || ctx.model.bodies.slots.names(id); };
     const auto one = [&](InteractionId id) {
         return !id.valid() || ctx.model.interactions.slots.names(id);
@@ -114,7 +114,7 @@ double line_tension(const model::Interactions& in, const std::vector<Interaction
 
 /// Return the output of a drum. A winch counts the length itself, because it adds elements and its
 /// layers have different radii. For a bare drum the length follows from its turn.
-double drum(const World& world, const stepper::StepContext& ctx, const Systems& systems,
+double drum(const World& world, const context::StepContext& ctx, const Systems& systems,
             InteractionId id, int component) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     if (component == kLength) return in.rest_length[at(id.index)];
@@ -125,12 +125,12 @@ double drum(const World& world, const stepper::StepContext& ctx, const Systems& 
            (ctx.model.bodies.x[3 * at(def.body[slot].index)] - def.get("drum_zero"));
 }
 
-double energy_of(const stepper::StepContext& ctx, const Energy& energy, int component) noexcept {
+double energy_of(const context::StepContext& ctx, const Energy& energy, int component) noexcept {
     switch (component) {
         case kAsleep:
             return ctx.work.stats.asleep;
         case kKinetic:
-            return stepper::kinetic_energy(ctx.model.bodies, ctx.model.bodies.v.data());
+            return assembly::kinetic_energy(ctx.model.bodies, ctx.model.bodies.v.data());
         case kApplied:
             return ctx.state.ledger.work;
         case kDriven:
@@ -235,7 +235,7 @@ void Outputs::keep_figures(const StepStats& s) noexcept {
     figures_[kSolverTime] = s.solver_cpu_seconds;
 }
 
-void Outputs::evaluate(const World& world, const stepper::StepContext& ctx, const WireList& wires,
+void Outputs::evaluate(const World& world, const context::StepContext& ctx, const WireList& wires,
                        const Systems& systems, const Energy& energy) noexcept {
     const model::Bodies& b = ctx.model.bodies;
     const model::Interactions& in = ctx.model.interactions;

@@ -84,7 +84,7 @@ class Outputs {
     [[nodiscard]] bool wants_energy() const noexcept { return needs_energy_; }
     /// Evaluate all outputs.
     /// @param energy  Used if wants_energy().
-    void evaluate(const World& world, const stepper::StepContext& ctx, const WireList& wires,
+    void evaluate(const World& world, const context::StepContext& ctx, const WireList& wires,
                   const Systems& systems, const Energy& energy) noexcept;
 
   private:
@@ -103,7 +103,7 @@ class Outputs {
 /// @param bodies, interactions  Numbers of user objects.
 /// @return the number of its component.
 /// @throws DefError with the nearest name or another remedy.
-int check_output(OutputDef& def, const stepper::StepContext& ctx, const WireList& wires, int bodies,
+int check_output(OutputDef& def, const context::StepContext& ctx, const WireList& wires, int bodies,
                  int interactions);
 
 }  // namespace hawser::world

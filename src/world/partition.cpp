@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <hawser/partition.h>
+#include <hawser/experimental/splits.h>
 #include <hawser/world.h>
 
 #include "assembly/part_cost.h"
@@ -172,23 +172,23 @@ graph::Partition find_split(const assembly::PartGraph& g, const PartitionRequest
 
 }  // namespace
 
-PartitionView World::partition(const PartitionRequest& request) const {
-    const world::Using use(impl_->use, "partition");
-    check(request, static_cast<std::size_t>(body_count()));
-    stepper::StepContext& c = impl_->ctx;
-    stepper::ready(c);
+PartitionView WorldSplitsView::partition(const PartitionRequest& request) const {
+    const world::Using use(impl().use, "partition");
+    check(request, static_cast<std::size_t>(world_->body_count()));
+    context::StepContext& c = impl().ctx;
+    step::ready(c);
     PartitionView view;
     view.use = request.use;
     Clock::time_point clock = Clock::now();
     assembly::PartGraph g;
-    stepper::read_graph(c.model, g);
+    split::read_graph(c.model, g);
     g.group = request.group;
     view.graph_seconds = seconds_since(clock);
-    stepper::weigh_graph(c.model, g);
+    split::weigh_graph(c.model, g);
     view.weight_seconds = seconds_since(clock);
     if (request.exact_cost) {
         g.cost = assembly::body_flops(c.model.system, c.model.bodies.count());
-        g.cost.resize(at(body_count()));
+        g.cost.resize(at(world_->body_count()));
     }
     (void)seconds_since(clock);
     const bool cuts = request.use == PartitionUse::cuts;

@@ -15,7 +15,7 @@
 namespace hawser {
 namespace world {
 
-void fill_in(InteractionDef& def, const stepper::StepContext& ctx) {
+void fill_in(InteractionDef& def, const context::StepContext& ctx) {
     const KindInfo& info = kind_info(def.kind);
     Vec3 position[kMaxInteractionBodies], point[kMaxInteractionBodies];
     for (std::size_t b = 0; b < at(info.bodies); ++b) {

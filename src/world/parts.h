@@ -12,6 +12,6 @@ namespace hawser::world {
 /// Fill in defaults, also those from the present poses, of a definition with checked bodies. Then
 /// check its parameters.
 /// @throws DefError.
-void fill_in(InteractionDef& def, const stepper::StepContext& ctx);
+void fill_in(InteractionDef& def, const context::StepContext& ctx);
 
 }  // namespace hawser::world

@@ -88,15 +88,15 @@ struct Maker {
         def.from = real(def.from, made.bodies);
         def.to = real(def.to, made.bodies);
         made.wires.reserve(made.wires.size() + 1);
-        made.wires.push_back(world.add_wire(def));
+        made.wires.push_back(world.wires().add(def));
     }
     void operator()(BodyId id) const { (void)world.remove_body(real(id, made.bodies)); }
     void operator()(InteractionId id) const {
         (void)world.remove_interaction(real(id, made.interactions));
     }
     void operator()(ShapeId id) const { (void)world.remove_shape(real(id, made.shapes)); }
-    void operator()(WireId id) const { (void)world.remove_wire(real(id, made.wires)); }
-    void operator()(Part part) const { world.part(real(part.id, made.interactions)); }
+    void operator()(WireId id) const { (void)world.wires().remove(real(id, made.wires)); }
+    void operator()(Part part) const { world.wires().part(real(part.id, made.interactions)); }
 };
 
 }  // namespace

@@ -7,11 +7,11 @@
 
 namespace hawser {
 
-StateView World::state() const noexcept {
-    const stepper::StepContext& ctx = impl_->ctx;
+StateView WorldStateView::arrays() const noexcept {
+    const context::StepContext& ctx = impl().ctx;
     const model::Bodies& b = ctx.model.bodies;
     // Ghost bodies (split/cuts.h) stand behind the user bodies.
-    const auto n = at(body_count());
+    const auto n = at(world_->body_count());
     const auto first = [](const auto& array, std::size_t count) {
         return std::span(array).first(count);
     };
@@ -40,16 +40,16 @@ Vec3 World::local_point(BodyId id, const Vec3& point) const {
     return p.orientation.conjugate() * (point - p.position);
 }
 
-std::vector<Event> World::take_events() {
-    const world::Using use(impl_->use, "take_events");
-    return impl_->ctx.state.events.take();
+std::vector<Event> WorldEvents::take() {
+    const world::Using use(impl().use, "events().take");
+    return impl().ctx.state.events.take();
 }
 
-std::uint64_t World::events_since(std::uint64_t& cursor, std::vector<Event>& out) const {
-    const world::Using use(impl_->use, "events_since");
-    return impl_->ctx.state.events.since(cursor, out);
+std::uint64_t WorldEventsView::since(std::uint64_t& cursor, std::vector<Event>& out) const {
+    const world::Using use(impl().use, "events().since");
+    return impl().ctx.state.events.since(cursor, out);
 }
 
-std::uint64_t World::event_cursor() const noexcept { return impl_->ctx.state.events.count(); }
+std::uint64_t WorldEventsView::cursor() const noexcept { return impl().ctx.state.events.count(); }
 
 }  // namespace hawser

@@ -8,35 +8,34 @@
 
 namespace hawser {
 
-void World::restore(std::span<const std::byte> bytes) {
-    const world::Using use(impl_->use, "restore");
-    restore_saved(bytes, false);
-    if (impl_->listener != nullptr) impl_->listener->restored(bytes);
+void WorldState::restore(std::span<const std::byte> bytes) {
+    const world::Using use(impl().use, "restore");
+    impl().restore_saved(*world_, bytes, false);
+    if (impl().listener != nullptr) impl().listener->restored(bytes);
 }
 
-void World::restore_variant(std::span<const std::byte> bytes) {
-    const world::Using use(impl_->use, "restore_variant");
-    restore_saved(bytes, true);
-    if (impl_->listener == nullptr) return;
+void WorldState::restore_variant(std::span<const std::byte> bytes) {
+    const world::Using use(impl().use, "restore_variant");
+    impl().restore_saved(*world_, bytes, true);
+    if (impl().listener == nullptr) return;
     std::vector<std::byte> own;  // for a replay of this world
-    write_saved(own, true);
-    impl_->listener->restored(own);
+    impl().write_saved(own, true);
+    impl().listener->restored(own);
 }
 
-void World::restore_saved(std::span<const std::byte> bytes, bool variant) {
-    stepper::StepContext& ctx = impl_->ctx;
-    std::vector<double> inputs = impl_->input_values;
-    stepper::Transaction all(ctx);
-    stepper::keep_state(ctx, stepper::Undo::Depth::all);
+void WorldImpl::restore_saved(World& self, std::span<const std::byte> bytes, bool variant) {
+    std::vector<double> values = input_values;
+    step::Transaction all(ctx);
+    state::keep_state(ctx, context::Undo::Depth::all);
     try {
-        take_saved(bytes, variant);
+        take_saved(self, bytes, variant);
     } catch (...) {
-        impl_->input_values.swap(inputs);
+        input_values.swap(values);
         throw;
     }
     all.done();
-    impl_->systems.forget();
-    impl_->outputs.forget_figures();
+    systems.forget();
+    outputs.forget_figures();
 }
 
 }  // namespace hawser

@@ -5,7 +5,7 @@
 
 namespace hawser::world {
 
-SavedState::SavedState(const stepper::StepContext& ctx, const std::vector<double>& values,
+SavedState::SavedState(const context::StepContext& ctx, const std::vector<double>& values,
                        const Header& header) {
     // Use the sizes of the target world, pairwise in the order of the list.
     std::vector<std::size_t> sizes;

@@ -130,7 +130,7 @@ struct SavedState {
     /// Allocate the arrays.
     /// @param header  With counts that fit into the available bytes.
     /// @throws std::bad_alloc.
-    SavedState(const stepper::StepContext& ctx, const std::vector<double>& inputs,
+    SavedState(const context::StepContext& ctx, const std::vector<double>& inputs,
                const Header& header);
     /// Return the size of all arrays of the state [bytes].
     [[nodiscard]] std::uint64_t size();
@@ -184,14 +184,14 @@ struct SavedState {
             double work = 0.0, water = 0.0, added = 0.0;
         } loads;
         struct {
-            stepper::MonitorState state;
+            context::MonitorState state;
         } monitor;
         base::Array<double> analysed_x, analysed_r;
         std::int64_t step = 0;
         /// A byte, because values other than 0 and 1 are not a valid bool.
         std::uint8_t started = 0;
         int refine_unasked = 0;
-        stepper::Ledger ledger;
+        context::Ledger ledger;
     } state;
     struct {
         struct {
@@ -209,7 +209,7 @@ struct SavedState {
 /// and steps. The analysis checks that the elimination order belongs to the system's pattern.
 /// @param inputs  Their definitions.
 /// @throws DefError with the name of the quantity.
-void check_state(const stepper::StepContext& ctx, const std::vector<InputDef>& inputs,
+void check_state(const context::StepContext& ctx, const std::vector<InputDef>& inputs,
                  const SavedState& state);
 
 }  // namespace hawser::world

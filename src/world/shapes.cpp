@@ -23,7 +23,7 @@ using world::lookup;
 namespace {
 
 /// Fill in the moments of a contact with rolling or spinning resistance.
-void add_resistance(const stepper::StepContext& ctx, std::size_t i, ContactView& v) {
+void add_resistance(const context::StepContext& ctx, std::size_t i, ContactView& v) {
     const assembly::Contacts& contacts = ctx.model.system.contacts;
     if (v.asleep) {
         if (const auto* m = contacts.resistances.find(static_cast<std::int32_t>(i)); m != nullptr)
@@ -54,7 +54,7 @@ MaterialId World::add_material(const MaterialDef& def) {
     const int index = material_count();
     claim_for(m.material_names, def.name, index, "material",
               [&] { m.ctx.model.collider.materials.add(def); });
-    m.ctx.state.changed = stepper::Changed::all;
+    m.ctx.state.changed = context::Changed::all;
     if (m.listener != nullptr) m.listener->added(def);
     return MaterialId{index};
 }
@@ -63,7 +63,7 @@ void World::add_material_pair(const MaterialPairDef& def) {
     const world::Using use(impl_->use, "add_material_pair");
     world::check(def, material_count(), impl_->ctx.model.def.nonsmooth);
     impl_->ctx.model.collider.materials.add_pair(def);
-    impl_->ctx.state.changed = stepper::Changed::all;
+    impl_->ctx.state.changed = context::Changed::all;
     if (impl_->listener != nullptr) impl_->listener->added(def);
 }
 
@@ -119,7 +119,7 @@ void World::touching(std::vector<std::uint8_t>& out) const {
 }
 
 void World::contacts(std::vector<ContactView>& out) const {
-    const stepper::StepContext& ctx = impl_->ctx;
+    const context::StepContext& ctx = impl_->ctx;
     out.clear();
     out.reserve(ctx.state.contacts.contacts.size());
     for (std::size_t i = 0; i < ctx.state.contacts.contacts.size(); ++i) {

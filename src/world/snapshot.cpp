@@ -40,7 +40,7 @@ bool fits(const Header& h, std::size_t bytes) {
 }
 
 /// Resize arrays of the state with an entry per contact, and clear the visible contacts.
-void resize_contacts(stepper::StepContext& ctx, std::size_t count, std::size_t resistances) {
+void resize_contacts(context::StepContext& ctx, std::size_t count, std::size_t resistances) {
     ctx.model.collider.kept().resize(count);
     ctx.model.system.contacts.memory.resize(count);
     ctx.model.system.contacts.resistances.memory.resize(resistances);
@@ -53,7 +53,7 @@ void resize_contacts(stepper::StepContext& ctx, std::size_t count, std::size_t r
 
 /// Read the groups.
 /// @return false if they are invalid.
-bool read_groups(const stepper::StepContext& ctx, const std::byte* from, stepper::Regroup& out) {
+bool read_groups(const context::StepContext& ctx, const std::byte* from, context::Regroup& out) {
     out.parts.part.resize(ctx.model.regroup.parts.part.size());
     visit_groups(out, [&](void* to, std::size_t n) {
         if (n > 0) std::memcpy(to, from, n);
@@ -69,23 +69,23 @@ bool read_groups(const stepper::StepContext& ctx, const std::byte* from, stepper
 
 /// Apply saved groups with their ghost bodies and duplicated rows.
 /// @return true if the groups differed.
-bool take_groups(stepper::StepContext& ctx, const stepper::Regroup& saved) {
+bool take_groups(context::StepContext& ctx, const context::Regroup& saved) {
     if (ctx.model.regroup.parts.part == saved.parts.part) return false;
     ctx.model.regroup.parts.part = saved.parts.part;
-    if (stepper::assign_groups(ctx.model) == 0) return false;
-    ctx.state.changed = stepper::Changed::all;
-    stepper::prepare(ctx);
+    if (split::assign_groups(ctx.model) == 0) return false;
+    ctx.state.changed = context::Changed::all;
+    step::prepare(ctx);
     return true;
 }
 
 /// Analyse at the poses of the saved world's analysis; the state is unchanged.
-void analyse_as_saved(stepper::StepContext& ctx, const factor::AnalysisState& order) {
+void analyse_as_saved(context::StepContext& ctx, const factor::AnalysisState& order) {
     const auto x = ctx.model.bodies.x;
     const auto r = ctx.model.bodies.r;
     const auto active = ctx.model.interactions.active;
     ctx.model.bodies.x = ctx.state.analysed_x;
     ctx.model.bodies.r = ctx.state.analysed_r;
-    stepper::analyse(ctx, &order);
+    split::analyse(ctx, &order);
     ctx.model.bodies.x = x;
     ctx.model.bodies.r = r;
     ctx.model.interactions.active = active;
@@ -113,7 +113,7 @@ class SystemsAsSaved {
 /// Apply the checked arrays.
 /// @throws DefError for an elimination order that does not belong to this system. The state is then
 ///        invalid.
-void take_state(stepper::StepContext& ctx, std::vector<double>& inputs, const Header& header,
+void take_state(context::StepContext& ctx, std::vector<double>& inputs, const Header& header,
                 const std::byte* from, bool regrouped) {
     const auto analysed_x = ctx.state.analysed_x;
     const auto analysed_r = ctx.state.analysed_r;
@@ -130,8 +130,8 @@ void take_state(stepper::StepContext& ctx, std::vector<double>& inputs, const He
     });
     const bool relinked = links != ctx.model.system.contacts.links;
     if (relinked) ctx.model.system.contacts.make_blocks();
-    stepper::check_asleep(ctx.model, ctx.work.stats);
-    stepper::update_wire_flags(ctx.model);
+    context::check_asleep(ctx.model, ctx.work.stats);
+    context::update_wire_flags(ctx.model);
     if (regrouped || relinked || asked != ctx.model.cuts.asked ||
         asleep != ctx.model.bodies.asleep || ctx.state.analysed_x != analysed_x ||
         ctx.state.analysed_r != analysed_r || ctx.model.system.analysis.state() != order)
@@ -144,27 +144,27 @@ void take_state(stepper::StepContext& ctx, std::vector<double>& inputs, const He
 
 }  // namespace
 
-std::vector<std::byte> World::save() const {
+std::vector<std::byte> WorldStateView::save() const {
     std::vector<std::byte> out;
     save(out);
     return out;
 }
 
-std::vector<std::byte> World::save_motion() const {
-    const world::Using use(impl_->use, "save_motion");
+std::vector<std::byte> WorldStateView::save_motion() const {
+    const world::Using use(impl().use, "save_motion");
     std::vector<std::byte> out;
-    write_saved(out, false);
+    impl().write_saved(out, false);
     return out;
 }
 
-void World::save(std::vector<std::byte>& out) const {
-    const world::Using use(impl_->use, "save");
-    write_saved(out, true);
+void WorldStateView::save(std::vector<std::byte>& out) const {
+    const world::Using use(impl().use, "save");
+    impl().write_saved(out, true);
 }
 
-void World::write_saved(std::vector<std::byte>& out, bool systems) const {
-    Impl& m = *impl_;
-    stepper::ready(m.ctx);
+void WorldImpl::write_saved(std::vector<std::byte>& out, bool with_systems) {
+    WorldImpl& m = *this;
+    step::ready(m.ctx);
     Header header;
     header.layout = layout_of(m.ctx, m.inputs.size());
     header.parameters = parameters_of(m.ctx, m.inputs, m.shape_defs);
@@ -181,8 +181,8 @@ void World::write_saved(std::vector<std::byte>& out, bool systems) const {
     header.chains = chains.begin.size() - 1;
     visit_state(m.ctx, m.input_values, order,
                 [&](const void*, std::size_t n) { header.bytes += n; });
-    header.systems = systems ? m.systems.layout() : world::Systems::no_layout();
-    header.system_bytes = systems ? m.systems.state_bytes() : 0;
+    header.systems = with_systems ? m.systems.layout() : world::Systems::no_layout();
+    header.system_bytes = with_systems ? m.systems.state_bytes() : 0;
     out.resize(sizeof header + header.bytes + header.system_bytes + sizeof(std::uint64_t));
     m.leave_user_forces();  // input forces follow from their values
     std::byte* to = out.data();
@@ -193,14 +193,14 @@ void World::write_saved(std::vector<std::byte>& out, bool systems) const {
     put(&header, sizeof header);
     visit_state(m.ctx, m.input_values, order, put);
     m.add_up_forces();
-    if (systems) m.systems.save(to);
+    if (with_systems) m.systems.save(to);
     to += header.system_bytes;
     const std::uint64_t sum = base::checksum(out.data(), out.size() - sizeof sum);
     put(&sum, sizeof sum);
 }
 
-void World::take_saved(std::span<const std::byte> bytes, bool variant) {
-    Impl& m = *impl_;
+void WorldImpl::take_saved(World& self, std::span<const std::byte> bytes, bool variant) {
+    WorldImpl& m = *this;
     Header header;
     const Header expected;
     std::uint64_t sum = 0, size = 0;
@@ -221,29 +221,29 @@ void World::take_saved(std::span<const std::byte> bytes, bool variant) {
         throw DefError(
             "snapshot: it belongs to a world with other systems; add the same systems, in the same "
             "order and with states of the same size");
-    stepper::ready(m.ctx);
+    step::ready(m.ctx);
     const auto damaged = [] { return DefError("snapshot: the bytes are damaged (checksum)"); };
     if (sum != base::checksum(bytes.data(), bytes.size() - sizeof sum)) throw damaged();
     // Errors found in the bytes alone are reported before any change. Other errors are reported
     // after an undo.
     visit_groups(m.ctx.model.regroup, [&](const void*, std::size_t n) { size += n; });
-    stepper::Regroup groups;
+    context::Regroup regroup;
     if (header.grouped != m.ctx.model.regroup.parts.part.size() || !fits(header, bytes.size()) ||
         bytes.size() < sizeof header + size + sizeof sum ||
-        !read_groups(m.ctx, bytes.data() + sizeof header, groups))
+        !read_groups(m.ctx, bytes.data() + sizeof header, regroup))
         throw damaged();
-    const bool regrouped = take_groups(m.ctx, groups);
+    const bool regrouped = take_groups(m.ctx, regroup);
     world::SavedState state(m.ctx, m.input_values, header);
     size = state.size();
-    const std::size_t systems = m.systems.state_bytes();
-    if (header.bytes != size || header.system_bytes != systems ||
-        bytes.size() != sizeof header + size + systems + sizeof sum)
+    const std::size_t system_bytes = m.systems.state_bytes();
+    if (header.bytes != size || header.system_bytes != system_bytes ||
+        bytes.size() != sizeof header + size + system_bytes + sizeof sum)
         throw damaged();
     state.read(bytes.subspan(sizeof header, size));
     world::check_state(m.ctx, m.inputs, state);
-    SystemsAsSaved of_systems(m.systems, systems);
+    SystemsAsSaved of_systems(m.systems, system_bytes);
     m.systems.restore(bytes.data() + sizeof header + size);
-    m.systems.check_states(*this);
+    m.systems.check_states(self);
     take_state(m.ctx, m.input_values, header, bytes.data() + sizeof header, regrouped);
     m.ctx.state.time = static_cast<double>(m.ctx.state.step) * m.ctx.model.def.step;
     m.ctx.work.stats.step = m.ctx.state.step;

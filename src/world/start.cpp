@@ -10,9 +10,9 @@
 
 namespace hawser {
 
-RowsView World::rows(InteractionId id) const {
-    const std::size_t i = impl_->place(id);
-    const stepper::StepContext& ctx = impl_->ctx;
+RowsView WorldSolverView::rows(InteractionId id) const {
+    const std::size_t i = impl().place(id);
+    const context::StepContext& ctx = impl().ctx;
     const model::Interactions& in = ctx.model.interactions;
     const model::RowState state = in.row_state(id.index, ctx.model.bodies);
     RowsView out;
@@ -36,10 +36,10 @@ RowsView World::rows(InteractionId id) const {
 
 std::vector<ContactView> World::overlaps() const {
     const world::Using use(impl_->use, "overlaps");
-    stepper::StepContext& ctx = impl_->ctx;
+    context::StepContext& ctx = impl_->ctx;
     std::vector<ContactView> out;
     if (ctx.model.collider.count() == 0) return out;
-    stepper::ready(ctx);
+    step::ready(ctx);
     collide::ContactSet found;
     ctx.model.collider.surfaces(ctx.model.def.step, found);
     // The collider remembers no result until keep().

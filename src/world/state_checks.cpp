@@ -63,7 +63,7 @@ bool is_rotation_of(const double* r, const double* q) {
     return true;
 }
 
-void check_bodies(const stepper::StepContext& ctx, const SavedState& s) {
+void check_bodies(const context::StepContext& ctx, const SavedState& s) {
     numbers(s.model.bodies.x, "a position", kFar);
     numbers(s.model.bodies.v, "a velocity", kFar);
     numbers(s.model.bodies.v_start, "a predicted velocity", kFar);
@@ -87,7 +87,7 @@ void check_bodies(const stepper::StepContext& ctx, const SavedState& s) {
     numbers(s.model.bodies.r, "a rotation", 2.0);
 }
 
-void check_interactions(const stepper::StepContext& ctx, const SavedState& s) {
+void check_interactions(const context::StepContext& ctx, const SavedState& s) {
     numbers(s.model.interactions.lambda, "an impulse", kHuge);
     numbers(s.model.interactions.force, "a force", kHuge);
     numbers(s.model.interactions.anchor, "an anchor of friction, or turns of a line", kFar);
@@ -97,9 +97,9 @@ void check_interactions(const stepper::StepContext& ctx, const SavedState& s) {
     numbers(s.model.wires.energy_allowance, "the energy allowance of a wire", kHuge);
     for (std::size_t k = 0; k < s.model.wires.energy_allowance.size(); ++k)
         if (s.model.wires.energy_allowance[k] < 0.0 || s.model.wires.flag_steps[k] < 0 ||
-            s.model.wires.flag_steps[k] > stepper::max_flag_steps(ctx.model.def.step) ||
-            s.model.wires.recoil[k] < stepper::Wires::kBeginsToRecoil ||
-            s.model.wires.recoil[k] > stepper::max_recoil(ctx.model.def.step))
+            s.model.wires.flag_steps[k] > context::max_flag_steps(ctx.model.def.step) ||
+            s.model.wires.recoil[k] < context::Wires::kBeginsToRecoil ||
+            s.model.wires.recoil[k] > context::max_recoil(ctx.model.def.step))
             refuse_state("a wire's guard is out of range" + entry(k));
     flags(s.model.interactions.active, "which rows act");
     flags(s.model.interactions.parted, "the flag of a broken line");
@@ -123,7 +123,7 @@ bool behind(const collide::KeptContact& a, const collide::KeptContact& b) {
     return a.shape[0] != b.shape[0] ? a.shape[0] > b.shape[0] : a.shape[1] > b.shape[1];
 }
 
-void check_contacts(const stepper::StepContext& ctx, const SavedState& s) {
+void check_contacts(const context::StepContext& ctx, const SavedState& s) {
     const auto& kept = s.model.collider.contacts;
     const auto& memory = s.model.system.contacts.memory;
     const std::vector<collide::Shape>& shapes = ctx.model.collider.shapes();
@@ -170,7 +170,7 @@ void check_resistances(const SavedState& s) {
     }
 }
 
-void check_links(const stepper::StepContext& ctx, const SavedState& s) {
+void check_links(const context::StepContext& ctx, const SavedState& s) {
     std::vector<std::uint8_t> touches(at(ctx.model.bodies.count()), 0);
     for (const collide::Shape& shape : ctx.model.collider.shapes())
         for (const std::int32_t b : shape.body)
@@ -200,7 +200,7 @@ void check_order(const factor::AnalysisState& order) {
     if (order.planned_flops < 0) refuse_state("work is negative");
 }
 
-void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
+void check_counts(const context::StepContext& ctx, const SavedState& s) {
     if (s.state.step < 0 || s.state.step > kMaxSteps) refuse_state("the step is out of range");
     if (s.state.started > 1) refuse_state("the start is no flag");
     const auto sleeps = [](std::uint8_t flag) { return flag != 0; };
@@ -212,7 +212,7 @@ void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
         refuse_state("refinements are out of range");
     for (const std::int64_t n : s.work.stats.event_count)
         if (n < 0) refuse_state("a count of events is negative");
-    const stepper::MonitorState& j = s.state.monitor.state;
+    const context::MonitorState& j = s.state.monitor.state;
     numbers(std::array{j.kinetic, j.potential, j.elastic, j.by_length, j.by_force, j.posed, j.held,
                        j.given, j.exchanged, j.counted, j.age, j.closed, j.closed_elastic,
                        j.unsolved, j.open_start, j.held_time},
@@ -226,7 +226,7 @@ void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
     numbers(j.beyond, "a value of the monitors", 1e300);
     numbers(j.deep, "a value of the monitors", 1e300);
     for (const auto& extremes : {j.now_extremes, j.mean_extremes})
-        for (const stepper::DecayingExtremes& tide : extremes)
+        for (const context::DecayingExtremes& tide : extremes)
             numbers(std::array{tide.least, tide.most}, "a value of the monitors", 1e300);
     flags(std::span(j.reported).first(kJudgeCount), "a flag of the monitors");
     if (j.step < 0 || j.step > s.state.step || j.begun < 0 || j.begun > s.state.step + 1)
@@ -246,7 +246,7 @@ void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
 
 }  // namespace
 
-void check_state(const stepper::StepContext& ctx, const std::vector<InputDef>& inputs,
+void check_state(const context::StepContext& ctx, const std::vector<InputDef>& inputs,
                  const SavedState& state) {
     check_counts(ctx, state);
     check_bodies(ctx, state);

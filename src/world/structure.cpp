@@ -69,15 +69,15 @@ bool is_vacant(const Placed<Def>& from, std::size_t place) {
 
 }  // namespace
 
-Structure World::Impl::structure() const {
+Structure WorldImpl::structure() const {
     Structure out;
     const auto& bodies = ctx.model.bodies;
-    for (std::int32_t b = 0; b < stepper::body_count(ctx.model); ++b)
+    for (std::int32_t b = 0; b < context::body_count(ctx.model); ++b)
         out.bodies.defs.push_back(bodies.slots.holds(b) ? body_defs[at(b)]
                                                         : placeholder(bodies.room[at(b)]));
     copy_slots(out.bodies, bodies.slots);
     const model::Interactions& in = ctx.model.interactions;
-    for (std::int32_t i = 0; i < stepper::interaction_count(ctx.model); ++i) {
+    for (std::int32_t i = 0; i < context::interaction_count(ctx.model); ++i) {
         InteractionDef& d = out.interactions.defs.emplace_back();
         d.kind = in.def[at(i)].kind;
         if (in.gone(i)) continue;
@@ -109,7 +109,7 @@ Structure World::Impl::structure() const {
 
 /// Make the bodies. All indices are filled in order and vacated afterwards, because an addition
 /// would use a vacant one.
-void World::Impl::make_bodies(World& self, const Placed<BodyDef>& from) {
+void WorldImpl::make_bodies(World& self, const Placed<BodyDef>& from) {
     check(from, "bodies");
     for (const BodyDef& def : from.defs) self.add_body(def);
     for (const std::int32_t b : from.vacant) (void)self.remove_body(BodyId{b});
@@ -117,7 +117,7 @@ void World::Impl::make_bodies(World& self, const Placed<BodyDef>& from) {
     renew_ids(body_ids, ctx.model.bodies.slots);
 }
 
-void World::Impl::make_shapes(World& self, const Structure& from) {
+void WorldImpl::make_shapes(World& self, const Structure& from) {
     check(from.shapes, "shapes");
     for (const MaterialDef& def : from.materials) self.add_material(def);
     for (const MaterialPairDef& pair : from.pairs) self.add_material_pair(pair);
@@ -132,7 +132,7 @@ void World::Impl::make_shapes(World& self, const Structure& from) {
     renew_ids(shape_ids, ctx.model.collider.slots);
 }
 
-void World::Impl::make_interactions(World& self, const Placed<InteractionDef>& from) {
+void WorldImpl::make_interactions(World& self, const Placed<InteractionDef>& from) {
     check(from, "interactions");
     model::Interactions& in = ctx.model.interactions;
     for (std::size_t i = 0; i < from.defs.size(); ++i) {
@@ -158,7 +158,7 @@ void World::Impl::make_interactions(World& self, const Placed<InteractionDef>& f
     }
 }
 
-void World::Impl::take_defined(const Structure& from) {
+void WorldImpl::take_defined(const Structure& from) {
     if (from.compliances.empty() && from.radii.empty()) return;
     model::Interactions& in = ctx.model.interactions;
     std::size_t row = 0, drum = 0;
@@ -176,7 +176,7 @@ void World::Impl::take_defined(const Structure& from) {
     }
 }
 
-void World::Impl::make_inputs(World& self, const Placed<InputDef>& from) {
+void WorldImpl::make_inputs(World& self, const Placed<InputDef>& from) {
     check(from, "inputs");
     for (std::size_t k = 0; k < from.defs.size(); ++k) {
         if (!is_vacant(from, k)) {
@@ -193,7 +193,7 @@ void World::Impl::make_inputs(World& self, const Placed<InputDef>& from) {
     renew_ids(input_ids, input_slots);
 }
 
-void World::Impl::make_wires(const Placed<WirePieces>& from) {
+void WorldImpl::make_wires(const Placed<WirePieces>& from) {
     check(from, "wires");
     for (std::size_t k = 0; k < from.defs.size(); ++k) {
         world::Wire& wire = wires.wires.emplace_back();
@@ -216,7 +216,7 @@ void World::Impl::make_wires(const Placed<WirePieces>& from) {
         if (wires.slots.holds(k)) wires.ids.push_back(wires.slots.id<WireId>(k));
 }
 
-void World::Impl::make(World& self, const Structure& from) {
+void WorldImpl::make(World& self, const Structure& from) {
     make_bodies(self, from.bodies);
     make_shapes(self, from);
     make_interactions(self, from.interactions);
@@ -229,32 +229,36 @@ void World::Impl::make(World& self, const Structure& from) {
     ctx.model.cuts.coupling = from.coupling;
 }
 
-Structure World::structure() const {
-    const world::Using use(impl_->use, "structure");
-    return impl_->structure();
+Structure WorldStateView::structure() const {
+    const world::Using use(impl().use, "structure");
+    return impl().structure();
 }
 
-std::uint64_t World::identity() const {
-    const world::Using use(impl_->use, "identity");
-    const Impl& m = *impl_;
+std::uint64_t WorldStateView::identity() const {
+    const world::Using use(impl().use, "identity");
+    const WorldImpl& m = impl();
     const std::uint64_t both[2] = {world::layout_of(m.ctx, m.inputs.size()),
                                    world::parameters_of(m.ctx, m.inputs, m.shape_defs)};
     return base::checksum(both, sizeof both, base::kFnvStart);
 }
 
+void WorldState::restore(const Structure& made_of, std::span<const std::byte> bytes) {
+    WorldImpl::restore(*world_, made_of, bytes);
+}
+
 /// Restore in a separate world first. The systems move to it, and back if the state does not fit.
-void World::restore(const Structure& made_of, std::span<const std::byte> bytes) {
-    std::unique_ptr<Impl> before;  // outlives its lock
-    const world::Using use(impl_->use, "restore");
-    Impl& m = *impl_;
+void WorldImpl::restore(World& self, const Structure& made_of, std::span<const std::byte> bytes) {
+    std::unique_ptr<WorldImpl> before;  // outlives its lock
+    const world::Using use(self.impl_->use, "restore");
+    WorldImpl& m = *self.impl_;
     World out(m.ctx.model.def);
-    Impl& o = *out.impl_;
+    WorldImpl& o = *out.impl_;
     o.make(out, made_of);
     o.outputs = m.outputs;
     o.systems.take_all(m.systems);
     try {
         o.outputs.bind(o.systems.signals());
-        out.take_saved(bytes);
+        o.take_saved(out, bytes, false);
     } catch (...) {
         m.systems.take_all(o.systems);
         throw;
@@ -265,8 +269,8 @@ void World::restore(const Structure& made_of, std::span<const std::byte> bytes) 
     o.listener = m.listener;
     std::swap(o.ctx.state.events, m.ctx.state.events);
     std::swap(o.ctx.trace, m.ctx.trace);
-    before = std::move(impl_);
-    impl_ = std::move(out.impl_);
+    before = std::move(self.impl_);
+    self.impl_ = std::move(out.impl_);
     if (o.listener != nullptr) o.listener->restored(made_of, bytes);
 }
 

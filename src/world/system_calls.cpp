@@ -78,7 +78,7 @@ void World::set_system_signal(std::string_view name, double value) {
 std::vector<LoadView> World::loads() const { return impl_->ctx.state.loads.view(); }
 const BadLoad& World::bad_load() const noexcept { return impl_->systems.bad; }
 
-bool World::Impl::set(InputId id, double value, Before& before) noexcept {
+bool WorldImpl::set(InputId id, double value, Before& before) noexcept {
     if (!input_slots.names(id) || !std::isfinite(value)) return false;
     const InputDef& def = inputs[at(id.index)];
     before.input = id.index;
@@ -111,14 +111,14 @@ bool World::Impl::set(InputId id, double value, Before& before) noexcept {
     return true;
 }
 
-void World::Impl::take_back(const Before& before) noexcept {
+void WorldImpl::take_back(const Before& before) noexcept {
     apply_input(at(before.input), before.applied);
     input_values[at(before.input)] = before.value;
     for (std::size_t b = 0; b < 3; ++b)
         if (before.body[b] >= 0) ctx.model.bodies.quiet[at(before.body[b])] = before.quiet[b];
 }
 
-void World::Impl::tell(const Before& before) noexcept {
+void WorldImpl::tell(const Before& before) noexcept {
     ctx.state.events.push({ctx.state.time, EventKind::input_clamped,
                            inputs[at(before.input)].interaction, before.asked,
                            input_slots.id<InputId>(before.input)});

@@ -16,7 +16,7 @@
 namespace hawser {
 namespace world {
 
-void Systems::keep_action(const stepper::StepContext& ctx) {
+void Systems::keep_action(const context::StepContext& ctx) {
     keep_states(action_.states);
     action_.inputs.clear();
     for (const InputDoor::Before& before : set_)
@@ -33,7 +33,7 @@ void Systems::keep_action(const stepper::StepContext& ctx) {
 }
 
 /// Repeat the recorded actions of the systems. Inputs and loads of removed objects are dropped.
-void Systems::repeat_action(stepper::StepContext& ctx) {
+void Systems::repeat_action(context::StepContext& ctx) {
     take_states(action_.states);
     reported_ = action_.reported;
     for (const auto& [id, value] : action_.inputs) {
@@ -147,7 +147,7 @@ Status Systems::make_edits(World& world) noexcept {
 BodyId NodeEdits::insert_node(InteractionId element, double share, double mass) noexcept {
     if (!hands_.begin()) return {};
     try {
-        return world_.insert_node(element, share, mass);
+        return world_.wires().insert_node(element, share, mass);
     } catch (const std::bad_alloc&) {
         hands_.out_of_memory();
         return {};
@@ -159,7 +159,7 @@ BodyId NodeEdits::insert_node(InteractionId element, double share, double mass) 
 bool NodeEdits::remove_node(BodyId node, double bend) noexcept {
     if (!hands_.begin()) return false;
     try {
-        return world_.remove_node(node, bend);
+        return world_.wires().remove_node(node, bend);
     } catch (const std::bad_alloc&) {
         hands_.out_of_memory();
         return false;
@@ -176,7 +176,7 @@ void NodeEdits::tell(EventKind kind, InteractionId interaction, double value) no
     hands_.tell(event);
 }
 
-Status World::Impl::make_edits(World& world) noexcept {
+Status WorldImpl::make_edits(World& world) noexcept {
     if (!begin_edits()) return Status::out_of_memory;
     try {
         ctx.state.events.hold(systems.queued());
@@ -202,7 +202,7 @@ bool has(const std::vector<Id>& list, Id id) {
 
 }  // namespace
 
-void World::Impl::refuse_held(BodyId id, InteractionId stays) const {
+void WorldImpl::refuse_held(BodyId id, InteractionId stays) const {
     systems.each_held([&](std::string_view system, const HoldTable& held) {
         const auto on = [&](InteractionId i) {
             if (!ctx.model.interactions.slots.names(i) || i == stays) return false;
@@ -226,7 +226,7 @@ void World::Impl::refuse_held(BodyId id, InteractionId stays) const {
     });
 }
 
-void World::Impl::refuse_held(InteractionId id) const {
+void WorldImpl::refuse_held(InteractionId id) const {
     systems.each_held([&](std::string_view system, const HoldTable& held) {
         const auto drives = [&](InputId k) {
             return input_slots.names(k) && inputs[at(k.index)].interaction == id;
@@ -238,14 +238,14 @@ void World::Impl::refuse_held(InteractionId id) const {
     });
 }
 
-void World::Impl::refuse_held(ShapeId id) const {
+void WorldImpl::refuse_held(ShapeId id) const {
     systems.each_held([&](std::string_view system, const HoldTable& held) {
         if (has(held.shapes, id))
             refuse_held_by(system, "shape", id.index, shape_defs[at(id.index)].name);
     });
 }
 
-void World::Impl::refuse_held(InputId id) const {
+void WorldImpl::refuse_held(InputId id) const {
     systems.each_held([&](std::string_view system, const HoldTable& held) {
         if (has(held.inputs, id))
             refuse_held_by(system, "input", id.index, inputs[at(id.index)].name);

@@ -75,7 +75,7 @@ class Unturned {
 /// Access of a system through its Prestep.
 class Systems::Hands final : public Prestep::Hands {
   public:
-    Hands(Systems& of, stepper::StepContext& ctx) : of_(of), ctx_(ctx) {}
+    Hands(Systems& of, context::StepContext& ctx) : of_(of), ctx_(ctx) {}
     void set_input(InputId id, double value) noexcept override {
         InputDoor::Before before;
         if (!of_.door_.set(id, value, before)) {
@@ -118,7 +118,7 @@ class Systems::Hands final : public Prestep::Hands {
 
   private:
     Systems& of_;
-    stepper::StepContext& ctx_;
+    context::StepContext& ctx_;
 };
 
 System& Systems::add(std::unique_ptr<System> system) {
@@ -192,7 +192,7 @@ void Systems::take_states(const std::vector<std::byte>& from) const {
         });
 }
 
-Status Systems::act_all(stepper::StepContext& ctx) {
+Status Systems::act_all(context::StepContext& ctx) {
     keep_states(kept_);
     if (set_.capacity() < door_.count()) set_.reserve(door_.count());
     constexpr std::size_t kEventsOfOne = 8;
@@ -238,15 +238,15 @@ void Systems::check_ranges(std::size_t first) noexcept {
     }
 }
 
-Status Systems::act(stepper::StepContext& ctx) noexcept {
+Status Systems::act(context::StepContext& ctx) noexcept {
     bad = {};
     untold_ = false;
     Status status = Status::ok;
-    const Status room = stepper::guarded(ctx, [&] { status = act_all(ctx); });
+    const Status room = context::guarded(ctx, [&] { status = act_all(ctx); });
     return room == Status::ok ? status : room;
 }
 
-void Systems::accept(stepper::StepContext& ctx) noexcept {
+void Systems::accept(context::StepContext& ctx) noexcept {
     for (const Event& event : reported_) {
         ctx.state.events.push(event);
         ++ctx.work.stats.event_count[static_cast<std::size_t>(event.kind)];
@@ -259,7 +259,7 @@ void Systems::accept(stepper::StepContext& ctx) noexcept {
     acted_ = false;
 }
 
-void Systems::go_back(stepper::StepContext& ctx) noexcept {
+void Systems::go_back(context::StepContext& ctx) noexcept {
     if (!acted_) return;
     const Unturned unturned(door_);
     for (auto before = set_.rbegin(); before != set_.rend(); ++before) door_.take_back(*before);

@@ -57,7 +57,7 @@ class InputDoor {
     [[nodiscard]] virtual std::size_t count() const noexcept = 0;
 };
 
-class Systems final : public stepper::Actors {
+class Systems final : public context::Actors {
   public:
     explicit Systems(InputDoor& door) : door_(door) {}
     virtual ~Systems() = default;
@@ -137,9 +137,9 @@ class Systems final : public stepper::Actors {
     void undo_step() noexcept;
     /// Discard the recorded actions for a step that was not taken, because the state has changed.
     void forget() noexcept;
-    Status act(stepper::StepContext& ctx) noexcept override;
-    void accept(stepper::StepContext& ctx) noexcept override;
-    void go_back(stepper::StepContext& ctx) noexcept override;
+    Status act(context::StepContext& ctx) noexcept override;
+    void accept(context::StepContext& ctx) noexcept override;
+    void go_back(context::StepContext& ctx) noexcept override;
 
     /// Return a hash of names and sizes of states.
     [[nodiscard]] std::uint64_t layout() const;
@@ -171,11 +171,11 @@ class Systems final : public stepper::Actors {
         bool known = false;
     };
     void check_ranges(std::size_t first) noexcept;
-    Status act_all(stepper::StepContext& ctx);
+    Status act_all(context::StepContext& ctx);
     void keep_states(std::vector<std::byte>& to) const;
     void take_states(const std::vector<std::byte>& from) const;
-    void keep_action(const stepper::StepContext& ctx);
-    void repeat_action(stepper::StepContext& ctx);
+    void keep_action(const context::StepContext& ctx);
+    void repeat_action(context::StepContext& ctx);
 
     InputDoor& door_;
     const World* world_ = nullptr;

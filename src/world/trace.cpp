@@ -10,13 +10,13 @@
 
 namespace hawser {
 
-void World::start_trace(std::size_t spans) {
-    const world::Using use(impl_->use, "start_trace");
+void WorldSolver::start_trace(std::size_t spans) {
+    const world::Using use(impl().use, "start_trace");
     constexpr std::size_t kMaximum = std::size_t{1} << 28;
     if (spans > kMaximum)
         throw DefError("start_trace: spans = " + std::to_string(spans) + "; give at most " +
                        std::to_string(kMaximum));
-    stepper::StepContext& c = impl_->ctx;
+    context::StepContext& c = impl().ctx;
     std::unique_ptr<runtime::Trace> trace;
     if (spans > 0) trace = std::make_unique<runtime::Trace>(c.pool.threads(), spans);
     c.pool.record(nullptr);
@@ -24,9 +24,9 @@ void World::start_trace(std::size_t spans) {
     c.pool.record(c.trace.get());
 }
 
-TraceView World::trace(std::int64_t steps) const {
+TraceView WorldSolverView::trace(std::int64_t steps) const {
     TraceView view;
-    const runtime::Trace* const trace = impl_->ctx.trace.get();
+    const runtime::Trace* const trace = impl().ctx.trace.get();
     if (trace == nullptr) return view;
     trace->copy(trace->lost_until(), view);
     // The last of the complete steps.

@@ -29,7 +29,7 @@ World World::twin(std::optional<Coupling> coupling) const {
     }
     out.impl_->outputs = m.outputs;
     out.impl_->outputs.bind(out.impl_->systems.signals());
-    out.copy_state(*this);
+    out.state().copy_from(*this);
     return out;
 }
 

@@ -11,16 +11,16 @@
 
 namespace hawser {
 
-Status World::Impl::take_step() noexcept {
+Status WorldImpl::take_step() noexcept {
     use.stepping(true);
     turn_forces();
-    const Status ended = stepper::step(ctx);
+    const Status ended = step::step(ctx);
     unturn_forces();
     use.stepping(false);
     return ended;
 }
 
-bool World::Impl::begin_edits() noexcept {
+bool WorldImpl::begin_edits() noexcept {
     if (undo.holds) return true;
     try {
         keep_for_undo(undo);
@@ -30,7 +30,7 @@ bool World::Impl::begin_edits() noexcept {
     return true;
 }
 
-void World::Impl::keep_for_undo(StepUndo& u) const {
+void WorldImpl::keep_for_undo(StepUndo& u) const {
     u.model.keep(ctx);
     u.body_defs = body_defs;
     u.shape_defs = shape_defs;
@@ -57,7 +57,7 @@ void World::Impl::keep_for_undo(StepUndo& u) const {
     u.holds = true;
 }
 
-void World::Impl::put_back(StepUndo& u) noexcept {
+void WorldImpl::put_back(StepUndo& u) noexcept {
     u.holds = false;
     u.model.go_back(ctx);
     body_defs.swap(u.body_defs);
@@ -84,7 +84,7 @@ void World::Impl::put_back(StepUndo& u) noexcept {
     local_inputs.swap(u.local_inputs);
 }
 
-void World::Impl::undo_step(std::size_t mark) noexcept {
+void WorldImpl::undo_step(std::size_t mark) noexcept {
     if (undo.holds) put_back(undo);
     systems.undo_step();
     if (listener != nullptr) listener->undone(mark);
@@ -92,7 +92,7 @@ void World::Impl::undo_step(std::size_t mark) noexcept {
 
 /// Before the start no undo is needed, because all is analysed then.
 Attempt::Attempt(World& world, bool wanted) : world_(world) {
-    World::Impl& m = *world.impl_;
+    WorldImpl& m = *world.impl_;
     const world::Using use(m.use, "add");
     if (!wanted || !m.ctx.state.started || m.attempt.holds) return;
     m.keep_for_undo(m.attempt);
@@ -103,7 +103,7 @@ Attempt::Attempt(World& world, bool wanted) : world_(world) {
 
 Attempt::~Attempt() {
     if (!holds_) return;
-    World::Impl& m = *world_.impl_;
+    WorldImpl& m = *world_.impl_;
     if (!failed_ && std::uncaught_exceptions() == exceptions_) {
         m.attempt.holds = false;
         return;

@@ -22,7 +22,7 @@
 #include <array>
 #include <cstdint>
 
-namespace hawser::stepper {
+namespace hawser::context {
 struct StepContext;
 }
 
@@ -36,16 +36,16 @@ struct AtWheel {
 };
 
 /// Read the mass at the wheel of two parts. @param mass  Mass of both [kg].
-[[nodiscard]] AtWheel at_wheel(const stepper::StepContext& ctx, std::array<std::int32_t, 2> part,
+[[nodiscard]] AtWheel at_wheel(const context::StepContext& ctx, std::array<std::int32_t, 2> part,
                                double mass) noexcept;
 /// Set the velocity of a node that got the mass for an end, and count the energy as edited.
-void divide_momentum(stepper::StepContext& ctx, std::int32_t lump, const AtWheel& wheel,
+void divide_momentum(context::StepContext& ctx, std::int32_t lump, const AtWheel& wheel,
                      std::size_t end) noexcept;
 
 /// Give the body of a guide the impulse of the half element that comes to lie on it.
 /// @param part  Parts of the element. @param speed  Speeds of the ends before the edit [m/s].
 /// @param mass  Mass of the half [kg].
-void stop_across(stepper::StepContext& ctx, std::array<std::int32_t, 2> part,
+void stop_across(context::StepContext& ctx, std::array<std::int32_t, 2> part,
                  const std::array<Vec3, 2>& speed, double mass) noexcept;
 
 }  // namespace hawser::world

@@ -15,58 +15,58 @@
 
 namespace hawser {
 
-void World::set_mass(BodyId lump, double mass) {
-    const world::Using use(impl_->use, "set_mass");
-    const std::size_t b = impl_->place(lump);
-    BodyDef& def = impl_->body_defs[b];
+void WorldWires::set_mass(BodyId lump, double mass) {
+    const world::Using use(impl().use, "set_mass");
+    const std::size_t b = impl().place(lump);
+    BodyDef& def = impl().body_defs[b];
     const std::string where = world::label("body", def.name);
     if (def.kind != BodyKind::lump)
         world::refuse(where, "it is not a node; only nodes change mass");
     if (!(mass > 0.0 && mass <= 1e12))
         world::refuse(where, "mass = " + world::number(mass) + " kg; give a positive one");
-    stepper::StepContext& c = impl_->ctx;
-    stepper::begin_edit(c);
-    c.state.ledger.edited.given -= stepper::energy_of_body(c, lump.index);
+    context::StepContext& c = impl().ctx;
+    edit::begin_edit(c);
+    c.state.ledger.edited.given -= edit::energy_of_body(c, lump.index);
     const double scale = mass / def.mass;
     def.mass = c.model.bodies.mass[b] = mass;
     for (int k = 0; k < 3; ++k) {
         def.linear_damping[k] = c.model.bodies.damping[6 * b + at(k)] *= scale;
         def.force[k] *= scale;
-        impl_->add_up_force(lump, k);
+        impl().add_up_force(lump, k);
     }
-    c.state.ledger.edited.given += stepper::energy_of_body(c, lump.index);
+    c.state.ledger.edited.given += edit::energy_of_body(c, lump.index);
     // Elements store the mass of the lighter of their ends.
     model::Interactions& in = c.model.interactions;
-    for (const InteractionId id : impl_->interaction_ids)
+    for (const InteractionId id : impl().interaction_ids)
         for (std::size_t slot = 0; slot < in.bodies[at(id.index)]; ++slot)
             if (in.def[at(id.index)].body[slot] == lump)
                 in.rewire(id.index, slot, lump, c.model.bodies);
-    stepper::disturb(c.model, lump.index);
-    if (impl_->listener != nullptr) impl_->listener->set_mass(lump, mass);
+    context::disturb(c.model, lump.index);
+    if (impl().listener != nullptr) impl().listener->set_mass(lump, mass);
 }
 
-InteractionId World::wind_up(WireId id, int end, BodyId drum, double radius) {
-    const world::Using use(impl_->use, "wind_up");
-    const Attempt attempt(*this, impl_->composite());
-    const world::Wire& wire = impl_->wire(id);
+InteractionId WorldWires::spool(WireId id, int end, BodyId drum, double radius) {
+    const world::Using use(impl().use, "wires().spool");
+    const Attempt attempt(*world_, impl().composite());
+    const world::Wire& wire = impl().wire(id);
     const std::string where = world::label("wire", wire.name);
     if (end != 0 && end != 1) world::refuse(where, "end must be 0, the first one, or 1");
     const std::size_t place = end == 0 ? 0 : wire.elements.size() - 1;
     const InteractionId old = wire.elements[place];
-    if (!alive(old)) world::refuse(where, "the element at this end has been removed");
-    if (!intact(old)) world::refuse(where, "the element at this end has parted");
-    InteractionDef d = interaction_def(old);
+    if (!world_->alive(old)) world::refuse(where, "the element at this end has been removed");
+    if (!world_->intact(old)) world::refuse(where, "the element at this end has parted");
+    InteractionDef d = world_->interaction_def(old);
     if (kind_info(d.kind).is(kWoundUp))
         world::refuse(where, "this end lies on a drum already; one drum an end");
-    if (!alive(drum) || body_def(drum).kind != BodyKind::scalar)
+    if (!world_->alive(drum) || world_->body_def(drum).kind != BodyKind::scalar)
         world::refuse(where, "its drum must be a scalar body");
     if (!(radius >= -1e3 && radius <= 1e3))
         world::refuse(where, "radius = " + world::number(radius) + " m; give -1000 to 1000");
-    const auto& in = impl_->ctx.model.interactions;
-    const double mass = stepper::mass_of_element(impl_->ctx, old.index);
+    const auto& in = impl().ctx.model.interactions;
+    const double mass = edit::mass_of_element(impl().ctx, old.index);
     const BodyId beyond = d.body[end == 0 ? 1 : 0];
-    const bool gives = mass > 0.0 && body_def(beyond).kind == BodyKind::lump;
-    if (gives && !(body_def(beyond).mass > 0.5 * mass))
+    const bool gives = mass > 0.0 && world_->body_def(beyond).kind == BodyKind::lump;
+    if (gives && !(world_->body_def(beyond).mass > 0.5 * mass))
         world::refuse(where, "the lump next to the drum has less than half of the element");
     const InteractionDef stretch = d;
     d.kind = InteractionKind::WinchStretch;
@@ -74,27 +74,27 @@ InteractionId World::wind_up(WireId id, int end, BodyId drum, double radius) {
     for (const char* same : {"length", "EA", "tension_only", "breaking_load"})
         d.set(same, stretch.get(same));
     d.body[2] = drum;
-    d.set("radius", radius).set("drum_zero", pose(drum).position.x());
+    d.set("radius", radius).set("drum_zero", world_->pose(drum).position.x());
     // A compliance derived from the length follows it.
     if ((in.flags[at(old.index)] & model::kFromLength) != 0) d.compliance[0] = kDefault;
     // All checks are done and capacity is reserved before the old element is removed.
     InteractionDef whole = d;
-    world::check(whole, impl_->ctx.model.bodies, body_count(),
-                 std::span(in.def).first(at(interaction_count())), in.slots);
-    world::fill_in(whole, impl_->ctx);
-    impl_->refuse_held(old);
-    impl_->reserve_removal();
-    impl_->ctx.model.interactions.reserve_more(d.kind);
+    world::check(whole, impl().ctx.model.bodies, world_->body_count(),
+                 std::span(in.def).first(at(world_->interaction_count())), in.slots);
+    world::fill_in(whole, impl().ctx);
+    impl().refuse_held(old);
+    impl().reserve_removal();
+    impl().ctx.model.interactions.reserve_more(d.kind);
     // No call below throws: the name moves with its table node.
-    world::Names::Map::node_type name = impl_->interaction_names.take(d.name);
-    impl_->remove(old);
-    if (impl_->listener != nullptr) impl_->listener->removed(old);
-    const InteractionId out = impl_->put_interaction(std::move(whole));
-    impl_->interaction_names.give(std::move(name), out.index);
-    if (impl_->listener != nullptr) impl_->listener->added(d);
-    (void)impl_->sorted_removal();
-    impl_->wires.wires[at(id.index)].elements[place] = out;
-    if (gives) set_mass(beyond, body_def(beyond).mass - 0.5 * mass);
+    world::Names::Map::node_type name = impl().interaction_names.take(d.name);
+    impl().remove(old);
+    if (impl().listener != nullptr) impl().listener->removed(old);
+    const InteractionId out = impl().put_interaction(std::move(whole));
+    impl().interaction_names.give(std::move(name), out.index);
+    if (impl().listener != nullptr) impl().listener->added(d);
+    (void)impl().sorted_removal();
+    impl().wires.wires[at(id.index)].elements[place] = out;
+    if (gives) set_mass(beyond, world_->body_def(beyond).mass - 0.5 * mass);
     return out;
 }
 

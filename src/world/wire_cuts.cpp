@@ -110,7 +110,7 @@ BodyDef end_body(const World& w, const InteractionDef& element) {
 
 }  // namespace
 
-void World::Impl::divide_load(BodyId from, BodyId to, double share) noexcept {
+void WorldImpl::divide_load(BodyId from, BodyId to, double share) noexcept {
     BodyDef &a = body_defs[at(from.index)], &b = body_defs[at(to.index)];
     b.force = share * a.force;
     a.force -= b.force;
@@ -118,55 +118,54 @@ void World::Impl::divide_load(BodyId from, BodyId to, double share) noexcept {
         for (int i = 0; i < 3; ++i) add_up_force(id, i);
 }
 
-void World::Impl::follow_definition(BodyId lump) noexcept {
+void WorldImpl::follow_definition(BodyId lump) noexcept {
     body_defs[at(lump.index)].mass = ctx.model.bodies.mass[at(lump.index)];
-    body_defs[at(lump.index)].linear_damping = stepper::damping_of(ctx, lump.index);
+    body_defs[at(lump.index)].linear_damping = edit::damping_of(ctx, lump.index);
 }
 
 /// Move the objects that begin at a node to another node at its position, which has been added.
-void World::Impl::part_lump(const stepper::NodeSurroundings& place, BodyId end) noexcept {
+void WorldImpl::part_lump(const edit::NodeSurroundings& place, BodyId end) noexcept {
     model::Interactions& in = ctx.model.interactions;
     const BodyId node = ctx.model.bodies.id(place.node), far = in.def[at(place.second)].body[1];
-    const stepper::NodeFraction part =
-        stepper::fraction_of(ctx, node.index, place.first, place.second);
-    stepper::begin_edit(ctx);
-    stepper::split_node(ctx, node.index, end.index, part);
+    const edit::NodeFraction part = edit::fraction_of(ctx, node.index, place.first, place.second);
+    edit::begin_edit(ctx);
+    edit::split_node(ctx, node.index, end.index, part);
     divide_load(node, end, part.share);
     const ShapeId segment = segment_between(node.index, far.index);
     if (segment.valid()) move_segment(segment, 0, end);
     if (place.bend[1] >= 0) remove(in.id(place.bend[1]));
-    stepper::move_end(ctx, place.second, 0, end.index);
+    edit::move_end(ctx, place.second, 0, end.index);
     if (place.bend[2] >= 0) in.rewire(place.bend[2], 0, end, ctx.model.bodies);
     for (const BodyId lump : {node, end}) {
-        stepper::follow_node(ctx, lump.index);
+        edit::follow_node(ctx, lump.index);
         follow_definition(lump);
     }
 }
 
-InteractionId World::Impl::element_at(BodyId node, std::size_t side) noexcept {
-    stepper::NodeSurroundings place{.node = node.index};
-    (void)stepper::find_place(ctx, place);
+InteractionId WorldImpl::element_at(BodyId node, std::size_t side) noexcept {
+    edit::NodeSurroundings place{.node = node.index};
+    (void)edit::find_place(ctx, place);
     return ctx.model.interactions.id(side == 0 ? place.first : place.second);
 }
 
 /// Join a short element at an end with the next one.
 /// @param side  0: the end is the first end of the element, 1: its last one.
-void World::Impl::join_short_end(World& world, InteractionId end, std::size_t side) noexcept {
+void WorldImpl::join_short_end(World& world, InteractionId end, std::size_t side) noexcept {
     const model::Interactions& in = ctx.model.interactions;
-    stepper::NodeSurroundings place{.node = in.def[at(end.index)].body[1 - side].index};
-    if (!stepper::is_lump(ctx, place.node) || !stepper::find_place(ctx, place)) return;
+    edit::NodeSurroundings place{.node = in.def[at(end.index)].body[1 - side].index};
+    if (!edit::is_lump(ctx, place.node) || !edit::find_place(ctx, place)) return;
     const std::int32_t next = side == 0 ? place.second : place.first;
     if (in.rest_length[at(end.index)] >= kShort * in.rest_length[at(next)]) return;
     try {
         const Untold untold(*this);
-        (void)world.remove_node(ctx.model.bodies.id(place.node), std::numbers::pi);
+        (void)world.wires().remove_node(ctx.model.bodies.id(place.node), std::numbers::pi);
     } catch (const std::exception&) {
         return;  // an object that holds the node also keeps the element
     }
 }
 
 /// Return true if a drum or guide has the mass of an element of a wire.
-bool World::Impl::carried(const world::Wire& wire, std::size_t element) const noexcept {
+bool WorldImpl::carried(const world::Wire& wire, std::size_t element) const noexcept {
     return systems.carried_mass(wire.elements[element]) != 0.0;
 }
 
@@ -175,9 +174,9 @@ bool World::Impl::carried(const world::Wire& wire, std::size_t element) const no
 /// @param node  Its index.
 /// @param s  [m].
 /// @return the element, and the fraction in it.
-std::pair<InteractionId, double> World::Impl::beside_carried(const world::Wire& wire,
-                                                             std::size_t node,
-                                                             double s) const noexcept {
+std::pair<InteractionId, double> WorldImpl::beside_carried(const world::Wire& wire,
+                                                           std::size_t node,
+                                                           double s) const noexcept {
     constexpr double kBeyond = 0.25;
     const model::Interactions& in = ctx.model.interactions;
     std::size_t first = node, last = node;  // range of carried elements
@@ -198,12 +197,12 @@ std::pair<InteractionId, double> World::Impl::beside_carried(const world::Wire& 
     return {wire.elements[last], kBeyond};
 }
 
-WireId World::cut(WireId id, double s) {
-    const world::Using use(impl_->use, "cut");
-    const Attempt attempt(*this, impl_->composite());
-    const world::Wire& wire = impl_->wire(id);
+WireId WorldWires::cut(WireId id, double s) {
+    const world::Using use(impl().use, "cut");
+    const Attempt attempt(*world_, impl().composite());
+    const world::Wire& wire = impl().wire(id);
     const std::string where = world::label("wire", wire.name);
-    const model::Interactions& in = impl_->ctx.model.interactions;
+    const model::Interactions& in = impl().ctx.model.interactions;
     const double whole = length(id);
     if (!(s > 0.0 && s < whole))
         world::refuse(where, "s = " + world::number(s) +
@@ -213,35 +212,34 @@ WireId World::cut(WireId id, double s) {
     std::size_t k = 0;
     double begin = 0.0, length = 0.0;
     for (;; ++k) {
-        length = alive(wire.elements[k]) ? in.rest_length[at(wire.elements[k].index)] : 0.0;
+        length = world_->alive(wire.elements[k]) ? in.rest_length[at(wire.elements[k].index)] : 0.0;
         if (s < begin + length || k + 1 == wire.elements.size()) break;
         begin += length;
     }
     const InteractionId element = wire.elements[k];
     const double share = (s - begin) / length;
-    const bool takes_node = alive(element) && intact(element) &&
-                            stepper::mass_of_element(impl_->ctx, element.index) > 0.0 &&
-                            stepper::is_of_material(impl_->ctx, element.index);
+    const bool takes_node = world_->alive(element) && world_->intact(element) &&
+                            edit::mass_of_element(impl().ctx, element.index) > 0.0 &&
+                            edit::is_of_material(impl().ctx, element.index);
     if (takes_node && share > kNear && share < 1.0 - kNear) return cut(element, share);
     if (wire.elements.size() == 1)
         world::refuse(where,
                       "it is one element without mass of its own, in which no node can be "
                       "put; give it more elements, or detach() an end");
     if (k == 0 || (share > 0.5 && k + 1 < wire.elements.size())) ++k;
-    if (impl_->carried(wire, k - 1) || impl_->carried(wire, k)) {
-        const auto [beside, at_fraction] = impl_->beside_carried(wire, k, s);
+    if (impl().carried(wire, k - 1) || impl().carried(wire, k)) {
+        const auto [beside, at_fraction] = impl().beside_carried(wire, k, s);
         return cut(beside, at_fraction);
     }
-    if (!alive(wire.elements[k - 1]) || !alive(wire.elements[k]))
+    if (!world_->alive(wire.elements[k - 1]) || !world_->alive(wire.elements[k]))
         world::refuse(where, "s = " + world::number(s) + " m is at a gap in it");
     return cut(wire.elements[k], 0.0);
 }
 
 /// Check that a wire can be cut at a node.
 /// @throws DefError with the remedy.
-void World::Impl::check_cut_at_node(const std::string& where,
-                                    stepper::NodeSurroundings& place) const {
-    if (!stepper::is_lump(ctx, place.node) || !stepper::find_place(ctx, place))
+void WorldImpl::check_cut_at_node(const std::string& where, edit::NodeSurroundings& place) const {
+    if (!edit::is_lump(ctx, place.node) || !edit::find_place(ctx, place))
         world::refuse(where,
                       "it does not begin at a node between two elements that nothing else "
                       "holds; cut it elsewhere, or detach() an end");
@@ -252,11 +250,11 @@ void World::Impl::check_cut_at_node(const std::string& where,
                           "none to share; cut farther out, or detach() the end off the drum");
 }
 
-WireId World::cut(InteractionId element, double share) {
-    const world::Using use(impl_->use, "cut");
-    const Attempt attempt(*this, impl_->composite());
-    Impl& m = *impl_;
-    stepper::StepContext& c = m.ctx;
+WireId WorldWires::cut(InteractionId element, double share) {
+    const world::Using use(impl().use, "cut");
+    const Attempt attempt(*world_, impl().composite());
+    WorldImpl& m = impl();
+    context::StepContext& c = m.ctx;
     model::Interactions& in = c.model.interactions;
     const std::size_t e = m.place(element);
     const InteractionDef def = in.def[e];
@@ -266,8 +264,8 @@ WireId World::cut(InteractionId element, double share) {
     if (!(share >= 0.0 && share < 1.0))
         world::refuse(where, "it is cut at a share from 0 to below 1, not " + world::number(share));
     m.know_wire_of(element);
-    if (stepper::has_cuts(c.model)) stepper::begin_edit(c);  // remove duplicated rows first
-    stepper::NodeSurroundings place{.node = def.body[0].index};
+    if (context::has_cuts(c.model)) edit::begin_edit(c);  // remove duplicated rows first
+    edit::NodeSurroundings place{.node = def.body[0].index};
     if (share == 0.0) m.check_cut_at_node(where, place);
     m.reserve_removal();
     std::int32_t vacant = -1;
@@ -275,16 +273,16 @@ WireId World::cut(InteractionId element, double share) {
     made.lumps.reserve(1);
     // Names are claimed last, and released if a node does not fit.
     std::optional<SecondPiece> second;
-    const Impl::Mark before = m.mark(def.body[0], def.body[1]);
-    const stepper::Edited edited = c.state.ledger.edited;
+    const WorldImpl::Mark before = m.mark(def.body[0], def.body[1]);
+    const context::Edited edited = c.state.ledger.edited;
     BodyId node = def.body[0];
     bool claimed = false;
     try {
-        const Impl::Untold untold(m);
-        made.lumps.push_back(add_body(end_body(*this, def)));
+        const WorldImpl::Untold untold(m);
+        made.lumps.push_back(world_->add_body(end_body(*world_, def)));
         c.state.ledger.edited = edited;
         if (const world::Wire* wire = m.wire_with(element); wire != nullptr) {
-            second.emplace(*wire, next_name(m.wires.names, wire->name), body_count());
+            second.emplace(*wire, next_name(m.wires.names, wire->name), world_->body_count());
             vacant = m.claim_wire(second->wire.name);
             claimed = true;
         }
@@ -300,24 +298,24 @@ WireId World::cut(InteractionId element, double share) {
     // A taut wire is straight before the cut, so a node can be removed now; on a slack one later.
     if (share > 0.0)
         for (const std::size_t side : {0U, 1U})
-            m.join_short_end(*this, m.element_at(node, side), 1 - side);
+            m.join_short_end(*world_, m.element_at(node, side), 1 - side);
     place = {.node = node.index};
-    (void)stepper::find_place(c, place);
-    const double tension = stepper::tension_of(c, place.first);
-    stepper::begin_recoil(c.model, element.index, false);
+    (void)edit::find_place(c, place);
+    const double tension = edit::tension_of(c, place.first);
+    context::begin_recoil(c.model, element.index, false);
     m.part_lump(place, end);
-    stepper::push_event(c, EventKind::cut, place.first, tension);
+    context::push_event(c, EventKind::cut, place.first, tension);
     WireId out{};
     if (second) {
         world::Wire* wire = m.wire_with(in.id(place.first));
         second->take(*wire, in.id(place.second), end, in, c.model.collider);
-        std::erase_if(wire->bends, [&](InteractionId id) { return !alive(id); });
+        std::erase_if(wire->bends, [&](InteractionId id) { return !world_->alive(id); });
         out = m.put_wire(second->wire, vacant);
     }
     if (share > 0.0) {
         const InteractionId ends[] = {in.id(place.first), in.id(place.second)};
-        m.join_short_end(*this, ends[0], 1);
-        m.join_short_end(*this, ends[1], 0);
+        m.join_short_end(*world_, ends[0], 1);
+        m.join_short_end(*world_, ends[1], 0);
     }
     if (m.listener != nullptr) m.listener->cut(element, share);
     return out;

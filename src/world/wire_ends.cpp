@@ -20,11 +20,10 @@
 
 namespace hawser {
 
-world::FreeEnd World::Impl::free_end(BodyId lump) const {
-    const stepper::NodeLinks links = stepper::links_of(ctx, lump.index);
+world::FreeEnd WorldImpl::free_end(BodyId lump) const {
+    const edit::NodeLinks links = edit::links_of(ctx, lump.index);
     const std::string where = world::label("body", body_defs[at(lump.index)].name);
-    if (!stepper::is_lump(ctx, lump.index) || (links.before < 0) == (links.after < 0) ||
-        !links.plain)
+    if (!edit::is_lump(ctx, lump.index) || (links.before < 0) == (links.after < 0) || !links.plain)
         world::refuse(where,
                       "it is no free end of a wire: a lump that one whole element holds and "
                       "nothing else; detach() what is taken");
@@ -32,7 +31,7 @@ world::FreeEnd World::Impl::free_end(BodyId lump) const {
     return {lump, ctx.model.interactions.id(last ? links.before : links.after), last ? 1U : 0U};
 }
 
-world::FreeEnd World::Impl::free_end(WireId id, int end) const {
+world::FreeEnd WorldImpl::free_end(WireId id, int end) const {
     const world::Wire& of = wire(id);
     const std::string where = world::label("wire", of.name);
     if (end != 0 && end != 1) world::refuse(where, "end must be 0, the first one, or 1");
@@ -40,11 +39,11 @@ world::FreeEnd World::Impl::free_end(WireId id, int end) const {
     if (!ctx.model.bodies.slots.names(node))
         world::refuse(where, "the lump at this end has been removed");
     const std::string name = end == 0 ? "its first end" : "its last end";
-    if (!stepper::is_lump(ctx, node.index))
+    if (!edit::is_lump(ctx, node.index))
         world::refuse(where, name + " is taken by the " +
                                  world::label("body", body_defs[at(node.index)].name) +
                                  "; detach() it first");
-    const stepper::NodeLinks links = stepper::links_of(ctx, node.index);
+    const edit::NodeLinks links = edit::links_of(ctx, node.index);
     if ((links.before >= 0 && links.after >= 0) || !links.plain)
         world::refuse(where, name + " is taken; detach() it first");
     if (links.before < 0 && links.after < 0)
@@ -52,22 +51,22 @@ world::FreeEnd World::Impl::free_end(WireId id, int end) const {
     return free_end(node);
 }
 
-void World::detach(WireId id, int end) {
-    const world::Using use(impl_->use, "detach");
-    const Attempt attempt(*this, impl_->composite());
-    const world::Wire& wire = impl_->wire(id);
+void WorldWires::detach(WireId id, int end) {
+    const world::Using use(impl().use, "detach");
+    const Attempt attempt(*world_, impl().composite());
+    const world::Wire& wire = impl().wire(id);
     const std::string where = world::label("wire", wire.name);
     if (end != 0 && end != 1) world::refuse(where, "end must be 0, the first one, or 1");
     const InteractionId element = end == 0 ? wire.elements.front() : wire.elements.back();
-    if (!alive(element) || !intact(element))
+    if (!world_->alive(element) || !world_->intact(element))
         world::refuse(where, "the element at this end has parted or gone");
     detach(element, end);
 }
 
-void World::detach(InteractionId element, int end) {
-    const world::Using use(impl_->use, "detach");
-    const Attempt attempt(*this, impl_->composite());
-    Impl& m = *impl_;
+void WorldWires::detach(InteractionId element, int end) {
+    const world::Using use(impl().use, "detach");
+    const Attempt attempt(*world_, impl().composite());
+    WorldImpl& m = impl();
     const model::Interactions& in = m.ctx.model.interactions;
     const std::size_t e = m.place(element);
     const std::string where = world::label("interaction", in.def[e].name);
@@ -76,15 +75,15 @@ void World::detach(InteractionId element, int end) {
     if (end != 0 && end != 1) world::refuse(where, "end must be 0, the first one, or 1");
     const BodyId body = in.def[e].body[at(end)];
     m.know_wire_of(element);
-    if (stepper::has_cuts(m.ctx.model)) stepper::begin_edit(m.ctx);  // remove duplicated rows first
-    if (stepper::is_lump(m.ctx, body.index))
+    if (context::has_cuts(m.ctx.model)) edit::begin_edit(m.ctx);  // remove duplicated rows first
+    if (edit::is_lump(m.ctx, body.index))
         m.open_gear(element, body);
     else
-        m.free_node(*this, element, at(end));
+        m.free_node(*world_, element, at(end));
     if (m.listener != nullptr) m.listener->detached(element, end);
 }
 
-void World::Impl::open_gear(InteractionId element, BodyId lump) {
+void WorldImpl::open_gear(InteractionId element, BodyId lump) {
     const model::Interactions& in = ctx.model.interactions;
     const auto holds = [&](const world::GearInUse& g) {
         if (!in.slots.names(g.id) || in.parted[at(g.id.index)] != 0) return false;
@@ -98,24 +97,24 @@ void World::Impl::open_gear(InteractionId element, BodyId lump) {
         if (holds(g)) refuse_held(g.id);
     reserve_removal();
     // No call below throws.
-    const double tension = stepper::tension_of(ctx, element.index);
-    stepper::begin_recoil(ctx.model, element.index, false);
+    const double tension = edit::tension_of(ctx, element.index);
+    context::begin_recoil(ctx.model, element.index, false);
     for (const world::GearInUse& g : gear)
         if (holds(g)) remove(g.id);
     std::erase_if(gear, [&](const world::GearInUse& g) { return !in.slots.names(g.id); });
-    stepper::disturb(ctx.model, lump.index);
-    stepper::push_event(ctx, EventKind::detach, element.index, tension);
+    context::disturb(ctx.model, lump.index);
+    context::push_event(ctx, EventKind::detach, element.index, tension);
 }
 
 namespace {
 
 /// Return the node of a released end.
-BodyDef freed_body(const World& w, const stepper::StepContext& c, std::int32_t element,
-                   std::size_t side, const stepper::NodeFraction& share) {
+BodyDef freed_body(const World& w, const context::StepContext& c, std::int32_t element,
+                   std::size_t side, const edit::NodeFraction& share) {
     const BodyDef& next = w.body_def(c.model.interactions.def[at(element)].body[1 - side]);
     const bool lump = next.kind == BodyKind::lump;
-    BodyDef out{.kind = BodyKind::lump, .position = stepper::point_of(c, element, side)};
-    out.velocity = stepper::speed_of(c, element, side, c.model.bodies.v);
+    BodyDef out{.kind = BodyKind::lump, .position = edit::point_of(c, element, side)};
+    out.velocity = edit::speed_of(c, element, side, c.model.bodies.v);
     out.mass = share.mass;
     if (!lump) return out;
     out.linear_damping = share.share * next.linear_damping;
@@ -126,7 +125,7 @@ BodyDef freed_body(const World& w, const stepper::StepContext& c, std::int32_t e
 }
 
 /// Return the element between other bodies without a drum, with the data of the next element.
-InteractionDef unwound(const stepper::StepContext& c, const std::array<std::int32_t, 2>& element,
+InteractionDef unwound(const context::StepContext& c, const std::array<std::int32_t, 2>& element,
                        std::size_t side, BodyId lump, double mass) {
     const model::Interactions& in = c.model.interactions;
     const std::int32_t id = element[0];
@@ -140,7 +139,7 @@ InteractionDef unwound(const stepper::StepContext& c, const std::array<std::int3
     for (const char* same : {"EA", "tension_only", "breaking_load"}) out.set(same, def.get(same));
     if (in.row_flags[at(in.row_begin[at(id)])] & model::kRowDamper)
         out.damping_time[0] = def.damping_time[0];
-    if (mass > 0.0 && element[1] >= 0 && stepper::mass_of_element(c, element[1]) > 0.0)
+    if (mass > 0.0 && element[1] >= 0 && edit::mass_of_element(c, element[1]) > 0.0)
         out.set("mass", mass);
     return out;
 }
@@ -171,28 +170,28 @@ void end_at_node(world::Wire& wire, std::size_t side, const world::Wire& made, I
 
 /// Share of a node at the end of an element in a release.
 struct EndFraction {
-    stepper::NodeFraction share;
+    edit::NodeFraction share;
     double carried;       ///< Mass of the element that its winch carries [kg].
     std::int32_t beyond;  ///< Element on the other side of the next node; −1: none.
     bool node_next;       ///< True if the element's other end is a node.
 };
 
-EndFraction end_fraction(const stepper::StepContext& ctx, const world::Systems& systems,
+EndFraction end_fraction(const context::StepContext& ctx, const world::Systems& systems,
                          InteractionId element, BodyId next) {
     const std::int32_t e = element.index;
-    EndFraction out{.share = {.mass = 0.5 * stepper::mass_of_element(ctx, e)},
+    EndFraction out{.share = {.mass = 0.5 * edit::mass_of_element(ctx, e)},
                     .carried = systems.carried_mass(element),
                     .beyond = -1,
-                    .node_next = stepper::is_lump(ctx, next.index)};
+                    .node_next = edit::is_lump(ctx, next.index)};
     if (out.node_next) {
-        const stepper::NodeLinks links = stepper::links_of(ctx, next.index);
+        const edit::NodeLinks links = edit::links_of(ctx, next.index);
         out.beyond = links.before == e ? links.after : links.before;
         // The new end has half of the element like the body before it, for any other mass of the
         // next node.
         const double half = out.share.mass;
         out.share = half > 0.0
-                        ? stepper::NodeFraction{half, half / ctx.model.bodies.mass[at(next.index)]}
-                        : stepper::fraction_of(ctx, next.index, out.beyond, e);
+                        ? edit::NodeFraction{half, half / ctx.model.bodies.mass[at(next.index)]}
+                        : edit::fraction_of(ctx, next.index, out.beyond, e);
     }
     if (out.carried > 0.0) {
         out.share.mass = 0.5 * out.carried;
@@ -205,7 +204,7 @@ EndFraction end_fraction(const stepper::StepContext& ctx, const world::Systems& 
 template <class Impl>
 std::optional<ShapeDef> capsule_like(const Impl& m, std::int32_t beyond) {
     const ShapeId its =
-        m.segment_between(stepper::end_of(m.ctx, beyond, 0), stepper::end_of(m.ctx, beyond, 1));
+        m.segment_between(edit::end_of(m.ctx, beyond, 0), edit::end_of(m.ctx, beyond, 1));
     if (!its.valid()) return {};
     std::optional<ShapeDef> out = m.shape_defs[at(its.index)];
     out->name.clear();
@@ -218,7 +217,7 @@ template <class Impl>
 void put_back_mass(Impl& m, World& world, BodyId lump, const BodyDef& was) {
     BodyDef& now = m.body_defs[at(lump.index)];
     if (now.mass == was.mass) return;
-    world.set_mass(lump, was.mass);
+    world.wires().set_mass(lump, was.mass);
     for (int k = 0; k < 3; ++k) {
         now.linear_damping[k] = m.ctx.model.bodies.damping[at(6 * lump.index + k)] =
             was.linear_damping[k];
@@ -231,7 +230,7 @@ void put_back_mass(Impl& m, World& world, BodyId lump, const BodyDef& was) {
 
 /// Release an element from a body. The part on a drum stays there, broken, and another element
 /// replaces it.
-void World::Impl::free_node(World& world, InteractionId element, std::size_t side) {
+void WorldImpl::free_node(World& world, InteractionId element, std::size_t side) {
     model::Interactions& in = ctx.model.interactions;
     const std::int32_t e = element.index;
     const std::string where = world::label("interaction", in.def[at(e)].name);
@@ -247,8 +246,8 @@ void World::Impl::free_node(World& world, InteractionId element, std::size_t sid
     world::Wire made;
     reserve_end(made);
     const Mark before = mark(held, next);
-    const stepper::Edited edited = ctx.state.ledger.edited;
-    const stepper::Edited had = stepper::splice_energy(ctx, next.index, -1, e, e);
+    const context::Edited edited = ctx.state.ledger.edited;
+    const context::Edited had = edit::splice_energy(ctx, next.index, -1, e, e);
     const Untold untold(*this);
     const BodyDef was = body_defs[at(next.index)];
     try {
@@ -256,7 +255,7 @@ void World::Impl::free_node(World& world, InteractionId element, std::size_t sid
         const BodyId lump = made.lumps[0];
         // Before the element that needs it, since the material at a drum may be heavier than the
         // next element.
-        if (carried > 0.0 && node_next) world.set_mass(next, was.mass + 0.5 * carried);
+        if (carried > 0.0 && node_next) world.wires().set_mass(next, was.mass + 0.5 * carried);
         if (wound)
             made.elements.push_back(
                 world.add_interaction(unwound(ctx, {e, beyond}, side, lump, carried)));
@@ -273,28 +272,27 @@ void World::Impl::free_node(World& world, InteractionId element, std::size_t sid
     }
     // No call below throws.
     const BodyId lump = made.lumps[0];
-    const double tension = stepper::tension_of(ctx, e);
-    const std::int32_t bend = stepper::bend_about(ctx, next.index, held.index);
-    stepper::begin_recoil(ctx.model, e, false);
+    const double tension = edit::tension_of(ctx, e);
+    const std::int32_t bend = edit::bend_about(ctx, next.index, held.index);
+    context::begin_recoil(ctx.model, e, false);
     if (node_next && beyond >= 0)
-        stepper::begin_recoil(ctx.model, beyond, false);  // an element at a drum belongs to no wire
-    stepper::begin_edit(ctx);
+        context::begin_recoil(ctx.model, beyond, false);  // an element at a drum belongs to no wire
+    edit::begin_edit(ctx);
     if (bend >= 0)
-        stepper::move_end(ctx, bend, stepper::end_of(ctx, bend, 0) == held.index ? 0 : 2,
-                          lump.index);
+        edit::move_end(ctx, bend, edit::end_of(ctx, bend, 0) == held.index ? 0 : 2, lump.index);
     std::int32_t now = e;
     if (wound) {
         now = made.elements[0].index;
         go_on(in, e, now);
-        stepper::part_all(ctx.model, e);
+        split::part_all(ctx.model, e);
     } else {
-        stepper::move_end(ctx, e, side, lump.index);
+        edit::move_end(ctx, e, side, lump.index);
     }
     if (own.valid()) move_segment(own, side, lump);
-    for (const BodyId id : {held, next, lump}) stepper::disturb(ctx.model, id.index);
-    ctx.state.ledger.edited = edited + stepper::splice_energy(ctx, next.index, -1, now, now) - had;
-    ctx.state.ledger.edited.given += stepper::energy_of_body(ctx, lump.index);
-    stepper::push_event(ctx, EventKind::detach, now, tension);
+    for (const BodyId id : {held, next, lump}) context::disturb(ctx.model, id.index);
+    ctx.state.ledger.edited = edited + edit::splice_energy(ctx, next.index, -1, now, now) - had;
+    ctx.state.ledger.edited.given += edit::energy_of_body(ctx, lump.index);
+    context::push_event(ctx, EventKind::detach, now, tension);
     if (wire != nullptr) end_at_node(*wire, side, made, element, in.id(now));
 }
 

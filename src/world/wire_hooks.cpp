@@ -18,9 +18,9 @@
 
 namespace hawser {
 
-void World::release(InteractionId hook) {
-    const world::Using use(impl_->use, "release");
-    Impl& m = *impl_;
+void WorldWires::release(InteractionId hook) {
+    const world::Using use(impl().use, "release");
+    WorldImpl& m = impl();
     model::Interactions& in = m.ctx.model.interactions;
     const std::size_t i = m.place(hook);
     const auto found =
@@ -30,14 +30,14 @@ void World::release(InteractionId hook) {
         world::refuse(where, "it is no pelican hook; detach() opens other gear");
     if (in.parted[i] != 0) world::refuse(where, "it is open already");
     m.know_wire_of(hook);
-    const double tension = stepper::tension_of(m.ctx, hook.index);
-    stepper::begin_recoil(m.ctx.model, hook.index, false);
-    m.ctx.state.ledger.edited.given -= stepper::energy_of_interaction(m.ctx, hook.index);
-    stepper::begin_edit(m.ctx);
+    const double tension = edit::tension_of(m.ctx, hook.index);
+    context::begin_recoil(m.ctx.model, hook.index, false);
+    m.ctx.state.ledger.edited.given -= edit::energy_of_interaction(m.ctx, hook.index);
+    edit::begin_edit(m.ctx);
     for (std::size_t b = 0; b < 2; ++b)
-        stepper::disturb(m.ctx.model, stepper::end_of(m.ctx, hook.index, b));
-    stepper::part_all(m.ctx.model, hook.index);
-    stepper::push_event(m.ctx, EventKind::release, hook.index, tension);
+        context::disturb(m.ctx.model, edit::end_of(m.ctx, hook.index, b));
+    split::part_all(m.ctx.model, hook.index);
+    context::push_event(m.ctx, EventKind::release, hook.index, tension);
     if (m.listener != nullptr) m.listener->released(hook);
 }
 

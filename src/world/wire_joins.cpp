@@ -64,52 +64,52 @@ std::string gear_name(const World& w, const std::string& wire) {
 
 }  // namespace
 
-Joint World::join(WireId a, int end_a, WireId b, int end_b, const JoinDef& def) {
-    const world::Using use(impl_->use, "join");
-    const Attempt attempt(*this, impl_->composite());
+Joint WorldWires::join(WireId a, int end_a, WireId b, int end_b, const JoinDef& def) {
+    const world::Using use(impl().use, "join");
+    const Attempt attempt(*world_, impl().composite());
     world::check(def);
-    const world::FreeEnd one = impl_->free_end(a, end_a), other = impl_->free_end(b, end_b);
-    const world::Wire &first = impl_->wire(a), &second = impl_->wire(b);
+    const world::FreeEnd one = impl().free_end(a, end_a), other = impl().free_end(b, end_b);
+    const world::Wire &first = impl().wire(a), &second = impl().wire(b);
     const std::string where = world::label("wire", first.name);
     if (one.lump == other.lump) world::refuse(where, "an end is not joined to itself");
     if (def.gear == Gear::splice) {
         if (a == b)
             world::refuse(where, "a splice would close it to a ring; join its ends by gear");
         if ((end_a == end_b) &&
-            stepper::chain_from(impl_->ctx, other.element.index, other.slot).size() !=
+            edit::chain_from(impl().ctx, other.element.index, other.slot).size() !=
                 second.elements.size())
             world::refuse(world::label("wire", second.name),
                           "it would have to be turned round, and is parted or held between its "
                           "ends; join by gear");
     }
     JoinDef named = def;
-    if (named.name.empty()) named.name = gear_name(*this, first.name);
+    if (named.name.empty()) named.name = gear_name(*world_, first.name);
     Joint out = join(one.lump, other.lump, Vec3::Zero(), named);
     out.wire = a;
     return out;
 }
 
-Joint World::attach(WireId id, int end, BodyId body, const Vec3& point, const JoinDef& def) {
-    const world::Using use(impl_->use, "attach");
-    const Attempt attempt(*this, impl_->composite());
+Joint WorldWires::attach(WireId id, int end, BodyId body, const Vec3& point, const JoinDef& def) {
+    const world::Using use(impl().use, "attach");
+    const Attempt attempt(*world_, impl().composite());
     world::check(def);
-    const world::FreeEnd one = impl_->free_end(id, end);
-    const world::Wire& wire = impl_->wire(id);
-    if (!alive(body) || body_def(body).kind == BodyKind::scalar ||
-        body_def(body).kind == BodyKind::lump)
+    const world::FreeEnd one = impl().free_end(id, end);
+    const world::Wire& wire = impl().wire(id);
+    if (!world_->alive(body) || world_->body_def(body).kind == BodyKind::scalar ||
+        world_->body_def(body).kind == BodyKind::lump)
         world::refuse(world::label("wire", wire.name),
                       "it is attached to a body that has an orientation; join() ends of wires");
     JoinDef named = def;
-    if (named.name.empty()) named.name = gear_name(*this, wire.name);
+    if (named.name.empty()) named.name = gear_name(*world_, wire.name);
     Joint out = join(one.lump, body, point, named);
     out.wire = id;
     return out;
 }
 
-Joint World::join(BodyId a, BodyId b, const Vec3& point, const JoinDef& def) {
-    const world::Using use(impl_->use, "join");
-    const Attempt attempt(*this, impl_->composite());
-    Impl& m = *impl_;
+Joint WorldWires::join(BodyId a, BodyId b, const Vec3& point, const JoinDef& def) {
+    const world::Using use(impl().use, "join");
+    const Attempt attempt(*world_, impl().composite());
+    WorldImpl& m = impl();
     world::check(def);
     (void)m.place(a);
     (void)m.place(b);
@@ -118,40 +118,41 @@ Joint World::join(BodyId a, BodyId b, const Vec3& point, const JoinDef& def) {
         world::refuse(where, "point is not finite, or beyond 1e7 m");
     if (a == b) world::refuse(where, "an end is not joined to itself");
     (void)m.free_end(a);
-    const BodyKind kind = body_def(b).kind;
+    const BodyKind kind = world_->body_def(b).kind;
     const bool lump = kind == BodyKind::lump;
     if (lump) (void)m.free_end(b);
     if (kind == BodyKind::scalar) world::refuse(where, "a scalar body holds no end of a wire");
-    if (stepper::has_cuts(m.ctx.model)) stepper::begin_edit(m.ctx);  // remove duplicated rows first
+    if (context::has_cuts(m.ctx.model)) edit::begin_edit(m.ctx);  // remove duplicated rows first
     Joint out;
     if (def.gear == Gear::triplate) {
         if (!lump)
             world::refuse(where, "a triplate joins two wires; a shackle holds an end to a body");
-        out = m.put_plate(*this, a, b, def);
+        out = m.put_plate(*world_, a, b, def);
     } else if (def.gear == Gear::splice && lump) {
-        refuse_beyond(where, (pose(b).position - pose(a).position).norm(), def.reach);
-        out = m.splice(*this, a, b);
+        refuse_beyond(where, (world_->pose(b).position - world_->pose(a).position).norm(),
+                      def.reach);
+        out = m.splice(*world_, a, b);
         m.add_gear_mass(a, def.mass);
     } else {
-        out = m.hold(*this, a, b, point, def);
+        out = m.hold(*world_, a, b, point, def);
     }
     if (m.listener != nullptr) m.listener->joined(a, b, point, def);
     return out;
 }
 
 /// Add the mass of gear, which starts with the velocity of its node.
-void World::Impl::add_gear_mass(BodyId lump, double mass) noexcept {
+void WorldImpl::add_gear_mass(BodyId lump, double mass) noexcept {
     if (!(mass > 0.0)) return;
-    const double had = stepper::energy_of_body(ctx, lump.index);
+    const double had = edit::energy_of_body(ctx, lump.index);
     ctx.model.bodies.mass[at(lump.index)] += mass;
     follow_definition(lump);
-    stepper::follow_node(ctx, lump.index);
-    ctx.state.ledger.edited.given += stepper::energy_of_body(ctx, lump.index) - had;
+    edit::follow_node(ctx, lump.index);
+    ctx.state.ledger.edited.given += edit::energy_of_body(ctx, lump.index) - had;
 }
 
 /// Return the link from a node to a body, in the direction of the node's wire.
-InteractionDef World::Impl::link_of(const World& world, BodyId a, BodyId b, const Vec3& point,
-                                    const JoinDef& def) const {
+InteractionDef WorldImpl::link_of(const World& world, BodyId a, BodyId b, const Vec3& point,
+                                  const JoinDef& def) const {
     const world::FreeEnd end = free_end(a);
     const std::size_t slot = end.slot == 1 ? 1 : 0;
     InteractionDef out;
@@ -168,7 +169,7 @@ InteractionDef World::Impl::link_of(const World& world, BodyId a, BodyId b, cons
     return out;
 }
 
-Joint World::Impl::hold(World& world, BodyId a, BodyId b, const Vec3& point, const JoinDef& def) {
+Joint WorldImpl::hold(World& world, BodyId a, BodyId b, const Vec3& point, const JoinDef& def) {
     const double separation = (world.world_point(b, point) - world.pose(a).position).norm();
     InteractionDef d;
     if (def.gear == Gear::splice) {
@@ -183,7 +184,7 @@ Joint World::Impl::hold(World& world, BodyId a, BodyId b, const Vec3& point, con
     std::erase_if(
         gear, [&](const world::GearInUse& g) { return !ctx.model.interactions.slots.names(g.id); });
     base::reserve_more(gear, 1);
-    const bool lump = stepper::is_lump(ctx, b.index);
+    const bool lump = edit::is_lump(ctx, b.index);
     Joint out;
     {
         const Untold untold(*this);
@@ -193,12 +194,12 @@ Joint World::Impl::hold(World& world, BodyId a, BodyId b, const Vec3& point, con
     gear.push_back({out.held[0], def.gear});
     add_gear_mass(a, lump ? 0.5 * def.mass : def.mass);
     if (lump) add_gear_mass(b, 0.5 * def.mass);
-    stepper::push_event(ctx, EventKind::join, out.held[0].index, separation);
+    context::push_event(ctx, EventKind::join, out.held[0].index, separation);
     return out;
 }
 
 /// Add a plate with its first two holes on the line of the ends and the third as low as possible.
-Joint World::Impl::put_plate(World& world, BodyId a, BodyId b, const JoinDef& def) {
+Joint WorldImpl::put_plate(World& world, BodyId a, BodyId b, const JoinDef& def) {
     const Vec3 pa = world.pose(a).position, pb = world.pose(b).position;
     const double separation = (pb - pa).norm();
     const Vec3 h[2] = {triplate_hole(def, 0), triplate_hole(def, 1)};
@@ -249,7 +250,7 @@ Joint World::Impl::put_plate(World& world, BodyId a, BodyId b, const JoinDef& de
         out.held[k] = made.elements[k];
         gear.push_back({out.held[k], def.gear});
     }
-    stepper::push_event(ctx, EventKind::join, out.held[0].index, separation);
+    context::push_event(ctx, EventKind::join, out.held[0].index, separation);
     return out;
 }
 

@@ -47,22 +47,22 @@ void put_node(world::Wire& wire, InteractionId element, const world::Wire& made,
 
 }  // namespace
 
-world::Wire* World::Impl::wire_with(InteractionId element) noexcept {
+world::Wire* WorldImpl::wire_with(InteractionId element) noexcept {
     for (const WireId id : wires.ids)
         if (find_in(wires.wires[at(id.index)].elements, element) >= 0)
             return &wires.wires[at(id.index)];
     return nullptr;
 }
 
-WireId World::wire_of(InteractionId element) const noexcept {
-    for (const WireId id : impl_->wires.ids)
-        if (find_in(impl_->wires.wires[at(id.index)].elements, element) >= 0) return id;
+WireId WorldWiresView::of(InteractionId element) const noexcept {
+    for (const WireId id : impl().wires.ids)
+        if (find_in(impl().wires.wires[at(id.index)].elements, element) >= 0) return id;
     return {};
 }
 
 /// Update definitions after an edit of masses and drags, and the forces of nodes that depend on
 /// mass. Also update the inputs of an element at a drum.
-void World::Impl::follow_definitions(const stepper::NodeSurroundings& place) noexcept {
+void WorldImpl::follow_definitions(const edit::NodeSurroundings& place) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     for (const std::int32_t id : {place.first, place.second}) {
         for (std::size_t slot = 0; id >= 0 && slot < 2; ++slot) {
@@ -82,7 +82,7 @@ void World::Impl::follow_definitions(const stepper::NodeSurroundings& place) noe
     }
 }
 
-void World::Impl::follow_inputs(std::int32_t element) noexcept {
+void WorldImpl::follow_inputs(std::int32_t element) noexcept {
     for (std::size_t i = 0; i < inputs.size(); ++i)
         if (inputs[i].interaction.valid() && inputs[i].interaction.index == element)
             input_values[i] = ctx.model.interactions.def[at(element)].get(inputs[i].param);
@@ -90,11 +90,11 @@ void World::Impl::follow_inputs(std::int32_t element) noexcept {
 
 /// Return the EI of a bend added with a node on an element [N m²]. It is that of the bend at the
 /// first end, or at the last end if line types meet at the first.
-double World::Impl::stiffness_beside(const stepper::NodeSurroundings& place,
-                                     const world::Wire* wire) const noexcept {
+double WorldImpl::stiffness_beside(const edit::NodeSurroundings& place,
+                                   const world::Wire* wire) const noexcept {
     const model::Interactions& in = ctx.model.interactions;
     const auto same_line = [&](std::int32_t id) {
-        return id < 0 || stepper::is_wound(ctx, id) || stepper::is_wound(ctx, place.first) ||
+        return id < 0 || edit::is_wound(ctx, id) || edit::is_wound(ctx, place.first) ||
                in.def[at(id)].get("EA") == in.def[at(place.first)].get("EA");
     };
     const bool first = place.bend[0] >= 0 && (same_line(place.before[0]) || place.bend[2] < 0);
@@ -103,47 +103,47 @@ double World::Impl::stiffness_beside(const stepper::NodeSurroundings& place,
     return wire != nullptr ? wire->trim.EI : 0.0;
 }
 
-BodyId World::insert_node(InteractionId element, double share, double mass) {
-    const world::Using use(impl_->use, "insert_node");
-    const Attempt attempt(*this, stepper::has_cuts(impl_->ctx.model));
-    Impl& m = *impl_;
+BodyId WorldWires::insert_node(InteractionId element, double share, double mass) {
+    const world::Using use(impl().use, "insert_node");
+    const Attempt attempt(*world_, context::has_cuts(impl().ctx.model));
+    WorldImpl& m = impl();
     model::Interactions& in = m.ctx.model.interactions;
     m.check_node(element, share, mass);
-    stepper::NodeSurroundings place{.first = element.index};
-    const bool wound = stepper::is_wound(m.ctx, element.index);
+    edit::NodeSurroundings place{.first = element.index};
+    const bool wound = edit::is_wound(m.ctx, element.index);
     // True if the new element comes first, because the one at a drum stays there.
-    const bool first = wound && stepper::drum_side(m.ctx, element.index) == 1;
-    const double whole = wound ? mass : stepper::mass_of_element(m.ctx, element.index);
-    if (stepper::has_cuts(m.ctx.model)) stepper::begin_edit(m.ctx);  // remove duplicated rows first
-    (void)stepper::find_place(m.ctx, place);
+    const bool first = wound && edit::drum_side(m.ctx, element.index) == 1;
+    const double whole = wound ? mass : edit::mass_of_element(m.ctx, element.index);
+    if (context::has_cuts(m.ctx.model)) edit::begin_edit(m.ctx);  // remove duplicated rows first
+    (void)edit::find_place(m.ctx, place);
     const BodyId a = in.def[at(element.index)].body[0], b = in.def[at(element.index)].body[1];
-    const BodyDef body = world::node_body(*this, in.def[at(element.index)],
-                                          stepper::node_on(m.ctx, element.index, share, whole));
+    const BodyDef body = world::node_body(*world_, in.def[at(element.index)],
+                                          edit::node_on(m.ctx, element.index, share, whole));
     const ShapeId segment = m.segment_between(a.index, b.index);
     world::Wire* wire = m.wire_with(element);
     if (wire != nullptr) reserve_node(*wire);
 
-    const Impl::Mark before = m.mark(a, b);
-    const stepper::NodeLedger was = stepper::begin_node_edit(m.ctx, place);
+    const WorldImpl::Mark before = m.mark(a, b);
+    const edit::NodeLedger was = edit::begin_node_edit(m.ctx, place);
     world::Wire& made = m.wires.coming;
     made.begin({}, true);
     reserve_node(made);
     const double EI = m.stiffness_beside(place, wire);
     InteractionDef bend = world::node_bend(in, element.index, EI);
     for (const std::size_t slot : {0U, 1U})
-        bend.point[2 * slot] = stepper::held_at(m.ctx, element.index, slot);
+        bend.point[2 * slot] = edit::held_at(m.ctx, element.index, slot);
     try {
-        const Impl::Untold untold(m);
-        const BodyId node = add_body(body);
+        const WorldImpl::Untold untold(m);
+        const BodyId node = world_->add_body(body);
         made.lumps.push_back(node);
         bend.body[1] = node;
         const double own = first ? share : 1.0 - share;
-        made.elements.push_back(
-            add_interaction(world::other_element(in, element.index, node, share, first, own * whole,
-                                                 first ? place.before[0] : place.after[0])));
-        if (EI > 0.0 && a != b) made.bends.push_back(add_interaction(bend));
+        made.elements.push_back(world_->add_interaction(
+            world::other_element(in, element.index, node, share, first, own * whole,
+                                 first ? place.before[0] : place.after[0])));
+        if (EI > 0.0 && a != b) made.bends.push_back(world_->add_interaction(bend));
         if (const auto next = m.next_segment(place, node, first, wire); next)
-            made.shapes.push_back(add_shape(*next));
+            made.shapes.push_back(world_->add_shape(*next));
     } catch (...) {
         m.take_back(before, made);
         throw;
@@ -153,8 +153,8 @@ BodyId World::insert_node(InteractionId element, double share, double mass) {
     place.first = first ? made.elements[0].index : element.index;
     place.second = first ? element.index : made.elements[0].index;
     place.bend[1] = made.bends.empty() ? -1 : made.bends[0].index;
-    stepper::settle_node(m.ctx, place, element.index, share, whole);
-    stepper::end_node_edit(m.ctx, place, was);
+    edit::settle_node(m.ctx, place, element.index, share, whole);
+    edit::end_node_edit(m.ctx, place, was);
     m.follow_definitions(place);
     if (segment.valid()) m.move_segment(segment, 1, made.lumps[0]);
     if (wire != nullptr) put_node(*wire, element, made, first);
@@ -162,13 +162,13 @@ BodyId World::insert_node(InteractionId element, double share, double mass) {
     return made.lumps[0];
 }
 
-bool World::remove_node(BodyId node, double bend) {
-    const world::Using use(impl_->use, "remove_node");
-    Attempt attempt(*this, stepper::has_cuts(impl_->ctx.model));
-    Impl& m = *impl_;
+bool WorldWires::remove_node(BodyId node, double bend) {
+    const world::Using use(impl().use, "remove_node");
+    Attempt attempt(*world_, context::has_cuts(impl().ctx.model));
+    WorldImpl& m = impl();
     (void)m.place(node);
-    if (stepper::has_cuts(m.ctx.model)) stepper::begin_edit(m.ctx);  // remove duplicated rows first
-    stepper::NodeSurroundings place{.node = node.index};
+    if (context::has_cuts(m.ctx.model)) edit::begin_edit(m.ctx);  // remove duplicated rows first
+    edit::NodeSurroundings place{.node = node.index};
     const std::int32_t stays = m.check_node_goes(node, place, bend);
     model::Interactions& in = m.ctx.model.interactions;
     const InteractionId kept = in.id(stays),
@@ -177,10 +177,9 @@ bool World::remove_node(BodyId node, double bend) {
     m.reserve_removal();
     const ShapeId near = m.segment_between(a.index, node.index),
                   far = m.segment_between(node.index, b.index);
-    const stepper::NodeLedger was = stepper::begin_node_edit(m.ctx, place);
-    const bool goes = stepper::is_wound(m.ctx, stays)
-                          ? stepper::release_drum_node(m.ctx, place, bend)
-                          : stepper::release_node(m.ctx, place, bend);
+    const edit::NodeLedger was = edit::begin_node_edit(m.ctx, place);
+    const bool goes = edit::is_wound(m.ctx, stays) ? edit::release_drum_node(m.ctx, place, bend)
+                                                   : edit::release_node(m.ctx, place, bend);
     if (!goes) {
         attempt.fail();
         return false;
@@ -193,14 +192,14 @@ bool World::remove_node(BodyId node, double bend) {
     m.remove(node);
     place.first = stays;
     place.second = place.node = place.bend[1] = -1;
-    stepper::end_node_edit(m.ctx, place, was);
+    edit::end_node_edit(m.ctx, place, was);
     m.follow_definitions(place);
     if (world::Wire* wire = m.wire_with(kept)) {
         wire->elements.erase(wire->elements.begin() + find_in(wire->elements, gone));
         wire->nodes.erase(wire->nodes.begin() + find_in(wire->nodes, node));
         std::erase(wire->lumps, node);
-        std::erase_if(wire->bends, [&](InteractionId id) { return !alive(id); });
-        std::erase_if(wire->shapes, [&](ShapeId id) { return !alive(id); });
+        std::erase_if(wire->bends, [&](InteractionId id) { return !world_->alive(id); });
+        std::erase_if(wire->shapes, [&](ShapeId id) { return !world_->alive(id); });
     }
     if (m.listener != nullptr) m.listener->node_removed(node, bend);
     return true;

@@ -30,9 +30,9 @@ std::optional<ShapeDef> capsule_of(const World& world, const WireTrim& trim,
 }  // namespace world
 
 /// Move a segment to other bodies, one of which may hold it at a point of its frame.
-void World::Impl::put_segment(ShapeId segment, BodyId first, BodyId second,
-                              const Vec3& point) noexcept {
-    stepper::forget_contacts(ctx, segment.index);
+void WorldImpl::put_segment(ShapeId segment, BodyId first, BodyId second,
+                            const Vec3& point) noexcept {
+    edit::forget_contacts(ctx, segment.index);
     ShapeDef& def = shape_defs[at(segment.index)];
     def.body = first;
     def.body_b = second;
@@ -42,25 +42,25 @@ void World::Impl::put_segment(ShapeId segment, BodyId first, BodyId second,
 
 /// Move the segment of an element with it: to a node, or to a body that holds it at its previous
 /// point.
-void World::Impl::move_segment(ShapeId segment, std::size_t side, BodyId to) noexcept {
+void WorldImpl::move_segment(ShapeId segment, std::size_t side, BodyId to) noexcept {
     const ShapeDef& def = shape_defs[at(segment.index)];
     const BodyId first = side == 0 ? to : def.body, second = side == 0 ? def.body_b : to;
-    const bool lumps = stepper::is_lump(ctx, first.index) && stepper::is_lump(ctx, second.index);
+    const bool lumps = edit::is_lump(ctx, first.index) && edit::is_lump(ctx, second.index);
     put_segment(segment, first, second, lumps ? Vec3(Vec3::Zero()) : def.position);
 }
 
 /// Join two segments that meet at a removed node. Between two bodies there is none: both are
 /// removed with the node.
-void World::Impl::join_segments(ShapeId near, ShapeId far) noexcept {
+void WorldImpl::join_segments(ShapeId near, ShapeId far) noexcept {
     const ShapeDef &before = shape_defs[at(near.index)], &behind = shape_defs[at(far.index)];
-    const bool ends_at_node = stepper::is_lump(ctx, behind.body_b.index);
-    if (!ends_at_node && !stepper::is_lump(ctx, before.body.index)) return;
+    const bool ends_at_node = edit::is_lump(ctx, behind.body_b.index);
+    if (!ends_at_node && !edit::is_lump(ctx, before.body.index)) return;
     const Vec3 point = ends_at_node ? before.position : behind.position;
     put_segment(near, before.body, behind.body_b, point);
 }
 
 /// Return the capsule between two ends of an element, in their order; invalid: none.
-ShapeId World::Impl::segment_between(std::int32_t a, std::int32_t b) const noexcept {
+ShapeId WorldImpl::segment_between(std::int32_t a, std::int32_t b) const noexcept {
     for (const ShapeId id : shape_ids) {
         const std::int32_t* body = ctx.model.collider.shapes()[at(id.index)].body;
         if (body[0] == a && body[1] == b) return id;
@@ -69,11 +69,10 @@ ShapeId World::Impl::segment_between(std::int32_t a, std::int32_t b) const noexc
 }
 
 /// Return the capsule to add with a node on an element; none if its wire has no contacts there.
-std::optional<ShapeDef> World::Impl::next_segment(const stepper::NodeSurroundings& place,
-                                                  BodyId node, bool first,
-                                                  const world::Wire* wire) const {
+std::optional<ShapeDef> WorldImpl::next_segment(const edit::NodeSurroundings& place, BodyId node,
+                                                bool first, const world::Wire* wire) const {
     const auto end = [&](std::size_t slot) {
-        return ctx.model.bodies.id(stepper::end_of(ctx, place.first, slot));
+        return ctx.model.bodies.id(edit::end_of(ctx, place.first, slot));
     };
     const ShapeId own = segment_between(end(0).index, end(1).index);
     std::optional<ShapeDef> out;
@@ -81,9 +80,9 @@ std::optional<ShapeDef> World::Impl::next_segment(const stepper::NodeSurrounding
         out = shape_defs[at(own.index)];
         out->name.clear();
         out->body = node;
-        if (stepper::is_lump(ctx, out->body_b.index)) out->position.setZero();
+        if (edit::is_lump(ctx, out->body_b.index)) out->position.setZero();
     } else if (wire != nullptr && wire->trim.segment &&
-               stepper::is_lump(ctx, end(first ? 0 : 1).index)) {
+               edit::is_lump(ctx, end(first ? 0 : 1).index)) {
         out = wire->trim.segment;
         out->body = first ? end(0) : node;
         out->body_b = first ? node : end(1);

@@ -66,11 +66,11 @@ void take_in(world::Wire& to, world::Wire& more, const Spliced& lumps, bool behi
 }  // namespace
 
 /// Reverse elements, bends and capsules of a chain.
-void World::Impl::turn_round(std::span<const std::int32_t> chain) noexcept {
+void WorldImpl::turn_round(std::span<const std::int32_t> chain) noexcept {
     model::Interactions& in = ctx.model.interactions;
     for (std::size_t k = 0; k < chain.size(); ++k) {
         const std::int32_t id = chain[k];
-        const std::int32_t ends[2] = {stepper::end_of(ctx, id, 0), stepper::end_of(ctx, id, 1)};
+        const std::int32_t ends[2] = {edit::end_of(ctx, id, 0), edit::end_of(ctx, id, 1)};
         if (const ShapeId s = segment_between(ends[0], ends[1]); s.valid()) {
             const ShapeDef& def = shape_defs[at(s.index)];
             const Vec3 point = def.position;
@@ -80,14 +80,14 @@ void World::Impl::turn_round(std::span<const std::int32_t> chain) noexcept {
             const std::int32_t* last = &in.body[kMaxInteractionBodies * at(chain[k - 1])];
             const std::int32_t node = last[0] == ends[0] || last[0] == ends[1] ? last[0] : last[1];
             const std::int32_t bend =
-                stepper::bend_about(ctx, node, ends[0] == node ? ends[1] : ends[0]);
-            if (bend >= 0) stepper::turn_round(ctx, bend);
+                edit::bend_about(ctx, node, ends[0] == node ? ends[1] : ends[0]);
+            if (bend >= 0) edit::turn_round(ctx, bend);
         }
-        stepper::turn_round(ctx, id);
+        edit::turn_round(ctx, id);
     }
 }
 
-Joint World::Impl::splice(World& world, BodyId a, BodyId b) {
+Joint WorldImpl::splice(World& world, BodyId a, BodyId b) {
     model::Interactions& in = ctx.model.interactions;
     const world::FreeEnd one = free_end(a), other = free_end(b);
     const std::int32_t ea = one.element.index, eb = other.element.index;
@@ -99,7 +99,7 @@ Joint World::Impl::splice(World& world, BodyId a, BodyId b) {
                  far_b = in.def[at(eb)].body[1 - other.slot];
     if (far_a == far_b) world::refuse(where, "both elements hold one body; join by gear");
     const std::vector<std::int32_t> chain = one.slot == other.slot
-                                                ? stepper::chain_from(ctx, eb, other.slot)
+                                                ? edit::chain_from(ctx, eb, other.slot)
                                                 : std::vector<std::int32_t>{};
     world::Wire* wire_a = wire_with(one.element);
     world::Wire* wire_b = wire_with(other.element);
@@ -107,12 +107,12 @@ Joint World::Impl::splice(World& world, BodyId a, BodyId b) {
     if (wire_a != nullptr && wire_b != nullptr) reserve_for(*wire_a, *wire_b);
     reserve_removal();
     wires.slots.reserve_more();
-    const std::int32_t near[2] = {stepper::bend_about(ctx, far_a.index, a.index),
-                                  stepper::bend_about(ctx, far_b.index, b.index)};
+    const std::int32_t near[2] = {edit::bend_about(ctx, far_a.index, a.index),
+                                  edit::bend_about(ctx, far_b.index, b.index)};
     const std::int32_t beside = near[0] >= 0 ? near[0] : near[1];
     InteractionId bend;
-    const stepper::Edited edited = ctx.state.ledger.edited;
-    const stepper::Edited had = stepper::splice_energy(ctx, a.index, b.index, ea, eb);
+    const context::Edited edited = ctx.state.ledger.edited;
+    const context::Edited had = edit::splice_energy(ctx, a.index, b.index, ea, eb);
     if (beside >= 0) {
         const double length = 0.5 * (in.rest_length[at(ea)] + in.rest_length[at(eb)]);
         const Untold untold(*this);
@@ -120,24 +120,23 @@ Joint World::Impl::splice(World& world, BodyId a, BodyId b) {
                                                     one.slot == 1 ? far_b : far_a, length));
     }
     // No call below throws.
-    stepper::begin_edit(ctx);
+    edit::begin_edit(ctx);
     const Vec3 load = body_defs[at(b.index)].force;
     turn_round(chain);
     const ShapeId segment = one.slot == 1 ? segment_between(b.index, far_b.index)
                                           : segment_between(far_b.index, b.index);
     if (segment.valid()) move_segment(segment, one.slot == 1 ? 0 : 1, a);
     if (near[1] >= 0)
-        in.rewire(near[1], stepper::end_of(ctx, near[1], 0) == b.index ? 0 : 2, a,
-                  ctx.model.bodies);
-    stepper::merge_nodes(ctx, a.index, b.index, ea, eb);
+        in.rewire(near[1], edit::end_of(ctx, near[1], 0) == b.index ? 0 : 2, a, ctx.model.bodies);
+    edit::merge_nodes(ctx, a.index, b.index, ea, eb);
     remove(b);
     body_defs[at(a.index)].force += load;
     for (int i = 0; i < 3; ++i) add_up_force(a, i);
     follow_definition(a);
-    stepper::follow_node(ctx, a.index);
-    if (bend.valid()) stepper::set_bend(ctx, bend.index, ea, eb);
-    ctx.state.ledger.edited = edited + stepper::splice_energy(ctx, a.index, -1, ea, eb) - had;
-    stepper::push_event(ctx, EventKind::join, ea, separation);
+    edit::follow_node(ctx, a.index);
+    if (bend.valid()) edit::set_bend(ctx, bend.index, ea, eb);
+    ctx.state.ledger.edited = edited + edit::splice_energy(ctx, a.index, -1, ea, eb) - had;
+    context::push_event(ctx, EventKind::join, ea, separation);
     if (wire_b != nullptr && !chain.empty()) {
         std::reverse(wire_b->nodes.begin(), wire_b->nodes.end());
         std::reverse(wire_b->elements.begin(), wire_b->elements.end());

@@ -20,13 +20,13 @@
 #include <utility>
 
 namespace hawser {
-WireId World::add_wire(const WireDef& def) {
-    const world::Using use(impl_->use, "add_wire");
+WireId WorldWires::add(const WireDef& def) {
+    const world::Using use(impl().use, "wires().add");
     const world::Where where("wire", def.name);
     world::check(def);
-    Impl& m = *impl_;
-    if (!alive(def.from)) world::refuse(where, "there is no body that holds its first end");
-    if (def.to.valid() && !alive(def.to))
+    WorldImpl& m = impl();
+    if (!world_->alive(def.from)) world::refuse(where, "there is no body that holds its first end");
+    if (def.to.valid() && !world_->alive(def.to))
         world::refuse(where, "there is no body that holds its last end");
     if (m.wires.names.contains(def.name))
         world::refuse(where, "the name is in use; names must be unique");
@@ -34,11 +34,11 @@ WireId World::add_wire(const WireDef& def) {
     made.begin(def.name, true);
     made.trim.EI = def.sections.empty() ? def.EI : def.sections.front().EI;
     for (const WireSection& s : def.sections) made.trim.EI = std::min(made.trim.EI, s.EI);
-    const Impl::Mark before = m.mark(def.from, def.to);
+    const WorldImpl::Mark before = m.mark(def.from, def.to);
     WireId id;
     try {
-        const Impl::Untold untold(m);
-        world::make_wire(*this, def, made, m.wires.lumps);
+        const WorldImpl::Untold untold(m);
+        world::make_wire(*world_, def, made, m.wires.lumps);
         id = m.keep_wire(made);
     } catch (...) {
         m.take_back(before, made);
@@ -49,7 +49,7 @@ WireId World::add_wire(const WireDef& def) {
 }
 
 /// Report a wire part by part, in the order of addition.
-void World::Impl::report_wire(const world::Wire& made) const noexcept {
+void WorldImpl::report_wire(const world::Wire& made) const noexcept {
     if (listener == nullptr) return;
     try {
         for (const BodyId id : made.lumps) listener->added(body_defs[at(id.index)]);
@@ -67,16 +67,16 @@ void World::Impl::report_wire(const world::Wire& made) const noexcept {
     }
 }
 
-World::Impl::Mark World::Impl::mark(BodyId from, BodyId to) const noexcept {
+WorldImpl::Mark WorldImpl::mark(BodyId from, BodyId to) const noexcept {
     const auto quiet = [&](BodyId id) {
         return id.valid() ? ctx.model.bodies.quiet[at(id.index)] : 0;
     };
-    return {stepper::body_count(ctx.model),
-            stepper::interaction_count(ctx.model),
+    return {context::body_count(ctx.model),
+            context::interaction_count(ctx.model),
             ctx.model.collider.count(),
             ctx.state.edits.interactions.size(),
             ctx.state.ledger.edited,
-            ctx.model.cuts.bodies >= 0 ? stepper::Changed::all : ctx.state.changed,
+            ctx.model.cuts.bodies >= 0 ? context::Changed::all : ctx.state.changed,
             ctx.state.edits.any,
             ctx.model.regroup.stale,
             {from, to},
@@ -85,7 +85,7 @@ World::Impl::Mark World::Impl::mark(BodyId from, BodyId to) const noexcept {
 
 /// Undo additions since a mark. Indices at the end are removed; others are vacant again with their
 /// former generation.
-void World::Impl::take_back(const Mark& before, const world::Wire& made) noexcept {
+void WorldImpl::take_back(const Mark& before, const world::Wire& made) noexcept {
     forget_removal();
     for (const ShapeId id : made.shapes) {
         remove(id);
@@ -117,20 +117,20 @@ void World::Impl::take_back(const Mark& before, const world::Wire& made) noexcep
             ctx.model.bodies.quiet[at(before.end[k].index)] = before.quiet[k];
 }
 
-WireId World::adopt_wire(const std::string& name, std::span<const InteractionId> elements,
+WireId WorldWires::adopt(const std::string& name, std::span<const InteractionId> elements,
                          const WireTrim& trim) {
-    const world::Using use(impl_->use, "adopt_wire");
+    const world::Using use(impl().use, "wires().adopt");
     const std::string where = world::label("wire", name);
     if (name.empty()) throw DefError("a wire needs a name");
     if (elements.empty()) world::refuse(where, "it has no elements");
-    Impl& m = *impl_;
+    WorldImpl& m = impl();
     world::Wire& made = m.wires.coming;
     if (!(trim.EI >= 0.0) || !std::isfinite(trim.EI))
         world::refuse(where, "EI must be a number from 0 on");
     made.begin(name, false);
     made.trim = trim;
     for (const InteractionId id : elements) {
-        const InteractionDef& d = interaction_def(id);
+        const InteractionDef& d = world_->interaction_def(id);
         if (!kind_info(d.kind).is(kWireElement))
             world::refuse(where, world::label("interaction", d.name) + " is no element of a wire");
         if (made.nodes.empty()) made.nodes.push_back(d.body[0]);
@@ -145,7 +145,7 @@ WireId World::adopt_wire(const std::string& name, std::span<const InteractionId>
     return m.keep_wire(made);
 }
 
-std::int32_t World::Impl::claim_wire(const std::string& name) {
+std::int32_t WorldImpl::claim_wire(const std::string& name) {
     wires.slots.reserve_more();
     base::reserve_more(wires.wires, 1);
     base::reserve_more(wires.ids, 1);
@@ -154,7 +154,7 @@ std::int32_t World::Impl::claim_wire(const std::string& name) {
     return vacant;
 }
 
-WireId World::Impl::put_wire(world::Wire& wire, std::int32_t vacant) noexcept {
+WireId WorldImpl::put_wire(world::Wire& wire, std::int32_t vacant) noexcept {
     const std::int32_t place = vacant < 0 ? wires.slots.count() : vacant;
     if (vacant < 0) {
         (void)wires.slots.append();
@@ -168,31 +168,31 @@ WireId World::Impl::put_wire(world::Wire& wire, std::int32_t vacant) noexcept {
     return id;
 }
 
-WireId World::Impl::keep_wire(world::Wire& wire) { return put_wire(wire, claim_wire(wire.name)); }
+WireId WorldImpl::keep_wire(world::Wire& wire) { return put_wire(wire, claim_wire(wire.name)); }
 
-void World::Impl::forget_wire(WireId id) noexcept {
+void WorldImpl::forget_wire(WireId id) noexcept {
     world::release(wires.names, wires.wires[at(id.index)].name);
     wires.ids.erase(std::lower_bound(wires.ids.begin(), wires.ids.end(), id));
     wires.wires[at(id.index)].begin({}, false);
     wires.slots.vacate(id.index);
 }
 
-const world::Wire& World::Impl::wire(WireId id) const {
+const world::Wire& WorldImpl::wire(WireId id) const {
     return wires.wires[world::place_of(id, wires.slots, wires.slots.count(), "wire")];
 }
 
-const Removed& World::remove_wire(WireId id) {
-    const world::Using use(impl_->use, "remove_wire");
-    Impl& m = *impl_;
+const Removed& WorldWires::remove(WireId id) {
+    const world::Using use(impl().use, "wires().remove");
+    WorldImpl& m = impl();
     const world::Wire& wire = m.wire(id);
     m.reserve_removal();
     if (wire.owns) {
         for (const InteractionId element : wire.elements)
-            if (alive(element)) m.remove(element);
+            if (world_->alive(element)) m.remove(element);
         for (const InteractionId bend : wire.bends)
-            if (alive(bend)) m.remove(bend);
+            if (world_->alive(bend)) m.remove(bend);
         for (const BodyId lump : wire.lumps)
-            if (alive(lump)) m.remove(lump);
+            if (world_->alive(lump)) m.remove(lump);
     }
     if (m.listener != nullptr) {
         for (const InteractionId gone : m.removed.interactions) m.listener->removed(gone);
@@ -202,19 +202,22 @@ const Removed& World::remove_wire(WireId id) {
     return m.sorted_removal();
 }
 
-std::span<const WireId> World::wires() const noexcept { return impl_->wires.ids; }
+std::span<const WireId> WorldWiresView::ids() const noexcept { return impl().wires.ids; }
 bool World::alive(WireId id) const noexcept { return impl_->wires.slots.names(id); }
-WireId World::find_wire(std::string_view name) const noexcept {
-    return impl_->wires.slots.id<WireId>(world::lookup(impl_->wires.names, name));
+WireId WorldWiresView::find(std::string_view name) const noexcept {
+    return impl().wires.slots.id<WireId>(world::lookup(impl().wires.names, name));
 }
-const std::string& World::wire_name(WireId id) const { return impl_->wire(id).name; }
-std::span<const BodyId> World::nodes(WireId id) const { return impl_->wire(id).nodes; }
-std::span<const InteractionId> World::elements(WireId id) const { return impl_->wire(id).elements; }
+const std::string& WorldWiresView::name(WireId id) const { return impl().wire(id).name; }
+std::span<const BodyId> WorldWiresView::nodes(WireId id) const { return impl().wire(id).nodes; }
+std::span<const InteractionId> WorldWiresView::elements(WireId id) const {
+    return impl().wire(id).elements;
+}
 
-double World::length(WireId id) const {
+double WorldWiresView::length(WireId id) const {
     double sum = 0.0;
-    for (const InteractionId element : impl_->wire(id).elements)
-        if (alive(element)) sum += impl_->ctx.model.interactions.rest_length[at(element.index)];
+    for (const InteractionId element : impl().wire(id).elements)
+        if (world_->alive(element))
+            sum += impl().ctx.model.interactions.rest_length[at(element.index)];
     return sum;
 }
 
@@ -239,44 +242,45 @@ InteractionId element_at(const World& w, const model::Interactions& in, const wo
 
 }  // namespace
 
-double World::tension(WireId id, double s) const {
-    const world::Wire& wire = impl_->wire(id);
-    const InteractionId element = element_at(*this, impl_->ctx.model.interactions, wire, s);
-    return intact(element) ? std::max(0.0, -force(element)[0]) : 0.0;
+double WorldWiresView::tension(WireId id, double s) const {
+    const world::Wire& wire = impl().wire(id);
+    const InteractionId element = element_at(*world_, impl().ctx.model.interactions, wire, s);
+    return world_->intact(element) ? std::max(0.0, -world_->force(element)[0]) : 0.0;
 }
 
 /// Update the wire assignment for recoil of a new element.
 /// @throws std::bad_alloc.
-void World::Impl::know_wire_of(InteractionId element) {
+void WorldImpl::know_wire_of(InteractionId element) {
     const std::vector<std::int32_t>& added = ctx.state.edits.interactions;
     if (!ctx.state.started || std::find(added.begin(), added.end(), element.index) != added.end())
-        stepper::ready(ctx);
+        step::ready(ctx);
 }
 
-void World::part(WireId id, double s) {
-    const world::Using use(impl_->use, "part");
-    part(element_at(*this, impl_->ctx.model.interactions, impl_->wire(id), s));
+void WorldWires::part(WireId id, double s) {
+    const world::Using use(impl().use, "part");
+    part(element_at(*world_, impl().ctx.model.interactions, impl().wire(id), s));
 }
 
-void World::part(InteractionId id) {
-    const world::Using use(impl_->use, "part");
-    const std::size_t i = impl_->place(id);
-    stepper::StepContext& c = impl_->ctx;
+void WorldWires::part(InteractionId id) {
+    const world::Using use(impl().use, "part");
+    const std::size_t i = impl().place(id);
+    context::StepContext& c = impl().ctx;
     if (!kind_info(c.model.interactions.def[i].kind).is(kWireElement))
-        throw DefError(world::label("interaction", c.model.interactions.def[i].name) +
-                       ": only elements of wires part; remove_interaction() takes others away");
+        throw DefError(
+            world::label("interaction", c.model.interactions.def[i].name) +
+            ": only elements of wires part; world_->remove_interaction() takes others away");
     if (c.model.interactions.parted[i] != 0) return;
-    impl_->know_wire_of(id);
+    impl().know_wire_of(id);
     const double tension =
         std::max(0.0, -c.model.interactions.force[at(c.model.interactions.row_begin[i])]);
-    c.state.ledger.damped += stepper::energy_of_interaction(c, id.index);
-    c.state.ledger.edited.given += stepper::piece_energy(c, id.index);
+    c.state.ledger.damped += edit::energy_of_interaction(c, id.index);
+    c.state.ledger.edited.given += edit::piece_energy(c, id.index);
     for (std::size_t b = 0; b < c.model.interactions.bodies[i]; ++b)
-        stepper::disturb(c.model, c.model.interactions.body[kMaxInteractionBodies * i + b]);
-    stepper::part_all(c.model, id.index);
-    stepper::begin_recoil(c.model, id.index, c.state.changed == stepper::Changed::nothing);
-    stepper::push_event(c, EventKind::line_break, id.index, tension);
-    if (impl_->listener != nullptr) impl_->listener->parted(id);
+        context::disturb(c.model, c.model.interactions.body[kMaxInteractionBodies * i + b]);
+    split::part_all(c.model, id.index);
+    context::begin_recoil(c.model, id.index, c.state.changed == context::Changed::nothing);
+    context::push_event(c, EventKind::line_break, id.index, tension);
+    if (impl().listener != nullptr) impl().listener->parted(id);
 }
 
 }  // namespace hawser

@@ -32,7 +32,7 @@ World& World::operator=(World&&) noexcept = default;
 
 void World::prepare() {
     const world::Using use(impl_->use, "prepare");
-    stepper::ready(impl_->ctx);
+    step::ready(impl_->ctx);
 }
 
 Status World::step() noexcept {
@@ -61,47 +61,46 @@ Status World::step() noexcept {
 
 void World::cancel() noexcept { impl_->ctx.pool.stop(); }
 
-void World::degrade_next_step(const Degradation& degradation) noexcept {
-    impl_->ctx.state.imposed = degradation;
+void WorldSolver::degrade_next_step(const Degradation& degradation) noexcept {
+    impl().ctx.state.imposed = degradation;
     // Clamped to 0, because bytes may not come from a step.
-    impl_->ctx.state.imposed.iterations = std::max(0, degradation.iterations);
-    impl_->ctx.state.imposed.wires =
-        std::clamp(degradation.wires, 0, stepper::Coarsening::kMaximum);
-    if (impl_->listener != nullptr) impl_->listener->degraded(degradation);
+    impl().ctx.state.imposed.iterations = std::max(0, degradation.iterations);
+    impl().ctx.state.imposed.wires = std::clamp(degradation.wires, 0, budget::Coarsening::kMaximum);
+    if (impl().listener != nullptr) impl().listener->degraded(degradation);
 }
 
-int World::coarsening() const noexcept {
-    const Degradation& imposed = impl_->ctx.state.imposed;
-    return imposed.any() ? imposed.wires : impl_->ctx.work.limits.coarsening.level();
+int WorldSolverView::coarsening() const noexcept {
+    const Degradation& imposed = impl().ctx.state.imposed;
+    return imposed.any() ? imposed.wires : impl().ctx.work.limits.coarsening.level();
 }
 
 double World::time() const noexcept { return impl_->ctx.state.time; }
 std::int64_t World::step_count() const noexcept { return impl_->ctx.state.step; }
 const StepStats& World::stats() const noexcept { return impl_->ctx.work.stats; }
-EventExtremes World::event_extremes(EventKind kind) const noexcept {
-    return impl_->ctx.state.events.extremes(kind);
+EventExtremes WorldEventsView::extremes(EventKind kind) const noexcept {
+    return impl().ctx.state.events.extremes(kind);
 }
 const WorldDef& World::settings() const noexcept { return impl_->ctx.model.def; }
 
 Energy World::energy() const noexcept {
     const world::MaybeUsing use(impl_->use);
-    if (!use.granted() || impl_->ctx.state.changed != stepper::Changed::nothing) return {};
+    if (!use.granted() || impl_->ctx.state.changed != context::Changed::nothing) return {};
     try {
-        stepper::ready(impl_->ctx);
+        step::ready(impl_->ctx);
     } catch (const std::exception&) {
         return {};  // after a failed step
     }
-    return stepper::energy(impl_->ctx);
+    return monitor::energy(impl_->ctx);
 }
 
-Verdict World::verdict() const noexcept { return stepper::verdict(impl_->ctx); }
+Verdict World::verdict() const noexcept { return monitor::verdict(impl_->ctx); }
 
-std::uint64_t World::state_hash() const noexcept { return impl_->systems.hash(motion_hash()); }
+std::uint64_t WorldStateView::hash() const noexcept { return impl().systems.hash(motion_hash()); }
 
-std::uint64_t World::motion_hash() const noexcept {
-    const std::vector<double>& inputs = impl_->input_values;
+std::uint64_t WorldStateView::motion_hash() const noexcept {
+    const std::vector<double>& inputs = impl().input_values;
     return base::fnv1a(inputs.data(), inputs.size() * sizeof(double),
-                       stepper::state_hash(impl_->ctx.model, impl_->ctx.state));
+                       state::state_hash(impl().ctx.model, impl().ctx.state));
 }
 
 void World::set_force(BodyId body, const Vec3& force, const Vec3& torque) {
@@ -109,14 +108,14 @@ void World::set_force(BodyId body, const Vec3& force, const Vec3& torque) {
     const std::size_t b = impl_->place(body);
     world::check_force(world::Where("body", impl_->body_defs[b].name), force, torque);
     BodyDef& def = impl_->body_defs[b];
-    if (def.force != force || def.torque != torque) stepper::disturb(impl_->ctx.model, body.index);
+    if (def.force != force || def.torque != torque) context::disturb(impl_->ctx.model, body.index);
     def.force = force;
     def.torque = torque;
     for (int i = 0; i < 6; ++i) impl_->add_up_force(body, i);
     if (impl_->listener != nullptr) impl_->listener->set_force(body, force, torque);
 }
 
-int World::body_count() const noexcept { return stepper::body_count(impl_->ctx.model); }
+int World::body_count() const noexcept { return context::body_count(impl_->ctx.model); }
 const BodyDef& World::body_def(BodyId id) const { return impl_->body_defs[impl_->place(id)]; }
 BodyId World::find_body(std::string_view name) const noexcept {
     return impl_->ctx.model.bodies.id(lookup(impl_->body_names, name));
@@ -148,8 +147,8 @@ void World::set_pose(BodyId id, const Pose& pose) {
     model::Bodies& s = impl_->ctx.model.bodies;
     impl_->ctx.state.monitor.state.begun = 0;  // not the work of a force
     // Bodies that leaned on it are unsupported now.
-    if (s.dof(id.index) == 0 || s.asleep[b] != 0) stepper::disturb_all(impl_->ctx.model);
-    stepper::disturb(impl_->ctx.model, id.index);
+    if (s.dof(id.index) == 0 || s.asleep[b] != 0) context::disturb_all(impl_->ctx.model);
+    context::disturb(impl_->ctx.model, id.index);
     for (int i = 0; i < 3; ++i) s.x[3 * b + at(i)] = pose.position[i];
     if (s.kind[b] == BodyKind::scalar)
         for (const std::int32_t w : impl_->ctx.model.interactions.winches)
@@ -175,7 +174,7 @@ void World::set_velocity(BodyId id, const Twist& twist) {
     const int count = dof == 0 ? 6 : dof;
     // A prescribed velocity wakes its contacts in the step (step/sleep.h).
     if (dof > 0) {
-        stepper::disturb(impl_->ctx.model, id.index);
+        context::disturb(impl_->ctx.model, id.index);
         impl_->ctx.state.monitor.state.begun = 0;  // not the work of a force
     }
     for (int i = 0; i < count; ++i) v[i] = i < 3 ? twist.linear[i] : twist.angular[i - 3];
@@ -191,8 +190,8 @@ bool World::asleep(BodyId id) const {
 void World::wake(BodyId id) {
     const world::Using use(impl_->use, "wake");
     (void)impl_->place(id);
-    if (impl_->ctx.model.bodies.dof(id.index) == 0) stepper::disturb_all(impl_->ctx.model);
-    stepper::disturb(impl_->ctx.model, id.index);
+    if (impl_->ctx.model.bodies.dof(id.index) == 0) context::disturb_all(impl_->ctx.model);
+    context::disturb(impl_->ctx.model, id.index);
     if (impl_->listener != nullptr) impl_->listener->woken(id);
 }
 
@@ -202,7 +201,7 @@ Vec3 World::world_point(BodyId id, const Vec3& local) const {
 }
 
 int World::interaction_count() const noexcept {
-    return stepper::interaction_count(impl_->ctx.model);
+    return context::interaction_count(impl_->ctx.model);
 }
 const InteractionDef& World::interaction_def(InteractionId id) const {
     return impl_->ctx.model.interactions.def[impl_->place(id)];
@@ -227,24 +226,24 @@ std::array<double, kMaxInteractionRows> World::violation(InteractionId id) const
     return g;
 }
 
-bool World::completed(InteractionId id) const {
-    return impl_->ctx.model.interactions.completed[impl_->place(id)] != 0;
+bool WorldSolverView::completed(InteractionId id) const {
+    return impl().ctx.model.interactions.completed[impl().place(id)] != 0;
 }
 
-std::array<double, kMaxInteractionRows> World::stiffness_force(InteractionId id) const {
-    const std::size_t i = impl_->place(id);
-    const model::Interactions& in = impl_->ctx.model.interactions;
-    const std::vector<double>& with = impl_->ctx.model.completion.lambda_with;
+std::array<double, kMaxInteractionRows> WorldSolverView::stiffness_force(InteractionId id) const {
+    const std::size_t i = impl().place(id);
+    const model::Interactions& in = impl().ctx.model.interactions;
+    const std::vector<double>& with = impl().ctx.model.completion.lambda_with;
     std::array<double, kMaxInteractionRows> f{};
     const auto row = at(in.row_begin[i]);
     for (std::size_t r = 0; r < in.rows[i] && row + r < with.size(); ++r)
-        f[r] = with[row + r] / settings().step;
+        f[r] = with[row + r] / world_->settings().step;
     return f;
 }
 
-int World::wire_alert(InteractionId id) const {
-    const stepper::Wires& wires = impl_->ctx.model.wires;
-    const std::size_t i = impl_->place(id);
+int WorldWiresView::damped_steps(InteractionId id) const {
+    const context::Wires& wires = impl().ctx.model.wires;
+    const std::size_t i = impl().place(id);
     if (i >= wires.wire_of.size() || wires.wire_of[i] < 0) return 0;
     return wires.flag_steps[static_cast<std::size_t>(wires.wire_of[i])];
 }
@@ -253,23 +252,23 @@ bool World::intact(InteractionId id) const {
     return impl_->ctx.model.interactions.parted[impl_->place(id)] == 0;
 }
 
-SystemView World::inspect() const {
-    const world::Using use(impl_->use, "inspect");
-    Impl& m = *impl_;
-    stepper::ready(m.ctx);
+SystemView WorldSolverView::matrix() const {
+    const world::Using use(impl().use, "solver().matrix");
+    WorldImpl& m = impl();
+    step::ready(m.ctx);
     const assembly::System& s = m.ctx.model.system;
     SystemView v;
     v.nodes.resize(static_cast<std::size_t>(s.pattern.nodes()));
     for (std::size_t n = 0; n < v.nodes.size(); ++n)
         v.nodes[n] = {{}, {}, s.pattern.size[n], s.symbolic.node_front[n]};
-    for (int b = 0; b < body_count(); ++b)
+    for (int b = 0; b < world_->body_count(); ++b)
         if (s.node_of_body[at(b)] >= 0)
             v.nodes[at(s.node_of_body[at(b)])].body = m.ctx.model.bodies.id(b);
     // Duplicated rows of a cut interaction show as their original.
     for (int i = 0; i < m.ctx.model.interactions.count(); ++i)
         if (s.node_of_interaction[at(i)] >= 0)
             v.nodes[at(s.node_of_interaction[at(i)])].interaction =
-                m.ctx.model.interactions.id(stepper::original(m.ctx.model, i));
+                m.ctx.model.interactions.id(context::original(m.ctx.model, i));
     v.edge_start = s.pattern.start;
     v.edges = s.pattern.adjacent;
     v.order = s.symbolic.order;
@@ -279,7 +278,7 @@ SystemView World::inspect() const {
         v.front_update.push_back(f.q);
     }
     v.body_island = s.islands.label;
-    v.body_island.resize(at(body_count()));
+    v.body_island.resize(at(world_->body_count()));
     v.matrix_nnz = s.symbolic.matrix_nnz;
     v.factor_nnz = s.symbolic.factor_nnz;
     v.flops = s.symbolic.flops;
@@ -287,11 +286,11 @@ SystemView World::inspect() const {
     return v;
 }
 
-std::size_t World::memory_bytes() const noexcept {
-    const stepper::StepContext& c = impl_->ctx;
+std::size_t WorldSolverView::memory_bytes() const noexcept {
+    const context::StepContext& c = impl().ctx;
     return c.model.bodies.bytes() + c.model.interactions.bytes() + c.model.system.bytes() +
            c.model.collider.bytes() + c.state.loads.bytes() +
-           impl_->body_defs.capacity() * sizeof(BodyDef);
+           impl().body_defs.capacity() * sizeof(BodyDef);
 }
 
 }  // namespace hawser

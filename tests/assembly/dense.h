@@ -59,7 +59,7 @@ struct SlotState {
     double length;
 };
 
-inline SlotState slot_state(const stepper::StepContext& ctx, int id) {
+inline SlotState slot_state(const context::StepContext& ctx, int id) {
     const model::Bodies& b = ctx.model.bodies;
     const InteractionDef& def = ctx.model.interactions.def[static_cast<std::size_t>(id)];
     SlotState s{};
@@ -111,7 +111,7 @@ inline void scatter(const SlotState& s, const Matrix& k, Matrix& into, Vector& f
 }
 
 /// Return |r|/I of a body at the arm r [world frame], with I the mean of its moments across r.
-inline double vibration_of(const stepper::StepContext& ctx, std::size_t body, const Vec3& arm) {
+inline double vibration_of(const context::StepContext& ctx, std::size_t body, const Vec3& arm) {
     const Quat q(ctx.model.bodies.q[4 * body], ctx.model.bodies.q[4 * body + 1],
                  ctx.model.bodies.q[4 * body + 2], ctx.model.bodies.q[4 * body + 3]);
     const Eigen::Map<const Mat3> inertia(&ctx.model.bodies.inertia[9 * body]);
@@ -120,7 +120,7 @@ inline double vibration_of(const stepper::StepContext& ctx, std::size_t body, co
     return arm.norm() / (0.5 * (p.dot(world * p) + t.dot(world * t)));
 }
 /// Return the larger vibration_of() of both bodies.
-inline double vibration_rate(const stepper::StepContext& ctx, int id, const SlotState& s) {
+inline double vibration_rate(const context::StepContext& ctx, int id, const SlotState& s) {
     double most = 0.0;
     for (std::size_t b = 0; b < 2; ++b) {
         const auto body = static_cast<std::size_t>(
@@ -130,7 +130,7 @@ inline double vibration_rate(const stepper::StepContext& ctx, int id, const Slot
     return most;
 }
 
-inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotState& s,
+inline void add_geometry(const context::StepContext& ctx, int id, const SlotState& s,
                          DenseStep& out) {
     if (s.geometry == generic::Geometry::none) return;
     const double h = ctx.model.def.step, quarter = 0.25 * h * h * ctx.model.def.geometric_stiffness;
@@ -206,7 +206,7 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
 inline double late(double z) { return z < 1e-3 ? 0.5 + z / 12.0 : -1.0 / std::expm1(-z) - 1.0 / z; }
 
 /// Compute G M⁻¹ Gᵀ of a row.
-inline double row_mobility(const stepper::StepContext& ctx, int id, const SlotState& s, int r) {
+inline double row_mobility(const context::StepContext& ctx, int id, const SlotState& s, int r) {
     double sum = 0.0;
     for (int b = 0; b < ctx.model.interactions.bodies[static_cast<std::size_t>(id)]; ++b) {
         const auto body =
@@ -228,7 +228,7 @@ inline double row_mobility(const stepper::StepContext& ctx, int id, const SlotSt
     return sum;
 }
 
-inline void add_bodies(const stepper::StepContext& ctx, DenseStep& out) {
+inline void add_bodies(const context::StepContext& ctx, DenseStep& out) {
     const model::Bodies& b = ctx.model.bodies;
     const double h = ctx.model.def.step;
     for (std::int32_t body : b.moving) {
@@ -285,7 +285,7 @@ inline void add_bodies(const stepper::StepContext& ctx, DenseStep& out) {
 }
 
 /// Write the equations at the present state.
-inline DenseStep dense_step(const stepper::StepContext& ctx) {
+inline DenseStep dense_step(const context::StepContext& ctx) {
     const int n = ctx.model.bodies.dofs, rows = ctx.model.interactions.row_count;
     const double h = ctx.model.def.step;
     const Matrix none = Matrix::Zero(n, n);

@@ -35,9 +35,9 @@ void expect_same(const Recipe& recipe, int steps, double mass_ratio = 100.0) {
     for (int i = 0; i < steps; ++i) {
         // Restore the same state before each step: compare one step without effects of earlier
         // differences.
-        const auto state = automatic.save();
-        saddle.restore(state);
-        condensed.restore(state);
+        const auto state = automatic.state().save();
+        saddle.state().restore(state);
+        condensed.state().restore(state);
         ASSERT_EQ(automatic.step(), Status::ok);
         ASSERT_EQ(saddle.step(), Status::ok);
         ASSERT_EQ(condensed.step(), Status::ok);

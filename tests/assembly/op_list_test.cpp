@@ -19,7 +19,7 @@
 namespace hawser::test {
 namespace {
 
-using stepper::StepContext;
+using context::StepContext;
 
 /// A model that is changed without calls of the stepper.
 class Changing {
@@ -35,7 +35,7 @@ class Changing {
         ctx_->model.system.analyse(b, interactions(), ctx_->model.def, 1);
     }
     void expect_plain() {
-        const assembly::View v = stepper::view(*ctx_);
+        const assembly::View v = context::view(*ctx_);
         expect_plain_ops(ctx_->model.system, bodies(), v);
     }
     /// Expect that the index of a body lists the interactions that a search of all interactions

@@ -27,7 +27,7 @@ void mark(const Ranges& ranges, int strip, std::vector<int>& of) {
 
 /// Check that every item is in exactly one row block, and that no other row block touches its
 /// private items.
-void check(const stepper::StepContext& ctx) {
+void check(const context::StepContext& ctx) {
     const model::Interactions& in = ctx.model.interactions;
     const RowBlocks& strips = ctx.model.system.strips;
     std::vector<int> body(at(ctx.model.bodies.count()), -1), own(at(in.count()), -1);

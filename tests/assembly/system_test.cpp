@@ -18,7 +18,7 @@
 namespace hawser::test {
 namespace {
 
-using stepper::StepContext;
+using context::StepContext;
 
 /// Return the matrix in the panels, in the permuted order.
 Matrix assembled(const assembly::System& s, const double* panel) {
@@ -78,7 +78,7 @@ Matrix expected(const StepContext& ctx, const DenseStep& d) {
 /// Write the whole matrix like a step does, piece by piece.
 void write_blocks(StepContext& ctx) {
     assembly::System& s = ctx.model.system;
-    const assembly::View v = stepper::view(ctx);
+    const assembly::View v = context::view(ctx);
     s.numeric.clear(s.symbolic, ctx.pool);
     for (int p = 0; p < static_cast<int>(s.numeric.pieces().size()); ++p)
         s.write_blocks(v, p, s.numeric.values());
@@ -96,7 +96,7 @@ struct Drawn {
         Recipe r = in_chains ? chains(seed, 4, 11) : mixed(seed, 8);
         r.world.form = form;
         auto ctx = r.context();
-        for (int i = 0; i < 4; ++i) EXPECT_EQ(stepper::step(*ctx), Status::ok);
+        for (int i = 0; i < 4; ++i) EXPECT_EQ(step::step(*ctx), Status::ok);
         if (fast())
             for (double& l : ctx->model.interactions.lambda) l *= 1000.0;
         return ctx;
@@ -106,7 +106,7 @@ struct Drawn {
     [[nodiscard]] std::unique_ptr<StepContext> with_rows() const {
         auto ctx = context();
         ctx->model.completion.banned = true;
-        stepper::assemble_rows(*ctx);
+        step::assemble_rows(*ctx);
         return ctx;
     }
 };
@@ -131,7 +131,7 @@ TEST_P(Seeds, OfChainsGoEightAtATime) {
     for (const std::uint32_t seed : seeds(7, 2, 8, 80)) {
         SCOPED_TRACE(seed);
         const auto ctx = Drawn{seed, GetParam(), true}.context();
-        const assembly::View v = stepper::view(*ctx);
+        const assembly::View v = context::view(*ctx);
         EXPECT_EQ(*std::max_element(v.links, v.links + v.body_count), 9);
         EXPECT_EQ(std::count_if(v.arms, v.arms + v.interaction_count, [](int a) { return a != 0; }),
                   4 * 10 + 4);
@@ -173,7 +173,7 @@ TEST_P(Seeds, RightHandSidesEqualTheDenseOnes) {
     for_each_scene([](const Drawn& scene) {
         const auto ctx = scene.with_rows();
         const DenseStep d = dense_step(*ctx);
-        const assembly::View v = stepper::view(*ctx);
+        const assembly::View v = context::view(*ctx);
         for (int r = 0; r < ctx->model.interactions.row_count; ++r) {
             const auto k = static_cast<std::size_t>(r);
             if (d.g.row(r).isZero(0.0)) continue;  // a joint inside its range
@@ -196,9 +196,9 @@ TEST_P(Seeds, SolutionSolvesTheDenseEquations) {
         const auto ctx = scene.with_rows();
         const DenseStep d = dense_step(*ctx);
         const int n = ctx->model.bodies.dofs, rows = ctx->model.interactions.row_count;
-        const assembly::View view = stepper::view(*ctx);
+        const assembly::View view = context::view(*ctx);
         const Vector a = Eigen::Map<const Vector>(view.a, n) - d.couple_fixed;
-        ASSERT_EQ(stepper::factor_and_solve(*ctx), Status::ok);
+        ASSERT_EQ(solve::factor_and_solve(*ctx), Status::ok);
 
         Matrix k = Matrix::Zero(n + rows, n + rows);
         k.topLeftCorner(n, n) = d.tilde();
@@ -239,11 +239,11 @@ TEST_P(Seeds, LossesAreThoseOfTheSolution) {
     for_each_scene([](const Drawn& scene) {
         const auto ctx = scene.with_rows();
         EXPECT_FALSE(ctx->work.solve.losses_known);
-        ASSERT_EQ(stepper::factor_and_solve(*ctx), Status::ok);
+        ASSERT_EQ(solve::factor_and_solve(*ctx), Status::ok);
         ASSERT_TRUE(ctx->work.solve.losses_known);
-        const double taken = stepper::row_losses(ctx->model, ctx->work.solve, ctx->pool);
+        const double taken = solve::row_losses(ctx->model, ctx->work.solve, ctx->pool);
         ctx->work.solve.losses_known = false;
-        EXPECT_EQ(taken, stepper::row_losses(ctx->model, ctx->work.solve, ctx->pool));
+        EXPECT_EQ(taken, solve::row_losses(ctx->model, ctx->work.solve, ctx->pool));
     });
 }
 

@@ -26,7 +26,7 @@ struct Error : hawser::Observer {
 
 /// Let the winch of a tow wire pull a tenth more than at the start.
 double hold_tension(hawser::World& world, Error& error) {
-    const auto elements = world.elements(world.find_wire("tow1"));
+    const auto elements = world.wires().elements(world.wires().find("tow1"));
     error.tension = world.add_output({.name = "tow1",
                                       .kind = hawser::OutputKind::tension,
                                       .line = {elements.begin(), elements.end()},
@@ -56,7 +56,7 @@ void add_line(hawser::World& world) {
     line.EA = 2e7;
     line.mass_per_length = 12.0;
     line.drag = 20.0;
-    world.add_wire(line);
+    world.wires().add(line);
 }
 
 int run(const char* file, const char* recording) {
@@ -74,9 +74,9 @@ int run(const char* file, const char* recording) {
         const auto now = world.step_count();
         if (now == 120)
             (void)world.remove_interaction(
-                world.elements(world.find_wire("rig_crane_port/wire")).back());
+                world.wires().elements(world.wires().find("rig_crane_port/wire")).back());
         if (now == 180) add_line(world);
-        if (now == 240) world.part(world.find_wire("tow2"), 200.0);
+        if (now == 240) world.wires().part(world.wires().find("tow2"), 200.0);
         if (session.step() != hawser::Status::ok) {
             std::printf("ended at %.4g s: %s %s\n", session.time(),
                         hawser::to_string(world.stats().status), session.objection().c_str());
@@ -94,11 +94,11 @@ int run(const char* file, const char* recording) {
         "%.2g %% of %.4g kN after %g s; hook falls at %.3g m/s; new line %.4g kN\n",
         session.scene().name.c_str(), world.bodies().size(), run.frame_count(), run.inputs.size(),
         run.changes.size(), 100.0 * error.largest / target, 1e-3 * target, error.from, fallen,
-        1e-3 * world.tension(world.find_wire("spring"), 1.0));
+        1e-3 * world.wires().tension(world.wires().find("spring"), 1.0));
     const bool held = error.largest < 0.02 * target;
     const bool fell = std::abs(fallen - 9.81 * 8.0) < 0.1 * 9.81 * 8.0;  // margin for the drag of
                                                                          // the hook
-    const bool same = run.end_hash == world.motion_hash();
+    const bool same = run.end_hash == world.state().motion_hash();
     return ending == hawser::record::Ending::finished && same && held && fell && events == 1 &&
                    run.changes.size() == 3
                ? 0

@@ -82,9 +82,9 @@ struct Hoist {
         line.mass_per_length = 10.0;
         line.drag = 50.0;
         line.consistent_mass = true;
-        wire = w.add_wire(line);
+        wire = w.wires().add(line);
         def.name = "hook";
-        def.body = w.nodes(wire).back();
+        def.body = w.wires().nodes(wire).back();
         def.loads = {slung(box, 4, 2.5, 1.2), slung(other, 2, 2.5, 0.9)};
         w.add(def);
     }
@@ -104,7 +104,9 @@ struct Hoist {
     [[nodiscard]] bool is(HookState state) const {
         return get("state") == static_cast<double>(state);
     }
-    [[nodiscard]] std::int64_t count(EventKind kind) const { return w.event_extremes(kind).count; }
+    [[nodiscard]] std::int64_t count(EventKind kind) const {
+        return w.events().extremes(kind).count;
+    }
 };
 
 TEST(Hooks, TakeWhatComesIntoReachAndLetItGo) {
@@ -115,7 +117,7 @@ TEST(Hooks, TakeWhatComesIntoReachAndLetItGo) {
     d.run(2.0);
     EXPECT_TRUE(d.is(HookState::waiting)) << "the hook is 5 m up";
     EXPECT_EQ(d.count(EventKind::missed), 1) << "once";
-    EXPECT_NEAR(d.w.event_extremes(EventKind::missed).first.value, std::hypot(4.0, 1.2), 0.1);
+    EXPECT_NEAR(d.w.events().extremes(EventKind::missed).first.value, std::hypot(4.0, 1.2), 0.1);
     d.move({0, 0, -2}, 4.0);
     EXPECT_TRUE(d.is(HookState::holding));
     EXPECT_EQ(d.get("held"), 1.0);
@@ -161,7 +163,7 @@ TEST(Hooks, KeepShutUnderALoadThatHasALatch) {
     d.move({0, 0, -6}, 12.0);
     EXPECT_TRUE(d.is(HookState::empty)) << "set down";
     EXPECT_EQ(d.count(EventKind::detach), 1);
-    EXPECT_LE(d.w.event_extremes(EventKind::detach).first.value, 2e3);
+    EXPECT_LE(d.w.events().extremes(EventKind::detach).first.value, 2e3);
 }
 
 TEST(Hooks, OpenAboveTheirStrength) {
@@ -171,7 +173,7 @@ TEST(Hooks, OpenAboveTheirStrength) {
     d.move({0, 0, 6}, 12.0);
     EXPECT_TRUE(d.is(HookState::opened));
     EXPECT_EQ(d.count(EventKind::overload), 1);
-    EXPECT_GT(d.w.event_extremes(EventKind::overload).first.value, 15e3);
+    EXPECT_GT(d.w.events().extremes(EventKind::overload).first.value, 15e3);
     EXPECT_LT(d.w.pose(d.box).position.z(), 0.6);
     d.move({0, 0, -6}, 12.0);
     EXPECT_EQ(d.get("held"), 0.0) << "until it has been opened";
@@ -187,7 +189,8 @@ TEST(Hooks, OpenWhenTheirLegsHaveParted) {
     Hoist d;
     d.take(1);
     d.move({0, 0, -2}, 4.0);
-    for (int k = 1; k <= 4; ++k) d.w.part(d.w.find_interaction("hook/leg" + std::to_string(k)));
+    for (int k = 1; k <= 4; ++k)
+        d.w.wires().part(d.w.find_interaction("hook/leg" + std::to_string(k)));
     d.run(0.1);
     EXPECT_TRUE(d.is(HookState::opened));
     EXPECT_EQ(d.get("held"), 0.0);
@@ -240,12 +243,12 @@ TEST(Hooks, RefuseWhatCannotBe) {
           Row{{.name = "h", .body = block, .loads = {load}, .latch = 0.0}, "above 0"},
           Row{{.name = "h", .body = block, .loads = {load}, .strength = 1e3, .latch = 2e3},
               "above strength"}}) {
-        const auto hash = w.state_hash();
+        const auto hash = w.state().hash();
         const std::string said = test::refusal_of(w, row.def);
         EXPECT_NE(said.find(row.says), std::string::npos) << row.says << " in: " << said;
         EXPECT_EQ(said.find("crane"), std::string::npos) << said;
         EXPECT_TRUE(row.def.name.empty() || said.starts_with("hook 'h': ")) << said;
-        EXPECT_EQ(w.state_hash(), hash);
+        EXPECT_EQ(w.state().hash(), hash);
     }
 }
 

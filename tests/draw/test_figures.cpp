@@ -72,7 +72,7 @@ TEST(BlockGraphs, CountsAreThoseOfTheSolver) {
 TEST(BlockGraphs, FollowASystem) {
     SmallScene scene;
     ASSERT_EQ(scene.world.step(), Status::ok);
-    const SystemView view = scene.world.inspect();
+    const SystemView view = scene.world.solver().matrix();
     const BlockGraph g = draw::graph_of(view);
     const draw::MatrixCounts c =
         count(g, view.order, draw::factor_blocks(g.start, g.adjacent, view.order));

@@ -139,7 +139,7 @@ TEST_F(Plots, DetailsAreDrawnOnlyForSmallBodies) {
 }
 
 TEST_F(Plots, SpyShowsMatrixAndFactor) {
-    const SystemView view = scene.world.inspect();
+    const SystemView view = scene.world.solver().matrix();
     const draw::FactorBlocks factor = draw::factor_blocks(view);
     const Drawing drawing =
         draw::plot_spy(view, factor, "small: spy", std::string("hash 1 ") + instruction_set());

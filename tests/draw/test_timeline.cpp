@@ -110,9 +110,9 @@ TEST(Timeline, ThePictureHasALineForEachThread) {
 
 TEST(Timeline, TheFileForViewersIsJsonOfTheSpans) {
     SmallScene scene;
-    scene.world.start_trace(5000);
+    scene.world.solver().start_trace(5000);
     for (int i = 0; i < 10; ++i) ASSERT_EQ(scene.world.step(), Status::ok);
-    const TraceView view = scene.world.trace(4);
+    const TraceView view = scene.world.solver().trace(4);
     ASSERT_EQ(view.steps, 4);
     const auto json = nlohmann::json::parse(to_trace_events(view, "a \"b\" \\ c\n"));
     EXPECT_EQ(json["otherData"]["scene"], "a \"b\" \\ c ");

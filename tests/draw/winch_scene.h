@@ -50,8 +50,8 @@ struct WinchScene {
             while (session.time() < time - 1e-6) {
                 ASSERT_EQ(session.step(), Status::ok) << session.time();
                 if (session.time() < 4.0 - 1e-6 || !state.empty()) continue;
-                made_of = session.world().structure();
-                state = session.world().save();
+                made_of = session.world().state().structure();
+                state = session.world().state().save();
             }
         };
         run_to(until);

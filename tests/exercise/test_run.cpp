@@ -175,13 +175,13 @@ TEST(ExerciseRun, GoesBackToAMark) {
     exercise::Run& run = *e.run;
     run.set_input("winch", "hoist.speed", -0.4);
     e.steps(30);
-    const std::vector<std::byte> state = e.session->world().save();
+    const std::vector<std::byte> state = e.session->world().state().save();
     const int mark = run.mark();
     e.steps(60);  // the tow breaks at 1.5 s
     const std::string first = exercise::to_json(run.result());
     EXPECT_EQ(run.result().penalties[0].times, 1);
     run.set_input("winch", "hoist.speed", 0.7);
-    e.session->world().restore(state);
+    e.session->world().state().restore(state);
     run.back_to(mark);
     EXPECT_EQ(run.result().penalties[0].times, 0);
     EXPECT_EQ(run.asked("hoist.speed"), -0.4);
@@ -205,7 +205,7 @@ TEST(ExerciseRun, ARecordingThatGoesBackHasTheSameScore) {
         exercise::Run& run = *e.run;
         const auto keep = [&] {
             const World& world = e.session->world();
-            return std::tuple(run.mark(), world.structure(), world.save());
+            return std::tuple(run.mark(), world.state().structure(), world.state().save());
         };
         const auto back = [&](const auto& point) {
             e.session->restore(std::get<1>(point), std::get<2>(point));

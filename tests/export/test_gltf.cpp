@@ -131,9 +131,9 @@ TEST(Gltf, TakesTheLastTakeAlone) {
         Session session({.scene_text = R"({"version": 1, "name": "f", "bodies": [
             {"name": "b", "mass": 1, "sphere": 0.5}]})",
                          .record = (folder / "r.hwr").string()});
-        const auto start = session.world().save();
+        const auto start = session.world().state().save();
         for (int k = 0; k < 20; ++k) ASSERT_EQ(session.step(), Status::ok);
-        session.world().restore(start);
+        session.world().state().restore(start);
         for (int k = 0; k < 10; ++k) ASSERT_EQ(session.step(), Status::ok);
         session.finish();
     }

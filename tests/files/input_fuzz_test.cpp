@@ -69,7 +69,7 @@ void set_one(World& world, Random& random, Sets& out) {
 void set_inputs_of(const std::string& name, int rounds) {
     Random random(first_seed(62));
     std::optional<scene::Scene> scene(after_some_steps(name));
-    const std::vector<std::byte> good = scene->world.save();
+    const std::vector<std::byte> good = scene->world.state().save();
     Watch watch;
     Sets out;
     for (int i = 0; i < rounds; ++i) {
@@ -86,7 +86,7 @@ void set_inputs_of(const std::string& name, int rounds) {
         }
         if (random.chance(0.5)) continue;  // keep values, so that they accumulate
         try {
-            scene->world.restore(good);
+            scene->world.state().restore(good);
         } catch (const DefError&) {  // a step has inserted or removed nodes
             scene.emplace(after_some_steps(name));
         }

@@ -154,7 +154,7 @@ void forge_snapshots(SmallScene& scene, bool with_structure, std::size_t first) 
     const auto folder = fresh_folder();
     record::save_snapshot(folder / "good.hws", scene.info, scene.world, with_structure);
     const std::vector<std::byte> good = read_bytes(folder / "good.hws");
-    const auto hash = scene.world.state_hash();
+    const auto hash = scene.world.state().hash();
     Random random(first_seed(9));
     int taken = 0, refused = 0;
     for (int i = 0; i < inputs_of(100, 1000, 20'000); ++i) {
@@ -170,7 +170,7 @@ void forge_snapshots(SmallScene& scene, bool with_structure, std::size_t first) 
         } catch (const record::SnapshotError&) {
             ++refused;
         }
-        ASSERT_EQ(scene.world.state_hash(), hash) << "input " << i;
+        ASSERT_EQ(scene.world.state().hash(), hash) << "input " << i;
     }
     std::printf("forged snapshot files%s: %d refused, %d taken\n",
                 with_structure ? " with a structure" : "", refused, taken);
@@ -190,17 +190,17 @@ TEST(ForgedRecordings, SnapshotFilesWithAStructureAreRefusedOrTaken) {
     World& w = scene.world;
     const BodyId post =
         w.add_body({.name = "post", .kind = BodyKind::fixed, .position = {0, 9, 9}});
-    const WireId wire = w.add_wire({.name = "cut in two",
-                                    .from = post,
-                                    .elements = 6,
-                                    .length = 12.0,
-                                    .EA = 1e6,
-                                    .mass_per_length = 3.0,
-                                    .EI = 10.0,
-                                    .radius = 0.02,
-                                    .consistent_mass = true});
+    const WireId wire = w.wires().add({.name = "cut in two",
+                                       .from = post,
+                                       .elements = 6,
+                                       .length = 12.0,
+                                       .EA = 1e6,
+                                       .mass_per_length = 3.0,
+                                       .EI = 10.0,
+                                       .radius = 0.02,
+                                       .consistent_mass = true});
     ASSERT_EQ(w.step(), Status::ok);
-    (void)w.cut(wire, 5.0);
+    (void)w.wires().cut(wire, 5.0);
     ASSERT_EQ(w.step(), Status::ok);
     forge_snapshots(scene, true, 8000);
 }

@@ -66,28 +66,29 @@ struct Tally {
 void attack(World& world, const std::vector<std::vector<std::byte>>& good, int inputs,
             std::uint64_t seed, Tally& tally) {
     Random random(seed);
-    world.restore(good.front());
-    auto hash = world.state_hash();
+    world.state().restore(good.front());
+    auto hash = world.state().hash();
     for (int i = 0; i < inputs; ++i) {
         const auto& from = good[static_cast<std::size_t>(i) % good.size()];
         const std::vector<std::byte> bad = forged(from, random);
         try {
-            world.restore(bad);
+            world.state().restore(bad);
         } catch (const DefError& e) {
             ++tally.refused;
             ASSERT_NE(std::string(e.what()).find("snapshot"), std::string::npos) << e.what();
-            ASSERT_EQ(world.state_hash(), hash) << "input " << i << " was refused and left a trace";
+            ASSERT_EQ(world.state().hash(), hash)
+                << "input " << i << " was refused and left a trace";
             continue;
         }
         ++tally.taken;
         // A snapshot of a world that accepted a forged one is accepted again.
-        const std::vector<std::byte> own = world.save();
-        ASSERT_NO_THROW(world.restore(own)) << "input " << i;
+        const std::vector<std::byte> own = world.state().save();
+        ASSERT_NO_THROW(world.state().restore(own)) << "input " << i;
         for (int k = 0; k < 2; ++k) tally.failed += world.step() == Status::ok ? 0 : 1;
         (void)world.energy();
         (void)world.contacts();
-        world.restore(from);
-        hash = world.state_hash();
+        world.state().restore(from);
+        hash = world.state().hash();
     }
 }
 
@@ -95,7 +96,7 @@ std::vector<std::vector<std::byte>> snapshots_of(World& world, std::initializer_
     std::vector<std::vector<std::byte>> out;
     for (const int count : steps) {
         for (int i = 0; i < count; ++i) EXPECT_EQ(world.step(), Status::ok);
-        out.push_back(world.save());
+        out.push_back(world.state().save());
     }
     return out;
 }
@@ -131,21 +132,21 @@ TEST(ForgedSnapshots, EveryWordAsAFarIndex) {
     for (int i = 0; i < 3; ++i)
         yard.box({0.1 * i, 0.05 * i, 0.5 + 0.99 * i}, 100.0, {0.5, 0.5, 0.5});
     const std::vector<std::byte> good = snapshots_of(yard.world, {5}).front();
-    const auto hash = yard.world.state_hash();
+    const auto hash = yard.world.state().hash();
     Tally tally;
     for (std::size_t at = kHead; at + 8 < good.size(); at += 4) {
         std::vector<std::byte> bad = good;
         write_at<std::int32_t>(std::span(bad), at, 1'000'000'000);
         sign(bad);
         try {
-            yard.world.restore(bad);
+            yard.world.state().restore(bad);
             ++tally.taken;
             (void)yard.world.step();
-            yard.world.restore(good);
+            yard.world.state().restore(good);
         } catch (const DefError&) {
             ++tally.refused;
         }
-        ASSERT_EQ(yard.world.state_hash(), hash) << "byte " << at;
+        ASSERT_EQ(yard.world.state().hash(), hash) << "byte " << at;
     }
     tell("a far index", tally);
 }
@@ -192,13 +193,13 @@ TEST(ForgedSnapshots, RotationsOfLumps) {
         std::memcpy(bad.data() + at + 8, &other, 8);
         sign(bad);
         try {
-            world.restore(bad);
+            world.state().restore(bad);
         } catch (const DefError&) {
             ++refused;
             continue;
         }
         ++taken;  // word of an analysis that only starts the next one
-        ASSERT_NO_THROW(world.restore(world.save())) << "byte " << at;
+        ASSERT_NO_THROW(world.state().restore(world.state().save())) << "byte " << at;
     }
     // Consecutive orientations 1 0 0 0 resemble rotations and are rejected as invalid.
     EXPECT_GE(refused, 2 * world.body_count() - 2);

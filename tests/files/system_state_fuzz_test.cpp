@@ -26,9 +26,9 @@ void attack_systems(const std::string& name, int inputs, double share, std::uint
                     Outcome& out, std::string_view text = {}) {
     Random random(seed);
     std::optional<scene::Scene> scene(after_some_steps(name, text));
-    const std::vector<std::byte> good = scene->world.save();
-    scene->world.restore(good);
-    const auto hash = scene->world.state_hash();
+    const std::vector<std::byte> good = scene->world.state().save();
+    scene->world.state().restore(good);
+    const auto hash = scene->world.state().hash();
     const auto systems = static_cast<std::size_t>(
         read_at<std::uint64_t>(std::span<const std::byte>(good), kSnapshotSystems));
     ASSERT_GT(systems, 0u) << name;
@@ -42,7 +42,7 @@ void attack_systems(const std::string& name, int inputs, double share, std::uint
         World& world = scene->world;
         bool taken = true;
         try {
-            world.restore(bad);
+            world.state().restore(bad);
         } catch (const DefError& error) {
             taken = false;
             EXPECT_NE(std::string(error.what()).find("snapshot"), std::string::npos)
@@ -57,16 +57,16 @@ void attack_systems(const std::string& name, int inputs, double share, std::uint
         out.longest = std::max(out.longest, took);
         EXPECT_LT(took, kLongest) << running;
         if (!taken) {
-            ASSERT_EQ(world.state_hash(), hash) << running;
+            ASSERT_EQ(world.state().hash(), hash) << running;
             continue;
         }
         try {
-            world.restore(good);
+            world.state().restore(good);
         } catch (const DefError&) {  // a step has inserted or removed nodes
             scene.emplace(after_some_steps(name, text));
-            scene->world.restore(good);
+            scene->world.state().restore(good);
         }
-        ASSERT_EQ(scene->world.state_hash(), hash) << running;
+        ASSERT_EQ(scene->world.state().hash(), hash) << running;
     }
 }
 

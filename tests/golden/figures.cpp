@@ -74,7 +74,7 @@ void write_interactions(const World& world, Figures& out) {
             speed.add(world.speed(id));
         }
         for (const double p : def.params) params.add(compress(p));
-        const RowsView rows = world.rows(id);
+        const RowsView rows = world.solver().rows(id);
         for (std::size_t r = 0; r < static_cast<std::size_t>(rows.rows); ++r) {
             violation.add(rows.violation[r]);
             rate.add(rows.rate[r] - rows.speed[r]);
@@ -84,8 +84,8 @@ void write_interactions(const World& world, Figures& out) {
                 for (const double g : rows.jacobian[b][r]) jacobian.add(g);
         }
         parted += world.intact(id) ? 0 : 1;
-        completed += world.completed(id) ? 1 : 0;
-        flagged += world.wire_alert(id);
+        completed += world.solver().completed(id) ? 1 : 0;
+        flagged += world.wires().damped_steps(id);
     }
     out.reals["force"] = force.result();
     out.reals["coordinate"] = coordinate.result();
@@ -104,17 +104,18 @@ void write_interactions(const World& world, Figures& out) {
 void write_wires(const World& world, Figures& out) {
     Projection tension(31, 1e-3), length(32, 1e-3);
     std::int64_t elements = 0, nodes = 0;
-    for (const WireId id : world.wires()) {
-        const double whole = world.length(id);
+    for (const WireId id : world.wires().ids()) {
+        const double whole = world.wires().length(id);
         length.add(whole);
         constexpr int kPoints = 8;
-        for (int i = 0; i <= kPoints; ++i) tension.add(world.tension(id, whole * i / kPoints));
-        elements += static_cast<std::int64_t>(world.elements(id).size());
-        nodes += static_cast<std::int64_t>(world.nodes(id).size());
+        for (int i = 0; i <= kPoints; ++i)
+            tension.add(world.wires().tension(id, whole * i / kPoints));
+        elements += static_cast<std::int64_t>(world.wires().elements(id).size());
+        nodes += static_cast<std::int64_t>(world.wires().nodes(id).size());
     }
     out.reals["wire_tension"] = tension.result();
     out.reals["wire_length"] = length.result();
-    out.counts["wires"] = static_cast<std::int64_t>(world.wires().size());
+    out.counts["wires"] = static_cast<std::int64_t>(world.wires().ids().size());
     out.counts["wire_elements"] = elements;
     out.counts["wire_nodes"] = nodes;
 }
@@ -240,7 +241,7 @@ void Projection::add(const Vec3& terms) {
 }
 
 void StepSums::add(const World& world) {
-    const StateView state = world.state();
+    const StateView state = world.state().arrays();
     for (const double v : state.velocities) motion_.add(v);
     for (const InteractionId id : world.interactions())
         for (const double f : world.force(id)) force_.add(f);

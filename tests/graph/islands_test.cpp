@@ -73,7 +73,7 @@ TEST(Islands, BodiesThatDoNotMoveJoinNothing) {
     r.add(between(InteractionKind::Distance, {g, b}));
     World w = r.make();
     w.prepare();
-    const SystemView v = w.inspect();
+    const SystemView v = w.solver().matrix();
     EXPECT_EQ(w.stats().islands, 3);
     EXPECT_EQ(v.body_island, (std::vector<std::int32_t>{-1, 0, 1, 2}));
     (void)c;
@@ -88,7 +88,7 @@ TEST(Islands, AThirdBodyJoinsThem) {
     World w = r.make();
     w.prepare();
     EXPECT_EQ(w.stats().islands, 1);
-    EXPECT_EQ(w.inspect().body_island, (std::vector<std::int32_t>{0, 0, 0}));
+    EXPECT_EQ(w.solver().matrix().body_island, (std::vector<std::int32_t>{0, 0, 0}));
 }
 
 }  // namespace

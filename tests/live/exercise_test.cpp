@@ -254,8 +254,9 @@ class Headless {
         } else if (type == "release") {
             drags_.end(world, 1);
         } else if (type == "part") {
-            const WireId wire = world.find_wire(action.message["wire"].get<std::string>());
-            world.part(wire, action.message["s"].get<double>() * world.length(wire));
+            const WireId wire = world.wires().find(action.message["wire"].get<std::string>());
+            world.wires().part(wire,
+                               action.message["s"].get<double>() * world.wires().length(wire));
         } else if (type == "fault") {
             if (action.message["active"])
                 own_.run->trigger(action.by, name);
@@ -279,7 +280,7 @@ class Headless {
     void keep(const std::string& name) {
         drags_.lift(own_.session->world());
         const World& world = own_.session->world();
-        points_[name] = {world.structure(), world.save(), own_.run->mark()};
+        points_[name] = {world.state().structure(), world.state().save(), own_.run->mark()};
     }
     Running& own_;
     live::Drags drags_;
@@ -336,7 +337,7 @@ TEST(LiveExercise, page_headless_run_and_replay_have_the_same_score) {
             EXPECT_EQ(reported["penalties"][k]["times"], result.penalties[k].times);
         }
         EXPECT_EQ(result.penalties[0].times, 1);
-        hash = shown.own.session->world().motion_hash();
+        hash = shown.own.session->world().state().motion_hash();
         shown.own.session->finish();
     }
     {
@@ -348,7 +349,7 @@ TEST(LiveExercise, page_headless_run_and_replay_have_the_same_score) {
         }
         headless.to(kEnd);
         EXPECT_EQ(exercise::to_json(own.run->result()), page);
-        EXPECT_EQ(own.session->world().motion_hash(), hash);
+        EXPECT_EQ(own.session->world().state().motion_hash(), hash);
     }
     const record::Recording recording = record::Recording::open(file);
     EXPECT_EQ(recording.takes.size(), 1U);

@@ -87,12 +87,12 @@ void expect_plain_wires(Shown& shown) {
     const World& world = shown.world();
     for (std::size_t w = 0; w < shown.frame.counts.size(); ++w) {
         const std::size_t n = shown.frame.counts[w];
-        const WireId wire = world.find_wire(shown.json["wires"][w]["name"].get<std::string>());
+        const WireId wire = world.wires().find(shown.json["wires"][w]["name"].get<std::string>());
         if (wire.valid()) {
-            const auto elements = world.elements(wire);
+            const auto elements = world.wires().elements(wire);
             ASSERT_EQ(n, elements.size() + 1);
             for (std::size_t e = 0; e < elements.size(); ++e) {
-                const auto ends = world.ends(elements[e]);
+                const auto ends = world.wires().ends(elements[e]);
                 for (int k = 0; k < 3; ++k) {
                     const auto c = static_cast<std::size_t>(k);
                     EXPECT_EQ(shown.frame.points[3 * (point + e) + c],
@@ -163,7 +163,7 @@ TEST(LiveFrame, shows_chains_of_links_ropes_over_sheaves_and_scalar_bodies) {
         const InteractionId id = crane.world().find_interaction(wire["name"].get<std::string>());
         if (id.valid()) {
             ++lines;
-            const auto ends = crane.world().ends(id);
+            const auto ends = crane.world().wires().ends(id);
             for (std::size_t k = 0; k < 6; ++k)
                 EXPECT_EQ(crane.frame.points[3 * at + k],
                           relative(ends[k / 3][static_cast<int>(k % 3)],
@@ -192,7 +192,7 @@ TEST(LiveFrame, joins_the_two_sides_of_a_wire_on_a_wheel) {
     def.EA = 1e7;
     def.mass_per_length = 10.0;
     def.consistent_mass = true;
-    const WireId wire = world.add_wire(def);
+    const WireId wire = world.wires().add(def);
     const Vec3 centre(1.0, 0.0, -3.1);  // under the wire, which it raises by 0.2 m
     world.add(GuideDef{.name = "post",
                        .wire = wire,
@@ -209,7 +209,7 @@ TEST(LiveFrame, joins_the_two_sides_of_a_wire_on_a_wheel) {
     std::vector<char> copy(bytes.size());
     std::memcpy(copy.data(), bytes.data(), bytes.size());
     const ReadFrame frame = read_frame(copy);
-    ASSERT_EQ(frame.counts.at(0), world.elements(wire).size() + 2);
+    ASSERT_EQ(frame.counts.at(0), world.wires().elements(wire).size() + 2);
     int on_circle = 0;
     for (std::size_t p = 0; p < frame.counts[0]; ++p) {
         const Vec3 at(frame.points[3 * p], frame.points[3 * p + 1], frame.points[3 * p + 2]);
@@ -225,15 +225,15 @@ TEST(LiveFrame, keeps_its_scene_while_nodes_come_and_go_and_takes_another_for_a_
     world.prepare();
     const live::FramePlan before = live::FramePlan::of(scene);
     ASSERT_TRUE(before.current(world));
-    const WireId wire = world.wires().front();
-    const auto nodes = world.nodes(wire).size();
-    InteractionId middle = world.elements(wire)[world.elements(wire).size() / 2];
-    (void)world.insert_node(middle, 0.5);
-    ASSERT_EQ(world.nodes(wire).size(), nodes + 1);
+    const WireId wire = world.wires().ids().front();
+    const auto nodes = world.wires().nodes(wire).size();
+    InteractionId middle = world.wires().elements(wire)[world.wires().elements(wire).size() / 2];
+    (void)world.wires().insert_node(middle, 0.5);
+    ASSERT_EQ(world.wires().nodes(wire).size(), nodes + 1);
     EXPECT_FALSE(before.current(world));
     const live::FramePlan after = live::FramePlan::of(scene);
     EXPECT_TRUE(after.same_scene(before));
-    (void)world.cut(wire, 0.5 * world.length(wire));
+    (void)world.wires().cut(wire, 0.5 * world.wires().length(wire));
     const live::FramePlan cut = live::FramePlan::of(scene);
     EXPECT_FALSE(cut.same_scene(after));
     EXPECT_EQ(cut.wires.size(), after.wires.size() + 1);
@@ -271,8 +271,8 @@ TEST(LiveFrame, tells_what_has_parted) {
     World& world = scene.world;
     world.prepare();
     ASSERT_EQ(world.step(), Status::ok);
-    const WireId wire = world.find_wire("work1");
-    world.part(wire, 0.5 * world.length(wire));
+    const WireId wire = world.wires().find("work1");
+    world.wires().part(wire, 0.5 * world.wires().length(wire));
     const live::FramePlan plan = live::FramePlan::of(scene);
     live::FrameWriter writer;
     live::Bytes bytes;

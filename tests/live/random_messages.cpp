@@ -217,7 +217,7 @@ SessionDef message_session(int session) {
 Sender::Sender(const World& world, std::uint32_t seed)
     : random_(seed),
       bodies_(static_cast<std::int32_t>(world.bodies().size())),
-      wires_(static_cast<std::int32_t>(world.wires().size())) {
+      wires_(static_cast<std::int32_t>(world.wires().ids().size())) {
     for (const InputId id : world.inputs()) names_.push_back(world.input_def(id).name);
     for (const SystemSignal& s : world.system_signals())
         if (s.input) names_.push_back(s.system + "." + s.name);

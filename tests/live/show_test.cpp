@@ -115,8 +115,9 @@ TEST(LiveShow, pauses_steps_and_answers_what_is_pointed_at) {
     EXPECT_EQ(wire["type"], "picked");
     EXPECT_EQ(wire["name"], "tow");
     const World& world = run.session.world();
-    const WireId tow = world.find_wire("tow");
-    EXPECT_EQ(wire["numbers"][0][2].get<double>(), world.tension(tow, 0.5 * world.length(tow)));
+    const WireId tow = world.wires().find("tow");
+    EXPECT_EQ(wire["numbers"][0][2].get<double>(),
+              world.wires().tension(tow, 0.5 * world.wires().length(tow)));
     client.say(
         {{"type", "pick"}, {"body", number_of(client.scene()["bodies"], "load")}, {"id", 3}});
     EXPECT_EQ(client.answer_to(3)["name"], "load");

@@ -23,9 +23,9 @@ TEST(Bounds, OnContactsEndsTheStepAndSaysSo) {
     World few = balls(14, def), many = balls(16, def);  // 91 and 120 contacts
     EXPECT_EQ(few.step(), Status::ok);
     many.prepare();
-    const std::uint64_t before = many.state_hash();
+    const std::uint64_t before = many.state().hash();
     EXPECT_EQ(many.step(), Status::over_bound);
-    EXPECT_EQ(many.state_hash(), before);
+    EXPECT_EQ(many.state().hash(), before);
     const BoundMet met = many.stats().bound_met;
     EXPECT_EQ(met.bound, Bound::contacts);
     EXPECT_EQ(met.value, 120.0);
@@ -52,7 +52,7 @@ TEST(Bounds, OnMemoryIsCheckedBeforeItIsAskedFor) {
     Recipe recipe = link_chain(2000);
     recipe.world.max_memory = 2e6;
     World w = recipe.make();
-    const std::uint64_t before = w.state_hash();
+    const std::uint64_t before = w.state().hash();
     try {
         w.prepare();
         FAIL() << "2000 links in 2 MB";
@@ -64,13 +64,13 @@ TEST(Bounds, OnMemoryIsCheckedBeforeItIsAskedFor) {
     }
     EXPECT_EQ(w.step(), Status::over_bound);
     EXPECT_EQ(w.stats().bound_met.bound, Bound::memory);
-    EXPECT_EQ(w.state_hash(), before);
+    EXPECT_EQ(w.state().hash(), before);
     // The reported number is near the need; tables of addresses are added to it.
     const double wanted = w.stats().bound_met.value;
     recipe.world.max_memory = 1.01 * wanted;
     World enough = recipe.make();
     EXPECT_EQ(enough.step(), Status::ok);
-    const auto held = static_cast<double>(enough.memory_bytes());
+    const auto held = static_cast<double>(enough.solver().memory_bytes());
     std::printf("foreseen %.3g bytes, held %.3g\n", wanted, held);
     EXPECT_LT(held, 1.25 * wanted);
     EXPECT_GT(held, 0.8 * wanted) << "or the estimate refuses what would fit";

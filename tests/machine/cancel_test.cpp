@@ -22,13 +22,13 @@ TEST(Cancel, EndsTheNextStepWhereNoneIsUnderWay) {
     World w = mixed(1).make(), twin = mixed(1).make();
     for (int i = 0; i < 3; ++i) {
         w.cancel();
-        const std::uint64_t before = w.state_hash();
+        const std::uint64_t before = w.state().hash();
         EXPECT_EQ(w.step(), Status::cancelled);
         EXPECT_EQ(w.stats().status, Status::cancelled);
-        EXPECT_EQ(w.state_hash(), before);
+        EXPECT_EQ(w.state().hash(), before);
         EXPECT_EQ(w.step(), Status::ok) << "one request ends one step";
         EXPECT_EQ(twin.step(), Status::ok);
-        EXPECT_EQ(w.state_hash(), twin.state_hash());
+        EXPECT_EQ(w.state().hash(), twin.state().hash());
     }
 }
 
@@ -54,14 +54,14 @@ World heap(int threads) {
 /// cancellation after a number of seconds. @return number of cancelled attempts.
 template <class Arm>
 int attempt_until_done(World& w, Arm&& arm) {
-    const std::uint64_t before = w.state_hash();
+    const std::uint64_t before = w.state().hash();
     double delay = 10e-6;
     for (int cancelled = 0; cancelled < 60; ++cancelled, delay *= 1.35) {
         arm(delay);
         const Status status = w.step();
         if (status == Status::ok) return cancelled;
         EXPECT_EQ(status, Status::cancelled);
-        EXPECT_EQ(w.state_hash(), before) << "cancelled after " << delay << " s";
+        EXPECT_EQ(w.state().hash(), before) << "cancelled after " << delay << " s";
         if (testing::Test::HasFailure()) break;
     }
     ADD_FAILURE() << "no attempt ended";
@@ -112,7 +112,7 @@ TEST(Cancel, AnywhereInAStepLeavesTheStateAndTheBits) {
              ++i) {
             ASSERT_EQ(twin.step(), Status::ok);
             cancelled += attempt_until_done(w, later);
-            ASSERT_EQ(w.state_hash(), twin.state_hash()) << "step " << i;
+            ASSERT_EQ(w.state().hash(), twin.state().hash()) << "step " << i;
         }
         EXPECT_GT(cancelled, kEnough) << "or nothing has been tried";
     }
@@ -134,7 +134,7 @@ TEST(Cancel, MayBeCalledByASignalHandler) {
             const itimerval once{{0, 0}, {micro / 1'000'000, micro % 1'000'000}};
             setitimer(ITIMER_REAL, &once, nullptr);
         });
-        ASSERT_EQ(w.state_hash(), twin.state_hash()) << "step " << i;
+        ASSERT_EQ(w.state().hash(), twin.state().hash()) << "step " << i;
     }
     const itimerval never{};
     setitimer(ITIMER_REAL, &never, nullptr);

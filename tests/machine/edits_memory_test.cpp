@@ -35,22 +35,24 @@ TEST(MemoryEnds, WhereThingsComeAndGo) {
         wire.mass_per_length = 1.0;
         wire.EI = 1.0;
         wire.radius = 0.02;
-        retry.call(w, "add_wire", throwing([&](World& to) { (void)to.add_wire(wire); }));
+        retry.call(w, "add_wire", throwing([&](World& to) { (void)to.wires().add(wire); }));
         expect_steps(retry, w, 4);
-        retry.call(w, "part", throwing([](World& to) { to.part(to.find_wire(kLongName), 1.0); }));
+        retry.call(w, "part",
+                   throwing([](World& to) { to.wires().part(to.wires().find(kLongName), 1.0); }));
         const InputDef input{.name = "an input with a name that is longer than a short string",
                              .body = boxes[3]};
         retry.call(w, "add_input", throwing([&](World& to) { (void)to.add_input(input); }));
         const ShapeId shape = w.shapes().back();
         retry.call(w, "remove_shape", throwing([&](World& to) { (void)to.remove_shape(shape); }));
         expect_steps(retry, w, 3);
-        retry.call(w, "remove_wire",
-                   throwing([](World& to) { (void)to.remove_wire(to.find_wire(kLongName)); }));
+        retry.call(w, "remove_wire", throwing([](World& to) {
+                       (void)to.wires().remove(to.wires().find(kLongName));
+                   }));
         retry.call(w, "remove_input",
                    throwing([&](World& to) { (void)to.remove_input(to.find_input(input.name)); }));
         expect_steps(retry, w, 3);
         EXPECT_EQ(w.bodies().size(), 4U);
-        EXPECT_TRUE(w.wires().empty());
+        EXPECT_TRUE(w.wires().ids().empty());
     });
 }
 
@@ -63,11 +65,12 @@ TEST(MemoryEnds, WhereAWireIsWoundUp) {
         wire.elements = 4;
         wire.EA = 1e5;
         wire.mass_per_length = 1.0;
-        const WireId id = w.add_wire(wire);
+        const WireId id = w.wires().add(wire);
         const BodyId drum = w.add_body({.name = "drum", .kind = BodyKind::scalar, .mass = 10.0});
         expect_steps(retry, w, 2);
-        retry.call(w, "wind_up", throwing([&](World& to) { (void)to.wind_up(id, 0, drum, 0.3); }));
-        const InteractionId first = w.elements(id).front();
+        retry.call(w, "wind_up",
+                   throwing([&](World& to) { (void)to.wires().spool(id, 0, drum, 0.3); }));
+        const InteractionId first = w.wires().elements(id).front();
         EXPECT_EQ(w.find_interaction(std::string(kLongName) + "/s0"), first);
         EXPECT_EQ(w.interaction_def(first).kind, InteractionKind::WinchStretch);
         EXPECT_TRUE(w.intact(first));

@@ -7,6 +7,8 @@
 #include "support/yard.h"
 #include "world/three_cables.h"
 
+#include <hawser/experimental/splits.h>
+
 #include <optional>
 
 namespace hawser::test {
@@ -66,7 +68,8 @@ TEST(MemoryEnds, InWorldsOfJointsAndWires) {
                            throwing([](World& to) { to.set_input(InputId{0}, 1.5); }));
                 retry.call(*w, "prepare", throwing([](World& to) { to.prepare(); }));
                 steps(retry, *w, 3);
-                retry.call(*w, "take_events", throwing([](World& to) { (void)to.take_events(); }));
+                retry.call(*w, "take_events",
+                           throwing([](World& to) { (void)to.events().take(); }));
             });
 }
 
@@ -156,18 +159,20 @@ TEST(MemoryEnds, WhereGroupsAreCutAndFollowTheState) {
                 t.turn(w, 0);
                 t.pull(w, 1);
                 for (int i = 0; i < 18; ++i) retry.call(w, "step", step_once);
-                retry.call(w, "groups", throwing([](World& to) { (void)to.groups(); }));
-                retry.call(w, "cuts", throwing([](World& to) { (void)to.cuts(); }));
+                retry.call(w, "groups", throwing([](World& to) { (void)to.splits().groups(); }));
+                retry.call(w, "cuts", throwing([](World& to) { (void)to.splits().cuts(); }));
                 retry.call(w, "set_group", throwing([](World& to) {
-                               to.set_group(BodyId{5}, "a group with a name that is not short");
+                               to.splits().set_group(BodyId{5},
+                                                     "a group with a name that is not short");
                            }));
                 retry.call(w, "set_coupling", throwing([](World& to) {
-                               to.set_coupling(InteractionId{0}, Coupling::kinematic);
+                               to.splits().set_coupling(InteractionId{0}, Coupling::kinematic);
                            }));
                 steps(retry, w, 1, false);
-                retry.call(w, "follow_groups", throwing([](World& to) { to.follow_groups(3, 5); }));
+                retry.call(w, "follow_groups",
+                           throwing([](World& to) { to.splits().follow_groups(3, 5); }));
                 steps(retry, w, 6, false);
-                retry.call(w, "set_groups", throwing([](World& to) { to.set_groups(2); }));
+                retry.call(w, "set_groups", throwing([](World& to) { to.splits().set_groups(2); }));
                 steps(retry, w, 2, false);
             },
             // Predictors differ in the data of make_cuts() other than ghost bodies and duplicated
@@ -186,7 +191,8 @@ TEST(MemoryEnds, WhereDeadlinesChooseLevelsOfCuts) {
         World w = t.recipe.make();
         steps(retry, w, 3, false);
         for (const std::uint64_t cuts : {1U, 0U, 1U}) {
-            w.degrade_next_step({.iterations = cuts == 0 ? 1 : 0, .hasty = false, .cuts = cuts});
+            w.solver().degrade_next_step(
+                {.iterations = cuts == 0 ? 1 : 0, .hasty = false, .cuts = cuts});
             steps(retry, w, 1, false);
         }
         steps(retry, w, 2, false);
@@ -202,23 +208,23 @@ TEST(MemoryEnds, WhereAStateIsSavedRestoredAndCopied) {
         World& w = yard.w;
         std::vector<std::byte> early, late;
         for (int i = 0; i < 120; ++i) {
-            if (i == 30) early = w.save();
+            if (i == 30) early = w.state().save();
             (void)w.step();
         }
-        retry.call(w, "save", throwing([&](World& of) { late = of.save(); }));
-        retry.call(w, "restore", throwing([&](World& to) { to.restore(early); }), true);
+        retry.call(w, "save", throwing([&](World& of) { late = of.state().save(); }));
+        retry.call(w, "restore", throwing([&](World& to) { to.state().restore(early); }), true);
         steps(retry, w, 3);
-        retry.call(w, "restore", throwing([&](World& to) { to.restore(late); }), true);
+        retry.call(w, "restore", throwing([&](World& to) { to.state().restore(late); }), true);
         steps(retry, w, 2);
         std::optional<World> twin;
         retry.call(w, "twin", throwing([&](World& of) { twin.emplace(of.twin()); }));
         steps(retry, *twin, 2);
-        retry.call(*twin, "copy_state", throwing([&](World& to) { to.copy_state(w); }));
+        retry.call(*twin, "copy_state", throwing([&](World& to) { to.state().copy_from(w); }));
         steps(retry, *twin, 2);
-        retry.call(w, "start_trace", throwing([](World& to) { to.start_trace(100); }));
-        retry.call(w, "inspect", throwing([](World& of) { (void)of.inspect(); }));
+        retry.call(w, "start_trace", throwing([](World& to) { to.solver().start_trace(100); }));
+        retry.call(w, "inspect", throwing([](World& of) { (void)of.solver().matrix(); }));
         retry.call(w, "contacts", throwing([](World& of) { (void)of.contacts(); }));
-        retry.call(w, "partition", throwing([](World& of) { (void)of.partition({}); }));
+        retry.call(w, "partition", throwing([](World& of) { (void)of.splits().partition({}); }));
         steps(retry, w, 2);
     });
     expect_same_bits("restore of groups", [](Retry& retry) {
@@ -227,10 +233,10 @@ TEST(MemoryEnds, WhereAStateIsSavedRestoredAndCopied) {
         t.turn(w, 0);
         std::vector<std::byte> early;
         for (int i = 0; i < 20; ++i) {
-            if (i == 4) early = w.save();
+            if (i == 4) early = w.state().save();
             (void)w.step();
         }
-        retry.call(w, "restore", throwing([&](World& to) { to.restore(early); }));
+        retry.call(w, "restore", throwing([&](World& to) { to.state().restore(early); }));
         steps(retry, w, 12, false);
     });
 }

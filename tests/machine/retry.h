@@ -73,7 +73,7 @@ class Retry {
             fail_once(w, name, f, saves);
         else
             try_all(w, name, f, here, saves);
-        done_.hash.push_back(w.state_hash());
+        done_.hash.push_back(w.state().hash());
         if (rights_ != nullptr) {
             ASSERT_EQ(done_.hash.back(), rights_->hash.at(static_cast<std::size_t>(k)))
                 << "after " << name << ", call " << k << ", where request " << n_ << " of call "
@@ -89,8 +89,8 @@ class Retry {
   private:
     void fail_once(World& w, const char* name, const Call& f, bool saves) {
         std::vector<std::byte> saved;
-        if (saves && n_ % 2 == 0) saved = w.save();
-        const std::uint64_t before = w.state_hash();
+        if (saves && n_ % 2 == 0) saved = w.state().save();
+        const std::uint64_t before = w.state().hash();
         bool done = false;
         {
             const failing::Memory memory(n_);
@@ -99,18 +99,18 @@ class Retry {
         // Succeeded: the failed request was for work after a step, which is deferred.
         if (done) return;
         ++failures_;
-        ASSERT_EQ(w.state_hash(), before) << name << ", request " << n_ << " of memory";
+        ASSERT_EQ(w.state().hash(), before) << name << ", request " << n_ << " of memory";
         // Every second time nothing reads the world before the call is repeated.
         if (saves && n_ % 2 == 0) {
-            ASSERT_EQ(w.save(), saved) << name << ", request " << n_ << " of memory";
+            ASSERT_EQ(w.state().save(), saved) << name << ", request " << n_ << " of memory";
         }
         ASSERT_TRUE(f(w));
     }
 
     void try_all(World& w, const char* name, const Call& f, bool fails, bool saves) {
         std::vector<std::byte> saved;
-        if (fails && saves) saved = w.save();
-        const std::uint64_t before = w.state_hash();
+        if (fails && saves) saved = w.state().save();
+        const std::uint64_t before = w.state().hash();
         // A sanitizer executes the same code in a few of them.
         const long stride = kSanitized ? 7 : 1;
         for (long n = fails ? 0 : -1;; n += stride) {
@@ -122,9 +122,9 @@ class Retry {
             }
             if (done) return;
             ++failures_;
-            ASSERT_EQ(w.state_hash(), before) << name << ", request " << n << " of memory";
+            ASSERT_EQ(w.state().hash(), before) << name << ", request " << n << " of memory";
             if (saves && n % 2 == 0) {
-                ASSERT_EQ(w.save(), saved) << name << ", request " << n << " of memory";
+                ASSERT_EQ(w.state().save(), saved) << name << ", request " << n << " of memory";
             }
         }
     }

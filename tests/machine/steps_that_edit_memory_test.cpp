@@ -23,7 +23,7 @@ World winch_and_roller() {
     def.EA = 1e7;
     def.mass_per_length = 20.0;
     def.consistent_mass = true;
-    const WireId wire = w.add_wire(def);
+    const WireId wire = w.wires().add(def);
     w.add(GuideDef{.name = "roller", .wire = wire, .body = deck, .radius = 0.5});
     w.add(WinchDef{.name = "winch",
                    .wire = wire,

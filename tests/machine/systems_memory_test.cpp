@@ -47,7 +47,7 @@ TEST(MemoryEnds, WhereSystemsActAndLoad) {
                        }));
         for (int i = 0; i < 6; ++i) retry.call(w, "step", step_once, i > 0);
         // Each of both reports 20, 40, … 120 events, for any failed allocations before.
-        EXPECT_EQ(w.event_extremes(EventKind::layer).count, 2 * 20 * 21);
+        EXPECT_EQ(w.events().extremes(EventKind::layer).count, 2 * 20 * 21);
         retry.call(w, "remove_system",
                    throwing([](World& to) { (void)to.remove_system(to.system(0)); }));
         for (int i = 0; i < 2; ++i) retry.call(w, "step", step_once, i > 0);

@@ -33,7 +33,7 @@ struct Line {
                 {.elements = kOfEach, .length = kOfEach, .EA = 1e7, .mass_per_length = mass});
         for (int i = 1; i <= 2 * kOfEach; ++i)
             def.path.emplace_back(0.02 * std::sin(0.3 * i), 0.0, -100.0 - 1.002 * i);
-        wire = w.add_wire(def);
+        wire = w.wires().add(def);
         const LineWater water{.diameter = kDiameter, .cd_normal = 0.0, .cd_tangential = 0.0};
         SeaDef sea{.depth = 1000.0};
         sea.lines.push_back({.wire = wire,
@@ -43,7 +43,7 @@ struct Line {
         w.add(sea);
         EXPECT_EQ(w.step(), Status::ok);
         double s = 0.0;
-        for (const BodyId id : w.nodes(wire)) {
+        for (const BodyId id : w.wires().nodes(wire)) {
             w.set_velocity(
                 id, {Vec3(0.3 * std::sin(0.2 * s), 0.2 * std::cos(0.15 * s), 0.0), Vec3::Zero()});
             s += 1.0;
@@ -54,8 +54,8 @@ struct Line {
     [[nodiscard]] Vec3 momentum(double* size = nullptr) const {
         const double per_length = kRho * 0.25 * std::numbers::pi * kDiameter * kDiameter;
         Vec3 sum = Vec3::Zero();
-        const auto nodes = w.nodes(wire);
-        const auto elements = w.elements(wire);
+        const auto nodes = w.wires().nodes(wire);
+        const auto elements = w.wires().elements(wire);
         for (std::size_t i = 0; i < nodes.size(); ++i) {
             const Vec3 v = w.velocity(nodes[i]).linear;
             Vec3 own = w.body_def(nodes[i]).mass * v;
@@ -85,7 +85,8 @@ TEST(LineEdits, NodesThatComeKeepMomentumWithAddedMass) {
     for (const std::size_t element : {std::size_t{3}, std::size_t{9}, std::size_t{10}}) {
         Line line;
         const Vec3 before = line.momentum();
-        ASSERT_TRUE(line.w.insert_node(line.w.elements(line.wire)[element], 0.3).valid());
+        ASSERT_TRUE(
+            line.w.wires().insert_node(line.w.wires().elements(line.wire)[element], 0.3).valid());
         const double off = lost(line, before);
         std::printf("a node comes on element %zu: %.2g of the momentum\n", element, off);
         EXPECT_LT(off, 1e-6);
@@ -96,7 +97,7 @@ TEST(LineEdits, NodesThatComeKeepMomentumWithAddedMass) {
 double lost_with(std::size_t node) {
     Line line;
     const Vec3 before = line.momentum();
-    EXPECT_TRUE(line.w.remove_node(line.w.nodes(line.wire)[node], 3.15)) << node;
+    EXPECT_TRUE(line.w.wires().remove_node(line.w.wires().nodes(line.wire)[node], 3.15)) << node;
     const double off = lost(line, before);
     std::printf("node %zu goes: %.2g of the momentum\n", node, off);
     return off;

@@ -237,17 +237,17 @@ TEST(Radiation, MemoryIsPartOfStateAndThreadsDoNotMatter) {
         for (const int threads : {1, 2, 4, 8}) {
             Floater f = busy(kind, true, threads);
             go(f.w, 100);
-            const auto saved = f.w.save();
+            const auto saved = f.w.state().save();
             World twin = f.w.twin();
             go(f.w, 60);
             go(twin, 60);
-            EXPECT_EQ(twin.state_hash(), f.w.state_hash());
+            EXPECT_EQ(twin.state().hash(), f.w.state().hash());
             Floater other = busy(kind, true, threads);
-            other.w.restore(saved);
+            other.w.state().restore(saved);
             go(other.w, 60);
-            EXPECT_EQ(other.w.state_hash(), f.w.state_hash());
-            if (threads == 1) hash = f.w.state_hash();
-            EXPECT_EQ(f.w.state_hash(), hash) << threads;
+            EXPECT_EQ(other.w.state().hash(), f.w.state().hash());
+            if (threads == 1) hash = f.w.state().hash();
+            EXPECT_EQ(f.w.state().hash(), hash) << threads;
         }
     }
 }

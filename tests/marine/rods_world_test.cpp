@@ -126,8 +126,8 @@ TEST(RodsWorld, ThreadsDoNotMatter) {
     for (const int threads : {1, 2, 4}) {
         Platform p(WorldDef{.threads = threads});
         go(p.w, 200);
-        if (threads == 1) hash = p.w.state_hash();
-        EXPECT_EQ(p.w.state_hash(), hash) << threads;
+        if (threads == 1) hash = p.w.state().hash();
+        EXPECT_EQ(p.w.state().hash(), hash) << threads;
     }
 }
 
@@ -136,13 +136,13 @@ TEST(RodsWorld, SavedStateAndTwinGoOnWithTheSameBits) {
     go(a.w, 50);
     a.w.set_system_signal("sea.waves", 0.7);
     World twin = a.w.twin();
-    b.w.restore(a.w.save());
+    b.w.state().restore(a.w.state().save());
     for (int i = 0; i < 50; ++i) {
         go(a.w, 1);
         go(b.w, 1);
         go(twin, 1);
-        ASSERT_EQ(a.w.state_hash(), b.w.state_hash());
-        ASSERT_EQ(a.w.state_hash(), twin.state_hash());
+        ASSERT_EQ(a.w.state().hash(), b.w.state().hash());
+        ASSERT_EQ(a.w.state().hash(), twin.state().hash());
     }
 }
 

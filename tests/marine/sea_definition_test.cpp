@@ -17,13 +17,13 @@ TEST(SeaDefinition, ExampleOfTheHeader) {
     World world;
     const BodyId from = world.add_body({.kind = BodyKind::fixed, .position = {0, 0, -5}});
     const BodyId to = world.add_body({.kind = BodyKind::fixed, .position = {100, 0, -5}});
-    const WireId wire = world.add_wire({.name = "tow",
-                                        .from = from,
-                                        .to = to,
-                                        .elements = 20,
-                                        .length = 101.0,
-                                        .EA = 5e7,
-                                        .mass_per_length = 20.0});
+    const WireId wire = world.wires().add({.name = "tow",
+                                           .from = from,
+                                           .to = to,
+                                           .elements = 20,
+                                           .length = 101.0,
+                                           .EA = 5e7,
+                                           .mass_per_length = 20.0});
     const auto example = [&world](WireId tow) {
         hawser::SeaDef sea{.depth = 150.0};
         sea.waves.push_back({.kind = hawser::WaveKind::jonswap, .height = 3.0, .period = 9.0});
@@ -46,14 +46,14 @@ TEST(SeaDefinition, SignalsBeyondTheirRangeAreEvents) {
     w.add(SeaDef{.depth = 50.0,
                  .level = {{.time = 0.0, .level = 0.5}, {.time = 600.0, .level = -2.0}}});
     w.set_system_signal("sea.wind", 12.0);
-    EXPECT_EQ(w.event_extremes(EventKind::input_clamped).count, 0);
+    EXPECT_EQ(w.events().extremes(EventKind::input_clamped).count, 0);
     w.set_system_signal("sea.waves", 1e6);
     EXPECT_EQ(w.system_signal("sea.waves"), 10.0);
     w.set_system_signal("sea.current", -30.0);
     EXPECT_EQ(w.system_signal("sea.current"), -10.0);
     w.set_system_signal("sea.level", -60.0);
     EXPECT_DOUBLE_EQ(w.system_signal("sea.level"), -0.99 * 48.0);
-    const std::vector<Event> reported = w.take_events();
+    const std::vector<Event> reported = w.events().take();
     ASSERT_EQ(reported.size(), 3U);
     const char* names[] = {"sea.waves", "sea.current", "sea.level"};
     const double asked[] = {1e6, -30.0, -60.0};

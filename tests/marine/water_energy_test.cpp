@@ -109,7 +109,7 @@ TEST(WaterEnergy, IsSavedCopiedAndTakenBack) {
     const BodyId ball = add_ball(w);
     add_sea(w, ball);
     go(w, 100);
-    const std::vector<std::byte> saved = w.save();
+    const std::vector<std::byte> saved = w.state().save();
     const double water = w.energy().water;
     ASSERT_NE(water, 0.0);
     World other = w.twin();
@@ -117,7 +117,7 @@ TEST(WaterEnergy, IsSavedCopiedAndTakenBack) {
     go(w, 50);
     const double later = w.energy().water;
     EXPECT_NE(later, water);
-    w.restore(saved);
+    w.state().restore(saved);
     EXPECT_EQ(w.energy().water, water);
     go(w, 50);
     EXPECT_EQ(w.energy().water, later);

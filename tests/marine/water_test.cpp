@@ -33,13 +33,13 @@ struct Chain {
             w.add_body({.kind = BodyKind::lump, .position = {0, 0, -100}, .mass = 2.5 * mass});
         std::vector<Vec3> path;
         for (int i = 1; i <= 10; ++i) path.emplace_back(5.0 * i, 0.0, -100.0);
-        wire = w.add_wire({.name = "chain",
-                           .from = first,
-                           .elements = 10,
-                           .length = 50.0,
-                           .EA = 5e8,
-                           .mass_per_length = mass,
-                           .path = path});
+        wire = w.wires().add({.name = "chain",
+                              .from = first,
+                              .elements = 10,
+                              .length = 50.0,
+                              .EA = 5e8,
+                              .mass_per_length = mass,
+                              .path = path});
         sea.lines.push_back(
             {.wire = wire, .sections = {{10, water}}, .free_first = true, .free_last = true});
         w.add(sea);
@@ -52,7 +52,7 @@ TEST(Water, ChainSinksAtItsTerminalSpeed) {
     take(c.w, 60 * 20);
     const double expected = std::sqrt(2.0 * 0.87 * 126.5 * kGravity / (kRho * 2.6 * 0.076));
     EXPECT_NEAR(expected, 3.265, 1e-3);
-    for (const BodyId b : c.w.nodes(c.wire))
+    for (const BodyId b : c.w.wires().nodes(c.wire))
         EXPECT_NEAR(-c.w.velocity(b).linear.z(), expected, 1e-6 * expected);
 }
 
@@ -63,14 +63,14 @@ TEST(Water, LineFollowsAcceleratedWaterByItsAddedMass) {
     const double area = 0.01, mass = 30.0, ca = 0.7;
     Chain c({.diameter = 0.1, .volume = area, .cd_normal = 0.0, .ca_normal = ca}, mass, sea);
     // Remove the net weight by hand, so that only the motion of the water acts.
-    for (const BodyId b : c.w.nodes(c.wire)) {
+    for (const BodyId b : c.w.wires().nodes(c.wire)) {
         const double length = c.w.body_def(b).mass / mass;
         c.w.set_force(b, {0, 0, (mass - kRho * area) * length * kGravity}, Vec3::Zero());
     }
     // v changes by this fraction of the change of the water's velocity, at each node.
     const Sea water(sea, kGravity);
     const double share = (1.0 + ca) * kRho * area / (mass + ca * kRho * area);
-    const auto nodes = c.w.nodes(c.wire);
+    const auto nodes = c.w.wires().nodes(c.wire);
     const auto flow = [&](BodyId b, double t) {
         return water.water(water.at(t), c.w.pose(b).position).velocity.z();
     };
@@ -220,13 +220,13 @@ TEST(Water, HullsAgreeWithSeparateCodeInWaves) {
                          .drag_area = {10, 20, 50},
                          .wind_area = {5, 6, 0}});
     const BodyId fixed = w.add_body({.name = "fixed", .kind = BodyKind::fixed});
-    const WireId wire = w.add_wire({.name = "rope",
-                                    .from = box,
-                                    .from_point = {5, 0, 0},
-                                    .elements = 8,
-                                    .length = 20.0,
-                                    .EA = 1e7,
-                                    .mass_per_length = 10.0});
+    const WireId wire = w.wires().add({.name = "rope",
+                                       .from = box,
+                                       .from_point = {5, 0, 0},
+                                       .elements = 8,
+                                       .length = 20.0,
+                                       .EA = 1e7,
+                                       .mass_per_length = 10.0});
     static_cast<void>(fixed);
     sea.lines.push_back(
         {.wire = wire,
@@ -271,15 +271,15 @@ TEST(Water, SavedStateGoesOnWithTheSameBits) {
     Chain a = make(), b = make();
     take(a.w, 50);
     a.w.set_system_signal("sea.waves", 1.5);
-    const auto saved = a.w.save();
+    const auto saved = a.w.state().save();
     World twin = a.w.twin();
-    b.w.restore(saved);
+    b.w.state().restore(saved);
     for (int i = 0; i < 50; ++i) {
         take(a.w, 1);
         take(b.w, 1);
         take(twin, 1);
-        ASSERT_EQ(a.w.state_hash(), b.w.state_hash());
-        ASSERT_EQ(a.w.state_hash(), twin.state_hash());
+        ASSERT_EQ(a.w.state().hash(), b.w.state().hash());
+        ASSERT_EQ(a.w.state().hash(), twin.state().hash());
     }
 }
 
@@ -297,20 +297,20 @@ TEST(Water, ThreadsDoNotMatter) {
             {.kind = WaveKind::jonswap, .height = 4.0, .period = 7.0, .spreading = 4.0});
         sea.hulls.push_back({.body = box, .mesh = box_hull({5, 5, 2}, 12, 11, 9)});
         for (int i = 0; i < 3; ++i) {
-            const WireId wire = w.add_wire({.name = std::to_string(i),
-                                            .from = box,
-                                            .from_point = {5, 4.0 * i - 4.0, 0},
-                                            .elements = 40,
-                                            .length = 60.0,
-                                            .EA = 1e7,
-                                            .mass_per_length = 10.0});
+            const WireId wire = w.wires().add({.name = std::to_string(i),
+                                               .from = box,
+                                               .from_point = {5, 4.0 * i - 4.0, 0},
+                                               .elements = 40,
+                                               .length = 60.0,
+                                               .EA = 1e7,
+                                               .mass_per_length = 10.0});
             sea.lines.push_back(
                 {.wire = wire, .sections = {{40, {.diameter = 0.1}}}, .free_last = true});
         }
         w.add(sea);
         take(w, 200);
-        if (threads == 1) hash = w.state_hash();
-        EXPECT_EQ(w.state_hash(), hash) << threads;
+        if (threads == 1) hash = w.state().hash();
+        EXPECT_EQ(w.state().hash(), hash) << threads;
     }
 }
 
@@ -320,13 +320,13 @@ TEST(Water, LinesKeepTheirSortsWhenNodesComeAndWiresAreCut) {
     const double thin = 0.001, thick = 0.004;
     World w{WorldDef{}};
     const BodyId top = w.add_body({.kind = BodyKind::fixed, .position = {0, 0, -10}});
-    const WireId wire = w.add_wire({.name = "line",
-                                    .from = top,
-                                    .elements = 10,
-                                    .length = 50.0,
-                                    .EA = 1e7,
-                                    .mass_per_length = 20.0,
-                                    .consistent_mass = true});
+    const WireId wire = w.wires().add({.name = "line",
+                                       .from = top,
+                                       .elements = 10,
+                                       .length = 50.0,
+                                       .EA = 1e7,
+                                       .mass_per_length = 20.0,
+                                       .consistent_mass = true});
     SeaDef sea = still();
     sea.lines.push_back({.wire = wire,
                          .sections = {{6, {.diameter = 0.05, .volume = thin}},
@@ -343,10 +343,10 @@ TEST(Water, LinesKeepTheirSortsWhenNodesComeAndWiresAreCut) {
     const double whole = 27.5 * thin + 20.0 * thick;
     take(w, 600);
     EXPECT_NEAR(carried(), whole, 1e-3 * whole);  // it still moves slightly
-    w.insert_node(w.elements(wire)[2], 0.4);
-    w.insert_node(w.elements(wire)[9], 0.5);
+    w.wires().insert_node(w.wires().elements(wire)[2], 0.4);
+    w.wires().insert_node(w.wires().elements(wire)[9], 0.5);
     EXPECT_NEAR(carried(), whole, 1e-3 * whole);
-    const WireId off = w.cut(wire, 20.0);
+    const WireId off = w.wires().cut(wire, 20.0);
     ASSERT_TRUE(off.valid());
     EXPECT_NEAR(carried(), whole, 2e-3 * whole);
 }

@@ -39,9 +39,9 @@ struct JoinedDeck {
             def.length = 8.0;
             def.EA = 1e6;
             def.mass_per_length = 5.0;
-            const WireId wire = w.add_wire(def);
-            const auto nodes = w.nodes(wire);
-            const auto elements = w.elements(wire);
+            const WireId wire = w.wires().add(def);
+            const auto nodes = w.wires().nodes(wire);
+            const auto elements = w.wires().elements(wire);
             info.cables.push_back({name,
                                    "wire",
                                    {nodes.begin(), nodes.end()},
@@ -80,8 +80,9 @@ struct JoinedDeck {
         for (int i = 0; i < kSteps; ++i) {
             if (i == kTaken) w.set_system_signal("hook.take", 1);
             if (i == kJoined)
-                (void)w.join(a, 1, b, 1,
-                             {.name = "strop", .gear = Gear::shackle, .length = 1.0, .reach = 1.0});
+                (void)w.wires().join(
+                    a, 1, b, 1,
+                    {.name = "strop", .gear = Gear::shackle, .length = 1.0, .reach = 1.0});
             if (i == kStayGone) w.remove_interaction(stay);
             if (i == kLetGo) w.set_system_signal("hook.take", 0);
             EXPECT_EQ(w.step(), Status::ok) << i;
@@ -89,7 +90,7 @@ struct JoinedDeck {
             std::map<std::string, Line> there;
             for (const char* name : {"strop", "hook/leg1"})
                 if (const InteractionId id = w.find_interaction(name); id.valid())
-                    there.emplace(name, Line{w.ends(id), std::max(0.0, -w.force(id)[0])});
+                    there.emplace(name, Line{w.wires().ends(id), std::max(0.0, -w.force(id)[0])});
             lines.push_back(std::move(there));
         }
         out.finish(w, record::Ending::finished);

@@ -27,7 +27,7 @@ int differences(const Recording& r, World& world) {
             repeater.before_step(world);
             if (world.step() != Status::ok) return -1;
         }
-        wrong += world.motion_hash() != head.hash ? 1 : 0;
+        wrong += world.state().motion_hash() != head.hash ? 1 : 0;
     }
     return wrong;
 }
@@ -67,9 +67,9 @@ void repeat_edits(std::uint32_t seed) {
     EXPECT_EQ(r.start_bodies, 9U);
     EXPECT_GT(r.bodies.size(), r.start_bodies);
     ASSERT_EQ(r.frame_count(), 91U);
-    again.restore(r.snapshot);
+    again.state().restore(r.snapshot);
     EXPECT_EQ(differences(r, again), 0);
-    EXPECT_EQ(again.motion_hash(), world.motion_hash());
+    EXPECT_EQ(again.state().motion_hash(), world.state().motion_hash());
     // In the last frame, existing bodies have their positions.
     const record::Frame last = r.frame(90);
     std::size_t there = 0;
@@ -122,7 +122,7 @@ TEST(Changes, AnInputOfALaterThingIsNoCommandOfTheScene) {
     EXPECT_EQ(r.damage, "");
     ASSERT_EQ(r.inputs.size(), 1U);
     EXPECT_EQ(r.inputs[0].value, 20.0);
-    again.world.restore(r.snapshot);
+    again.world.state().restore(r.snapshot);
     EXPECT_EQ(differences(r, again.world), 0);
     EXPECT_GT(again.world.velocity(BodyId{2}).linear.z(), 0.0) << "it was lifted";
     const InputDef& lift = again.world.input_def(again.world.find_input("lift"));

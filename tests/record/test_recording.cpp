@@ -35,10 +35,10 @@ TEST(Recording, ReturnsWhatWasWritten) {
     EXPECT_EQ(r.events[0].where, "wire/s1");
     EXPECT_EQ(r.ending, record::Ending::finished);
     EXPECT_EQ(r.end_step, kSteps);
-    EXPECT_EQ(r.end_hash, scene.world.state_hash());
+    EXPECT_EQ(r.end_hash, scene.world.state().hash());
     ASSERT_EQ(r.frame_count(), kSteps + 1u);
     const record::Frame last = r.frame(kSteps);
-    EXPECT_EQ(last.hash, scene.world.state_hash());
+    EXPECT_EQ(last.hash, scene.world.state().hash());
     EXPECT_DOUBLE_EQ(last.time, scene.world.time());
     for (int body = 0; body < 3; ++body) {
         const Pose pose = scene.world.pose({body});
@@ -59,14 +59,14 @@ TEST(Recording, ReplaysFromItsSnapshot) {
     scene.record(file, kSteps);
     const Recording r = Recording::open(file);
     SmallScene again;
-    again.world.restore(r.snapshot);
-    EXPECT_EQ(again.world.state_hash(), r.start_hash);
+    again.world.state().restore(r.snapshot);
+    EXPECT_EQ(again.world.state().hash(), r.start_hash);
     std::size_t next = 0;
     for (std::size_t i = 1; i < r.frame_count(); ++i) {
         for (; next < r.inputs.size() && r.inputs[next].step <= again.world.step_count(); ++next)
             again.world.set_input({r.inputs[next].input}, r.inputs[next].value);
         ASSERT_EQ(again.world.step(), Status::ok);
-        EXPECT_EQ(again.world.state_hash(), r.frame_head(i).hash) << "frame " << i;
+        EXPECT_EQ(again.world.state().hash(), r.frame_head(i).hash) << "frame " << i;
     }
 }
 
@@ -170,7 +170,7 @@ TEST(SnapshotFile, ContinuesTheSame) {
     for (int i = 0; i < 5; ++i) {
         ASSERT_EQ(scene.world.step(), Status::ok);
         ASSERT_EQ(other.world.step(), Status::ok);
-        EXPECT_EQ(scene.world.state_hash(), other.world.state_hash());
+        EXPECT_EQ(scene.world.state().hash(), other.world.state().hash());
     }
 }
 
@@ -180,7 +180,7 @@ TEST(SnapshotFile, RefusesAnotherSceneAndDamage) {
     ASSERT_EQ(scene.world.step(), Status::ok);
     record::save_snapshot(folder / "s.hws", scene.info, scene.world);
     SmallScene other;
-    const std::uint64_t before = other.world.state_hash();
+    const std::uint64_t before = other.world.state().hash();
     other.info.hash = 77;
     other.info.name = "another";
     try {
@@ -198,7 +198,7 @@ TEST(SnapshotFile, RefusesAnotherSceneAndDamage) {
         EXPECT_THROW(record::restore_snapshot(folder / "cut.hws", other.info, other.world),
                      record::SnapshotError);
     }
-    EXPECT_EQ(other.world.state_hash(), before);
+    EXPECT_EQ(other.world.state().hash(), before);
 }
 
 }  // namespace hawser::test

@@ -73,7 +73,7 @@ TEST(SystemsRecorded, AreRepeatedWithoutTheirCode) {
     EXPECT_EQ(r.damage, "");
     EXPECT_EQ(r.loads.size(), 40U);
     EXPECT_EQ(r.inputs.size(), 80U);
-    again.world.restore(r.snapshot);
+    again.world.state().restore(r.snapshot);
     record::Repeater repeater(r);
     for (std::size_t i = 0; i < r.frame_count(); ++i) {
         const record::Frame head = r.frame_head(i);
@@ -81,9 +81,9 @@ TEST(SystemsRecorded, AreRepeatedWithoutTheirCode) {
             repeater.before_step(again.world);
             ASSERT_EQ(again.world.step(), Status::ok);
         }
-        ASSERT_EQ(again.world.motion_hash(), head.hash) << "frame " << i;
+        ASSERT_EQ(again.world.state().motion_hash(), head.hash) << "frame " << i;
     }
-    EXPECT_EQ(again.world.motion_hash(), scene.world.motion_hash());
+    EXPECT_EQ(again.world.state().motion_hash(), scene.world.state().motion_hash());
     EXPECT_GT(scene.world.velocity(BodyId{2}).linear.norm(), 1e-3) << "it moves";
 }
 

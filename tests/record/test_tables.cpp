@@ -92,37 +92,38 @@ TEST(Csv, TensionsAreThoseAtTheEndsThatAWireHasNow) {
     const BodyId top = w.add_body({.name = "top", .kind = BodyKind::fixed, .position = {0, 0, 10}});
     const BodyId load =
         w.add_body({.name = "load", .mass = 100.0, .inertia = 100.0 * Mat3::Identity()});
-    const WireId wire = w.add_wire({.name = "wire",
-                                    .from = top,
-                                    .to = load,
-                                    .elements = 4,
-                                    .length = 10.0,
-                                    .EA = 1e6,
-                                    .mass_per_length = 1.0,
-                                    .consistent_mass = true});
+    const WireId wire = w.wires().add({.name = "wire",
+                                       .from = top,
+                                       .to = load,
+                                       .elements = 4,
+                                       .length = 10.0,
+                                       .EA = 1e6,
+                                       .mass_per_length = 1.0,
+                                       .consistent_mass = true});
     record::SceneInfo info;
-    info.cables.push_back({.name = "wire",
-                           .line_type = "",
-                           .nodes = {w.nodes(wire).begin(), w.nodes(wire).end()},
-                           .elements = {w.elements(wire).begin(), w.elements(wire).end()}});
+    info.cables.push_back(
+        {.name = "wire",
+         .line_type = "",
+         .nodes = {w.wires().nodes(wire).begin(), w.wires().nodes(wire).end()},
+         .elements = {w.wires().elements(wire).begin(), w.wires().elements(wire).end()}});
     const auto file = fresh_folder() / "ends.csv";
     record::CsvWriter csv(file, info, w);
     ASSERT_EQ(w.step(), Status::ok);
-    (void)w.insert_node(w.elements(wire).back(), 0.5);
+    (void)w.wires().insert_node(w.wires().elements(wire).back(), 0.5);
     for (int i = 0; i < 5; ++i) ASSERT_EQ(w.step(), Status::ok);
     csv.add_row(w);
     csv.finish();
     std::ifstream in(file);
     std::string row;
     for (int line = 0; line < 2; ++line) std::getline(in, row);
-    EXPECT_NE(w.elements(wire).back(), info.cables[0].elements.back());
+    EXPECT_NE(w.wires().elements(wire).back(), info.cables[0].elements.back());
     std::istringstream numbers(row);
     double time = 0.0, first = 0.0, last = 0.0;
     char comma = 0;
     numbers >> time >> comma >> first >> comma >> last;
     // Nine digits.
-    EXPECT_NEAR(first, w.tension(wire, 0.0), 1e-8 * first);
-    EXPECT_NEAR(last, w.tension(wire, w.length(wire)), 1e-8 * last);
+    EXPECT_NEAR(first, w.wires().tension(wire, 0.0), 1e-8 * first);
+    EXPECT_NEAR(last, w.wires().tension(wire, w.wires().length(wire)), 1e-8 * last);
     EXPECT_GT(first, last) << "it hangs";
     EXPECT_GT(last, 0.0);
 }

@@ -44,20 +44,20 @@ World wires_world(int threads) {
                                          .inertia = Mat3::Identity() * 60.0,
                                          .linear_damping = Vec3::Constant(300.0),
                                          .angular_damping = Vec3::Constant(300.0)});
-        (void)w.add_wire({.name = k == 0 ? "plain" : "pieces",
-                          .from = beam,
-                          .from_point = {8.0 * k, 0, 0},
-                          .to = block,
-                          .to_point = {0, 0, 0.5},
-                          .elements = 8,
-                          .length = 12.0,
-                          .EA = 2e6,
-                          .mass_per_length = 4.0,
-                          .EI = k == 0 ? 0.0 : 30.0,
-                          .drag = 30.0,
-                          .radius = k == 0 ? 0.0 : 0.02,
-                          .consistent_mass = k == 1,
-                          .end_capsules = k == 1});
+        (void)w.wires().add({.name = k == 0 ? "plain" : "pieces",
+                             .from = beam,
+                             .from_point = {8.0 * k, 0, 0},
+                             .to = block,
+                             .to_point = {0, 0, 0.5},
+                             .elements = 8,
+                             .length = 12.0,
+                             .EA = 2e6,
+                             .mass_per_length = 4.0,
+                             .EI = k == 0 ? 0.0 : 30.0,
+                             .drag = 30.0,
+                             .radius = k == 0 ? 0.0 : 0.02,
+                             .consistent_mass = k == 1,
+                             .end_capsules = k == 1});
     }
     return w;
 }
@@ -102,32 +102,34 @@ T pick(std::mt19937& dice, std::span<const T> from) {
 
 /// Draw any operation, including ones that the world must reject.
 Operation any(std::mt19937& dice, const World& w) {
-    const WireId a = pick(dice, w.wires()), b = pick(dice, w.wires());
+    const WireId a = pick(dice, w.wires().ids()), b = pick(dice, w.wires().ids());
     const int end = static_cast<int>(dice() % 2), other = static_cast<int>(dice() % 2);
     const double share = static_cast<double>(dice() % 1000) / 999.0;
-    const InteractionId element = pick(dice, w.elements(a));
+    const InteractionId element = pick(dice, w.wires().elements(a));
     switch (dice() % 8) {
         case 0:
-            return {"cut", [=](World& x) { (void)x.cut(a, share * x.length(a)); }};
+            return {"cut", [=](World& x) { (void)x.wires().cut(a, share * x.wires().length(a)); }};
         case 1:
-            return {"splice", [=](World& x) { (void)x.join(a, end, b, other, {.reach = 100.0}); }};
+            return {"splice",
+                    [=](World& x) { (void)x.wires().join(a, end, b, other, {.reach = 100.0}); }};
         case 2: {
             const JoinDef def{.gear = static_cast<Gear>(1 + dice() % 4),
                               .mass = 5.0,
                               .length = 0.5,
                               .breaking_load = 1e6,
                               .reach = 100.0};
-            return {"gear", [=](World& x) { (void)x.join(a, end, b, other, def); }, false};
+            return {"gear", [=](World& x) { (void)x.wires().join(a, end, b, other, def); }, false};
         }
         case 3: {
             const BodyId body = w.find_body(dice() % 2 == 0 ? "left" : "right");
             const Gear gear = dice() % 2 == 0 ? Gear::splice : Gear::pelican_hook;
             return {"attach", [=](World& x) {
-                        (void)x.attach(a, end, body, {0, 0, 0.5}, {.gear = gear, .reach = 100.0});
+                        (void)x.wires().attach(a, end, body, {0, 0, 0.5},
+                                               {.gear = gear, .reach = 100.0});
                     }};
         }
         case 4:
-            return {"detach", [=](World& x) { x.detach(a, end); }, false};
+            return {"detach", [=](World& x) { x.wires().detach(a, end); }, false};
         case 5: {
             std::vector<InteractionId> all(w.interactions().begin(), w.interactions().end());
             for (std::size_t k = all.size(); k-- > 0;)
@@ -135,13 +137,14 @@ Operation any(std::mt19937& dice, const World& w) {
                     all.erase(all.begin() + static_cast<std::ptrdiff_t>(k));
             const InteractionId hook =
                 all.empty() ? element : pick(dice, std::span<const InteractionId>(all));
-            return {"release", [=](World& x) { x.release(hook); }};
+            return {"release", [=](World& x) { x.wires().release(hook); }};
         }
         case 6:
-            return {"insert", [=](World& x) { (void)x.insert_node(element, 0.1 + 0.8 * share); }};
+            return {"insert",
+                    [=](World& x) { (void)x.wires().insert_node(element, 0.1 + 0.8 * share); }};
         default: {
-            const BodyId node = pick(dice, w.nodes(a));
-            return {"remove", [=](World& x) { (void)x.remove_node(node, 3.15); }};
+            const BodyId node = pick(dice, w.wires().nodes(a));
+            return {"remove", [=](World& x) { (void)x.wires().remove_node(node, 3.15); }};
         }
     }
 }
@@ -166,24 +169,25 @@ void sequence(unsigned seed, std::vector<int>& done) {
         const Operation op = any(dice, worlds[0]);
         const double mass = lump_mass(worlds[0]);
         const auto bytes = heard.bytes().size();
-        const std::uint64_t hash = worlds[0].state_hash();
+        const std::uint64_t hash = worlds[0].state().hash();
         const std::string said = outcome(worlds[0], op);
         for (std::size_t i = 1; i < worlds.size(); ++i)
             ASSERT_EQ(outcome(worlds[i], op), said) << op.what;
         if (said == "done") {
             ++done[static_cast<std::size_t>(op.what[0] + op.what[1]) % done.size()];
         } else {
-            ASSERT_EQ(worlds[0].state_hash(), hash) << op.what << ": " << said;
+            ASSERT_EQ(worlds[0].state().hash(), hash) << op.what << ": " << said;
             ASSERT_EQ(heard.bytes().size(), bytes) << op.what << ": " << said;
         }
         if (op.keeps_mass) {
             ASSERT_NEAR(lump_mass(worlds[0]), mass, 1e-11 * mass) << op.what;
         }
-        for (const WireId id : worlds[0].wires())
-            ASSERT_EQ(worlds[0].nodes(id).size(), worlds[0].elements(id).size() + 1) << op.what;
+        for (const WireId id : worlds[0].wires().ids())
+            ASSERT_EQ(worlds[0].wires().nodes(id).size(), worlds[0].wires().elements(id).size() + 1)
+                << op.what;
         record::apply_changes(heard.bytes(), repeated);
         heard.clear();
-        ASSERT_EQ(repeated.state_hash(), worlds[0].state_hash()) << op.what << " " << k;
+        ASSERT_EQ(repeated.state().hash(), worlds[0].state().hash()) << op.what << " " << k;
         for (int step = 0; step < 2; ++step) {
             const Status status = worlds[0].step();
             // Repeated insertion beside nodes leaves nodes of milligrams beside blocks of 400 kg,
@@ -200,15 +204,15 @@ void sequence(unsigned seed, std::vector<int>& done) {
         }
         ASSERT_TRUE(finite(worlds[0])) << op.what;
         for (std::size_t i = 1; i < worlds.size(); ++i)
-            ASSERT_EQ(worlds[i].state_hash(), worlds[0].state_hash()) << op.what << " " << k;
-        ASSERT_EQ(repeated.state_hash(), worlds[0].state_hash()) << op.what << " " << k;
+            ASSERT_EQ(worlds[i].state().hash(), worlds[0].state().hash()) << op.what << " " << k;
+        ASSERT_EQ(repeated.state().hash(), worlds[0].state().hash()) << op.what << " " << k;
         if (k % 10 == 9) {  // one continues and is restored, and twins are in the same state
-            const auto saved = worlds[1].save();
+            const auto saved = worlds[1].state().save();
             (void)worlds[1].step();
-            worlds[1].restore(saved);
+            worlds[1].state().restore(saved);
             const World twin = worlds[2].twin();
-            ASSERT_EQ(worlds[1].state_hash(), worlds[0].state_hash());
-            ASSERT_EQ(twin.state_hash(), worlds[0].state_hash());
+            ASSERT_EQ(worlds[1].state().hash(), worlds[0].state().hash());
+            ASSERT_EQ(twin.state().hash(), worlds[0].state().hash());
         }
     }
 }

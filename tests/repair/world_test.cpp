@@ -81,21 +81,21 @@ TEST(WorldRepair, SnapshotsHoldTheOrder) {
         std::int64_t repairs_after = 0;
         for (int i = 0; i < kSteps; ++i) {
             if (i % 40 == 17) {
-                const auto bytes = a.save();
+                const auto bytes = a.state().save();
                 Yard other = falling(seed);
                 const int ahead = i % 80 == 17 ? 70 : 0;  // with an order of its own, or new
                 for (int k = 0; k < ahead; ++k) ASSERT_EQ(other.world.step(), Status::ok);
-                other.world.restore(bytes);
-                ASSERT_EQ(other.world.inspect().order, a.inspect().order);
+                other.world.state().restore(bytes);
+                ASSERT_EQ(other.world.solver().matrix().order, a.solver().matrix().order);
                 const std::int64_t before = other.world.stats().repairs;
                 for (int k = 0; k < 40; ++k) {
                     ASSERT_EQ(other.world.step(), Status::ok);
                     ASSERT_EQ(a.step(), Status::ok);
-                    ASSERT_EQ(other.world.state_hash(), a.state_hash()) << i << " + " << k;
+                    ASSERT_EQ(other.world.state().hash(), a.state().hash()) << i << " + " << k;
                 }
                 repairs_after += other.world.stats().repairs - before;
-                ASSERT_EQ(other.world.save(), a.save()) << i;
-                a.restore(bytes);
+                ASSERT_EQ(other.world.state().save(), a.state().save()) << i;
+                a.state().restore(bytes);
             }
             ASSERT_EQ(a.step(), Status::ok);
         }
@@ -111,8 +111,9 @@ TEST(WorldRepair, BitsDoNotDependOnThreads) {
         for (const int threads : {2, 3, 4}) {
             Yard many = falling(seed, threads);
             for (int i = 0; i < kSteps; ++i) ASSERT_EQ(many.world.step(), Status::ok);
-            EXPECT_EQ(many.world.state_hash(), one.world.state_hash()) << threads;
-            EXPECT_EQ(many.world.inspect().order, one.world.inspect().order) << threads;
+            EXPECT_EQ(many.world.state().hash(), one.world.state().hash()) << threads;
+            EXPECT_EQ(many.world.solver().matrix().order, one.world.solver().matrix().order)
+                << threads;
             EXPECT_EQ(many.world.stats().repairs, one.world.stats().repairs) << threads;
         }
     }
@@ -133,20 +134,20 @@ TEST(WorldRepair, AddedBodiesAreRepairedIn) {
         EXPECT_EQ(y.world.stats().repairs, repairs + 1);
         Yard other = falling(seed);
         add(other);
-        other.world.restore(y.world.save());
+        other.world.state().restore(y.world.state().save());
         for (int i = 0; i < 60; ++i) {
             ASSERT_EQ(y.world.step(), Status::ok);
             ASSERT_EQ(other.world.step(), Status::ok);
-            ASSERT_EQ(y.world.state_hash(), other.world.state_hash()) << i;
+            ASSERT_EQ(y.world.state().hash(), other.world.state().hash()) << i;
         }
     }
 }
 
 /// Make balls on balls, without a World around them.
-std::unique_ptr<stepper::StepContext> heap(std::uint32_t seed, double tolerance = 1e-6) {
+std::unique_ptr<context::StepContext> heap(std::uint32_t seed, double tolerance = 1e-6) {
     WorldDef def;
     def.contact_tolerance = tolerance;
-    auto ctx = std::make_unique<stepper::StepContext>(def);
+    auto ctx = std::make_unique<context::StepContext>(def);
     Random random(seed);
     const auto add = [&](const BodyDef& body, ShapeDef shape) {
         shape.body = BodyId{ctx->model.bodies.add(body)};
@@ -160,7 +161,7 @@ std::unique_ptr<stepper::StepContext> heap(std::uint32_t seed, double tolerance 
              .mass = 1.0,
              .inertia = Mat3::Identity() * 0.004},
             shape_of(ShapeKind::sphere, 0.1));
-    ctx->state.changed = stepper::Changed::all;
+    ctx->state.changed = context::Changed::all;
     return ctx;
 }
 
@@ -169,15 +170,15 @@ std::unique_ptr<stepper::StepContext> heap(std::uint32_t seed, double tolerance 
 TEST(WorldRepair, EqualsAnAnalysisFromNothing) {
     constexpr std::uint32_t kSeed = 9;  // with others, impacts amplify a rounding error earlier
     auto repaired = heap(kSeed, 1e-12), rebuilt = heap(kSeed, 1e-12);
-    ASSERT_EQ(stepper::step(*repaired), Status::ok);
-    ASSERT_EQ(stepper::step(*rebuilt), Status::ok);
+    ASSERT_EQ(step::step(*repaired), Status::ok);
+    ASSERT_EQ(step::step(*rebuilt), Status::ok);
     double worst = 0.0, separation = 0.0;
     std::int64_t repairs = 0;
     for (int i = 0; i < 50; ++i) {
-        ASSERT_EQ(stepper::step(*repaired), Status::ok);
+        ASSERT_EQ(step::step(*repaired), Status::ok);
         const factor::AnalysisState none;
-        stepper::analyse(*rebuilt, &none);
-        ASSERT_EQ(stepper::step(*rebuilt), Status::ok);
+        split::analyse(*rebuilt, &none);
+        ASSERT_EQ(step::step(*rebuilt), Status::ok);
         separation += repaired->model.system.symbolic.order != rebuilt->model.system.symbolic.order
                           ? 1.0
                           : 0.0;
@@ -201,12 +202,12 @@ TEST(WorldRepair, PartialRefactorisationsEqualWholeOnes) {
         whole->work.solve.factor_whole = true;
         std::int64_t partial = 0;
         for (int i = 0; i < 100; ++i) {
-            ASSERT_EQ(stepper::step(*part), Status::ok);
-            ASSERT_EQ(stepper::step(*whole), Status::ok);
+            ASSERT_EQ(step::step(*part), Status::ok);
+            ASSERT_EQ(step::step(*whole), Status::ok);
             partial += part->work.stats.partial_factorisations;
             ASSERT_EQ(whole->work.stats.partial_factorisations, 0);
-            ASSERT_EQ(stepper::state_hash(part->model, part->state),
-                      stepper::state_hash(whole->model, whole->state))
+            ASSERT_EQ(state::state_hash(part->model, part->state),
+                      state::state_hash(whole->model, whole->state))
                 << "step " << i;
         }
         EXPECT_GT(partial, 10);
@@ -230,15 +231,15 @@ TEST(WorldRepair, PartialRefactorisationsFollowLinesThatSwitch) {
         std::int64_t partial = 0, switched = 0;
         std::vector<double> last;
         for (int i = 0; i < 100; ++i) {
-            ASSERT_EQ(stepper::step(*part), Status::ok);
-            ASSERT_EQ(stepper::step(*whole), Status::ok);
+            ASSERT_EQ(step::step(*part), Status::ok);
+            ASSERT_EQ(step::step(*whole), Status::ok);
             partial += part->work.stats.partial_factorisations;
             const auto& active = part->model.interactions.active;
             const bool same = std::equal(active.begin(), active.end(), last.begin(), last.end());
             switched += same ? 0 : 1;
             last.assign(active.begin(), active.end());
-            ASSERT_EQ(stepper::state_hash(part->model, part->state),
-                      stepper::state_hash(whole->model, whole->state))
+            ASSERT_EQ(state::state_hash(part->model, part->state),
+                      state::state_hash(whole->model, whole->state))
                 << "step " << i;
         }
         EXPECT_GT(partial, 10);

@@ -16,7 +16,7 @@ report::Summary run_with_events(SmallScene& scene) {
         // Out of range repeatedly, further each time until the 40th step.
         scene.world.set_input(push, i < 40 ? 100.0 + i : 60.0);
         EXPECT_EQ(scene.world.step(), Status::ok);
-        collector.after_step(scene.world, scene.world.take_events());
+        collector.after_step(scene.world, scene.world.events().take());
     }
     return collector.result(scene.world);
 }
@@ -51,7 +51,7 @@ TEST(ReportedEvents, SignalsByTheirNames) {
     report::SummaryCollector collector(scene.info, scene.world);
     scene.world.set_system_signal("sea.waves", 1e6);
     ASSERT_EQ(scene.world.step(), Status::ok);
-    collector.after_step(scene.world, scene.world.take_events());
+    collector.after_step(scene.world, scene.world.events().take());
     const report::Summary summary = collector.result(scene.world);
     EXPECT_NE(report::events_in_words(summary).find("the input \"sea.waves\", 1e+06"),
               std::string::npos)

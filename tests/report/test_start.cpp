@@ -326,13 +326,13 @@ TEST(Start, TheWorldStaysAsItIs) {
                              "scenes/slider_crank.json", "scenes/box_stack.json"}) {
         scene::Scene plain = scene::load_file(file);
         Started looked = start_of_file(file);
-        EXPECT_EQ(plain.world.state_hash(), looked.scene.world.state_hash()) << file;
+        EXPECT_EQ(plain.world.state().hash(), looked.scene.world.state().hash()) << file;
         for (int i = 0; i < 5; ++i) {
             ASSERT_EQ(plain.world.step(), Status::ok);
             ASSERT_EQ(looked.scene.world.step(), Status::ok);
-            ASSERT_EQ(plain.world.state_hash(), looked.scene.world.state_hash()) << file;
+            ASSERT_EQ(plain.world.state().hash(), looked.scene.world.state().hash()) << file;
         }
-        EXPECT_EQ(plain.world.save(), looked.scene.world.save()) << file;
+        EXPECT_EQ(plain.world.state().save(), looked.scene.world.state().save()) << file;
     }
 }
 

@@ -64,7 +64,7 @@ TEST(Summary, JsonHasAllFields) {
     double top = 0.0;
     for (int i = 0; i < steps; ++i) {
         ASSERT_EQ(scene.world.step(), Status::ok);
-        collector.after_step(scene.world, scene.world.take_events());
+        collector.after_step(scene.world, scene.world.events().take());
         for (const auto e : scene.info.cables[0].elements)
             top = std::max(top, record::element_tension(scene.world, e));
     }

@@ -27,7 +27,7 @@ struct HangingWire {
         def.EA = 1e8;
         def.mass_per_length = 4.0;
         def.consistent_mass = true;
-        wire = w.add_wire(def);
+        wire = w.wires().add(def);
         info.name = "hanging";
     }
 };
@@ -40,15 +40,15 @@ TEST(ReportedWires, ListThePiecesOfWiresThatAreCut) {
     for (int i = 0; i < 30; ++i) {
         // Within an element: a node, an end and an element are added, all without names.
         if (i == 12) {
-            piece = h.w.cut(h.wire, 33.0);
-            first = h.w.elements(piece).front();
-            EXPECT_EQ(record::body_label(h.w, h.w.nodes(piece).front()),
-                      "rope/2 node " + std::to_string(h.w.nodes(piece).front().index));
+            piece = h.w.wires().cut(h.wire, 33.0);
+            first = h.w.wires().elements(piece).front();
+            EXPECT_EQ(record::body_label(h.w, h.w.wires().nodes(piece).front()),
+                      "rope/2 node " + std::to_string(h.w.wires().nodes(piece).front().index));
             const std::string label = record::interaction_label(h.w, first);
             EXPECT_EQ(label, "rope/2 stretch " + std::to_string(first.index));
         }
         ASSERT_EQ(h.w.step(), Status::ok);
-        collector.after_step(h.w, h.w.take_events());
+        collector.after_step(h.w, h.w.events().take());
     }
     const report::Summary s = collector.result(h.w);
     ASSERT_EQ(s.wires.size(), 2U);
@@ -74,9 +74,9 @@ TEST(ReportedWires, TellWhereTheyPart) {
     HangingWire h;
     report::SummaryCollector collector(h.info, h.w);
     for (int i = 0; i < 30; ++i) {
-        if (i == 12) h.w.part(h.wire, 31.0);
+        if (i == 12) h.w.wires().part(h.wire, 31.0);
         ASSERT_EQ(h.w.step(), Status::ok);
-        collector.after_step(h.w, h.w.take_events());
+        collector.after_step(h.w, h.w.events().take());
     }
     const report::Summary s = collector.result(h.w);
     ASSERT_EQ(s.parted.size(), 1U);
@@ -97,7 +97,7 @@ TEST(ReportedWires, TellWhereTheyPart) {
     EXPECT_EQ(json["parted"][0]["wire"], "rope");
     EXPECT_EQ(json["parted"][0]["s"], 35.0);
     EXPECT_EQ(json["wires"]["rope"]["parted"][0]["element"], "rope/s3");
-    EXPECT_EQ(record::broken_label(h.w, h.w.elements(h.wire)[3]), "rope/s3 (rope at 35 m)");
+    EXPECT_EQ(record::broken_label(h.w, h.w.wires().elements(h.wire)[3]), "rope/s3 (rope at 35 m)");
 }
 
 TEST(ReportedWires, FollowNodesThatComeAndGo) {
@@ -105,12 +105,12 @@ TEST(ReportedWires, FollowNodesThatComeAndGo) {
     report::SummaryCollector collector(h.info, h.w);
     BodyId node;
     for (int i = 0; i < 90; ++i) {
-        if (i == 30) node = h.w.insert_node(h.w.elements(h.wire)[1], 0.5);
+        if (i == 30) node = h.w.wires().insert_node(h.w.wires().elements(h.wire)[1], 0.5);
         if (i == 60) {
-            ASSERT_TRUE(h.w.remove_node(node, 3.2));
+            ASSERT_TRUE(h.w.wires().remove_node(node, 3.2));
         }
         ASSERT_EQ(h.w.step(), Status::ok);
-        collector.after_step(h.w, h.w.take_events());
+        collector.after_step(h.w, h.w.events().take());
     }
     const report::Summary s = collector.result(h.w);
     const report::WireFigures& f = s.wires.at(0);
@@ -137,20 +137,20 @@ TEST(ReportedWires, FollowNodesThatComeAndGo) {
 /// of elements.
 TEST(ReportedWires, MeansAreOfTheElementsThereAre) {
     HangingWire h;
-    const auto elements = h.w.elements(h.wire);
+    const auto elements = h.w.wires().elements(h.wire);
     record::CableInfo& rope = h.info.cables.emplace_back();
     rope.name = "rope";
     rope.elements.assign(elements.begin(), elements.end());
     report::SummaryCollector collector(h.info, h.w);
     for (int i = 0; i < 120; ++i) {
         if (i == 2) {
-            ASSERT_TRUE(h.w.remove_node(h.w.nodes(h.wire)[1], 3.2));
-            ASSERT_TRUE(h.w.remove_node(h.w.nodes(h.wire)[2], 3.2));
+            ASSERT_TRUE(h.w.wires().remove_node(h.w.wires().nodes(h.wire)[1], 3.2));
+            ASSERT_TRUE(h.w.wires().remove_node(h.w.wires().nodes(h.wire)[2], 3.2));
         }
         ASSERT_EQ(h.w.step(), Status::ok);
-        collector.after_step(h.w, h.w.take_events());
+        collector.after_step(h.w, h.w.events().take());
     }
-    ASSERT_EQ(h.w.elements(h.wire).size(), 3U);
+    ASSERT_EQ(h.w.wires().elements(h.wire).size(), 3U);
     const report::Summary s = collector.result(h.w);
     const report::CableFigures& f = s.cables.at(0);
     EXPECT_LE(f.min, f.mean);

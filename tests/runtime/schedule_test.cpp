@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The simulator of schedules against closed forms, and against the pool itself.
-#include <hawser/schedule.h>
+#include <hawser/experimental/schedule.h>
 
 #include "runtime/tasks.h"
 #include "runtime/trace.h"

@@ -38,7 +38,7 @@ TEST(SceneAnchors, KeysReachTheDefinition) {
     ASSERT_EQ(anchors.size(), 2u);
     const AnchorDef& hold = anchors[0].def;
     EXPECT_EQ(hold.body, w.find_body("hook"));
-    EXPECT_EQ(hold.wire, w.find_wire("line"));
+    EXPECT_EQ(hold.wire, w.wires().find("line"));
     EXPECT_EQ(hold.soil, AnchorSoil::sand);
     EXPECT_EQ(hold.uhc, anchor_uhc(AnchorType::stevpris_mk6, AnchorSoil::sand, 8100.0));
     EXPECT_EQ(hold.set_after, 1.5);

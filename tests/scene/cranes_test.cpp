@@ -146,15 +146,15 @@ TEST(SceneCranes, BitsDoNotDependOnThreadsOrRestoring) {
         for (const int threads : {1, 2, 4, 8}) {
             Shift s(file, threads);
             s.work(0, kSteps);
-            hashes.push_back(s.world().state_hash());
+            hashes.push_back(s.world().state().hash());
         }
         EXPECT_EQ(Shift(file, 1).world().system_signal("crane.held"), 0.0);
         for (const int at : {40, 300, 700, 950}) {
             Shift s(file, 1), other(file, 2);
             s.work(0, at);
-            other.world().restore(s.world().structure(), s.world().save());
+            other.world().state().restore(s.world().state().structure(), s.world().state().save());
             other.work(at, kSteps);
-            hashes.push_back(other.world().state_hash());
+            hashes.push_back(other.world().state().hash());
         }
         for (const std::uint64_t hash : hashes) EXPECT_EQ(hash, hashes.front()) << file;
     }

@@ -160,7 +160,7 @@ TEST(State, is_stored_and_read_again) {
     // Joints keep the attachment points of the scene as written.
     const InteractionId moor = settled.world.find_interaction("moor/s11");
     EXPECT_EQ(settled.world.interaction_def(moor).point[1], Vec3(-35, 0, -5));
-    EXPECT_EQ(load_text(settled.text, "x.json").world.state_hash(), settled.world.state_hash());
+    EXPECT_EQ(load_text(settled.text, "x.json").world.state().hash(), settled.world.state().hash());
 
     // Stored with one copy, loaded with three: the others are shifted.
     Options options;

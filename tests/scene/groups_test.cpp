@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <hawser/experimental/splits.h>
 #include <hawser/inspect.h>
 
 #include "support.h"
@@ -37,17 +38,17 @@ TEST(Groups, cut_where_they_meet) {
     const Scene s = load_text(grouped(R"("coupling": "kinematic")", R"(, "group": "near")",
                                       R"(, "groups": ["near", "far"])"),
                               "test.json");
-    ASSERT_EQ(s.world.cuts().size(), 1U);
-    EXPECT_EQ(s.world.interaction_def(s.world.cuts()[0].interaction).name, "c/s4");
-    EXPECT_EQ(s.world.cuts()[0].coupling, Coupling::kinematic);
+    ASSERT_EQ(s.world.splits().cuts().size(), 1U);
+    EXPECT_EQ(s.world.interaction_def(s.world.splits().cuts()[0].interaction).name, "c/s4");
+    EXPECT_EQ(s.world.splits().cuts()[0].coupling, Coupling::kinematic);
 }
 
 TEST(Groups, come_from_the_partitioner_where_the_scene_has_none) {
     const std::string text = grouped(R"("coupling": "kinematic", "parts": 2)", "", "");
-    EXPECT_FALSE(load_text(text, "test.json").world.cuts().empty());
+    EXPECT_FALSE(load_text(text, "test.json").world.splits().cuts().empty());
     Options exact;
     exact.set = {"settings.coupling=exact"};
-    EXPECT_TRUE(load_text(text, "test.json", exact).world.cuts().empty());
+    EXPECT_TRUE(load_text(text, "test.json", exact).world.splits().cuts().empty());
 }
 
 TEST(Groups, are_of_both_kinds_where_the_scene_says_so) {
@@ -61,13 +62,13 @@ TEST(Groups, are_of_both_kinds_where_the_scene_says_so) {
                   "test.json");
     EXPECT_EQ(both.world.settings().parts, 3);
     EXPECT_EQ(both.world.settings().regroup_every, 7);
-    const std::vector<std::int32_t> groups = both.world.groups();
+    const std::vector<std::int32_t> groups = both.world.splits().groups();
     const BodyId hull = both.world.find_body("a");
     EXPECT_EQ(groups[static_cast<std::size_t>(hull.index)], 0);
     EXPECT_GT(*std::max_element(groups.begin(), groups.end()), 0);
     const Scene none =
         load_text(grouped(R"("coupling": "kinematic", "parts": 0)", "", ""), "test.json");
-    EXPECT_TRUE(none.world.cuts().empty());
+    EXPECT_TRUE(none.world.splits().cuts().empty());
 }
 
 TEST(Groups, refuse_what_they_are_not) {

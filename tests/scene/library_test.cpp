@@ -36,7 +36,7 @@ void expect_same(const Scene& a, const Scene& b) {
         EXPECT_EQ(x.mass, y.mass) << x.name;
         EXPECT_EQ(x.inertia, y.inertia) << x.name;
     }
-    EXPECT_EQ(a.world.state_hash(), b.world.state_hash());
+    EXPECT_EQ(a.world.state().hash(), b.world.state().hash());
 }
 
 TEST(Library, every_scene_loads_and_its_text_gives_the_same_world) {

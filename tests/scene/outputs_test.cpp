@@ -83,16 +83,16 @@ const std::string kPayOut = R"({
 TEST(SceneOutputs, go_on_where_nodes_of_a_wire_come_and_go) {
     Scene scene = load_text(kPayOut, "test.json");
     World& w = scene.world;
-    const WireId fall = w.find_wire("fall");
+    const WireId fall = w.wires().find("fall");
     const auto value = [&](const char* name) { return w.output(w.find_output(name)); };
     const auto tension = [&](InteractionId id) { return -w.force(id)[0]; };
-    const double start = w.length(fall);
+    const double start = w.wires().length(fall);
     EXPECT_EQ(value("paid"), 0.0);
     std::size_t most = 0, least = 100;
     for (int i = 0; i < 1300; ++i) {
         if (i == 500) w.set_system_signal("hoist.speed", -1.0);
         ASSERT_EQ(w.step(), Status::ok);
-        const auto elements = w.elements(fall);
+        const auto elements = w.wires().elements(fall);
         double largest = -1e300;
         for (const InteractionId id : elements) largest = std::max(largest, tension(id));
         ASSERT_EQ(value("first"), tension(elements.front())) << i;
@@ -100,7 +100,7 @@ TEST(SceneOutputs, go_on_where_nodes_of_a_wire_come_and_go) {
         ASSERT_EQ(value("largest"), largest) << i;
         // The part beyond the drum has become longer by the length paid out. Inserting or removing
         // a node keeps tensions, of some kN over EA: lengths change by rounding of their strain.
-        ASSERT_NEAR(value("paid"), w.length(fall) - start, 1e-6) << i;
+        ASSERT_NEAR(value("paid"), w.wires().length(fall) - start, 1e-6) << i;
         most = std::max(most, elements.size());
         least = std::min(least, elements.size());
     }
@@ -110,11 +110,11 @@ TEST(SceneOutputs, go_on_where_nodes_of_a_wire_come_and_go) {
     EXPECT_NEAR(value("paid"), -6.0, 0.5);
     // A copy that returns to its initial state reports the same value.
     const double paid = value("paid");
-    const std::vector<std::byte> saved = w.save();
+    const std::vector<std::byte> saved = w.state().save();
     World other = w.twin();
     ASSERT_EQ(other.step(), Status::ok);
     EXPECT_NE(other.output(other.find_output("paid")), paid);
-    other.restore(saved);
+    other.state().restore(saved);
     EXPECT_EQ(other.output(other.find_output("paid")), paid);
 }
 

@@ -60,7 +60,7 @@ TEST(PidSection, IsTheControllerOfCpp) {
         ASSERT_EQ(read.world.step(), Status::ok);
         ASSERT_EQ(own.world.step(), Status::ok);
     }
-    EXPECT_EQ(read.world.state_hash(), own.world.state_hash());
+    EXPECT_EQ(read.world.state().hash(), own.world.state().hash());
     EXPECT_EQ(read.world.system_signal("hold.measured"), own.world.system_signal("hold.measured"));
     // Without the controller the drum stops, and the line carries the weight of 196 N.
     EXPECT_GT(read.world.system_signal("hold.output"), -2.0);

@@ -126,7 +126,7 @@ TEST(Sections, AWinchStopsAtTheNextLineType) {
     EXPECT_NEAR(w.system_signal("hoist.inertia"), 500.0 + 10 * 50 * 0.106, 15.0);
     for (int i = 0; i < 3000; ++i) ASSERT_EQ(w.step(), Status::ok);
     EXPECT_EQ(w.system_signal("hoist.state"), 7.0);
-    const auto elements = w.elements(w.find_wire("fall"));
+    const auto elements = w.wires().elements(w.wires().find("fall"));
     ASSERT_EQ(elements.size(), 5U);
     EXPECT_EQ(w.interaction_def(elements[0]).get("EA"), 1e8);
     EXPECT_EQ(w.interaction_def(elements[1]).get("EA"), 3e8);
@@ -145,15 +145,15 @@ TEST(Sections, HaveAResolutionOfTheirOwn) {
                                "\"sag_error\": 0.5, \"wave_period\": 0}"),
                   "mooring.json");
     World& w = scene.world;
-    const WireId leg = w.find_wire("leg");
-    const BodyId first = w.nodes(leg)[5], second = w.nodes(leg)[20];
+    const WireId leg = w.wires().find("leg");
+    const BodyId first = w.wires().nodes(leg)[5], second = w.wires().nodes(leg)[20];
     struct Line {
         double EA, mass;
         int elements;
     };
     const auto lines = [&] {
         std::vector<Line> out;
-        for (const InteractionId id : w.elements(leg)) {
+        for (const InteractionId id : w.wires().elements(leg)) {
             const InteractionDef& d = w.interaction_def(id);
             if (out.empty() || out.back().EA != d.get("EA")) out.push_back({d.get("EA"), 0.0, 0});
             out.back().mass += d.get("mass");
@@ -176,7 +176,7 @@ TEST(Sections, HaveAResolutionOfTheirOwn) {
     EXPECT_TRUE(w.alive(first) && w.alive(second));
     // An edit cannot remove it either: no element could replace both.
     try {
-        (void)w.remove_node(first, 3.2);
+        (void)w.wires().remove_node(first, 3.2);
         FAIL() << "two line types became one";
     } catch (const DefError& error) {
         EXPECT_NE(std::string(error.what()).find("two line types meet"), std::string::npos)

@@ -54,7 +54,7 @@ TEST(SceneWinches, WindUpTheirCables) {
     World& w = scene.world;
     ASSERT_EQ(w.step(), Status::ok);
     const InteractionId element = scene.cables.front().stretch.front();
-    EXPECT_EQ(w.elements(w.find_wire("fall")).front(), element);
+    EXPECT_EQ(w.wires().elements(w.wires().find("fall")).front(), element);
     EXPECT_EQ(w.interaction_def(element).kind, InteractionKind::WinchStretch);
     EXPECT_EQ(w.interaction_def(element).get("EA"), 4.5e7);
     EXPECT_EQ(w.system_signal("hoist.mode"), 1.0);
@@ -115,15 +115,15 @@ TEST(SceneWinches, TakeTheParametersOfTemplates) {
 TEST(SceneWinches, GoOnBitForBitFromASnapshotOnAnyNumberOfThreads) {
     Scene scene = load_text(kLift, "lift.json");
     for (int i = 0; i < 50; ++i) ASSERT_EQ(scene.world.step(), Status::ok);
-    const std::vector<std::byte> middle = scene.world.save();
+    const std::vector<std::byte> middle = scene.world.state().save();
     for (int i = 0; i < 100; ++i) ASSERT_EQ(scene.world.step(), Status::ok);
     for (const int threads : {1, 2, 4, 8}) {
         Options options;
         options.threads = threads;
         Scene other = load_text(kLift, "lift.json", options);
-        other.world.restore(middle);
+        other.world.state().restore(middle);
         for (int i = 0; i < 100; ++i) ASSERT_EQ(other.world.step(), Status::ok);
-        EXPECT_EQ(other.world.state_hash(), scene.world.state_hash()) << threads << " threads";
+        EXPECT_EQ(other.world.state().hash(), scene.world.state().hash()) << threads << " threads";
     }
 }
 
@@ -188,12 +188,12 @@ TEST(SceneWinches, AGypsyJumpsUnderItsAnchor) {
     EXPECT_NEAR(w.system_signal("windlass.radius"), 5 * 0.304 / 3.14159265358979, 1e-12);
     EXPECT_GE(w.system_signal("1:windlass.tail"),
               tail);  // plus the momentum of chain from the heap
-    EXPECT_GT(w.event_extremes(EventKind::chain_jump).count, 0);
+    EXPECT_GT(w.events().extremes(EventKind::chain_jump).count, 0);
     EXPECT_EQ(w.system_signal("windlass.jumped"), w.system_signal("1:windlass.jumped"));
     // Below its load it hangs still.
     Scene held = load_text(windlass_with("6e4", "1.1e5"), "windlass.json");
     for (int i = 0; i < 400; ++i) ASSERT_EQ(held.world.step(), Status::ok);
-    EXPECT_EQ(held.world.event_extremes(EventKind::chain_jump).count, 0);
+    EXPECT_EQ(held.world.events().extremes(EventKind::chain_jump).count, 0);
     EXPECT_NEAR(held.world.system_signal("windlass.grip"), weight - tail, 0.005 * weight);
 }
 

@@ -108,24 +108,25 @@ void expect_nothing_left(const std::string& file, int steps, std::uint32_t seed)
         };
         if (i % 11 == 10) change();
         while (random.chance(0.4)) {
-            const std::uint64_t before = tried.world.state_hash();
+            const std::uint64_t before = tried.world.state().hash();
             const std::size_t bodies = tried.world.bodies().size();
             const Status status = fail(tried, random, false);
             ASSERT_NE(status, Status::ok) << "a step that should fail passes";
             ++failed;
-            ASSERT_EQ(tried.world.state_hash(), before) << "step " << i << " " << to_string(status);
+            ASSERT_EQ(tried.world.state().hash(), before)
+                << "step " << i << " " << to_string(status);
             ASSERT_EQ(tried.world.bodies().size(), bodies);
             ASSERT_FALSE(tried.world.find_body("late").valid());
         }
         if (i % 17 == 16) change();
         const Status a = tried.session.step(), b = plain.session.step();
         ASSERT_EQ(a, b) << "step " << i;
-        ASSERT_EQ(tried.world.state_hash(), plain.world.state_hash()) << "step " << i;
+        ASSERT_EQ(tried.world.state().hash(), plain.world.state().hash()) << "step " << i;
         if (a != Status::ok) break;
     }
     EXPECT_GT(failed, 0);
-    EXPECT_EQ(tried.world.save(), plain.world.save());
-    EXPECT_EQ(tried.world.identity(), plain.world.identity());
+    EXPECT_EQ(tried.world.state().save(), plain.world.state().save());
+    EXPECT_EQ(tried.world.state().identity(), plain.world.state().identity());
 }
 
 std::string scene(const char* name) { return std::string("scenes/") + name + ".json"; }

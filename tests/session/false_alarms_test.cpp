@@ -185,16 +185,16 @@ TEST(FalseAlarms, AtwoodsMachineByAWireOverAGuide) {
             SCOPED_TRACE(fmt::format("step {}, element {}", step, element));
             Session run({.scene_text = atwood_by_wire(step, element)});
             World& w = run.world();
-            const WireId line = w.find_wire("line");
-            const std::size_t nodes = w.nodes(line).size();
+            const WireId line = w.wires().find("line");
+            const std::size_t nodes = w.wires().nodes(line).size();
             bool moved = false;
             double most = 0.0;
             while (run.time() < 1.5 - 1e-9) {
                 ASSERT_EQ(run.step(), Status::ok);
-                moved = moved || w.nodes(line).size() != nodes;
+                moved = moved || w.wires().nodes(line).size() != nodes;
                 // The leaning sides oscillate after the start.
                 if (run.time() < 0.5) continue;
-                for (const InteractionId id : w.elements(line))
+                for (const InteractionId id : w.wires().elements(line))
                     most = std::max(most, std::abs(w.force(id)[0]) / kTension - 1.0);
             }
             EXPECT_TRUE(moved) << "no node has run over the wheel";

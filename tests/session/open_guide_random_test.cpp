@@ -41,20 +41,20 @@ struct WireSums {
 /// Sum up the nodes of a wire and the elements at its guide. Half of the mass of such an element
 /// moves with its node, the other half runs over the wheel with the slide.
 WireSums sums_of(const World& w, WireId wire) {
-    WireSums out{.length = w.length(wire)};
+    WireSums out{.length = w.wires().length(wire)};
     const auto add = [&](double mass, const Vec3& v) {
         out.momentum += mass * v;
         out.moving += mass * v.norm();
     };
-    for (const BodyId id : w.nodes(wire))
+    for (const BodyId id : w.wires().nodes(wire))
         if (w.alive(id) && w.body_def(id).kind == BodyKind::lump)
             add(w.body_def(id).mass, w.velocity(id).linear);
-    for (const InteractionId id : w.elements(wire)) {
+    for (const InteractionId id : w.wires().elements(wire)) {
         const InteractionDef& d = w.interaction_def(id);
         if (!kind_info(d.kind).is(kAtGuide)) continue;
         const double turned = w.pose(d.body[2]).position.x() - d.get("drum_zero");
         const double half = 0.5 * kMassPerLength * (d.get("length") + d.get("radius") * turned);
-        const std::array<Vec3, 2> ends = w.ends(id);
+        const std::array<Vec3, 2> ends = w.wires().ends(id);
         for (const BodyId far : {d.body[0], d.body[1]})
             if (w.body_def(far).kind == BodyKind::lump) add(half, w.velocity(far).linear);
         add(half, w.velocity(d.body[2]).linear.x() * (ends[1] - ends[0]).normalized());
@@ -135,13 +135,13 @@ void check_route(std::uint32_t seed) {
                              seed, route.step, route.radius, route.elements, route.pull));
     Session session({.scene_text = route.scene()});
     World& w = session.world();
-    const WireId wire = w.find_wire("tow");
+    const WireId wire = w.wires().find("tow");
     WireSums after;
     w.add_system(std::make_unique<Watch>(wire, &after));
-    const double length = w.length(wire);
+    const double length = w.wires().length(wire);
     const auto events = [&w] {
-        return std::array{w.event_extremes(EventKind::lift_off).count,
-                          w.event_extremes(EventKind::lay_on).count};
+        return std::array{w.events().extremes(EventKind::lift_off).count,
+                          w.events().extremes(EventKind::lay_on).count};
     };
     while (w.time() < route.end()) {
         const double angle = route.angle(w.time());

@@ -64,13 +64,15 @@ struct Pulled {
             ASSERT_EQ(status, Status::ok) << session.objection();
         }
     }
-    [[nodiscard]] std::int64_t count(EventKind kind) const { return w.event_extremes(kind).count; }
+    [[nodiscard]] std::int64_t count(EventKind kind) const {
+        return w.events().extremes(kind).count;
+    }
     [[nodiscard]] Vec3 end() const { return w.pose(w.find_body("end")).position; }
     /// Return the largest distance of a node from the straight line between bollard and end [m].
     [[nodiscard]] double off_line(double radius) const {
         const Vec3 from(-30, 0, radius), along = (end() - from).normalized();
         double most = 0.0;
-        for (const BodyId id : w.nodes(w.find_wire("tow"))) {
+        for (const BodyId id : w.wires().nodes(w.wires().find("tow"))) {
             if (w.body_def(id).kind != BodyKind::lump) continue;
             const Vec3 p = w.pose(id).position - from;
             most = std::max(most, (p - p.dot(along) * along).norm());
@@ -90,7 +92,7 @@ TEST(OpenGuide, LetsGoOfAWireThatIsPulledUpAndTakesItAgain) {
             EXPECT_GT(angle, 0.35);
             p.run(44.0);
             ASSERT_EQ(p.count(EventKind::lift_off), 1);
-            const Event event = p.w.event_extremes(EventKind::lift_off).first;
+            const Event event = p.w.events().extremes(EventKind::lift_off).first;
             EXPECT_NEAR(event.value, kPull, 0.05 * kPull);
             // It leaves when its line is clear of the roller: the end is then at the height of the
             // bollard. The pull passes this direction in the ramp, and the end follows it late due
@@ -115,7 +117,7 @@ TEST(OpenGuide, LetsGoOfAWireThatIsPulledUpAndTakesItAgain) {
                 << to_string(p.w.verdict().judge) << " "
                 << p.w.verdict().of(p.w.verdict().judge).doubtful;
             EXPECT_EQ(p.session.objection(), "");
-            EXPECT_EQ(p.w.wires().size(), 1U);
+            EXPECT_EQ(p.w.wires().ids().size(), 1U);
         }
 }
 
@@ -134,15 +136,15 @@ TEST(OpenGuide, GoesOnFromASavedStateAndIsReplayed) {
     p.session.record(file, 10);
     p.run(40.0);
     ASSERT_EQ(p.count(EventKind::lift_off), 1);
-    const Structure made_of = p.w.structure();
-    const std::vector<std::byte> saved = p.w.save();
+    const Structure made_of = p.w.state().structure();
+    const std::vector<std::byte> saved = p.w.state().save();
     p.run(90.0);
     ASSERT_EQ(p.count(EventKind::lay_on), 1);
     (void)p.session.finish();
     Pulled again(def);
     again.session.restore(made_of, saved);
     again.run(90.0);
-    EXPECT_EQ(again.w.state_hash(), p.w.state_hash());
+    EXPECT_EQ(again.w.state().hash(), p.w.state().hash());
     (void)expect_repeats(record::Recording::open(file), 1);
     std::filesystem::remove(file);
 }

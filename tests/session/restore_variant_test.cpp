@@ -64,7 +64,7 @@ TEST(RestoreVariant, TheSameSceneKeepsItsBits) {
     while (whole.time() < 12.0) ASSERT_EQ(whole.step(), Status::ok);
     Session rest({.scene_text = hung_box(100.0, 1e-4), .restore = file});
     while (rest.time() < 12.0) ASSERT_EQ(rest.step(), Status::ok);
-    EXPECT_EQ(whole.world().state_hash(), rest.world().state_hash());
+    EXPECT_EQ(whole.world().state().hash(), rest.world().state().hash());
 }
 
 TEST(RestoreVariant, AnotherStructureIsRefusedWithTheFirstDifference) {

@@ -31,7 +31,7 @@ std::vector<std::uint64_t> run_hashes(Session& session, int steps) {
     std::vector<std::uint64_t> out;
     for (int i = 0; i < steps; ++i) {
         EXPECT_EQ(session.step(), Status::ok) << "step " << i;
-        out.push_back(session.world().state_hash());
+        out.push_back(session.world().state().hash());
     }
     return out;
 }
@@ -43,8 +43,8 @@ TEST(AnchorRun, IsFrozen) {
     EXPECT_EQ(session.world().body_count(), 1882);
     EXPECT_EQ(session.scene().timeline.size(), 23U);
     int elements = 0;
-    for (const WireId id : session.world().wires())
-        elements += static_cast<int>(session.world().elements(id).size());
+    for (const WireId id : session.world().wires().ids())
+        elements += static_cast<int>(session.world().wires().elements(id).size());
     EXPECT_GE(elements, 1000);
 }
 
@@ -63,8 +63,8 @@ TEST(AnchorRun, HasTheSameBitsOnAnyNumberOfThreadsAndRestored) {
     const int steps = compared_steps();
     Session one(run_on(1));
     const std::vector<std::uint64_t> first = run_hashes(one, steps);
-    const Structure made_of = one.world().structure();
-    const std::vector<std::byte> state = one.world().save();
+    const Structure made_of = one.world().state().structure();
+    const std::vector<std::byte> state = one.world().state().save();
     const std::vector<std::uint64_t> rest = run_hashes(one, steps);
     for (const int threads : {2, 4, 8}) {
         Session more(run_on(threads));

@@ -35,7 +35,7 @@ std::vector<std::uint64_t> lift(Session& session, int steps, const std::string& 
         if (now == 60) session.set_input("crane.hoist", 0.3);
         if (now == 460) session.set_input("crane.take", 0.0);
         EXPECT_EQ(session.step(), Status::ok) << now;
-        hashes.push_back(session.world().motion_hash());
+        hashes.push_back(session.world().state().motion_hash());
     }
     return hashes;
 }
@@ -46,8 +46,8 @@ TEST(SessionCranes, AreRecordedRepeatedAndSaved) {
     Session session({.scene = scene, .record = folder.file("lift.hwr")});
     const std::vector<std::uint64_t> all = lift(session, 520);
     session.finish();
-    EXPECT_GT(session.world().event_extremes(EventKind::join).count, 0);
-    EXPECT_GT(session.world().event_extremes(EventKind::detach).count, 0);
+    EXPECT_GT(session.world().events().extremes(EventKind::join).count, 0);
+    EXPECT_GT(session.world().events().extremes(EventKind::detach).count, 0);
     for (const int at : {20, 100, 400, 500}) {
         Session first({.scene = scene});
         (void)lift(first, at + 1, folder.file("at.hws"), at);
@@ -62,7 +62,7 @@ TEST(SessionCranes, AreRecordedRepeatedAndSaved) {
     scene::Scene again = scene::load_text(r.scene_text, "lift.hwr");
     while (again.world.system_count() > 0) (void)again.world.remove_system(again.world.system(0));
     again.world.prepare();
-    again.world.restore(r.snapshot);
+    again.world.state().restore(r.snapshot);
     record::Repeater repeater(r);
     for (std::size_t i = 0; i < r.frame_count(); ++i) {
         const record::Frame head = r.frame_head(i);
@@ -70,7 +70,7 @@ TEST(SessionCranes, AreRecordedRepeatedAndSaved) {
             repeater.before_step(again.world);
             ASSERT_EQ(again.world.step(), Status::ok);
         }
-        EXPECT_EQ(again.world.motion_hash(), head.hash) << i;
+        EXPECT_EQ(again.world.state().motion_hash(), head.hash) << i;
     }
 }
 

@@ -62,9 +62,9 @@ TEST(SessionDeck, IsVerifiedAndRepeatedFromItsRecording) {
         EXPECT_TRUE(held);
         EXPECT_TRUE(on_pin);
         EXPECT_TRUE(sank);
-        EXPECT_EQ(world.event_extremes(EventKind::join).count, 1);
-        EXPECT_EQ(world.event_extremes(EventKind::detach).count, 1);
-        EXPECT_EQ(world.event_extremes(EventKind::missed).count, 1);
+        EXPECT_EQ(world.events().extremes(EventKind::join).count, 1);
+        EXPECT_EQ(world.events().extremes(EventKind::detach).count, 1);
+        EXPECT_EQ(world.events().extremes(EventKind::missed).count, 1);
         EXPECT_EQ(world.system_signal("jaw.held"), 0.0);
         EXPECT_NEAR(world.system_signal("pin.height"), 1.0, 1e-3);
         session.finish();

@@ -70,20 +70,20 @@ void edit(World& w, int step) {
                        .point = w.pose(w.find_body("late")).position + Vec3(0, 0, 0.5),
                        .axis = {1, 0, 0}});
     if (step == 110)
-        w.add_wire({.name = "line",
-                    .from = floor,
-                    .from_point = {8, 0, 3},
-                    .elements = 4,
-                    .length = 1.0,
-                    .EA = 1e5,
-                    .mass_per_length = 1.0,
-                    .drag = 4.0});
+        w.wires().add({.name = "line",
+                       .from = floor,
+                       .from_point = {8, 0, 3},
+                       .elements = 4,
+                       .length = 1.0,
+                       .EA = 1e5,
+                       .mass_per_length = 1.0,
+                       .drag = 4.0});
     if (step == 150) w.remove_interaction(w.find_interaction("rod"));
     if (step == 155) w.remove_shape(w.find_shape("ball"));
     if (step == 160) w.remove_body(w.find_body("ball"));
     if (step == 170) w.remove_interaction(w.find_interaction("pin"));
     if (step == 180) w.remove_input(w.find_input("push"));
-    if (step == 200) w.remove_wire(w.find_wire("line"));
+    if (step == 200) w.wires().remove(w.wires().find("line"));
     if (step == 210) w.remove_body(w.find_body("late"));
     if (step == 220) w.remove_body(w.find_body("bob"));
 }

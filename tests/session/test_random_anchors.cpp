@@ -240,7 +240,7 @@ TEST(RandomAnchors, AreVerifiedOverGuides) {
             }
             steps += static_cast<long>(world.step_count());
             edits += static_cast<long>(world.stats().repairs + world.stats().plans);
-            cut += world.event_extremes(EventKind::cut).count > 0 ? 1 : 0;
+            cut += world.events().extremes(EventKind::cut).count > 0 ? 1 : 0;
             session.finish();
         } catch (const scene::SceneError& error) {
             ++refused;  // an element that starts inside the wheel

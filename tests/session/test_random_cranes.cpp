@@ -96,7 +96,7 @@ std::uint64_t run_lift(const SessionDef& def, const std::string& save = "", std:
     EXPECT_EQ(status, Status::ok) << session.time();
     EXPECT_EQ(session.objection(), "") << session.time();
     session.finish();
-    return session.world().state_hash();
+    return session.world().state().hash();
 }
 
 TEST(RandomCranes, AreVerifiedRepeatedAndGoOn) {

@@ -47,10 +47,10 @@ int give_order(World& world, ShipMaker& chance, const std::vector<SystemSignal>&
     if (one.name.ends_with("_failed") && chance.unit() < 0.7) value = 0.0;
     // A fraction is no mode and is refused: most orders name one, so that all modes act.
     if (one.name == "mode" && chance.unit() < 0.8) value = std::round(value);
-    const std::int64_t before = world.event_extremes(EventKind::input_clamped).count;
+    const std::int64_t before = world.events().extremes(EventKind::input_clamped).count;
     world.set_system_signal("ship." + one.name, value);
     const bool beyond = value < one.min || value > one.max;
-    EXPECT_EQ(world.event_extremes(EventKind::input_clamped).count - before, beyond ? 1 : 0)
+    EXPECT_EQ(world.events().extremes(EventKind::input_clamped).count - before, beyond ? 1 : 0)
         << one.name << ' ' << value;
     return beyond ? 1 : 0;
 }

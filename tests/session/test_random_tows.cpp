@@ -171,7 +171,7 @@ TEST(RandomTows, InASeaAreVerifiedAndRepeated) {
             refused += status == Status::ok ? 0 : 1;
             steps += session.world().step_count();
             EXPECT_NE(session.world().energy().water, 0.0);
-            cut += session.world().event_extremes(EventKind::cut).count > 0 ? 1 : 0;
+            cut += session.world().events().extremes(EventKind::cut).count > 0 ? 1 : 0;
             session.finish();
         }
         // With one step less if the last one was rejected: it has no frame.

@@ -18,14 +18,14 @@ namespace {
 /// frame.
 void expect_the_same(const World& w, const record::Recording& r, const record::Frame& f) {
     ASSERT_NE(f.wires, nullptr);
-    ASSERT_EQ(f.wires->size(), w.wires().size());
+    ASSERT_EQ(f.wires->size(), w.wires().ids().size());
     for (std::size_t k = 0; k < f.wires->size(); ++k) {
         const record::RecordedWire& wire = (*f.wires)[k];
-        EXPECT_EQ(wire.name, w.wire_name(w.wires()[k]));
-        const auto elements = w.elements(w.wires()[k]);
+        EXPECT_EQ(wire.name, w.wires().name(w.wires().ids()[k]));
+        const auto elements = w.wires().elements(w.wires().ids()[k]);
         ASSERT_EQ(wire.pieces.size(), elements.size());
         for (std::size_t i = 0; i < elements.size(); ++i) {
-            const auto ends = w.ends(elements[i]);
+            const auto ends = w.wires().ends(elements[i]);
             for (int end = 0; end < 2; ++end) {
                 const Pose& pose = f.poses[static_cast<std::size_t>(wire.pieces[i].body[end])];
                 const Vec3 at = pose.position + pose.orientation * wire.pieces[i].point[end];

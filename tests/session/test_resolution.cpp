@@ -57,8 +57,8 @@ TEST(SessionResolution, IsRepeatedFromARecording) {
     EXPECT_EQ(recording.damage, "");
     const Repeated again = expect_repeats(recording, 1);
     const World& world = again.scene.world;
-    EXPECT_EQ(world.nodes(world.find_wire("line")).size(),
-              session.world().nodes(session.world().find_wire("line")).size());
+    EXPECT_EQ(world.wires().nodes(world.wires().find("line")).size(),
+              session.world().wires().nodes(session.world().wires().find("line")).size());
 }
 
 /// A budget of work counts the flops of a step; the wire makes nearly all of them.
@@ -98,10 +98,10 @@ TEST(SessionResolution, BudgetMakesWiresCoarserFirst) {
     scene::Scene scene = scene::load_text(kTow, "tow");
     for (int k = 0; k < 900; ++k) {
         for (const record::RecordedCut& cut : recording.cuts)
-            if (cut.step == k) scene.world.degrade_next_step(cut.left_out);
+            if (cut.step == k) scene.world.solver().degrade_next_step(cut.left_out);
         ASSERT_EQ(scene.world.step(), Status::ok);
     }
-    EXPECT_EQ(scene.world.state_hash(), session.world().state_hash());
+    EXPECT_EQ(scene.world.state().hash(), session.world().state().hash());
 }
 
 TEST(SessionResolution, InputsOfScenesSetSignals) {

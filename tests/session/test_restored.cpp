@@ -56,7 +56,7 @@ std::uint64_t finish_run(Session& session) {
         if (session.step() != Status::ok) break;
     EXPECT_EQ(session.objection(), "") << session.time();
     EXPECT_EQ(session.world().step_count(), kRestoredSteps);
-    return session.world().state_hash();
+    return session.world().state().hash();
 }
 
 void save_at(const SessionDef& def, int step, const std::string& file) {
@@ -131,7 +131,7 @@ TEST(SessionRestored, IsVerified) {
         // Back to its start, within the run.
         Session first(kUncontrolled);
         while (first.world().step_count() < at) ASSERT_EQ(first.step(), Status::ok);
-        again.restore(first.world().structure(), first.world().save());
+        again.restore(first.world().state().structure(), first.world().state().save());
         (void)finish_run(again);
     }
 }

@@ -65,14 +65,14 @@ std::uint64_t hash_of_world(int steps) {
         drive(scene.world, k);
         EXPECT_EQ(scene.world.step(), Status::ok);
     }
-    return scene.world.state_hash();
+    return scene.world.state().hash();
 }
 
 /// Replay a recording. @return number of frames with its hash, before the first difference.
 std::size_t repeated(const record::Recording& recording, bool with_changes = true) {
     scene::Scene scene = scene::load_text(recording.scene_text, "recorded");
     scene.world.prepare();
-    scene.world.restore(recording.snapshot);
+    scene.world.state().restore(recording.snapshot);
     record::Repeater repeater(recording);
     for (std::size_t i = 0; i < recording.frame_count(); ++i) {
         const record::Frame frame = recording.frame_head(i);
@@ -80,7 +80,7 @@ std::size_t repeated(const record::Recording& recording, bool with_changes = tru
             if (with_changes) repeater.before_step(scene.world);
             if (scene.world.step() != Status::ok) return i;
         }
-        if (scene.world.state_hash() != frame.hash) return i;
+        if (scene.world.state().hash() != frame.hash) return i;
     }
     return recording.frame_count();
 }
@@ -93,7 +93,7 @@ TEST(Session, StepsAsTheWorldDoes) {
     }
     EXPECT_EQ(session.finish(), record::Ending::finished);
     EXPECT_DOUBLE_EQ(session.time(), 1.0);
-    EXPECT_EQ(session.world().state_hash(), hash_of_world(100));
+    EXPECT_EQ(session.world().state().hash(), hash_of_world(100));
 }
 
 TEST(Session, RecordingRepeatsEveryChange) {
@@ -127,7 +127,7 @@ TEST(Session, ControlFileIsAsSettingTheInputs) {
         if (k == 50) by_hand.set_input("push_x", 2.0);
         ASSERT_EQ(by_file.step(), Status::ok);
         ASSERT_EQ(by_hand.step(), Status::ok);
-        ASSERT_EQ(by_file.world().state_hash(), by_hand.world().state_hash()) << k;
+        ASSERT_EQ(by_file.world().state().hash(), by_hand.world().state().hash()) << k;
     }
 }
 
@@ -169,7 +169,7 @@ TEST(Session, SavedStateGoesOn) {
         push(whole.world(), k);
         ASSERT_EQ(whole.step(), Status::ok);
         if (k == 29) whole.save(folder / "at30.hws");
-        if (k == 29) bytes = whole.world().save();
+        if (k == 29) bytes = whole.world().state().save();
     }
     for (const SessionDef& def : {SessionDef{.scene_text = kScene, .restore = folder / "at30.hws"},
                                   SessionDef{.scene_text = kScene, .state = bytes}}) {
@@ -179,14 +179,14 @@ TEST(Session, SavedStateGoesOn) {
             push(rest.world(), k);
             ASSERT_EQ(rest.step(), Status::ok);
         }
-        EXPECT_EQ(rest.world().state_hash(), whole.world().state_hash());
+        EXPECT_EQ(rest.world().state().hash(), whole.world().state().hash());
     }
 }
 
 TEST(Session, MistakesChangeAndRecordNothing) {
     const Folder folder;
     Session session({.scene_text = kScene, .record = folder / "run.hwr"});
-    const std::uint64_t before = session.world().state_hash();
+    const std::uint64_t before = session.world().state().hash();
     try {
         session.set_input("push_y", 1.0);
         ADD_FAILURE() << "an input that is not there was set";
@@ -196,7 +196,7 @@ TEST(Session, MistakesChangeAndRecordNothing) {
     EXPECT_THROW(session.set_input("push_x", std::nan("")), DefError);
     EXPECT_THROW(session.world().set_input(InputId{7}, 1.0), DefError);
     EXPECT_THROW(session.world().set_force(BodyId{9}, Vec3::UnitX(), Vec3::Zero()), DefError);
-    EXPECT_EQ(session.world().state_hash(), before);
+    EXPECT_EQ(session.world().state().hash(), before);
     session.finish();
     const auto recording = record::Recording::open(folder / "run.hwr");
     EXPECT_TRUE(recording.changes.empty() && recording.inputs.empty());
@@ -241,7 +241,7 @@ TEST(Session, CancelledStepIsTakenAgain) {
     EXPECT_EQ(session.world().step_count(), 0);
     ASSERT_EQ(session.step(), Status::ok);
     ASSERT_EQ(other.step(), Status::ok);
-    EXPECT_EQ(session.world().state_hash(), other.world().state_hash());
+    EXPECT_EQ(session.world().state().hash(), other.world().state().hash());
     session.cancel();
     EXPECT_EQ(session.step(), Status::cancelled);
     EXPECT_EQ(session.finish(), record::Ending::interrupted);

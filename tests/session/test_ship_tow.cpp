@@ -79,11 +79,11 @@ TowRun tow(const TowControl& control, double seconds, int threads, const std::st
             out.work +=
                 0.9 * std::abs(w.system_signal(side)) * w.system_signal("ahts/ship.speed") / 60.0;
         if (i == steps / 2) {
-            out.middle = w.save();
-            out.middle_hash = w.state_hash();
+            out.middle = w.state().save();
+            out.middle_hash = w.state().hash();
         }
     }
-    out.hash = w.state_hash();
+    out.hash = w.state().hash();
     out.way = (w.pose(barge).position - start).norm();
     out.grade = w.verdict().grade;
     session.finish();
@@ -105,10 +105,10 @@ void expect_tow(const TowControl& control, double seconds, const std::vector<int
     for (const int n : threads)
         EXPECT_EQ(tow(control, seconds, n, "").hash, one.hash) << n << " threads";
     Session again({.scene = kTowScene, .state = one.middle, .control = control.file});
-    EXPECT_EQ(again.world().state_hash(), one.middle_hash);
+    EXPECT_EQ(again.world().state().hash(), one.middle_hash);
     while (again.world().step_count() < static_cast<std::int64_t>(seconds * 60.0))
         ASSERT_EQ(again.step(), Status::ok) << again.time();
-    EXPECT_EQ(again.world().state_hash(), one.hash);
+    EXPECT_EQ(again.world().state().hash(), one.hash);
     (void)expect_repeats(record::Recording::open(file.string()), 2);
     std::filesystem::remove(file);
 }

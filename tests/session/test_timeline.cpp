@@ -63,7 +63,7 @@ Seen run_to(Session& session, int steps, const std::string& save = "", int at = 
     while (session.world().step_count() < steps) {
         if (at > 0 && session.world().step_count() == at) session.save(save);
         EXPECT_EQ(session.step(), Status::ok) << session.time();
-        out.hashes.push_back(session.world().state_hash());
+        out.hashes.push_back(session.world().state().hash());
         for (const Event& e : session.events())
             if (e.kind == EventKind::cut || e.kind == EventKind::join ||
                 e.kind == EventKind::detach || e.kind == EventKind::release)
@@ -88,8 +88,8 @@ TEST(SessionTimeline, DoesWhatItSaysAtItsTimes) {
     const World& w = session.world();
     EXPECT_GT(w.pose(w.find_body("load")).position.z(), 5.5) << "hauled";
     EXPECT_EQ(w.input(w.find_input("push")), 100.0);
-    EXPECT_NEAR(w.length(w.find_wire("tow")), 30.0, 1e-9);
-    EXPECT_EQ(w.nodes(w.find_wire("tow/2")).size(), 17U);
+    EXPECT_NEAR(w.wires().length(w.wires().find("tow")), 30.0, 1e-9);
+    EXPECT_EQ(w.wires().nodes(w.wires().find("tow/2")).size(), 17U);
     EXPECT_TRUE(w.find_interaction("eye").valid());
 }
 
@@ -117,8 +117,8 @@ TEST(SessionTimeline, SaysWhatItDid) {
     };
     EXPECT_TRUE(session.operations().empty());
     EXPECT_EQ(reported(2.5), (std::vector<double>{0.5, 1.0, 2.0}));
-    const Structure made_of = session.world().structure();
-    const std::vector<std::byte> state = session.world().save();
+    const Structure made_of = session.world().state().structure();
+    const std::vector<std::byte> state = session.world().state().save();
     const std::vector<double> rest{3.0, 4.0, 4.0};
     EXPECT_EQ(reported(5.0), rest);
     session.restore(made_of, state);
@@ -183,7 +183,7 @@ TEST(SessionTimeline, ComposesWithControlAndEndsARunThatItCannotGoOnWith) {
     (void)run_to(session, 27);
     // At equal times the control file prevails.
     EXPECT_EQ(session.world().input(session.world().find_input("push")), 7.0);
-    session.world().remove_wire(session.world().find_wire("tow"));
+    session.world().wires().remove(session.world().wires().find("tow"));
     try {
         for (int k = 0; k < 60; ++k) ASSERT_EQ(session.step(), Status::ok);
         FAIL() << "the wire is not there";

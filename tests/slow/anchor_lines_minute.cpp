@@ -80,7 +80,7 @@ TEST(AnchorLinesMinute, AnExerciseStaysPhysical_full) {
     EXPECT_LE(probe.momentum_residual_max, 1e-10);
     EXPECT_GT(probe.drift_max, 1.0);  // It moved: ahts2 is pushed aside by about 20 m.
     EXPECT_LT(probe.drift_max, 50.0);
-    for (const Event& event : world.take_events()) {
+    for (const Event& event : world.events().take()) {
         EXPECT_NE(event.kind, EventKind::line_break);
     }
 }

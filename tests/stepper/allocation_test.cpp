@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <hawser/experimental/splits.h>
 #include <hawser/factor.h>
 
 namespace hawser::test {
@@ -30,7 +31,7 @@ void expect_none(const Recipe& recipe, int threads, std::size_t trace = 0) {
     WorldDef def = recipe.world;
     def.threads = threads;
     World w = recipe.make(def);
-    w.start_trace(trace);
+    w.solver().start_trace(trace);
     for (int i = 0; i < 3; ++i) ASSERT_EQ(w.step(), Status::ok);
     const auto growths = w.stats().growths;
     long seen = 0;
@@ -40,7 +41,7 @@ void expect_none(const Recipe& recipe, int threads, std::size_t trace = 0) {
         for (int i = 0; i < 200; ++i) {
             ok = ok && w.step() == Status::ok;
             (void)w.energy();
-            (void)w.state_hash();
+            (void)w.state().hash();
         }
         seen = Guard::seen();
     }
@@ -85,7 +86,7 @@ TEST(Allocation, NoneInWhatAClientReads) {
     std::uint64_t cursor = 0;
     events.reserve(100'000);
     for (int i = 0; i < 3; ++i) ASSERT_EQ(w.step(), Status::ok);
-    w.save(saved);
+    w.state().save(saved);
     long seen = 0;
     double sum = 0.0;
     bool ok = true;
@@ -94,10 +95,10 @@ TEST(Allocation, NoneInWhatAClientReads) {
         for (int i = 0; i < 50; ++i) {
             ok = ok && w.step() == Status::ok;
             for (const double value : w.outputs()) sum += value;
-            sum += w.state().positions[0];
+            sum += w.state().arrays().positions[0];
             w.contacts(contacts);
-            w.save(saved);
-            (void)w.events_since(cursor, events);
+            w.state().save(saved);
+            (void)w.events().since(cursor, events);
         }
         seen = Guard::seen();
     }
@@ -144,7 +145,7 @@ TEST(Allocation, WhereMemoryEndsInARegroupingItIsAStatus) {
     if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
     const Recipe recipe = broken_wire(20);
     World good = recipe.make();
-    const int round = static_cast<int>(stepper::Regroup::kSettle);
+    const int round = static_cast<int>(context::Regroup::kSettle);
     for (int i = 0; i <= round; ++i) ASSERT_EQ(good.step(), Status::ok);
     ASSERT_EQ(good.stats().regroupings, 1) << "or the rest says nothing";
     int failed = 0;
@@ -171,7 +172,7 @@ TEST(Allocation, WhereMemoryEndsInARegroupingItIsAStatus) {
         for (int b = 0; b < w.body_count(); ++b)
             for (const double c : w.pose(BodyId{b}).position) ASSERT_EQ(c, before[i++]);
         ASSERT_EQ(w.step(), Status::ok);
-        EXPECT_EQ(w.groups(), good.groups());
+        EXPECT_EQ(w.splits().groups(), good.splits().groups());
         for (int b = 0; b < w.body_count(); ++b)
             ASSERT_LT((w.pose(BodyId{b}).position - good.pose(BodyId{b}).position).norm(), 1e-9);
     }

@@ -166,12 +166,12 @@ TEST_P(Bounds, SnapshotsAndThreadsKeepTheBits) {
         ASSERT_EQ(a.step(), Status::ok);
         ASSERT_EQ(b.step(), Status::ok);
     }
-    EXPECT_EQ(a.state_hash(), b.state_hash());
-    c.restore(a.save());
+    EXPECT_EQ(a.state().hash(), b.state().hash());
+    c.state().restore(a.state().save());
     for (int k = 0; k < 80; ++k) {
         ASSERT_EQ(a.step(), Status::ok);
         ASSERT_EQ(c.step(), Status::ok);
-        ASSERT_EQ(a.state_hash(), c.state_hash()) << k;
+        ASSERT_EQ(a.state().hash(), c.state().hash()) << k;
     }
 }
 

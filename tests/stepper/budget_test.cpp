@@ -25,8 +25,8 @@ struct TickingClock final : runtime::Stopwatch {
 };
 
 /// Make a leaning pile of boxes pushed sideways: several iterations per step.
-std::unique_ptr<stepper::StepContext> pile(const WorldDef& def) {
-    auto ctx = std::make_unique<stepper::StepContext>(def);
+std::unique_ptr<context::StepContext> pile(const WorldDef& def) {
+    auto ctx = std::make_unique<context::StepContext>(def);
     const auto add = [&](const BodyDef& body, ShapeDef shape) {
         shape.body = BodyId{ctx->model.bodies.add(body)};
         ctx->model.collider.add(shape, ctx->model.bodies);
@@ -42,12 +42,12 @@ std::unique_ptr<stepper::StepContext> pile(const WorldDef& def) {
              .mass = 100.0,
              .inertia = Mat3::Identity() * 10.0},
             box);
-    ctx->state.changed = stepper::Changed::all;
+    ctx->state.changed = context::Changed::all;
     return ctx;
 }
 
 TEST(Budget, AssumesThatTheNextIterationCostsWhatTheLastDid) {
-    stepper::Budget b;
+    budget::Budget b;
     b.begin({.seconds = 10.0}, {1.0, 0.0});
     EXPECT_TRUE(b.another({3.0, 0.0}, 1));   // next one ends at 5
     EXPECT_TRUE(b.another({6.5, 0.0}, 2));   // next one ends at 10
@@ -89,7 +89,7 @@ TEST(Budget, CutsWithTheClockAndRepeatsWithoutIt) {
     repeated->stopwatch = &never;  // Nothing depends on its reading.
     int cuts = 0;
     for (int i = 0; i < 40; ++i) {
-        ASSERT_EQ(stepper::step(*timed), Status::ok);
+        ASSERT_EQ(step::step(*timed), Status::ok);
         const StepStats& s = timed->work.stats;
         // One reading before the solution, one per iteration, and one at the end. From the second
         // step on the end is known to take 1 ms, so that a second iteration would end at 3 + 1 ms.
@@ -105,12 +105,12 @@ TEST(Budget, CutsWithTheClockAndRepeatsWithoutIt) {
         }
         cuts += s.cut ? 1 : 0;
         repeated->state.imposed = s.degradation;
-        ASSERT_EQ(stepper::step(*repeated), Status::ok);
+        ASSERT_EQ(step::step(*repeated), Status::ok);
         EXPECT_EQ(repeated->work.stats.cut, s.cut);
         EXPECT_EQ(repeated->work.stats.degradation, s.degradation);
         EXPECT_EQ(repeated->state.imposed, Degradation{});
-        ASSERT_EQ(stepper::state_hash(repeated->model, repeated->state),
-                  stepper::state_hash(timed->model, timed->state))
+        ASSERT_EQ(state::state_hash(repeated->model, repeated->state),
+                  state::state_hash(timed->model, timed->state))
             << "step " << i;
     }
     EXPECT_GT(cuts, 10);
@@ -124,7 +124,7 @@ TEST(Budget, IterationsThatRunOutLeaveMomentumBalanced) {
     auto ctx = pile(def);
     int open = 0;
     for (int i = 0; i < 40; ++i) {
-        ASSERT_EQ(stepper::step(*ctx), Status::ok);
+        ASSERT_EQ(step::step(*ctx), Status::ok);
         const StepStats& s = ctx->work.stats;
         EXPECT_FALSE(s.cut);
         // The residual of a solved step is 1e-13; the margin is for badly conditioned laws.
@@ -144,11 +144,11 @@ TEST(Budget, OfWorkIsTheSameForAnyNumberOfThreads) {
         def.budget_work = 1.0;  // less than any iteration: one is made nevertheless
         auto ctx = pile(def);
         for (int i = 0; i < 40; ++i) {
-            ASSERT_EQ(stepper::step(*ctx), Status::ok);
+            ASSERT_EQ(step::step(*ctx), Status::ok);
             cuts += ctx->work.stats.cut ? 1 : 0;
             EXPECT_LE(ctx->work.stats.newton_iterations, 2);
         }
-        hashes.push_back(stepper::state_hash(ctx->model, ctx->state));
+        hashes.push_back(state::state_hash(ctx->model, ctx->state));
     }
     EXPECT_GT(cuts, 30);
     EXPECT_EQ(hashes[0], hashes[1]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Splits of a scene with contacts and friction: uncut joints and contacts are as exact as in any
 /// step, for any cuts.
+#include <hawser/experimental/splits.h>
 #include <hawser/scene.h>
 
 #include "support/sanitizer.h"
@@ -88,14 +89,14 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_P(SplitContacts, LeaveContactsAndUncutRowsExact) {
     World world = anchor_contact(GetParam().coupling, GetParam().predictor, 1, 0);
     World exact = anchor_contact("exact", "hold", 1, 0);
-    const std::vector<std::int32_t> group = world.groups();
+    const std::vector<std::int32_t> group = world.splits().groups();
     std::set<std::int32_t> groups(group.begin(), group.end());
     groups.erase(-1);
     ASSERT_GE(groups.size(), 4U);
     std::vector<InteractionId> uncut;
     {
         std::set<std::int32_t> open;
-        for (const CutView& c : world.cuts())
+        for (const CutView& c : world.splits().cuts())
             if (c.open) open.insert(c.interaction.index);
         ASSERT_FALSE(open.empty());
         for (std::int32_t i = 0; i < world.interaction_count(); ++i)
@@ -146,8 +147,8 @@ TEST_P(SplitContacts, AreTheSameForAnyNumberOfThreads) {
     const int steps = kSanitized ? 3 : kContactCutSteps;
     for (int i = 0; i < steps; ++i)
         for (World* w : {&one, &two, &four}) ASSERT_EQ(w->step(), Status::ok) << i;
-    EXPECT_EQ(one.state_hash(), two.state_hash());
-    EXPECT_EQ(one.state_hash(), four.state_hash());
+    EXPECT_EQ(one.state().hash(), two.state().hash());
+    EXPECT_EQ(one.state().hash(), four.state().hash());
     if (!kSanitized) {
         EXPECT_GT(one.stats().regroupings, 0);
     }

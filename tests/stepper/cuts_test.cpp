@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Splits (docs/theory/splits.md): their stability, their defects, and properties of all steps:
 /// repeatable, restorable, equal for any number of threads.
+#include <hawser/experimental/splits.h>
 #include <hawser/inspect.h>
 
 #include "support/small_recipes.h"
@@ -139,16 +140,16 @@ TEST_P(EachCut, ContinuesBitForBitAfterRestore) {
         // Two stretches and four bends, fewer if balls of two groups touch.
         ASSERT_GE(a.stats().cuts, round == 0 ? 6 : 3);
         World fresh = on_ground(r);
-        fresh.restore(a.save());
-        ASSERT_EQ(fresh.state_hash(), a.state_hash());
+        fresh.state().restore(a.state().save());
+        ASSERT_EQ(fresh.state().hash(), a.state().hash());
         for (int i = 0; i < 5; ++i) {
             ASSERT_EQ(a.step(), Status::ok);
             ASSERT_EQ(fresh.step(), Status::ok);
-            ASSERT_EQ(fresh.state_hash(), a.state_hash()) << "round " << round << " step " << i;
+            ASSERT_EQ(fresh.state().hash(), a.state().hash()) << "round " << round << " step " << i;
         }
     }
     EXPECT_GT(a.stats().contacts, 0) << "nothing fell on the ground";
-    EXPECT_GE(a.inspect().body_island[kLumps], 2);
+    EXPECT_GE(a.solver().matrix().body_island[kLumps], 2);
 }
 
 TEST_P(EachCut, IsTheSameForAnyNumberOfThreads) {
@@ -158,7 +159,7 @@ TEST_P(EachCut, IsTheSameForAnyNumberOfThreads) {
         ASSERT_EQ(one.step(), Status::ok);
         ASSERT_EQ(three.step(), Status::ok);
     }
-    EXPECT_EQ(one.state_hash(), three.state_hash());
+    EXPECT_EQ(one.state().hash(), three.state().hash());
 }
 
 /// The reported momentum defect equals the gain of the bodies.
@@ -199,9 +200,9 @@ TEST(Cuts, ExactIsTheSameWithGroupsAndWithout) {
         ASSERT_EQ(plain.step(), Status::ok);
         EXPECT_LE(grouped.stats().momentum_defect, 1e-12);
     }
-    EXPECT_EQ(grouped.state_hash(), plain.state_hash());
+    EXPECT_EQ(grouped.state().hash(), plain.state().hash());
     EXPECT_EQ(grouped.stats().cuts, 0);
-    EXPECT_TRUE(grouped.cuts().empty());
+    EXPECT_TRUE(grouped.splits().cuts().empty());
 }
 
 TEST(Cuts, CliqueIsStableWhereHoldIsNot) {
@@ -224,18 +225,18 @@ TEST(Cuts, CliqueIsStableWhereHoldIsNot) {
 
 TEST(Cuts, OneInteractionMayBeCoupledInItsOwnWay) {
     World w = chain(Coupling::kinematic, Predictor::hold).make();
-    ASSERT_EQ(w.cuts().size(), 6U);
+    ASSERT_EQ(w.splits().cuts().size(), 6U);
     // A bend over the first border and its stretch: the other interactions across it are then not
     // cut either.
-    w.set_coupling(InteractionId{kThird}, Coupling::exact);
-    ASSERT_EQ(w.cuts().size(), 5U);
+    w.splits().set_coupling(InteractionId{kThird}, Coupling::exact);
+    ASSERT_EQ(w.splits().cuts().size(), 5U);
     int open = 0;
-    for (const CutView& c : w.cuts()) open += c.open ? 1 : 0;
+    for (const CutView& c : w.splits().cuts()) open += c.open ? 1 : 0;
     EXPECT_EQ(open, 3);
-    w.set_coupling(InteractionId{2 * kThird}, Coupling::compliant);
+    w.splits().set_coupling(InteractionId{2 * kThird}, Coupling::compliant);
     ASSERT_EQ(w.step(), Status::ok);
     EXPECT_EQ(w.stats().cuts, 3);
-    EXPECT_EQ(w.coupling(InteractionId{2 * kThird}), Coupling::compliant);
+    EXPECT_EQ(w.splits().coupling(InteractionId{2 * kThird}), Coupling::compliant);
 }
 
 TEST(Cuts, ALineThatIsCutSlackensAndBreaksAsOne) {
@@ -251,7 +252,7 @@ TEST(Cuts, ALineThatIsCutSlackensAndBreaksAsOne) {
     }
     EXPECT_EQ(breaks, 1);
     EXPECT_FALSE(w.intact(InteractionId{2 * kThird}));
-    for (const Event& e : w.take_events()) {
+    for (const Event& e : w.events().take()) {
         EXPECT_LT(e.interaction.index, w.interaction_count());
         if (e.kind == EventKind::line_break) {
             EXPECT_EQ(e.interaction.index, 2 * kThird);
@@ -267,7 +268,7 @@ TEST(Cuts, ATwinTakesTheSameStep) {
         for (int i = 0; i < 40; ++i) ASSERT_EQ(w.step(), Status::ok);
         World twin = w.twin(c);
         for (int i = 0; i < 20; ++i) {
-            twin.copy_state(w);
+            twin.state().copy_from(w);
             ASSERT_EQ(w.step(), Status::ok);
             ASSERT_EQ(twin.step(), Status::ok);
             for (int b = 1; b <= kLumps; ++b)
@@ -288,13 +289,13 @@ TEST(Cuts, RefusesWhatItCannotDo) {
     (void)g;
     r.add(between(InteractionKind::ScalarMotor, {s}));
     World w = r.make();
-    EXPECT_THROW(w.set_coupling(InteractionId{0}, Coupling::kinematic), DefError);
-    EXPECT_THROW(w.set_coupling(InteractionId{3}, Coupling::kinematic), DefError);
-    EXPECT_THROW(w.set_group(BodyId{9}, "x"), DefError);
+    EXPECT_THROW(w.splits().set_coupling(InteractionId{0}, Coupling::kinematic), DefError);
+    EXPECT_THROW(w.splits().set_coupling(InteractionId{3}, Coupling::kinematic), DefError);
+    EXPECT_THROW(w.splits().set_group(BodyId{9}, "x"), DefError);
     World a = chain(Coupling::kinematic, Predictor::hold).make();
     World b = chain(Coupling::compliant, Predictor::hold).make();
-    EXPECT_THROW(b.restore(a.save()), DefError);
-    EXPECT_THROW(b.copy_state(w), DefError);
+    EXPECT_THROW(b.state().restore(a.state().save()), DefError);
+    EXPECT_THROW(b.state().copy_from(w), DefError);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cuts requested by a deadline: chosen by a clock of the test, replayed without one.
+#include <hawser/experimental/splits.h>
 #include <hawser/inspect.h>
 
 #include "budget/deadline.h"
@@ -42,35 +43,35 @@ Recipe net(double budget) {
     return r;
 }
 
-std::unique_ptr<stepper::StepContext> net_context(double budget) {
+std::unique_ptr<context::StepContext> net_context(double budget) {
     const Recipe r = net(budget);
     auto ctx = r.context();
     for (std::size_t b = 0; b < r.bodies.size(); ++b)
         ctx->model.cuts.group[b] = r.bodies[b].group.empty() ? 0 : 1;
-    ctx->state.changed = stepper::Changed::all;
+    ctx->state.changed = context::Changed::all;
     return ctx;
 }
 
 /// The solver takes a second per unit of work of the matrix, times `slow`.
 struct MatrixClock final : runtime::Stopwatch {
-    const stepper::StepContext& ctx;
+    const context::StepContext& ctx;
     double slow = 1.0;
     int looks = 0;
-    explicit MatrixClock(const stepper::StepContext& c) : ctx(c) {}
+    explicit MatrixClock(const context::StepContext& c) : ctx(c) {}
     void start() noexcept override { looks = 0; }
     double seconds() noexcept override {
         // 0 at the start of the solution.
         return looks++ == 0
                    ? 0.0
-                   : slow * stepper::matrix_work(static_cast<double>(ctx.work.stats.factor_flops),
-                                                 static_cast<double>(ctx.work.stats.factor_nnz));
+                   : slow * budget::matrix_work(static_cast<double>(ctx.work.stats.factor_flops),
+                                                static_cast<double>(ctx.work.stats.factor_nnz));
     }
 };
 
 TEST(DeadlineCuts, OpenWhileTheMachineIsSlowAndAreRepeatedWithoutAClock) {
     auto probe = net_context(1.0);
-    ASSERT_EQ(stepper::step(*probe), Status::ok);
-    ASSERT_EQ(stepper::step(*probe), Status::ok);
+    ASSERT_EQ(step::step(*probe), Status::ok);
+    ASSERT_EQ(step::step(*probe), Status::ok);
     const auto& levels = probe->work.limits.cut_levels.levels();
     ASSERT_EQ(levels.size(), 2U);
     const double exact = levels[0].matrix;
@@ -84,7 +85,7 @@ TEST(DeadlineCuts, OpenWhileTheMachineIsSlowAndAreRepeatedWithoutAClock) {
     int open = 0, last_open = 0;
     for (int i = 0; i < 200; ++i) {
         clock.slow = i >= 60 && i < 120 ? 1.3 : 1.0;
-        ASSERT_EQ(stepper::step(*ctx), Status::ok) << "step " << i;
+        ASSERT_EQ(step::step(*ctx), Status::ok) << "step " << i;
         const Degradation d = ctx->work.stats.degradation;
         EXPECT_EQ(d.iterations, 0);  // no contacts
         EXPECT_EQ(ctx->work.stats.cuts > 0, d.cuts != 0);
@@ -95,10 +96,10 @@ TEST(DeadlineCuts, OpenWhileTheMachineIsSlowAndAreRepeatedWithoutAClock) {
             last_open = i;
         }
         repeated->state.imposed = d;
-        ASSERT_EQ(stepper::step(*repeated), Status::ok);
+        ASSERT_EQ(step::step(*repeated), Status::ok);
         EXPECT_EQ(repeated->work.stats.degradation, d);
-        ASSERT_EQ(stepper::state_hash(repeated->model, repeated->state),
-                  stepper::state_hash(ctx->model, ctx->state))
+        ASSERT_EQ(state::state_hash(repeated->model, repeated->state),
+                  state::state_hash(ctx->model, ctx->state))
             << "step " << i;
     }
     EXPECT_GE(open, 50);
@@ -110,25 +111,25 @@ TEST(DeadlineCuts, GoOnFromASnapshotTakenWhileTheyAreOpen) {
     World a = net(0.0).make();
     std::vector<std::byte> saved;
     const auto take = [](World& w, int i) {
-        w.degrade_next_step({0, false, i >= 10 && i < 30 ? std::uint64_t{1} : 0});
+        w.solver().degrade_next_step({0, false, i >= 10 && i < 30 ? std::uint64_t{1} : 0});
         ASSERT_EQ(w.step(), Status::ok);
     };
     for (int i = 0; i < 50; ++i) {
-        if (i == 20) saved = a.save();
+        if (i == 20) saved = a.state().save();
         take(a, i);
         EXPECT_EQ(a.stats().cuts, i >= 10 && i < 30 ? kSide : 0) << i;
         EXPECT_EQ(a.stats().islands, i >= 10 && i < 30 ? 2 : 1) << i;
     }
     World b = net(0.0).make();
-    b.restore(saved);
+    b.state().restore(saved);
     for (int i = 20; i < 50; ++i) take(b, i);
-    EXPECT_EQ(a.state_hash(), b.state_hash());
+    EXPECT_EQ(a.state().hash(), b.state().hash());
 }
 
 TEST(DeadlineCuts, AreTakenWithACopiedState) {
     const auto open = [](const World& w) {
         int count = 0;
-        for (const CutView& c : w.cuts()) count += c.open ? 1 : 0;
+        for (const CutView& c : w.splits().cuts()) count += c.open ? 1 : 0;
         return count;
     };
     for (const Predictor predictor : {Predictor::hold, Predictor::forces, Predictor::clique}) {
@@ -137,20 +138,20 @@ TEST(DeadlineCuts, AreTakenWithACopiedState) {
         World a = r.make(), b = r.make();
         for (const std::uint64_t asked : {std::uint64_t{1}, std::uint64_t{0}}) {
             for (int i = 0; i < 10; ++i) {
-                a.degrade_next_step({0, false, asked});
+                a.solver().degrade_next_step({0, false, asked});
                 ASSERT_EQ(a.step(), Status::ok);
             }
             // The other world has them inverted until then.
             ASSERT_NE(open(b) != 0, asked != 0);
-            b.copy_state(a);
+            b.state().copy_from(a);
             EXPECT_EQ(open(b), asked != 0 ? kSide : 0);
             EXPECT_EQ(open(b), open(a));
             for (World* w : {&a, &b}) {
-                w->degrade_next_step({0, false, asked});
+                w->solver().degrade_next_step({0, false, asked});
                 ASSERT_EQ(w->step(), Status::ok);
             }
             EXPECT_EQ(b.stats().cuts, a.stats().cuts);
-            EXPECT_EQ(b.state_hash(), a.state_hash());
+            EXPECT_EQ(b.state().hash(), a.state().hash());
         }
     }
 }
@@ -161,17 +162,17 @@ TEST(DeadlineCuts, ChangeNothingWhileTheyAreNotAskedFor) {
         ASSERT_EQ(a.step(), Status::ok);
         ASSERT_EQ(b.step(), Status::ok);
     }
-    EXPECT_EQ(a.cuts().size(), static_cast<std::size_t>(kSide));
-    EXPECT_FALSE(a.cuts()[0].open);
+    EXPECT_EQ(a.splits().cuts().size(), static_cast<std::size_t>(kSide));
+    EXPECT_FALSE(a.splits().cuts()[0].open);
     for (std::int32_t i = 0; i < a.body_count(); ++i)
         EXPECT_LT((a.pose({i}).position - b.pose({i}).position).norm(), 1e-9);
 }
 
 TEST(DeadlineCuts, AreNotTakenWhereTheySaveNothing) {
-    stepper::Deadline d;
-    const stepper::Load load{1e-9, 1000.0};  // almost no rows
+    budget::Deadline d;
+    const budget::Load load{1e-9, 1000.0};  // almost no rows
     for (int i = 0; i < 100; ++i) d.learn(load, {0.0, 1.0, 1.0, 1.0, 1, false});
-    stepper::CutLevels levels;
+    budget::CutLevels levels;
     levels.set({{0, 1000.0}, {1, 1100.0}, {3, 980.0}});
     EXPECT_EQ(levels.choose(d, load, 0.5, 0), 0U);  // 2 % do not justify a cut
     levels.set({{0, 1000.0}, {1, 1100.0}, {3, 700.0}, {7, 500.0}});
@@ -179,8 +180,8 @@ TEST(DeadlineCuts, AreNotTakenWhereTheySaveNothing) {
     levels.set({{0, 1000.0}, {1, 1100.0}, {3, 700.0}, {7, 500.0}});
     EXPECT_EQ(levels.choose(d, load, 0.1, 0), 7U);  // none fits: the cheapest
     // Return to exact after it has fitted with a margin of a tenth for kStay steps.
-    const stepper::Load cut{1e-9, 500.0};
-    for (int i = 0; i + 1 < stepper::CutLevels::kStay; ++i)
+    const budget::Load cut{1e-9, 500.0};
+    for (int i = 0; i + 1 < budget::CutLevels::kStay; ++i)
         EXPECT_EQ(levels.choose(d, cut, 1.2, 7), 7U);
     EXPECT_EQ(levels.choose(d, cut, 1.2, 7), 0U);
 }
@@ -188,10 +189,10 @@ TEST(DeadlineCuts, AreNotTakenWhereTheySaveNothing) {
 /// A load that appears while cuts are open and disappears again: costs of levels are those of the
 /// present load.
 TEST(DeadlineCuts, AreTakenBackWhenALoadThatCameWithThemGoes) {
-    stepper::Deadline d;
-    const stepper::Load load{1e-9, 1000.0};
+    budget::Deadline d;
+    const budget::Load load{1e-9, 1000.0};
     for (int i = 0; i < 100; ++i) d.learn(load, {0.0, 1.0, 1.0, 1.0, 1, false});
-    stepper::CutLevels levels;
+    budget::CutLevels levels;
     levels.set({{0, 1000.0}, {1, 700.0}});
     std::uint64_t asked = 0;
     // Work of a step: 1000 or 700, and 1000 more during the load.
@@ -204,22 +205,22 @@ TEST(DeadlineCuts, AreTakenBackWhenALoadThatCameWithThemGoes) {
     EXPECT_EQ(asked, 1U) << "1.7 is within 1.8, 2.0 is not";
     for (int i = 0; i < 300; ++i) step(1000.0);
     EXPECT_EQ(asked, 1U);
-    for (int i = 0; i < stepper::CutLevels::kStay + 2; ++i) step(0.0);
+    for (int i = 0; i < budget::CutLevels::kStay + 2; ++i) step(0.0);
     EXPECT_EQ(asked, 0U);
 }
 
 TEST(DeadlineCuts, StayAsARestoredWorldHasThemUntilRatesAreKnown) {
-    const stepper::Deadline nothing;
-    stepper::CutLevels levels;
+    const budget::Deadline nothing;
+    budget::CutLevels levels;
     levels.set({{0, 1000.0}, {1, 700.0}, {3, 500.0}});
     EXPECT_EQ(levels.choose(nothing, {1.0, 500.0}, 0.6, 3), 3U);
 }
 
 /// Records whether levels of cuts were known when the solver's time started.
 struct LevelsClock final : runtime::Stopwatch {
-    const stepper::StepContext& ctx;
+    const context::StepContext& ctx;
     bool known_at_start = false;
-    explicit LevelsClock(const stepper::StepContext& c) : ctx(c) {}
+    explicit LevelsClock(const context::StepContext& c) : ctx(c) {}
     void start() noexcept override { known_at_start = ctx.work.limits.cut_levels.known(); }
     double seconds() noexcept override { return 0.0; }
 };
@@ -228,9 +229,9 @@ TEST(DeadlineCuts, TheAnalysisOfLevelsIsPartOfTheSolversTime) {
     auto ctx = net_context(1.0);
     LevelsClock clock(*ctx);
     ctx->stopwatch = &clock;
-    ASSERT_EQ(stepper::step(*ctx), Status::ok);
+    ASSERT_EQ(step::step(*ctx), Status::ok);
     ASSERT_FALSE(ctx->work.limits.cut_levels.known());
-    ASSERT_EQ(stepper::step(*ctx), Status::ok);
+    ASSERT_EQ(step::step(*ctx), Status::ok);
     EXPECT_TRUE(ctx->work.limits.cut_levels.known());
     EXPECT_FALSE(clock.known_at_start);
     EXPECT_TRUE(ctx->work.limits.laps.analysed) << "or rates would be learned from it";
@@ -240,10 +241,10 @@ TEST(DeadlineCuts, TheAnalysisOfLevelsIsPartOfTheSolversTime) {
 /// comes into force.
 TEST(DeadlineCuts, ThatAreHeldShutDegradeNothing) {
     World open = net(0.0).make(), shut = net(0.0).make();
-    shut.set_coupling(open.cuts().front().interaction, Coupling::exact);
+    shut.splits().set_coupling(open.splits().cuts().front().interaction, Coupling::exact);
     for (World* w : {&open, &shut})
         for (int i = 0; i < 5; ++i) {
-            w->degrade_next_step({0, false, 1});
+            w->solver().degrade_next_step({0, false, 1});
             ASSERT_EQ(w->step(), Status::ok);
         }
     EXPECT_EQ(open.stats().compliant, 1U);

@@ -12,9 +12,9 @@
 namespace hawser {
 namespace {
 
-using stepper::Deadline;
-using stepper::Laps;
-using stepper::Load;
+using budget::Deadline;
+using budget::Laps;
+using budget::Load;
 
 constexpr Load kLoad{1e4, 1e6};
 
@@ -103,9 +103,9 @@ TEST(Deadline, TriesAgainWhatItHasGivenUp) {
 
 /// Clock with a model of the machine: contacts and iterations cost time.
 struct ModelClock final : runtime::Stopwatch {
-    const stepper::StepContext& ctx;
+    const context::StepContext& ctx;
     double per_contact, per_iteration;
-    ModelClock(const stepper::StepContext& c, double contact, double iteration)
+    ModelClock(const context::StepContext& c, double contact, double iteration)
         : ctx(c), per_contact(contact), per_iteration(iteration) {}
     void start() noexcept override {}
     double seconds() noexcept override {
@@ -117,8 +117,8 @@ struct ModelClock final : runtime::Stopwatch {
 constexpr int kBoxes = 24;
 
 /// Make boxes that slide on a shaking floor; the second half hangs weightless above it.
-std::unique_ptr<stepper::StepContext> floor_with_boxes(const WorldDef& def) {
-    auto ctx = std::make_unique<stepper::StepContext>(def);
+std::unique_ptr<context::StepContext> floor_with_boxes(const WorldDef& def) {
+    auto ctx = std::make_unique<context::StepContext>(def);
     ShapeDef plane, box;
     plane.kind = ShapeKind::plane;
     box.kind = ShapeKind::box;
@@ -133,12 +133,12 @@ std::unique_ptr<stepper::StepContext> floor_with_boxes(const WorldDef& def) {
                                                  .gravity = !parked})};
         ctx->model.collider.add(box, ctx->model.bodies);
     }
-    ctx->state.changed = stepper::Changed::all;
+    ctx->state.changed = context::Changed::all;
     return ctx;
 }
 
 /// Put the parked half down, or lift it.
-void put(stepper::StepContext& ctx, bool down) {
+void put(context::StepContext& ctx, bool down) {
     for (std::size_t b = 1 + kBoxes / 2; b <= kBoxes; ++b) {
         ctx.model.bodies.x[3 * b + 2] = down ? 0.2499 : 5.0;
         ctx.model.bodies.force[6 * b + 2] = down ? -981.0 : 0.0;
@@ -148,7 +148,7 @@ void put(stepper::StepContext& ctx, bool down) {
 }
 
 /// Move the floor: it starts to slide under the boxes, and reverses.
-void shake(stepper::StepContext& ctx) {
+void shake(context::StepContext& ctx) {
     ctx.model.bodies.v_fixed[0] = std::sin(0.4 * static_cast<double>(ctx.state.step));
     ctx.model.bodies.v_fixed[1] = std::cos(0.3 * static_cast<double>(ctx.state.step));
 }
@@ -169,7 +169,7 @@ TEST(Deadline, HoldsWhileTheLoadDoublesAndIsExactAgainAfterwards) {
             for (auto* c : {ctx.get(), replayed.get()}) put(*c, i == 80);
         shake(*ctx);
         shake(*replayed);
-        ASSERT_EQ(stepper::step(*ctx), Status::ok) << "step " << i;
+        ASSERT_EQ(step::step(*ctx), Status::ok) << "step " << i;
         const StepStats& s = ctx->work.stats;
         EXPECT_EQ(s.degradation.any(), s.cut);
         if (s.cut) {
@@ -184,10 +184,10 @@ TEST(Deadline, HoldsWhileTheLoadDoublesAndIsExactAgainAfterwards) {
         late += s.solver_cpu_seconds > def.budget ? 1 : 0;
         EXPECT_LE(s.momentum_residual, 1e-9) << "step " << i;
         replayed->state.imposed = s.degradation;
-        ASSERT_EQ(stepper::step(*replayed), Status::ok);
+        ASSERT_EQ(step::step(*replayed), Status::ok);
         EXPECT_EQ(replayed->work.stats.degradation, s.degradation);
-        ASSERT_EQ(stepper::state_hash(replayed->model, replayed->state),
-                  stepper::state_hash(ctx->model, ctx->state))
+        ASSERT_EQ(state::state_hash(replayed->model, replayed->state),
+                  state::state_hash(ctx->model, ctx->state))
             << "step " << i;
     }
     EXPECT_GT(loaded, 40);

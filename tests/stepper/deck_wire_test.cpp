@@ -122,7 +122,7 @@ TEST(ConvexPhase, SlopeIsTheDerivativeOfTheEnergy) {
             from[i] = random.uniform(-0.1, 0.1);
             from[3 + i] = random.uniform(-1, 1);
         }
-        const double radius = nonsmooth::disk_radius(stepper::convex_cone(c), from, from + 3);
+        const double radius = nonsmooth::disk_radius(contact::convex_cone(c), from, from + 3);
         const double t = random.uniform(0, 1), step = 1e-6;
         const auto energy = [&](double share) {
             double u[3], work = 0.0;
@@ -137,7 +137,7 @@ TEST(ConvexPhase, SlopeIsTheDerivativeOfTheEnergy) {
         const double slope = (energy(t + step) - energy(t - step)) / (2.0 * step);
         const double size = 1.0 + std::fabs(energy(t)) + std::fabs(slope);
         // Central differences: rounding over the step.
-        ASSERT_NEAR(stepper::contact_slope(c, from, t), slope, 1e-6 * size) << trial;
+        ASSERT_NEAR(contact::contact_slope(c, from, t), slope, 1e-6 * size) << trial;
     }
 }
 
@@ -151,7 +151,7 @@ TEST(ConvexPhase, LineSearchFindsTheZeroOfASlope) {
             return t <= kink ? low * t : low * kink + high * (t - kink);
         };
         const auto slope = [&](double t) { return piecewise(t) - piecewise(zero); };
-        const double t = stepper::fraction_without_slope(slope);
+        const double t = contact::fraction_without_slope(slope);
         if (zero >= 1.0)
             ASSERT_EQ(t, 1.0) << trial;
         else

@@ -52,9 +52,9 @@ class Coming {
             {"a force removed", [this] { (void)w_.remove_input(set_); }},
             {"a shape added", [this] { add_shape(); }},
             {"a shape removed", [this] { (void)w_.remove_shape(shape_); }},
-            {"a wire added", [this] { id_ = w_.add_wire(wire_); }},
-            {"a wire parted", [this] { w_.part(id_, 12.0); }},
-            {"a wire removed", [this] { (void)w_.remove_wire(id_); }}};
+            {"a wire added", [this] { id_ = w_.wires().add(wire_); }},
+            {"a wire parted", [this] { w_.wires().part(id_, 12.0); }},
+            {"a wire removed", [this] { (void)w_.wires().remove(id_); }}};
     }
 
   private:
@@ -100,7 +100,7 @@ void expect_none(World& w, int warm, int rounds, int max_grown) {
     for (int round = 0; round < warm + rounds; ++round)
         for (const Edit& edit : edits) {
             const std::int64_t growths = w.stats().growths, plans = w.stats().plans;
-            const std::size_t held = w.memory_bytes();
+            const std::size_t held = w.solver().memory_bytes();
             long in_edit = 0, seen = 0;
             Status status = Status::ok;
             {
@@ -119,7 +119,7 @@ void expect_none(World& w, int warm, int rounds, int max_grown) {
             }
             EXPECT_EQ(in_edit, 0) << edit.name << ", round " << round;
             EXPECT_EQ(seen - in_edit, 0) << "in the step after: " << edit.name << ", " << round;
-            EXPECT_EQ(w.memory_bytes(), held) << edit.name;
+            EXPECT_EQ(w.solver().memory_bytes(), held) << edit.name;
         }
     EXPECT_LE(grown, max_grown);
     // A wire is more than an eighth of a small world.
@@ -149,7 +149,7 @@ World small_yard(int threads) {
     wire.mass_per_length = 10.0;
     wire.radius = 0.05;
     wire.length = 41.0;
-    w.add_wire(wire);
+    w.wires().add(wire);
     BodyId last = hull[0];
     for (int i = 0; i < 10; ++i) {
         const Vec3 x(-3.0 - i, 0.0, 1.0);
@@ -207,17 +207,17 @@ TEST(EditAllocation, NoneWhereNodesComeAndGo) {
             {.name = "top of a crane", .kind = BodyKind::fixed, .position = {0, 0, 100}});
         const BodyId load = w.add_body(
             {.name = "a load that hangs", .mass = 1000.0, .inertia = 1000.0 * Mat3::Identity()});
-        const WireId wire = w.add_wire({.name = "a wire of a long name",
-                                        .from = top,
-                                        .to = load,
-                                        .elements = 40,
-                                        .length = 100.0,
-                                        .EA = 1e7,
-                                        .mass_per_length = 5.0,
-                                        .EI = 50.0,
-                                        .drag = 20.0,
-                                        .radius = 0.0,
-                                        .consistent_mass = true});
+        const WireId wire = w.wires().add({.name = "a wire of a long name",
+                                           .from = top,
+                                           .to = load,
+                                           .elements = 40,
+                                           .length = 100.0,
+                                           .EA = 1e7,
+                                           .mass_per_length = 5.0,
+                                           .EI = 50.0,
+                                           .drag = 20.0,
+                                           .radius = 0.0,
+                                           .consistent_mass = true});
         for (int i = 0; i < 300; ++i) ASSERT_EQ(w.step(), Status::ok);  // until it hangs still
         // Slots of removed objects are reused after some time: this number of rounds is warm.
         constexpr int kWarm = 14, kRounds = 10, kNodes = 5;
@@ -228,15 +228,15 @@ TEST(EditAllocation, NoneWhereNodesComeAndGo) {
             for (int k = 0; k < 2 * kNodes; ++k) {
                 const std::int64_t growths = w.stats().growths, plans = w.stats().plans;
                 const InteractionId element =
-                    w.elements(wire)[static_cast<std::size_t>(2 + 3 * (k % kNodes))];
+                    w.wires().elements(wire)[static_cast<std::size_t>(2 + 3 * (k % kNodes))];
                 long in_edit = 0, seen = 0;
                 Status status = Status::ok;
                 {
                     const AllocationGuard guard;
                     if (k < kNodes)
-                        put[k] = w.insert_node(element, 0.5);
+                        put[k] = w.wires().insert_node(element, 0.5);
                     else
-                        ASSERT_TRUE(w.remove_node(put[k - kNodes], 3.0));
+                        ASSERT_TRUE(w.wires().remove_node(put[k - kNodes], 3.0));
                     in_edit = AllocationGuard::seen();
                     status = w.step();
                     seen = AllocationGuard::seen();
@@ -275,11 +275,11 @@ TEST(EditAllocation, ShapesAloneAnalyseNothing) {
         else
             (void)w.remove_shape(shape[k]);
         World again = small_yard(1);
-        again.restore(w.structure(), w.save());
+        again.state().restore(w.state().structure(), w.state().save());
         for (int step = 0; step < 2; ++step) {
             ASSERT_EQ(w.step(), Status::ok);
             ASSERT_EQ(again.step(), Status::ok);
-            ASSERT_EQ(again.state_hash(), w.state_hash()) << i << ", " << step;
+            ASSERT_EQ(again.state().hash(), w.state().hash()) << i << ", " << step;
         }
     }
     // If two bodies touch for the first time, links are repaired.

@@ -40,14 +40,14 @@ TEST(Forms, EveryFormGivesTheSameVelocities) {
         scene::Scene reference = scene::load_file(file, tight);
         for (int i = 0; i < (test::kSanitized ? 5 : 30); ++i)
             ASSERT_EQ(reference.world.step(), Status::ok) << file;
-        const std::vector<std::byte> state = reference.world.save();
-        const Structure made_of = reference.world.structure();
+        const std::vector<std::byte> state = reference.world.state().save();
+        const Structure made_of = reference.world.state().structure();
         ASSERT_EQ(reference.world.step(), Status::ok);
         for (const Form form : {Form::saddle, Form::condensed}) {
             scene::Options options = tight;
             options.form = form;
             scene::Scene other = scene::load_file(file, options);
-            other.world.restore(made_of, state);
+            other.world.state().restore(made_of, state);
             ASSERT_EQ(other.world.step(), Status::ok) << file;
             const Comparison c = compare(reference.world, other.world);
             // 1e-12 of the fastest body, or of h g if all are at rest: smaller values are rounding

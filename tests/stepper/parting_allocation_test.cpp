@@ -18,14 +18,14 @@ TEST(Allocation, NoneWhereAWireParts) {
     def.length = 199.2;
     def.EA = 2.33e8;
     def.mass_per_length = 23.0;
-    const WireId wire = w.add_wire(def);
+    const WireId wire = w.wires().add(def);
     // A weak element parallel to the last one, slack until the wire has been stepped for some time.
-    InteractionDef weak = w.interaction_def(w.elements(wire)[20]);
+    InteractionDef weak = w.interaction_def(w.wires().elements(wire)[20]);
     weak.name = "weak";
     weak.set("breaking_load", 1e3);
     weak.set("length", 5.001);
     (void)w.add_interaction(weak);
-    const BodyId lump = w.nodes(wire)[20];
+    const BodyId lump = w.wires().nodes(wire)[20];
     for (int i = 0; i < 30; ++i) ASSERT_EQ(w.step(), Status::ok);
     ASSERT_TRUE(w.intact(w.find_interaction("weak")));
     w.set_force(lump, Vec3(-2e6, 0, 0), Vec3::Zero());
@@ -33,7 +33,7 @@ TEST(Allocation, NoneWhereAWireParts) {
     {
         const AllocationGuard guard;
         for (int i = 0; i < 20; ++i) (void)w.step();
-        w.part(w.elements(wire)[3]);
+        w.wires().part(w.wires().elements(wire)[3]);
         for (int i = 0; i < 20; ++i) (void)w.step();
         seen = AllocationGuard::seen();
     }

@@ -19,13 +19,13 @@ TEST(SeaAllocation, WarmStepsInWavesAllocateNothing) {
                         .inertia = Vec3(10 * mass, 10 * mass, 17 * mass).asDiagonal()});
         const BodyId buoy = w.add_body(
             {.name = "buoy", .kind = BodyKind::lump, .position = {20, 0, 0}, .mass = 400.0});
-        const WireId rope = w.add_wire({.name = "rope",
-                                        .from = box,
-                                        .from_point = {0, 0, -2},
-                                        .elements = 30,
-                                        .length = 40.0,
-                                        .EA = 1e7,
-                                        .mass_per_length = 10.0});
+        const WireId rope = w.wires().add({.name = "rope",
+                                           .from = box,
+                                           .from_point = {0, 0, -2},
+                                           .elements = 30,
+                                           .length = 40.0,
+                                           .EA = 1e7,
+                                           .mass_per_length = 10.0});
         SeaDef sea{.depth = 80.0};
         sea.waves.push_back({.kind = WaveKind::jonswap, .height = 2.0, .period = 7.0});
         sea.wind = {.speed = 12.0, .gusts = true};

@@ -159,19 +159,19 @@ TEST(WireGuard, SameBitsForAnyThreadsAndAfterRestoring) {
         for (int k = 0; k < 120; ++k) {
             ASSERT_EQ(w.step(), Status::ok);
             repeats += w.stats().wire_repeats;
-            if (threads == 1 && k == 30) snapshot = w.save();
+            if (threads == 1 && k == 30) snapshot = w.state().save();
             if (threads == 1 && k == 30) {
-                EXPECT_GT(w.wire_alert(InteractionId{0}), 0) << "nothing to remember";
+                EXPECT_GT(w.wires().damped_steps(InteractionId{0}), 0) << "nothing to remember";
             }
         }
-        hashes.push_back(w.state_hash());
+        hashes.push_back(w.state().hash());
     }
     EXPECT_GT(repeats, 0);
     for (const std::uint64_t hash : hashes) EXPECT_EQ(hash, hashes.front());
     World again = lively().make().make();
-    again.restore(snapshot);
+    again.state().restore(snapshot);
     for (int k = 31; k < 120; ++k) ASSERT_EQ(again.step(), Status::ok);
-    EXPECT_EQ(again.state_hash(), hashes.front());
+    EXPECT_EQ(again.state().hash(), hashes.front());
 }
 
 /// Make boxes that slide into each other, which take several iterations per step; next to the wire
@@ -249,9 +249,9 @@ TEST(WireGuard, StepsThatABudgetCutsAreRepeatedWithoutIt) {
             const StepStats& s = w.stats();
             cut += s.cut && s.wire_repeats > 0 ? 1 : 0;
             later += s.cut && s.wire_repeats > 0 && s.degradation.iterations > 3 ? 1 : 0;
-            if (s.degradation.any()) again.degrade_next_step(s.degradation);
+            if (s.degradation.any()) again.solver().degrade_next_step(s.degradation);
             ASSERT_EQ(again.step(), Status::ok);
-            ASSERT_EQ(again.state_hash(), w.state_hash()) << share << " step " << k;
+            ASSERT_EQ(again.state().hash(), w.state().hash()) << share << " step " << k;
         }
     }
     EXPECT_GT(cut, 10);

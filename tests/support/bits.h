@@ -35,7 +35,7 @@ std::vector<std::uint64_t> hashes_of(const Make& make, int steps, const Before& 
             before(deck, i);
             ASSERT_EQ(deck.w.step(), Status::ok)
                 << i << ": " << to_string(deck.w.bad_load(), deck.w);
-            out.push_back(deck.w.state_hash());
+            out.push_back(deck.w.state().hash());
         }
     };
     auto deck = make(threads);
@@ -45,10 +45,10 @@ std::vector<std::uint64_t> hashes_of(const Make& make, int steps, const Before& 
         return out;
     }
     run(deck, 0, restored);
-    const std::vector<std::byte> bytes = deck.w.save();
-    const Structure made_of = deck.w.structure();
+    const std::vector<std::byte> bytes = deck.w.state().save();
+    const Structure made_of = deck.w.state().structure();
     auto other = make(1);
-    other.w.restore(made_of, bytes);
+    other.w.state().restore(made_of, bytes);
     run(other, restored, steps);
     return out;
 }

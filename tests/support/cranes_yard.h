@@ -60,7 +60,9 @@ struct CraneYard {
         return w.find_interaction(std::string("crane/") + name);
     }
     [[nodiscard]] double tension(const char* name) const { return -w.force(part(name))[0]; }
-    [[nodiscard]] std::int64_t count(EventKind kind) const { return w.event_extremes(kind).count; }
+    [[nodiscard]] std::int64_t count(EventKind kind) const {
+        return w.events().extremes(kind).count;
+    }
     /// Return the mean of `read` over a time.
     double mean(double seconds, const auto& read) {
         const long steps = std::lround(seconds / kYardStep);

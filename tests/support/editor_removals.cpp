@@ -84,25 +84,25 @@ bool Editor::add_wire() {
         def.to = to;
         def.length = 1.02 * separation;
     }
-    for (World* w : worlds_) (void)w->add_wire(def);
+    for (World* w : worlds_) (void)w->wires().add(def);
     return true;
 }
 
 /// Cut at a material coordinate, or break an element of any wire.
 bool Editor::part_wire() {
-    const auto wires = first().wires();
+    const auto wires = first().wires().ids();
     if (wires.empty()) return false;
     const WireId id = any(wires);
-    const double length = first().length(id);
+    const double length = first().wires().length(id);
     if (length <= 0.0) return false;
     if (random_.chance(0.5)) {
         const double s = random_.uniform(0.0, length);
-        for (World* w : worlds_) w->part(id, s);
+        for (World* w : worlds_) w->wires().part(id, s);
         return true;
     }
-    const InteractionId element = any(first().elements(id));
+    const InteractionId element = any(first().wires().elements(id));
     if (!first().alive(element)) return false;
-    for (World* w : worlds_) w->part(element);
+    for (World* w : worlds_) w->wires().part(element);
     return true;
 }
 
@@ -159,11 +159,11 @@ bool Editor::remove_body() {
 }
 
 bool Editor::remove_wire() {
-    const auto wires = first().wires();
+    const auto wires = first().wires().ids();
     if (wires.empty()) return false;
     const WireId id = any(wires);
     wires_gone_.push_back(id);
-    return remove(id, [&](World& w) -> const Removed& { return w.remove_wire(id); });
+    return remove(id, [&](World& w) -> const Removed& { return w.wires().remove(id); });
 }
 
 bool Editor::remove_any() {
@@ -206,7 +206,7 @@ std::size_t Editor::not_refused(World& world) const {
         ask(id, [&](InteractionId i) { (void)world.force(i); });
     for (const ShapeId id : gone_.shapes) ask(id, [&](ShapeId i) { (void)world.shape_def(i); });
     for (const InputId id : gone_.inputs) ask(id, [&](InputId i) { world.set_input(i, 1.0); });
-    for (const WireId id : wires_gone_) ask(id, [&](WireId i) { (void)world.length(i); });
+    for (const WireId id : wires_gone_) ask(id, [&](WireId i) { (void)world.wires().length(i); });
     return count;
 }
 

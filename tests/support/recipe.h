@@ -74,8 +74,8 @@ struct Recipe {
         return w;
     }
     /// Prepare a context with the bodies and interactions, without a World.
-    [[nodiscard]] std::unique_ptr<stepper::StepContext> context() const {
-        auto ctx = std::make_unique<stepper::StepContext>(world);
+    [[nodiscard]] std::unique_ptr<context::StepContext> context() const {
+        auto ctx = std::make_unique<context::StepContext>(world);
         for (const BodyDef& b : bodies) ctx->model.bodies.add(b);
         for (InteractionDef d : interactions) {
             Vec3 position[kMaxInteractionBodies], point[kMaxInteractionBodies];
@@ -90,7 +90,7 @@ struct Recipe {
             model::complete(d, position, count > 1 ? (point[1] - point[0]).norm() : 0.0);
             ctx->model.interactions.add(d, ctx->model.bodies, world.step);
         }
-        stepper::prepare(*ctx);
+        step::prepare(*ctx);
         return ctx;
     }
 };

@@ -28,7 +28,7 @@ inline Repeated expect_repeats(const record::Recording& recording, int threads) 
     World& world = out.scene.world;
     while (world.system_count() > 0) (void)world.remove_system(world.system(0));
     world.prepare();
-    world.restore(recording.snapshot);
+    world.state().restore(recording.snapshot);
     record::Repeater repeater(recording);
     for (std::size_t i = 0; i < recording.frame_count(); ++i) {
         const record::Frame frame = recording.frame_head(i);
@@ -41,10 +41,10 @@ inline Repeated expect_repeats(const record::Recording& recording, int threads) 
             if (status != Status::ok) return out;
             ++out.steps;
         }
-        EXPECT_EQ(world.motion_hash(), frame.hash) << "step " << frame.step;
+        EXPECT_EQ(world.state().motion_hash(), frame.hash) << "step " << frame.step;
     }
     repeater.before_step(world);
-    EXPECT_EQ(world.motion_hash(), recording.end_hash) << "at its end";
+    EXPECT_EQ(world.state().motion_hash(), recording.end_hash) << "at its end";
     return out;
 }
 

@@ -63,7 +63,7 @@ void build(Prestep& now, Loads& loads) {
         wire.mass_per_length = 1.0;
         (void)now.edits.add_wire(wire);
     }
-    if (now.count == 40) now.edits.remove_wire(now.world.find_wire("wire"));
+    if (now.count == 40) now.edits.remove_wire(now.world.wires().find("wire"));
     if (now.count == 60) now.edits.remove_body(now.world.find_body("built"));
 }
 
@@ -80,13 +80,13 @@ TEST(SystemEdits, AreThoseThatAUserMakesBeforeTheStep) {
             w.add(DistanceDef{.name = "link", .a = by_hand.bob, .b = body});
             WireDef wire{.name = "wire", .from = body, .elements = 3, .length = 1.0, .EA = 1e5};
             wire.mass_per_length = 1.0;
-            w.add_wire(wire);
+            w.wires().add(wire);
         }
-        if (i == 40) w.remove_wire(w.find_wire("wire"));
+        if (i == 40) w.wires().remove(w.wires().find("wire"));
         if (i == 60) w.remove_body(w.find_body("built"));
         ASSERT_EQ(w.step(), Status::ok);
         ASSERT_EQ(by_system.w.step(), Status::ok) << to_string(by_system.w.bad_load(), by_system.w);
-        ASSERT_EQ(by_system.w.motion_hash(), w.motion_hash()) << "step " << i;
+        ASSERT_EQ(by_system.w.state().motion_hash(), w.state().motion_hash()) << "step " << i;
     }
     EXPECT_EQ(doer.calls, 90.0);
 }
@@ -101,7 +101,7 @@ TEST(SystemEdits, ThatAreRefusedChangeNothing) {
         now.edits.remove_interaction(now.world.find_interaction("rod"));
         (void)now.edits.add_body(lump("bob", {6, 0, 0}));
     });
-    const std::uint64_t before = y.w.state_hash();
+    const std::uint64_t before = y.w.state().hash();
     ASSERT_EQ(y.w.step(), Status::bad_edit);
     EXPECT_EQ(y.w.bad_load().system, "doer");
     const std::string said = to_string(y.w.bad_load(), y.w);
@@ -109,7 +109,7 @@ TEST(SystemEdits, ThatAreRefusedChangeNothing) {
     EXPECT_NE(said.find("the name is in use"), std::string::npos) << said;
     EXPECT_EQ(y.w.bodies().size(), 2U);
     EXPECT_TRUE(y.w.alive(y.rod));
-    EXPECT_EQ(y.w.state_hash(), before);
+    EXPECT_EQ(y.w.state().hash(), before);
     EXPECT_EQ(doer.calls, 0.0);
     wrong = false;
     Yard other;
@@ -120,7 +120,7 @@ TEST(SystemEdits, ThatAreRefusedChangeNothing) {
         ASSERT_EQ(y.w.step(), Status::ok);
         ASSERT_EQ(other.w.step(), Status::ok);
     }
-    EXPECT_EQ(y.w.state_hash(), other.w.state_hash());
+    EXPECT_EQ(y.w.state().hash(), other.w.state().hash());
 }
 
 TEST(SystemEdits, StayWhereTheStepIsCancelledAndAreAskedForOnce) {
@@ -137,7 +137,7 @@ TEST(SystemEdits, StayWhereTheStepIsCancelledAndAreAskedForOnce) {
         if (status == Status::cancelled) status = cancelled.w.step();
         ASSERT_EQ(status, Status::ok);
         ASSERT_EQ(straight.w.step(), Status::ok);
-        ASSERT_EQ(cancelled.w.state_hash(), straight.w.state_hash()) << "step " << i;
+        ASSERT_EQ(cancelled.w.state().hash(), straight.w.state().hash()) << "step " << i;
     }
     EXPECT_FALSE(cancel);
 }
@@ -190,7 +190,7 @@ TEST(Forces, OfUserInputsAndSystemsAddUp) {
     w.set_input(two, 4.0);
     w.set_force(separation.bob, {16, 0, 0}, Vec3::Zero());  // replaces only the user's own force
     together.w.set_force(together.bob, {30, 0, 0}, Vec3::Zero());
-    const std::vector<std::byte> saved = w.save();
+    const std::vector<std::byte> saved = w.state().save();
     double speed = 0.0;
     for (int round = 0; round < 2; ++round) {
         for (int i = 0; i < 20; ++i) ASSERT_EQ(w.step(), Status::ok);
@@ -199,7 +199,7 @@ TEST(Forces, OfUserInputsAndSystemsAddUp) {
             EXPECT_EQ(now, speed);  // also after a restore
         }
         speed = now;
-        w.restore(saved);
+        w.state().restore(saved);
     }
     for (int i = 0; i < 20; ++i) ASSERT_EQ(together.w.step(), Status::ok);
     // Loads are added to the right-hand side separately: another order of a few sums.

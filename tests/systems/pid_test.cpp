@@ -90,17 +90,17 @@ TEST(PidSystem, IsPartOfTheStateAndTakesNewTargets) {
     b.control();
     for (int i = 0; i < 100; ++i) a.step();
     a.w.set_system_signal("tension.target", 10e3);
-    const auto saved = a.w.save();
+    const auto saved = a.w.state().save();
     World twin = a.w.twin();
-    b.w.restore(saved);
+    b.w.state().restore(saved);
     EXPECT_EQ(b.w.system_signal("tension.target"), 10e3);
     for (int i = 0; i < 200; ++i) {
         a.step();
         b.step();
         twin.set_velocity(a.barge, a.w.velocity(a.barge));
         ASSERT_EQ(twin.step(), Status::ok);
-        ASSERT_EQ(a.w.state_hash(), b.w.state_hash());
-        ASSERT_EQ(a.w.state_hash(), twin.state_hash());
+        ASSERT_EQ(a.w.state().hash(), b.w.state().hash());
+        ASSERT_EQ(a.w.state().hash(), twin.state().hash());
     }
     EXPECT_NEAR(a.w.system_signal("tension.measured"), 10e3, 1e3);
 }

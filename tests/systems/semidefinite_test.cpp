@@ -41,18 +41,18 @@ TEST(Semidefinite, TakesAPieceOfWireOfAnyDirection) {
     for (int i = 0; i < cases; ++i) {
         const Vec3 t = any_direction(random);
         const double c = std::pow(10.0, random.uniform(-6, 6));
-        ASSERT_TRUE(stepper::semidefinite(across(t, c, 0.0).data(), 3))
+        ASSERT_TRUE(assembly::semidefinite(across(t, c, 0.0).data(), 3))
             << i << ' ' << t.transpose();
         // 1e-9 of it below 0: far above the rounding of its entries.
-        ASSERT_FALSE(stepper::semidefinite(across(t, c, 1e-9).data(), 3)) << i;
+        ASSERT_FALSE(assembly::semidefinite(across(t, c, 1e-9).data(), 3)) << i;
     }
 }
 
 TEST(Semidefinite, TakesWhatUnderflowsBesideNothing) {
     const double m[] = {0.0, -1e-170, 1.0, 0.0, 0.0, 1.0};
-    EXPECT_TRUE(stepper::semidefinite(m, 3));
+    EXPECT_TRUE(assembly::semidefinite(m, 3));
     const double n[] = {0.0, -1e-100, 1.0, 0.0, 0.0, 1.0};
-    EXPECT_FALSE(stepper::semidefinite(n, 3));
+    EXPECT_FALSE(assembly::semidefinite(n, 3));
 }
 
 /// Chain along x in still water has a transverse component that decays by rounding to any size. Its
@@ -66,12 +66,12 @@ TEST(Semidefinite, TakesComponentsWhoseSquaresUnderflow) {
             t[k] = (random.chance(0.5) ? 1.0 : -1.0) * std::pow(10.0, random.uniform(-170, 0));
         t[random.integer(0, 2)] = 1.0;
         const double c = std::pow(10.0, random.uniform(-6, 6));
-        ASSERT_TRUE(stepper::semidefinite(across(t, c, 0.0).data(), 3))
+        ASSERT_TRUE(assembly::semidefinite(across(t, c, 0.0).data(), 3))
             << i << ' ' << t.transpose();
         // Any fraction of a node that is barely wet makes all entries this small.
         const double small = std::pow(10.0, random.uniform(-323, -290));
-        ASSERT_TRUE(stepper::semidefinite(across(t, small, 0.0).data(), 3)) << i;
-        ASSERT_FALSE(stepper::semidefinite(across(Vec3(1.0, 1.0, t.x()), c, 1e-9).data(), 3)) << i;
+        ASSERT_TRUE(assembly::semidefinite(across(t, small, 0.0).data(), 3)) << i;
+        ASSERT_FALSE(assembly::semidefinite(across(Vec3(1.0, 1.0, t.x()), c, 1e-9).data(), 3)) << i;
     }
 }
 
@@ -89,9 +89,9 @@ TEST(Semidefinite, TakesSumsOfOuterProducts) {
             for (int a = 0, e = 0; a < 6; ++a)
                 for (int b = 0; b <= a; ++b, ++e) m[e] += v[a] * v[b];
         }
-        ASSERT_TRUE(stepper::semidefinite(m, 6)) << i << ", rank " << rank;
+        ASSERT_TRUE(assembly::semidefinite(m, 6)) << i << ", rank " << rank;
         m[random.integer(0, 1) == 0 ? 0 : 20] *= -1.0;
-        ASSERT_FALSE(stepper::semidefinite(m, 6)) << i;
+        ASSERT_FALSE(assembly::semidefinite(m, 6)) << i;
     }
 }
 

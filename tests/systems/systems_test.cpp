@@ -65,31 +65,31 @@ void run(World& w, int steps) {
 TEST(Systems, GiveTheSameBitsOnAnyNumberOfThreadsAndAfterRestore) {
     World one = fleet(1), two = fleet(2), four = fleet(4);
     run(one, 40);
-    const auto saved = one.save();
+    const auto saved = one.state().save();
     run(one, 40);
     run(two, 80);
     run(four, 80);
-    EXPECT_EQ(one.state_hash(), two.state_hash());
-    EXPECT_EQ(one.state_hash(), four.state_hash());
+    EXPECT_EQ(one.state().hash(), two.state().hash());
+    EXPECT_EQ(one.state().hash(), four.state().hash());
     EXPECT_EQ(one.energy().system, four.energy().system);
     // In a world with another state, and in a new one.
-    two.restore(saved);
+    two.state().restore(saved);
     run(two, 40);
-    EXPECT_EQ(one.state_hash(), two.state_hash());
+    EXPECT_EQ(one.state().hash(), two.state().hash());
     World fresh = fleet(1);
-    fresh.restore(saved);
-    EXPECT_EQ(fresh.save(), saved);
+    fresh.state().restore(saved);
+    EXPECT_EQ(fresh.state().save(), saved);
     run(fresh, 20);
     World twin = fresh.twin();
-    EXPECT_EQ(twin.state_hash(), fresh.state_hash());
+    EXPECT_EQ(twin.state().hash(), fresh.state().hash());
     run(twin, 20);
-    EXPECT_EQ(one.state_hash(), twin.state_hash());
+    EXPECT_EQ(one.state().hash(), twin.state().hash());
     EXPECT_EQ(one.energy().system, twin.energy().system);
-    fresh.copy_state(twin);
-    EXPECT_EQ(one.state_hash(), fresh.state_hash());
+    fresh.state().copy_from(twin);
+    EXPECT_EQ(one.state().hash(), fresh.state().hash());
     run(fresh, 5);
     run(one, 5);
-    EXPECT_EQ(one.state_hash(), fresh.state_hash());
+    EXPECT_EQ(one.state().hash(), fresh.state().hash());
 }
 
 /// Counts, drives an input beyond its range, adds loads, and cancels the step on request.
@@ -125,24 +125,24 @@ TEST(Systems, AStepThatFailsTakesBackWhatTheyDid) {
     Driven failing, well;
     for (int i = 0; i < 20; ++i) {
         failing.cancels = i % 3;
-        const std::uint64_t before = failing.w.state_hash();
-        const auto saved = i > 0 ? failing.w.save() : std::vector<std::byte>{};
+        const std::uint64_t before = failing.w.state().hash();
+        const auto saved = i > 0 ? failing.w.state().save() : std::vector<std::byte>{};
         for (int k = 0; k < i % 3; ++k) {
             ASSERT_EQ(failing.w.step(), Status::cancelled);
-            ASSERT_EQ(failing.w.state_hash(), before);
+            ASSERT_EQ(failing.w.state().hash(), before);
             ASSERT_EQ(failing.w.input(failing.push), well.w.input(well.push));
             if (i > 0) {
-                ASSERT_EQ(failing.w.save(), saved);
+                ASSERT_EQ(failing.w.state().save(), saved);
             }
         }
         ASSERT_EQ(failing.w.step(), Status::ok);
         ASSERT_EQ(well.w.step(), Status::ok);
-        ASSERT_EQ(failing.w.state_hash(), well.w.state_hash()) << i;
+        ASSERT_EQ(failing.w.state().hash(), well.w.state().hash()) << i;
     }
     // Each successful step with an excessive value reported it once.
-    const auto clamped = failing.w.event_extremes(EventKind::input_clamped);
+    const auto clamped = failing.w.events().extremes(EventKind::input_clamped);
     EXPECT_GT(clamped.count, 0);
-    EXPECT_EQ(clamped.count, well.w.event_extremes(EventKind::input_clamped).count);
+    EXPECT_EQ(clamped.count, well.w.events().extremes(EventKind::input_clamped).count);
     EXPECT_EQ(failing.w.input(failing.push), 5.0);
 }
 
@@ -201,9 +201,9 @@ TEST(Systems, BadLoadsEndTheStepAndNameSystemAndBody) {
         });
         run(w, 3);
         now_wrong = true;
-        const std::uint64_t before = w.state_hash();
+        const std::uint64_t before = w.state().hash();
         ASSERT_EQ(w.step(), Status::bad_load) << c.wrong;
-        EXPECT_EQ(w.state_hash(), before);
+        EXPECT_EQ(w.state().hash(), before);
         const std::string said = to_string(w.bad_load(), w);
         EXPECT_NE(said.find("'storm'"), std::string::npos) << said;
         EXPECT_NE(said.find(c.wrong), std::string::npos) << said;
@@ -230,13 +230,13 @@ TEST(Systems, TellAllTheirEventsHoweverMany) {
     std::vector<Event> events;
     for (int step = 1; step <= 3; ++step) {
         ASSERT_EQ(w.step(), Status::ok);
-        EXPECT_EQ(w.events_since(cursor, events), 0U);
+        EXPECT_EQ(w.events().since(cursor, events), 0U);
         ASSERT_EQ(events.size(), 301U);
         for (int i = 0; i < 300; ++i)
             EXPECT_EQ(events[static_cast<std::size_t>(i)].value, 300.0 * step + i);
         EXPECT_EQ(events.back().kind, EventKind::brake_slip);
     }
-    EXPECT_EQ(w.event_extremes(EventKind::layer).count, 900);
+    EXPECT_EQ(w.events().extremes(EventKind::layer).count, 900);
 }
 
 TEST(Systems, LoadsOfRankOneAreTaken) {
@@ -269,13 +269,15 @@ TEST(Systems, AreRefusedWithAReason) {
     EXPECT_NE(refusal([&] { act(swept, "one", nothing); }).find("newton"), std::string::npos);
     // Snapshots of worlds with other systems.
     run(w, 2);
-    const auto saved = w.save();
+    const auto saved = w.state().save();
     World bare;
     bare.add_body(floating({0, 0, 0}, 1.0, {1, 1, 1}));
-    EXPECT_NE(refusal([&] { bare.restore(saved); }).find("other systems"), std::string::npos);
-    EXPECT_NE(refusal([&] { bare.copy_state(w); }).find("other systems"), std::string::npos);
+    EXPECT_NE(refusal([&] { bare.state().restore(saved); }).find("other systems"),
+              std::string::npos);
+    EXPECT_NE(refusal([&] { bare.state().copy_from(w); }).find("other systems"), std::string::npos);
     act(bare, "one", nothing, 1);
-    EXPECT_NE(refusal([&] { bare.restore(saved); }).find("other systems"), std::string::npos);
+    EXPECT_NE(refusal([&] { bare.state().restore(saved); }).find("other systems"),
+              std::string::npos);
 }
 
 /// A system without a clone.
@@ -310,9 +312,9 @@ TEST(Systems, ShowTheirSignalsByName) {
               std::string::npos);
     EXPECT_NE(refusal([&] { (void)w.twin(); }).find("'fixed'"), std::string::npos);
     // Events belong to the state.
-    const auto saved = w.save();
+    const auto saved = w.state().save();
     w.set_system_signal("fixed.target", 1.0);
-    w.restore(saved);
+    w.state().restore(saved);
     EXPECT_EQ(w.system_signal("fixed.target"), 10.0);
 }
 
@@ -349,7 +351,7 @@ TEST(Systems, ThatDoNothingChangeNothingAndCostNothing) {
     }
     run(with, 50);
     run(without, 50);
-    EXPECT_EQ(with.state_hash(), without.state_hash());
+    EXPECT_EQ(with.state().hash(), without.state().hash());
     // Time of the stage itself, least of many steps of a small world.
     World a, b;
     for (World* w : {&a, &b}) w->add_body(floating({0, 0, 0}, 1.0, {1, 1, 1}));

@@ -43,13 +43,14 @@ TEST(ForkedWorld, StepsAndEndsInTheChild) {
     const pid_t child = ::fork();
     ASSERT_GE(child, 0);
     if (child == 0) {
-        const bool same = world->step() == Status::ok && world->state_hash() == twin.state_hash();
+        const bool same =
+            world->step() == Status::ok && world->state().hash() == twin.state().hash();
         world.reset();
         ::_exit(same ? 0 : 1);
     }
     EXPECT_EQ(ended(child), 0) << "-1: it waits for threads that it does not have";
     EXPECT_EQ(world->step(), Status::ok) << "the parent goes on";
-    EXPECT_EQ(world->state_hash(), twin.state_hash());
+    EXPECT_EQ(world->state().hash(), twin.state().hash());
 }
 
 TEST(MovedWorld, MayBeAssignedToAndDestroyed) {
@@ -59,7 +60,7 @@ TEST(MovedWorld, MayBeAssignedToAndDestroyed) {
     ASSERT_EQ(second.step(), Status::ok);
     first = std::move(other);
     ASSERT_EQ(first.step(), Status::ok);
-    EXPECT_EQ(first.state_hash(), second.state_hash());
+    EXPECT_EQ(first.state().hash(), second.state().hash());
     World third = std::move(first);  // `first` is destroyed in its moved-from state
     EXPECT_EQ(third.step_count(), 1);
 }

@@ -19,7 +19,7 @@ TEST_P(EachRecipe, SameHashForAnyNumberOfThreads) {
         def.threads = threads;
         World many = recipe.make(def);
         for (int i = 0; i < 20; ++i) ASSERT_EQ(many.step(), Status::ok);
-        EXPECT_EQ(many.state_hash(), one.state_hash()) << threads << " threads";
+        EXPECT_EQ(many.state().hash(), one.state().hash()) << threads << " threads";
     }
 }
 
@@ -33,7 +33,7 @@ TEST(Threads, SameHashForALargeIsland) {
         def.threads = threads;
         World many = recipe.make(def);
         for (int i = 0; i < 5; ++i) ASSERT_EQ(many.step(), Status::ok);
-        EXPECT_EQ(many.state_hash(), one.state_hash()) << threads << " threads";
+        EXPECT_EQ(many.state().hash(), one.state().hash()) << threads << " threads";
     }
 }
 

@@ -16,7 +16,7 @@ std::uint64_t hash_after(const char* name, int threads, int steps) {
     scene::Scene s = scene::load_file(std::string("scenes/") + name, options);
     for (int i = 0; i < steps; ++i)
         if (s.world.step() != Status::ok) return 0;
-    return s.world.state_hash();
+    return s.world.state().hash();
 }
 
 TEST(Threads, StateHashDoesNotDependOnThreads) {

@@ -3,7 +3,7 @@
 #include "support/small_recipes.h"
 
 #include <gtest/gtest.h>
-#include <hawser/schedule.h>
+#include <hawser/experimental/schedule.h>
 #include <hawser/trace.h>
 
 #include <array>
@@ -77,10 +77,10 @@ TEST_P(EachTracedRecipe, NestsAndChangesNothing) {
         WorldDef def = recipe.world;
         def.threads = threads;
         World traced = recipe.make(def);
-        traced.start_trace(10'000);
+        traced.solver().start_trace(10'000);
         for (int i = 0; i < 20; ++i) ASSERT_EQ(traced.step(), Status::ok);
-        EXPECT_EQ(traced.state_hash(), plain.state_hash()) << threads << " threads";
-        const TraceView view = traced.trace();
+        EXPECT_EQ(traced.state().hash(), plain.state().hash()) << threads << " threads";
+        const TraceView view = traced.solver().trace();
         EXPECT_EQ(view.steps + view.steps_lost, 20);
         EXPECT_EQ(view.threads, threads);
         expect_nested(view);
@@ -99,9 +99,9 @@ TEST(Trace, KeepsTheLastStepsWhole) {
         recipe.world.threads = threads;
         World w = recipe.make();
         ASSERT_EQ(w.step(), Status::ok);
-        w.start_trace(600);  // some steps
+        w.solver().start_trace(600);  // some steps
         for (int i = 0; i < 30; ++i) ASSERT_EQ(w.step(), Status::ok);
-        const TraceView view = w.trace();
+        const TraceView view = w.solver().trace();
         EXPECT_GT(view.steps, 0);
         EXPECT_GT(view.steps_lost, 0);
         EXPECT_EQ(view.steps + view.steps_lost, 30);
@@ -109,9 +109,9 @@ TEST(Trace, KeepsTheLastStepsWhole) {
         expect_whole_loops_of(view);
         EXPECT_EQ(view.spans.back().step, 31);
         EXPECT_EQ(view.spans.front().step, 31 - view.steps + 1);
-        EXPECT_EQ(w.trace(1).spans.front().step, 31);
-        w.start_trace(0);
-        EXPECT_TRUE(w.trace().spans.empty());
+        EXPECT_EQ(w.solver().trace(1).spans.front().step, 31);
+        w.solver().start_trace(0);
+        EXPECT_TRUE(w.solver().trace().spans.empty());
         ASSERT_EQ(w.step(), Status::ok);
     }
 }
@@ -120,9 +120,9 @@ TEST(Trace, KeepsTheLastStepsWhole) {
 TEST(Trace, AStepIsAProgramForTheSimulator) {
     Recipe recipe = mixed(11, 150);
     World w = recipe.make();
-    w.start_trace(20'000);
+    w.solver().start_trace(20'000);
     for (int i = 0; i < 5; ++i) ASSERT_EQ(w.step(), Status::ok);
-    const TraceView view = w.trace(1);
+    const TraceView view = w.solver().trace(1);
     ASSERT_EQ(view.steps, 1);
     const TraceSpan step = view.spans.front();
     const ProgramTimes p = program_of(view, step.begin, step.end);

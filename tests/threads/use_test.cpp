@@ -73,7 +73,7 @@ TEST(Use, ASecondThreadIsRefusedAndLeavesNoTrace) {
     other.join();
     EXPECT_GT(refused + in_use, 0);
     for (int i = 0; i < steps; ++i) ASSERT_EQ(alone.step(), Status::ok);
-    EXPECT_EQ(world.state_hash(), alone.state_hash());
+    EXPECT_EQ(world.state().hash(), alone.state().hash());
     EXPECT_EQ(world.step_count(), steps);
 }
 

@@ -27,13 +27,13 @@ World dragged_anchor(AnchorLaw law) {
                                     .linear_damping = Vec3::Constant(4e5),
                                     .gravity = false});
     AnchorDef def{.name = "anchor", .body = hook, .soil = AnchorSoil::soft_clay, .uhc = 3e6};
-    def.wire = w.add_wire({.name = "line",
-                           .from = hook,
-                           .to = buoy,
-                           .elements = 2,
-                           .length = 99.9,
-                           .EA = 1e9,
-                           .mass_per_length = 30.0});
+    def.wire = w.wires().add({.name = "line",
+                              .from = hook,
+                              .to = buoy,
+                              .elements = 2,
+                              .length = 99.9,
+                              .EA = 1e9,
+                              .mass_per_length = 30.0});
     def.law = law;
     def.drag_length = 30.0;
     def.full_depth = 10.0;

@@ -131,30 +131,30 @@ TEST(ConsistentMass, IsWhatTheVerifierComputes) {
 TEST(ConsistentMass, PartingIsAccountedFor) {
     Straight s(8, 80.0, true, 1e6, 0.0);
     for (int i = 0; i < 5; ++i) ASSERT_EQ(s.w.step(), Status::ok);
-    s.w.part(s.w.interactions()[3]);
+    s.w.wires().part(s.w.interactions()[3]);
     for (int i = 0; i < 20; ++i) ASSERT_EQ(s.w.step(), Status::ok);
-    s.w.part(s.w.interactions()[5]);  // in motion
+    s.w.wires().part(s.w.interactions()[5]);  // in motion
     for (int i = 0; i < 20; ++i) ASSERT_EQ(s.w.step(), Status::ok);
     EXPECT_NE(s.w.verdict().grade, Grade::wrong);
-    const auto saved = s.w.save();
+    const auto saved = s.w.state().save();
     for (int i = 0; i < 20; ++i) ASSERT_EQ(s.w.step(), Status::ok);
-    const std::uint64_t hash = s.w.state_hash();
-    s.w.restore(saved);
+    const std::uint64_t hash = s.w.state().hash();
+    s.w.state().restore(saved);
     for (int i = 0; i < 20; ++i) ASSERT_EQ(s.w.step(), Status::ok);
-    EXPECT_EQ(s.w.state_hash(), hash);
+    EXPECT_EQ(s.w.state().hash(), hash);
 }
 
 TEST(ConsistentMass, ComesBackWithWhatWasWhole) {
     Straight s(8, 80.0, true, 1e6, 0.1);
     for (int i = 0; i < 5; ++i) ASSERT_EQ(s.w.step(), Status::ok);
-    const auto saved = s.w.save();
+    const auto saved = s.w.state().save();
     for (int i = 0; i < 20; ++i) ASSERT_EQ(s.w.step(), Status::ok);
-    const std::uint64_t hash = s.w.state_hash();
-    s.w.part(s.w.interactions()[3]);
+    const std::uint64_t hash = s.w.state().hash();
+    s.w.wires().part(s.w.interactions()[3]);
     ASSERT_EQ(s.w.step(), Status::ok);
-    s.w.restore(saved);
+    s.w.state().restore(saved);
     for (int i = 0; i < 20; ++i) ASSERT_EQ(s.w.step(), Status::ok);
-    EXPECT_EQ(s.w.state_hash(), hash);
+    EXPECT_EQ(s.w.state().hash(), hash);
 }
 
 TEST(ConsistentMass, GoesWithMethodsThatKnowRowsOnly) {
@@ -168,7 +168,7 @@ TEST(ConsistentMass, GoesWithMethodsThatKnowRowsOnly) {
     wire.EA = 1e6;
     wire.mass_per_length = 4.0;
     wire.consistent_mass = true;
-    (void)w.add_wire(wire);
+    (void)w.wires().add(wire);
     for (int i = 0; i < 10; ++i) ASSERT_EQ(w.step(), Status::ok);
 }
 

@@ -26,14 +26,14 @@ struct StraightWire {
         add(0.01);
     }
     void add(double strain) {
-        wire = w.add_wire({.name = "wire",
-                           .from = first,
-                           .to = last,
-                           .elements = 8,
-                           .length = kPostSeparation / (1.0 + strain),
-                           .EA = kWireEA,
-                           .mass_per_length = 3.0,
-                           .consistent_mass = true});
+        wire = w.wires().add({.name = "wire",
+                              .from = first,
+                              .to = last,
+                              .elements = 8,
+                              .length = kPostSeparation / (1.0 + strain),
+                              .EA = kWireEA,
+                              .mass_per_length = 3.0,
+                              .consistent_mass = true});
     }
     [[nodiscard]] std::vector<Pose> poses() const {
         std::vector<Pose> out(static_cast<std::size_t>(w.body_count()));
@@ -53,7 +53,7 @@ TEST(EditedStretch, OfAShorterWireIsFound) {
         ASSERT_EQ(s.w.step(), Status::ok);
         verify::EditedStretch account;
         account.before_step(s.w);
-        (void)s.w.remove_wire(s.wire);
+        (void)s.w.wires().remove(s.wire);
         s.add(strain);
         // Rounding of positions in the strain, 1e-16 / 1e-2, of an energy of some kJ.
         EXPECT_NEAR(account.change(s.w, s.poses()), held_by_strain(strain) - held_by_strain(0.01),
@@ -67,18 +67,18 @@ TEST(EditedStretch, OfANodeIsNothing) {
     ASSERT_EQ(s.w.step(), Status::ok);
     verify::EditedStretch account;
     account.before_step(s.w);
-    const BodyId node = s.w.insert_node(s.w.elements(s.wire)[3], 0.3);
+    const BodyId node = s.w.wires().insert_node(s.w.wires().elements(s.wire)[3], 0.3);
     ASSERT_TRUE(node.valid());
     EXPECT_NEAR(account.change(s.w, s.poses()), 0.0, 1e-9 * held_by_strain(0.01));
     account.before_step(s.w);
-    ASSERT_TRUE(s.w.remove_node(node));
+    ASSERT_TRUE(s.w.wires().remove_node(node));
     EXPECT_NEAR(account.change(s.w, s.poses()), 0.0, 1e-9 * held_by_strain(0.01));
 }
 
 // Elements are measured where they were before the step: motion is no edit.
 TEST(EditedStretch, LeavesOutTheMotionOfTheStep) {
     StraightWire s;
-    for (const BodyId id : s.w.nodes(s.wire))
+    for (const BodyId id : s.w.wires().nodes(s.wire))
         if (s.w.body_def(id).kind == BodyKind::lump)
             s.w.set_velocity(id, {{0.0, 3.0 * std::sin(s.w.pose(id).position.x()), 0.0}, {}});
     for (int i = 0; i < 5; ++i) {

@@ -41,7 +41,7 @@ TEST(EndCapsulesVerified, SeparateCodeAgrees) {
     def.consistent_mass = true;
     def.radius = 0.038;
     def.end_capsules = true;
-    const WireId wire = w.add_wire(def);
+    const WireId wire = w.wires().add(def);
     w.add(GuideDef{.name = "roller",
                    .wire = wire,
                    .body = ship,
@@ -84,7 +84,7 @@ TEST(EndCapsulesVerified, SeparateCodeAgrees) {
             for (const ShapeId s : c.shape) {
                 const ShapeDef& d = w.shape_def(s);
                 if (!d.body_b.valid() || !(c.force.norm() > 0.0)) continue;
-                for (const InteractionId id : w.elements(wire)) {
+                for (const InteractionId id : w.wires().elements(wire)) {
                     const InteractionDef& e = w.interaction_def(id);
                     if (e.body[0] != d.body || e.body[1] != d.body_b) continue;
                     const bool lumps = w.body_def(e.body[0]).kind == BodyKind::lump &&
@@ -120,7 +120,7 @@ TEST(EndCapsulesVerified, SeparateCodeAgreesBeyondTheHeldPoint) {
     def.drag = 100.0;
     def.radius = 0.1;
     def.end_capsules = true;
-    w.add_wire(def);
+    w.wires().add(def);
     verify::Verifier verifier(w);
     int beyond = 0;
     for (int i = 0; i < 60; ++i) {

@@ -61,20 +61,20 @@ TEST(AnchorSea, HasTheSameBitsOnAnyThreadsAndAfterRestoring) {
     std::vector<std::byte> saved;
     scene::Scene one = world_of(1);
     for (int i = 0; i < kSteps; ++i) {
-        if (i == kSteps / 2) saved = one.world.save();
+        if (i == kSteps / 2) saved = one.world.state().save();
         ASSERT_EQ(one.world.step(), Status::ok);
-        hashes.push_back(one.world.state_hash());
+        hashes.push_back(one.world.state().hash());
     }
     for (const int threads : {2, 3}) {
         scene::Scene other = world_of(threads);
         for (int i = 0; i < kSteps; ++i) {
             ASSERT_EQ(other.world.step(), Status::ok);
-            EXPECT_EQ(other.world.state_hash(), hashes[static_cast<std::size_t>(i)]) << threads;
+            EXPECT_EQ(other.world.state().hash(), hashes[static_cast<std::size_t>(i)]) << threads;
         }
-        other.world.restore(saved);
+        other.world.state().restore(saved);
         for (int i = kSteps / 2; i < kSteps; ++i) {
             ASSERT_EQ(other.world.step(), Status::ok);
-            EXPECT_EQ(other.world.state_hash(), hashes[static_cast<std::size_t>(i)])
+            EXPECT_EQ(other.world.state().hash(), hashes[static_cast<std::size_t>(i)])
                 << "restored, " << threads;
         }
     }

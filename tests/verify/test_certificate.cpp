@@ -127,7 +127,7 @@ TEST(Certificate, SummaryBalancesEnergyAndCountsContacts) {
     report::SummaryCollector collector(info, scene.world);
     for (int i = 0; i < 60; ++i) {
         ASSERT_EQ(scene.world.step(), Status::ok);
-        collector.after_step(scene.world, scene.world.take_events());
+        collector.after_step(scene.world, scene.world.events().take());
     }
     const report::Summary summary = collector.result(scene.world);
     // Losses of contacts are the exact changes of the scheme: only rounding of sums of 1e5 J

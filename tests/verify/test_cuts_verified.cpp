@@ -20,7 +20,7 @@ TEST_P(CutVerified, SeparateCodeAgrees) {
     World& world = scene.world;
     verify::Verifier verifier(world);
     for (int i = 0; i < 240; ++i) {
-        if (i == 180) (void)world.cut(world.find_wire("tow"), GetParam());
+        if (i == 180) (void)world.wires().cut(world.wires().find("tow"), GetParam());
         verifier.before_step(world);
         ASSERT_EQ(world.step(), Status::ok) << "step " << i;
         ASSERT_EQ(verifier.after_step(world), "") << "step " << i;
@@ -66,13 +66,14 @@ struct Lively {
                     .drag = 200.0};
         for (int i = 1; i < kElements; ++i)
             def.path.push_back({1.0 * i, 0.3 * std::sin(2.0 * i), 0.3 * std::cos(5.0 * i)});
-        wire = w.add_wire(def);
+        wire = w.wires().add(def);
         w.add(small_winch(wire, 50.0));
         w.set_force(end, Vec3(1e5, 0, 0), Vec3::Zero());
     }
     [[nodiscard]] int max_flag_steps() const {
         int most = 0;
-        for (const InteractionId id : w.interactions()) most = std::max(most, w.wire_alert(id));
+        for (const InteractionId id : w.interactions())
+            most = std::max(most, w.wires().damped_steps(id));
         return most;
     }
 };
@@ -85,7 +86,7 @@ TEST(CutsVerified, AWireWhoseSwingsAreDamped) {
         if (i == 4) l.w.set_force(l.end, Vec3(2e4, 0, 0), Vec3::Zero());
         if (i == 6) {
             EXPECT_GT(l.max_flag_steps(), 0);
-            l.w.detach(l.wire, 0);
+            l.w.wires().detach(l.wire, 0);
         }
         verifier.before_step(l.w);
         ASSERT_EQ(l.w.step(), Status::ok) << "step " << i;
@@ -104,12 +105,12 @@ TEST(CutsVerified, AWeakLinkThatPartsAsAStepBegins) {
     const BodyId deck = w.add_body({.kind = BodyKind::fixed});
     const BodyId load = w.add_body(
         {.kind = BodyKind::lump, .position = {0, 0, -30}, .velocity = {3, 1, 0}, .mass = 2000.0});
-    const WireId wire = w.add_wire({.name = "wire",
-                                    .from = deck,
-                                    .to = load,
-                                    .elements = 6,
-                                    .EA = 3e7,
-                                    .mass_per_length = 10.0});
+    const WireId wire = w.wires().add({.name = "wire",
+                                       .from = deck,
+                                       .to = load,
+                                       .elements = 6,
+                                       .EA = 3e7,
+                                       .mass_per_length = 10.0});
     WinchDef def = small_winch(wire, 0.5);
     def.mass_per_length = 10.0;
     def.weak_link = 4e4;

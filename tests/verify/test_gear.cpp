@@ -148,7 +148,7 @@ TEST(Gear, SaysThatATeethWasJumped) {
                        pose.orientation;
     t.w.set_pose(t.second, pose);
     bool named = t.w.step() == Status::diverged;
-    for (const Event& e : t.w.take_events())
+    for (const Event& e : t.w.events().take())
         named = named || (e.kind == EventKind::joint_open && e.interaction == t.gear);
     EXPECT_TRUE(named);
 }

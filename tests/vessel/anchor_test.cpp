@@ -34,13 +34,13 @@ struct HeldBuoy {
                            .gravity = false});
         def.name = "hook";
         def.body = anchor;
-        def.wire = w.add_wire({.name = "line",
-                               .from = anchor,
-                               .to = buoy,
-                               .elements = 1,
-                               .length = kAnchorTestLine / (1.0 + tension / kAnchorTestStiff),
-                               .EA = kAnchorTestStiff,
-                               .mass_per_length = 1.0});
+        def.wire = w.wires().add({.name = "line",
+                                  .from = anchor,
+                                  .to = buoy,
+                                  .elements = 1,
+                                  .length = kAnchorTestLine / (1.0 + tension / kAnchorTestStiff),
+                                  .EA = kAnchorTestStiff,
+                                  .mass_per_length = 1.0});
         if (def.soil == AnchorSoil::none) {
             def.soil = AnchorSoil::sand;
             def.uhc = 2e6;
@@ -100,7 +100,7 @@ TEST(Anchor, DragsUntilItHoldsAndKeepsItsDrag) {
     // distance.
     EXPECT_NEAR(b.signal("drag"), expected, 1e-3 * expected);
     EXPECT_NEAR(b.w.pose(b.anchor).position.x() + 10.0, b.signal("drag"), 1e-5);
-    EXPECT_GE(b.w.event_extremes(EventKind::render).count, 1);
+    EXPECT_GE(b.w.events().extremes(EventKind::render).count, 1);
     const double drag = b.signal("drag");
     b.pull(0.1 * force);
     b.run(300);
@@ -119,7 +119,7 @@ TEST(Anchor, BreaksOutByLiftAndByASteepLine) {
     b.run(10);
     EXPECT_EQ(b.signal("set"), 0.0);
     EXPECT_EQ(b.signal("drag"), 0.0);
-    EXPECT_EQ(b.w.event_extremes(EventKind::detach).count, 1);
+    EXPECT_EQ(b.w.events().extremes(EventKind::detach).count, 1);
     HeldBuoy steep(1e5, 46.0), flat(1e5, 44.0);
     steep.run(10);
     flat.run(10);
@@ -136,8 +136,8 @@ TEST(Anchor, IsSetByDragging) {
     b.pull(1e5);  // above μW = 73.6 kN, below the capacity of a set anchor
     b.run(1200);
     EXPECT_EQ(b.signal("set"), 1.0);
-    EXPECT_EQ(b.w.event_extremes(EventKind::join).count, 1);
-    EXPECT_NEAR(b.w.event_extremes(EventKind::join).first.value, 0.5, 0.05);
+    EXPECT_EQ(b.w.events().extremes(EventKind::join).count, 1);
+    EXPECT_NEAR(b.w.events().extremes(EventKind::join).first.value, 0.5, 0.05);
     EXPECT_LT(b.w.pose(b.anchor).position.x(), 1.0);
 }
 
@@ -160,15 +160,15 @@ TEST(Anchor, GoesOnFromASnapshotAndInACopyToTheSameBits) {
     HeldBuoy a(0.9 * held_capacity(10.0)), b(0.9 * held_capacity(10.0));
     a.pull(1.03 * held_capacity(10.0));
     a.run(100);
-    const std::vector<std::byte> saved = a.w.save();
+    const std::vector<std::byte> saved = a.w.state().save();
     World twin = a.w.twin();
-    b.w.restore(saved);
+    b.w.state().restore(saved);
     b.pull(1.03 * held_capacity(10.0));
     a.run(200);
     b.run(200);
     for (int i = 0; i < 200; ++i) ASSERT_EQ(twin.step(), Status::ok);
-    EXPECT_EQ(a.w.state_hash(), b.w.state_hash());
-    EXPECT_EQ(a.w.state_hash(), twin.state_hash());
+    EXPECT_EQ(a.w.state().hash(), b.w.state().hash());
+    EXPECT_EQ(a.w.state().hash(), twin.state().hash());
     EXPECT_GT(a.signal("drag"), 10.0);
 }
 

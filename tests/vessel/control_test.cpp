@@ -56,7 +56,7 @@ struct Positioned {
         world.set_system_signal("osv." + std::string(name), value);
     }
     [[nodiscard]] std::int64_t count(EventKind kind) const {
-        return world.event_extremes(kind).count;
+        return world.events().extremes(kind).count;
     }
 };
 
@@ -235,7 +235,8 @@ TEST(Control, LosesItsPositionInAStrongCurrentAndSaysSo) {
     s.set("mode", 3.0);
     s.run(200.0);
     EXPECT_EQ(s.count(EventKind::position_lost), 1);
-    EXPECT_NEAR(std::abs(s.world.event_extremes(EventKind::position_lost).first.value), 5.0, 0.1);
+    EXPECT_NEAR(std::abs(s.world.events().extremes(EventKind::position_lost).first.value), 5.0,
+                0.1);
     EXPECT_GE(s.count(EventKind::failure_critical), 1);
     EXPECT_GT(s.signal("consequence"), 0.02);
 }
@@ -380,16 +381,16 @@ TEST(Control, StateIsSavedRestoredCopiedAndRepeatsForAnyThreads) {
         s->set("x_order", 5.0);
         s->run(20.0);
     }
-    EXPECT_EQ(a.world.state_hash(), b.world.state_hash());
-    const auto saved = a.world.save();
+    EXPECT_EQ(a.world.state().hash(), b.world.state().hash());
+    const auto saved = a.world.state().save();
     World twin = a.world.twin();
     a.run(20.0);
-    const auto later = a.world.state_hash();
+    const auto later = a.world.state().hash();
     for (int i = 0; i < 1200; ++i) ASSERT_EQ(twin.step(), Status::ok);
-    EXPECT_EQ(twin.state_hash(), later);
-    b.world.restore(saved);
+    EXPECT_EQ(twin.state().hash(), later);
+    b.world.state().restore(saved);
     b.run(20.0);
-    EXPECT_EQ(b.world.state_hash(), later);
+    EXPECT_EQ(b.world.state().hash(), later);
 }
 
 // Tension feed-forward holds against a line before the integral does.

@@ -45,7 +45,7 @@ struct HeldShip {
         for (long i = std::lround(seconds * 60.0); i > 0; --i) ASSERT_EQ(world.step(), Status::ok);
     }
     [[nodiscard]] std::int64_t count(EventKind kind) const {
-        return world.event_extremes(kind).count;
+        return world.events().extremes(kind).count;
     }
 };
 

@@ -142,7 +142,7 @@ TEST(Failures, PropulsorsStopStayOrRunAway) {
     h.run(2.0);
     EXPECT_EQ(h.get("az_thrust"), 0.0);
     EXPECT_NEAR(h.get("az_turned"), 0.7, 1e-12);
-    EXPECT_EQ(h.world.event_extremes(EventKind::failure).count, 3);
+    EXPECT_EQ(h.world.events().extremes(EventKind::failure).count, 3);
     h.set("az_failed", 0.0);
     h.run(2.0);
     EXPECT_NEAR(h.get("az_thrust"), -1e5, 1e-6);
@@ -186,14 +186,14 @@ TEST(Actuators, PitchRateIsReportedAndTorqueIsAnOutput) {
     h.set("main", 1.0);
     h.run(1.0);
     EXPECT_NEAR(h.get("main_torque"), 0.066829 * 1025.0 * 4.0 * std::pow(4.0, 5.0), 300.0);
-    EXPECT_EQ(h.world.event_extremes(EventKind::saturation).count, 0);
+    EXPECT_EQ(h.world.events().extremes(EventKind::saturation).count, 0);
     h.set("main_pitch", -1.0);
     h.run(4.0);
     EXPECT_NEAR(h.get("main_set"), 0.0, 0.005);
     h.run(5.0);
     EXPECT_EQ(h.get("main_set"), -1.0);
-    EXPECT_EQ(h.world.event_extremes(EventKind::saturation).count, 1);
-    EXPECT_NEAR(h.world.event_extremes(EventKind::saturation).worst.value, 0.25, 1e-12);
+    EXPECT_EQ(h.world.events().extremes(EventKind::saturation).count, 1);
+    EXPECT_NEAR(h.world.events().extremes(EventKind::saturation).worst.value, 0.25, 1e-12);
 }
 
 TEST(Failures, RuddersJamOrGoHardOver) {
@@ -214,7 +214,7 @@ TEST(Failures, RuddersJamOrGoHardOver) {
     h.set("rudder_failed", 3.0);
     h.run(40.0);
     EXPECT_NEAR(h.get("rudder_at"), -r.most_angle, 1e-12);
-    EXPECT_EQ(h.world.event_extremes(EventKind::failure).count, 3);
+    EXPECT_EQ(h.world.events().extremes(EventKind::failure).count, 3);
 }
 
 // From full ahead to full astern in `ramp`, straight through zero, without a sideways component.

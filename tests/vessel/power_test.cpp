@@ -46,7 +46,7 @@ TEST(PowerBus, GrantsByPriorityAndSharesWithinOne) {
     EXPECT_NEAR(b.get("a_load"), 1.8 * kMega, 1.0);
     EXPECT_NEAR(b.get("a_spare"), 0.0, 1.0);
     EXPECT_EQ(b.count(EventKind::shed), 2);  // once each, for any duration
-    EXPECT_NEAR(b.world.event_extremes(EventKind::shed).worst.value, b.get("bow1_shed"), 1.0);
+    EXPECT_NEAR(b.world.events().extremes(EventKind::shed).worst.value, b.get("bow1_shed"), 1.0);
 
     b.set("a2_failed", 1.0);  // 0.9 MW: hotel, then 0.7 MW for the azimuth
     b.run(1.0);
@@ -116,7 +116,7 @@ TEST(PowerBus, WithEnoughPowerNothingChanges) {
         b.set("main", 1.0);
         b.set("az", -0.7);
         b.run(20.0);
-        hashes[with ? 1 : 0] = b.world.motion_hash();
+        hashes[with ? 1 : 0] = b.world.state().motion_hash();
         if (with) {
             EXPECT_EQ(b.count(EventKind::shed), 0);
         }
@@ -134,14 +134,14 @@ TEST(PowerBus, StateIsSavedAndRestored) {
     first.set("a1_failed", 1.0);
     first.set("hotel", 0.4 * kMega);
     first.run(0.5);
-    second.world.restore(first.world.save());
-    EXPECT_EQ(second.world.state_hash(), first.world.state_hash());
+    second.world.state().restore(first.world.state().save());
+    EXPECT_EQ(second.world.state().hash(), first.world.state().hash());
     EXPECT_EQ(second.get("hotel"), 0.4 * kMega);
     for (Bus* b : {&first, &second}) {
         b->set("bow2", 1.0);
         b->run(1.0);
     }
-    EXPECT_EQ(second.world.state_hash(), first.world.state_hash());
+    EXPECT_EQ(second.world.state().hash(), first.world.state().hash());
 }
 
 /// Return the message of a rejected definition.

@@ -136,8 +136,8 @@ TEST(Propulsors, PowerLimitGivesTheBollardPull) {
     EXPECT_NEAR(t.get("main_thrust") * 1e-3, 919.2, 0.005 * 919.2);
     EXPECT_NEAR(t.get("main_rps"), 2.2470, 0.005 * 2.2470);
     EXPECT_NEAR(t.get("main_power"), 5e6, 1e-3 * 5e6);
-    EXPECT_EQ(t.world.event_extremes(EventKind::saturation).count, 1);
-    EXPECT_NEAR(t.world.event_extremes(EventKind::saturation).worst.value, 5e6, 1e-2 * 5e6);
+    EXPECT_EQ(t.world.events().extremes(EventKind::saturation).count, 1);
+    EXPECT_NEAR(t.world.events().extremes(EventKind::saturation).worst.value, 5e6, 1e-2 * 5e6);
 }
 
 TEST(Propulsors, ShaftFollowsItsOrderWithinItsLimits) {
@@ -149,7 +149,7 @@ TEST(Propulsors, ShaftFollowsItsOrderWithinItsLimits) {
     EXPECT_NEAR(t.get("main_rps"), 1.5 * (1.0 - std::exp(-1.0)), 0.01);
     t.run(30.0);
     EXPECT_NEAR(t.get("main_rps"), 1.5, 1e-6);
-    EXPECT_EQ(t.world.event_extremes(EventKind::saturation).count, 0);
+    EXPECT_EQ(t.world.events().extremes(EventKind::saturation).count, 0);
 }
 
 // The water turns a light shaft without motor torque: stable for any inertia.
@@ -199,8 +199,8 @@ TEST(Propulsors, AzimuthTurnsTheShorterWayAndReportsItsRate) {
     world.set_system_signal("osv.port_angle", 3.0);
     for (int i = 0; i < 60 * 20; ++i) ASSERT_EQ(world.step(), Status::ok);
     EXPECT_NEAR(world.system_signal("osv.port_turned"), 3.0, 1e-9);
-    EXPECT_EQ(world.event_extremes(EventKind::saturation).count, 1);
-    EXPECT_DOUBLE_EQ(world.event_extremes(EventKind::saturation).worst.value, 0.2);
+    EXPECT_EQ(world.events().extremes(EventKind::saturation).count, 1);
+    EXPECT_DOUBLE_EQ(world.events().extremes(EventKind::saturation).worst.value, 0.2);
     world.set_system_signal("osv.port_angle", -3.0);  // over pi: 0.283 rad
     for (int i = 0; i < 60 * 2; ++i) ASSERT_EQ(world.step(), Status::ok);
     EXPECT_NEAR(world.system_signal("osv.port_turned"), -3.0, 1e-9);

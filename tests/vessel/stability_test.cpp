@@ -33,14 +33,14 @@ struct GaugedShip {
                            .gravity = false});
         const BodyId far = w.add_body(
             {.name = "far", .kind = BodyKind::fixed, .position = turn * (pin + 800.0 * along)});
-        def.wire = w.add_wire({.name = "tow",
-                               .from = ship,
-                               .from_point = pin,
-                               .to = far,
-                               .elements = 1,
-                               .length = 800.0 / (1.0 + tension / 1e8),
-                               .EA = 1e8,
-                               .mass_per_length = 1.0});
+        def.wire = w.wires().add({.name = "tow",
+                                  .from = ship,
+                                  .from_point = pin,
+                                  .to = far,
+                                  .elements = 1,
+                                  .length = 800.0 / (1.0 + tension / 1e8),
+                                  .EA = 1e8,
+                                  .mass_per_length = 1.0});
         def.name = "gauge";
         def.body = ship;
         def.pin = pin;
@@ -110,7 +110,7 @@ TEST(Stability, AlarmsHaveHysteresis) {
     // A wire that slackens from 0.82 to 0.78 keeps its warning, at 0.7 it ends.
     GaugedShip down(0.82 * most, {.warn = 0.8, .hysteresis = 0.05});
     down.run(2);
-    EXPECT_EQ(down.w.event_extremes(EventKind::alarm).count, 1);
+    EXPECT_EQ(down.w.events().extremes(EventKind::alarm).count, 1);
     double alarm = 1.0, used = 1.0;
     while (alarm > 0.5 && down.w.time() < 60.0) {  // the ship is drawn to the far end
         used = down.signal("utilisation");
@@ -119,13 +119,13 @@ TEST(Stability, AlarmsHaveHysteresis) {
     }
     EXPECT_LT(down.signal("utilisation"), 0.75);
     EXPECT_GE(used, 0.749);
-    EXPECT_EQ(down.w.event_extremes(EventKind::alarm_end).count, 1);
+    EXPECT_EQ(down.w.events().extremes(EventKind::alarm_end).count, 1);
 }
 
 TEST(Stability, RefusesAShipWithoutHullOrWire) {
     const auto refusal = [](auto change) -> std::string {
         GaugedShip g(1e5);
-        StabilityDef def{.name = "other", .body = g.ship, .wire = g.w.find_wire("tow")};
+        StabilityDef def{.name = "other", .body = g.ship, .wire = g.w.wires().find("tow")};
         def.thrust_height = 0.0;
         def.gm = 1.0;
         change(def, g.w);

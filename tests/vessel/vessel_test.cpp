@@ -146,17 +146,17 @@ TEST(Vessel, StateIsSavedRestoredCopiedAndRepeatsForAnyThreads) {
         order(b.world);
         a.run(5.0);
         b.run(5.0);
-        EXPECT_EQ(a.world.state_hash(), b.world.state_hash()) << name;
-        const std::vector<std::byte> kept = a.world.save();
+        EXPECT_EQ(a.world.state().hash(), b.world.state().hash()) << name;
+        const std::vector<std::byte> kept = a.world.state().save();
         World twin = a.world.twin();
         a.run(5.0);
-        const std::uint64_t hash = a.world.state_hash();
+        const std::uint64_t hash = a.world.state().hash();
         for (int i = 0; i < 300; ++i) ASSERT_EQ(twin.step(), Status::ok);
-        EXPECT_EQ(twin.state_hash(), hash) << name;
+        EXPECT_EQ(twin.state().hash(), hash) << name;
         Sailing c(ship);
-        c.world.restore(kept);
+        c.world.state().restore(kept);
         c.run(5.0);
-        EXPECT_EQ(c.world.state_hash(), hash) << name;
+        EXPECT_EQ(c.world.state().hash(), hash) << name;
     }
 }
 
@@ -190,14 +190,14 @@ TEST(Vessel, RestoredStateIsChecked) {
     int refused = 0;
     Spoiler counter(-1, 0.0, 0);
     system->visit_state(counter);
-    const std::vector<std::byte> good = s.world.save();
+    const std::vector<std::byte> good = s.world.state().save();
     for (int i = 0; i < counter.count(); ++i) {
         Spoiler spoiler(i, 1e9, 7);
         system->visit_state(spoiler);
         StateRules rules;
         system->check_state(s.world, rules);
         refused += *rules.fault() != '\0' ? 1 : 0;
-        s.world.restore(good);
+        s.world.state().restore(good);
     }
     // Last velocities, flags, rudder and revolutions, last failures of both.
     EXPECT_EQ(refused, 6 + 2 + 2 + 2);

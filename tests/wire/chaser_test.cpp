@@ -51,7 +51,7 @@ struct Mooring {
         def.consistent_mass = true;
         def.radius = 0.1;
         def.path.assign(start.nodes.begin() + 1, start.nodes.end() - 1);
-        chain = w.add_wire(def);
+        chain = w.wires().add(def);
         const Vec3 beside = 0.5 * (start.nodes[3] + start.nodes[4]) + Vec3(0, 0.4, 0);
         ring = w.add_body({.name = "ring",
                            .position = beside,
@@ -68,7 +68,7 @@ struct Mooring {
         line.mass_per_length = 15.0;
         line.drag = 100.0;
         line.consistent_mass = true;
-        work = w.add_wire(line);
+        work = w.wires().add(line);
         w.add(ChaserDef{
             .name = "chaser", .body = ring, .reach = 0.8, .friction = kRub, .closed = closed});
     }
@@ -84,20 +84,22 @@ struct Mooring {
     /// Return the mass of the chain, including the part in the ring [kg].
     [[nodiscard]] double mass() {
         double sum = 0.0;
-        for (const BodyId id : w.nodes(chain))
+        for (const BodyId id : w.wires().nodes(chain))
             if (w.body_def(id).kind == BodyKind::lump) sum += w.body_def(id).mass;
-        const auto elements = w.elements(chain);
+        const auto elements = w.wires().elements(chain);
         for (const InteractionId end : {elements.front(), elements.back()})
             if (const double its = w.interaction_def(end).get("mass"); its > 0.0) sum += 0.5 * its;
         for (const InteractionId id : elements) sum += w.system(0).carried_mass(id);
         return sum;
     }
-    [[nodiscard]] std::int64_t count(EventKind kind) const { return w.event_extremes(kind).count; }
+    [[nodiscard]] std::int64_t count(EventKind kind) const {
+        return w.events().extremes(kind).count;
+    }
 };
 
 TEST(Chasers, RunAlongAChainToItsAnchorAndBack) {
     Mooring d;
-    const double mass = d.mass(), length = d.w.length(d.chain);
+    const double mass = d.mass(), length = d.w.wires().length(d.chain);
     d.w.set_system_signal("chaser.close", 1.0);
     d.haul(Vec3::Zero(), 0.5);
     ASSERT_EQ(d.get("state"), static_cast<double>(ChaserState::on));
@@ -134,7 +136,7 @@ TEST(Chasers, RunAlongAChainToItsAnchorAndBack) {
     d.haul(Vec3::Zero(), 1.0);
     EXPECT_EQ(d.get("state"), static_cast<double>(ChaserState::open));
     EXPECT_EQ(d.count(EventKind::detach), 1);
-    for (const InteractionId id : d.w.elements(d.chain))
+    for (const InteractionId id : d.w.wires().elements(d.chain))
         EXPECT_EQ(d.w.interaction_def(id).kind, InteractionKind::Stretch);
     EXPECT_NEAR(d.mass(), mass, 1e-9 * mass);
     EXPECT_NE(d.w.verdict().grade, Grade::wrong);
@@ -147,7 +149,7 @@ TEST(Chasers, WaitForAWireWithinReach) {
     d.haul(Vec3::Zero(), 0.2);
     EXPECT_EQ(d.get("state"), static_cast<double>(ChaserState::waiting));
     EXPECT_EQ(d.count(EventKind::missed), 1) << "once";
-    EXPECT_NEAR(d.w.event_extremes(EventKind::missed).first.value, 2.4, 0.1)
+    EXPECT_NEAR(d.w.events().extremes(EventKind::missed).first.value, 2.4, 0.1)
         << "of the chain, not of its own wire";
     d.w.set_system_signal("chaser.close", 0.0);
     d.haul(Vec3::Zero(), 0.1);

@@ -36,14 +36,14 @@ struct BareDrum {
         def.mass = kWeight;
         def.inertia = 5e3 * Mat3::Identity();
         load = w.add_body(def);
-        wire = w.add_wire({.name = "wire",
-                           .from = end == 0 ? deck : load,
-                           .to = end == 0 ? load : deck,
-                           .elements = elements,
-                           .EA = 2.33e8,
-                           .mass_per_length = kLine,
-                           .consistent_mass = true});
-        line = w.wind_up(wire, end, drum, kRadius);
+        wire = w.wires().add({.name = "wire",
+                              .from = end == 0 ? deck : load,
+                              .to = end == 0 ? load : deck,
+                              .elements = elements,
+                              .EA = 2.33e8,
+                              .mass_per_length = kLine,
+                              .consistent_mass = true});
+        line = w.wires().spool(wire, end, drum, kRadius);
         parts = w.add(
             DrumDef{.name = "winch",
                     .drum = drum,
@@ -68,7 +68,7 @@ struct BareDrum {
     /// Return the unstretched length of all elements, from their masses [m].
     [[nodiscard]] double material() const {
         double sum = at_drum();
-        for (const InteractionId id : w.elements(wire))
+        for (const InteractionId id : w.wires().elements(wire))
             if (id != line) sum += w.interaction_def(id).get("mass") / kLine;
         return sum;
     }
@@ -77,7 +77,7 @@ struct BareDrum {
         return d.get("length") + d.get("radius") * (w.pose(drum).position.x() - d.get("drum_zero"));
     }
     [[nodiscard]] std::int64_t stops() const {
-        return w.event_extremes(EventKind::hauled_in).count;
+        return w.events().extremes(EventKind::hauled_in).count;
     }
 };
 
@@ -106,9 +106,9 @@ TEST(DrumFeed, CarriesTheWeightOfLoadAndWire) {
 TEST(DrumFeed, InsertsAndRemovesNodes) {
     BareDrum d(4);
     d.run(14.0, 1.0);
-    EXPECT_EQ(d.w.elements(d.wire).size(), 9U) << "13.5 m more in elements of 2.5 m";
+    EXPECT_EQ(d.w.wires().elements(d.wire).size(), 9U) << "13.5 m more in elements of 2.5 m";
     d.run(20.0, -1.0);
-    EXPECT_LE(d.w.elements(d.wire).size(), 3U);
+    EXPECT_LE(d.w.wires().elements(d.wire).size(), 3U);
 }
 
 /// The drum stops when the load is at the fairlead; the motor's torque changes its speed by Q
@@ -119,7 +119,7 @@ TEST(DrumFeed, StopsAtTheFairlead) {
         BareDrum d(element == 0.0 ? 1 : 4, element, kTorque);
         d.run(30.0, -1.0);
         EXPECT_EQ(d.stops(), 1);
-        EXPECT_EQ(d.w.elements(d.wire).size(), 1U);
+        EXPECT_EQ(d.w.wires().elements(d.wire).size(), 1U);
         EXPECT_NEAR(d.w.pose(d.load).position.z(), 0.0, 0.2);
         const double length = d.w.interaction_def(d.line).get("length");
         const double creep = kTorque / (60.0 * 1000.0 * kInertia);
@@ -150,8 +150,8 @@ TEST(DrumFeed, KeepsAccountsAtRandomSpeeds) {
             EXPECT_NEAR(d.material(), 2.5 * elements + paid, 1e-9) << seed;
             ASSERT_GE(d.w.pose(d.load).position.z(), -200.0);
         }
-        EXPECT_EQ(d.w.event_extremes(EventKind::energy_created).count, 0) << seed;
-        EXPECT_EQ(d.w.event_extremes(EventKind::cable_law).count, 0) << seed;
+        EXPECT_EQ(d.w.events().extremes(EventKind::energy_created).count, 0) << seed;
+        EXPECT_EQ(d.w.events().extremes(EventKind::cable_law).count, 0) << seed;
         EXPECT_LE(d.rest(), 1.6 * 2.5) << seed;
     }
 }
@@ -173,12 +173,12 @@ TEST(DrumFeed, RefusesWhatItCannotFeed) {
         w.add_body({.name = "drum", .kind = BodyKind::scalar, .mass = 1.0, .gravity = false});
     const BodyId load =
         w.add_body({.name = "load", .kind = BodyKind::lump, .position = {0, 0, -9}, .mass = 100.0});
-    const WireId wire = w.add_wire({.name = "wire",
-                                    .from = deck,
-                                    .to = load,
-                                    .elements = 3,
-                                    .EA = 1e7,
-                                    .mass_per_length = 2.0});
+    const WireId wire = w.wires().add({.name = "wire",
+                                       .from = deck,
+                                       .to = load,
+                                       .elements = 3,
+                                       .EA = 1e7,
+                                       .mass_per_length = 2.0});
     const auto message = [&](const DrumFeedDef& def) -> std::string {
         try {
             w.add(def);
@@ -189,7 +189,7 @@ TEST(DrumFeed, RefusesWhatItCannotFeed) {
     };
     EXPECT_NE(message({.name = "", .wire = wire}), "");
     EXPECT_NE(message({.name = "f", .wire = wire}).find("wind_up"), std::string::npos);
-    w.wind_up(wire, 0, drum, 0.5);
+    w.wires().spool(wire, 0, drum, 0.5);
     EXPECT_NE(message({.name = "f", .wire = wire}).find("mass_per_length"), std::string::npos);
     EXPECT_NE(message({.name = "f", .wire = wire, .mass_per_length = 2.0}).find("consistent_mass"),
               std::string::npos);

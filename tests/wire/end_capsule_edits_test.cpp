@@ -19,7 +19,7 @@ namespace {
 /// attachments.
 void expect_capsules(const World& w, WireId wire, const std::string& what) {
     std::size_t wanted = 0;
-    for (const InteractionId id : w.elements(wire)) {
+    for (const InteractionId id : w.wires().elements(wire)) {
         const InteractionDef& d = w.interaction_def(id);
         if (!w.intact(id)) continue;
         const bool lump[2] = {w.body_def(d.body[0]).kind == BodyKind::lump,
@@ -38,7 +38,7 @@ void expect_capsules(const World& w, WireId wire, const std::string& what) {
         wanted += lump[0] || lump[1] ? 1U : 0U;
     }
     std::size_t there = 0;
-    const auto nodes = w.nodes(wire);
+    const auto nodes = w.wires().nodes(wire);
     for (const ShapeId s : w.shapes()) {
         const ShapeDef& shape = w.shape_def(s);
         if (!shape.body_b.valid()) continue;
@@ -75,7 +75,7 @@ struct Stern {
         def.elements = 7;
         def.length = 37.0;
         def.drag = 100.0;
-        wire = w.add_wire(def);
+        wire = w.wires().add(def);
         w.add(GuideDef{.name = "roller",
                        .wire = wire,
                        .body = ship,
@@ -103,7 +103,7 @@ struct Stern {
         other.path.clear();
         other.elements = 4;
         other.length = 12.3;
-        across = w.add_wire(other);
+        across = w.wires().add(other);
     }
     void run(int steps) {
         for (int i = 0; i < steps; ++i)
@@ -115,13 +115,13 @@ TEST(EndCapsuleEdits, FollowElementsAtDrumsAndGuides) {
     Stern d;
     expect_capsules(d.w, d.wire, "at the start");
     for (const double speed : {1.0, -1.0}) {
-        const std::size_t had = d.w.elements(d.wire).size();
+        const std::size_t had = d.w.wires().elements(d.wire).size();
         d.w.set_system_signal("winch.speed", speed);
         bool changed = false;
         for (int i = 0; i < 12; ++i) {
             d.run(60);
             expect_capsules(d.w, d.wire, "at " + std::to_string(d.w.time()) + " s");
-            changed = changed || d.w.elements(d.wire).size() != had;
+            changed = changed || d.w.wires().elements(d.wire).size() != had;
         }
         EXPECT_TRUE(changed) << "elements came or went";
     }
@@ -137,34 +137,34 @@ TEST(EndCapsuleEdits, FollowElementsAtDrumsAndGuides) {
 TEST(EndCapsuleEdits, FollowWhatIsCutJoinedHeldAndLetGo) {
     Stern d;
     d.run(30);
-    (void)d.w.insert_node(d.w.elements(d.across).front(), 0.4);
+    (void)d.w.wires().insert_node(d.w.wires().elements(d.across).front(), 0.4);
     expect_capsules(d.w, d.across, "a node on the first element");
-    const BodyId last = d.w.insert_node(d.w.elements(d.across).back(), 0.6);
+    const BodyId last = d.w.wires().insert_node(d.w.wires().elements(d.across).back(), 0.6);
     expect_capsules(d.w, d.across, "a node on the last element");
-    EXPECT_TRUE(d.w.remove_node(last, 3.2));
+    EXPECT_TRUE(d.w.wires().remove_node(last, 3.2));
     expect_capsules(d.w, d.across, "taken away again");
     d.run(10);
-    d.w.detach(d.across, 1);
+    d.w.wires().detach(d.across, 1);
     expect_capsules(d.w, d.across, "let go");
     d.run(10);
-    (void)d.w.attach(d.across, 1, d.w.find_body("q"), {0, 0, 0}, {.reach = 5.0});
+    (void)d.w.wires().attach(d.across, 1, d.w.find_body("q"), {0, 0, 0}, {.reach = 5.0});
     expect_capsules(d.w, d.across, "held");
     d.run(10);
-    const WireId piece = d.w.cut(d.across, 4.0);
+    const WireId piece = d.w.wires().cut(d.across, 4.0);
     expect_capsules(d.w, d.across, "cut");
     expect_capsules(d.w, piece, "the other piece");
-    (void)d.w.join(d.across, 1, piece, 0, {.reach = 5.0});
+    (void)d.w.wires().join(d.across, 1, piece, 0, {.reach = 5.0});
     expect_capsules(d.w, d.across, "spliced");
     d.run(10);
     // Join two first or two last ends: one wire is reversed.
-    const WireId other = d.w.cut(d.across, 5.0);
-    (void)d.w.detach(other, 1);
-    (void)d.w.join(d.across, 1, other, 1, {.reach = 50.0});
+    const WireId other = d.w.wires().cut(d.across, 5.0);
+    (void)d.w.wires().detach(other, 1);
+    (void)d.w.wires().join(d.across, 1, other, 1, {.reach = 50.0});
     expect_capsules(d.w, d.across, "turned round");
-    d.w.detach(d.wire, 0);
+    d.w.wires().detach(d.wire, 0);
     expect_capsules(d.w, d.wire, "off its drum");
     d.run(10);
-    d.w.remove_wire(d.wire);
+    d.w.wires().remove(d.wire);
     for (const ShapeId s : d.w.shapes()) {
         const ShapeDef& shape = d.w.shape_def(s);
         EXPECT_TRUE(shape.body != d.ship && shape.body_b != d.ship && shape.body_b != d.anchor);

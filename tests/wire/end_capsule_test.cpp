@@ -79,7 +79,7 @@ struct Thrown {
         def.to = buoy;
         def.elements = 4;
         def.length = 20.0 / (1.0 + pull / kCapsuleEA);
-        still = w.add_wire(def);
+        still = w.wires().add(def);
         // Its middle hits the first element anywhere except at the hull, from any side.
         const Vec3 aim(random.uniform(0.3, 4.7), 0, 0);
         const double round = random.uniform(0.0, 6.283), lean = random.uniform(-0.5, 0.5);
@@ -99,18 +99,18 @@ struct Thrown {
         other.elements = random.integer(3, 6);
         other.length = length;
         other.velocity = speed;
-        thrown = w.add_wire(other);
+        thrown = w.wires().add(other);
     }
     [[nodiscard]] std::vector<std::array<Vec3, 2>> pieces(WireId wire) const {
         std::vector<std::array<Vec3, 2>> out;
-        for (const InteractionId id : w.elements(wire)) out.push_back(w.ends(id));
+        for (const InteractionId id : w.wires().elements(wire)) out.push_back(w.wires().ends(id));
         return out;
     }
     /// Return the kinetic and elastic energy, by forces [J].
     [[nodiscard]] double energy() const {
         double sum = w.energy().kinetic;
         for (const WireId wire : {still, thrown})
-            for (const InteractionId id : w.elements(wire)) {
+            for (const InteractionId id : w.wires().elements(wire)) {
                 const double pull = w.force(id)[0];
                 sum += 0.5 * pull * pull * w.interaction_def(id).get("length") / kCapsuleEA;
             }
@@ -177,7 +177,7 @@ TEST(EndCapsules, ShareMomentumBetweenLumpAndBody) {
         def.path = {{5, 0, 0}};
         def.consistent_mass = false;  // the whole mass is in the nodes
         def.radius = 0.05;
-        (void)w.add_wire(def);
+        (void)w.wires().add(def);
         const BodyId ball = w.add_body({.name = "ball",
                                         .position = {along, 0.02, 0.31},
                                         .velocity = {1.5, -0.5, -6.0},
@@ -238,7 +238,7 @@ TEST(EndCapsules, LayTheElementBeforeAnAnchorOverAPost) {
     def.elements = 3;
     def.length = 17.5;
     def.drag = 60.0;
-    const WireId wire = w.add_wire(def);
+    const WireId wire = w.wires().add(def);
     const ShapeId pin = w.add_shape({.kind = ShapeKind::cylinder,
                                      .body = ground,
                                      .orientation = Quat(std::sqrt(0.5), std::sqrt(0.5), 0, 0),
@@ -251,8 +251,8 @@ TEST(EndCapsules, LayTheElementBeforeAnAnchorOverAPost) {
         w.set_velocity(tug, {.linear = {speed, 0, 0}, .angular = Vec3::Zero()});
         for (int i = 0; i < steps; ++i) {
             ASSERT_EQ(w.step(), Status::ok) << w.time();
-            for (const InteractionId id : w.elements(wire)) {
-                const std::array<Vec3, 2> ends = w.ends(id);
+            for (const InteractionId id : w.wires().elements(wire)) {
+                const std::array<Vec3, 2> ends = w.wires().ends(id);
                 const Vec3 along = ends[1] - ends[0];
                 const double t = std::clamp(-ends[0].dot(along) / along.squaredNorm(), 0.0, 1.0);
                 const Vec3 near = ends[0] + t * along;
@@ -288,7 +288,7 @@ TEST(EndCapsules, LeaveAloneWhatHoldsThem) {
         def.to_point = {0, 0.1, 0};
         def.elements = 2;
         def.consistent_mass = false;
-        (void)w.add_wire(def);
+        (void)w.wires().add(def);
     }
     for (int i = 0; i < 60; ++i) {
         ASSERT_EQ(w.step(), Status::ok);
@@ -306,7 +306,7 @@ TEST(EndCapsules, NeedARadius) {
     def.length = 3.0;
     def.radius = 0.0;
     try {
-        (void)w.add_wire(def);
+        (void)w.wires().add(def);
         FAIL();
     } catch (const DefError& error) {
         EXPECT_NE(std::string(error.what()).find("radius"), std::string::npos) << error.what();

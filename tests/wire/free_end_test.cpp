@@ -48,7 +48,7 @@ struct OverEdge {
         def.axial_damping = 1.0;
         def.consistent_mass = true;
         def.path.assign(path.begin() + 1, path.end() - 1);
-        wire = w.add_wire(def);
+        wire = w.wires().add(def);
         GuideDef guide{.radius = kRadius, .friction = friction};
         guide.name = "roller";
         guide.wire = wire;
@@ -60,8 +60,8 @@ struct OverEdge {
 TEST(FreeEnds, RunOffARollerAndFallWithWhatTheyHoldUp) {
     OverEdge r;
     for (int i = 0; i < 120; ++i) ASSERT_EQ(r.w.step(), Status::ok);
-    const WireId piece = r.w.cut(r.wire, 8.0);
-    (void)r.w.take_events();
+    const WireId piece = r.w.wires().cut(r.wire, 8.0);
+    (void)r.w.events().take();
     int reported = 0, left = 0;
     for (int i = 0; i < 480; ++i) {
         ASSERT_EQ(r.w.step(), Status::ok)
@@ -70,7 +70,7 @@ TEST(FreeEnds, RunOffARollerAndFallWithWhatTheyHoldUp) {
             << r.w.system_signal("roller.wire_before") << " angle "
             << r.w.system_signal("roller.angle") << " speed " << r.w.system_signal("roller.speed")
             << " v " << r.w.velocity(r.weight).linear.z();
-        for (const Event& e : r.w.take_events())
+        for (const Event& e : r.w.events().take())
             if (e.kind == EventKind::detach && e.body == r.deck) {
                 ++reported;
                 left = i;
@@ -80,15 +80,15 @@ TEST(FreeEnds, RunOffARollerAndFallWithWhatTheyHoldUp) {
     EXPECT_GT(left, 60) << "12 m have to run over it first";
     EXPECT_EQ(r.w.verdict().grade, Grade::good);
     // The roller is empty, and no material is lost.
-    for (const InteractionId id : r.w.elements(piece))
+    for (const InteractionId id : r.w.wires().elements(piece))
         EXPECT_EQ(r.w.interaction_def(id).kind, InteractionKind::Stretch);
     EXPECT_EQ(r.w.system_signal("roller.speed"), 0.0);
-    EXPECT_NEAR(r.w.length(piece), 22.0, 0.2) << "what lay round the roller";
+    EXPECT_NEAR(r.w.wires().length(piece), 22.0, 0.2) << "what lay round the roller";
     // From then on, all of it falls freely.
     const double fell = r.w.velocity(r.weight).linear.z();
     for (int i = 0; i < 60; ++i) ASSERT_EQ(r.w.step(), Status::ok);
     double momentum = 0.0, mass = 0.0;
-    for (const BodyId id : r.w.nodes(piece)) {
+    for (const BodyId id : r.w.wires().nodes(piece)) {
         mass += r.w.body_def(id).mass;
         momentum += r.w.body_def(id).mass * r.w.velocity(id).linear.z();
     }
@@ -100,7 +100,7 @@ TEST(FreeEnds, GiveTheSameBitsOnAnyThreadsAndAfterRestoring) {
     OverEdge one(0.2, 1), two(0.2, 2);
     for (OverEdge* r : {&one, &two}) {
         for (int i = 0; i < 60; ++i) ASSERT_EQ(r->w.step(), Status::ok);
-        (void)r->w.cut(r->wire, 8.0);
+        (void)r->w.wires().cut(r->wire, 8.0);
         for (int i = 0; i < 60; ++i) ASSERT_EQ(r->w.step(), Status::ok);
     }
     std::vector<std::byte> saved;
@@ -109,20 +109,20 @@ TEST(FreeEnds, GiveTheSameBitsOnAnyThreadsAndAfterRestoring) {
     for (int i = 0; i < 300; ++i) {
         ASSERT_EQ(one.w.step(), Status::ok);
         ASSERT_EQ(two.w.step(), Status::ok);
-        ASSERT_EQ(one.w.state_hash(), two.w.state_hash()) << i;
+        ASSERT_EQ(one.w.state().hash(), two.w.state().hash()) << i;
         ++after;
         if (const std::size_t now = one.w.bodies().size() + one.w.interactions().size();
             now != parts) {
             parts = now;
-            saved = one.w.save();
+            saved = one.w.state().save();
             after = 0;
         }
     }
     ASSERT_GT(after, 10);
     // A state belongs to a world of equal parts: start after the end has run off.
-    two.w.restore(saved);
+    two.w.state().restore(saved);
     for (int i = 0; i < after; ++i) ASSERT_EQ(two.w.step(), Status::ok);
-    EXPECT_EQ(one.w.state_hash(), two.w.state_hash());
+    EXPECT_EQ(one.w.state().hash(), two.w.state().hash());
 }
 
 TEST(FreeEnds, CutsAnywhereLeaveNoShortElements) {
@@ -139,7 +139,7 @@ TEST(FreeEnds, CutsAnywhereLeaveNoShortElements) {
         def.mass_per_length = kDensity;
         def.axial_damping = 1.0;
         def.consistent_mass = true;
-        const WireId wire = w.add_wire(def);
+        const WireId wire = w.wires().add(def);
         for (int i = 0; i < 30; ++i) ASSERT_EQ(w.step(), Status::ok);
         const auto mass = [&] {
             double sum = 0.0;
@@ -147,19 +147,20 @@ TEST(FreeEnds, CutsAnywhereLeaveNoShortElements) {
                 if (w.body_def(id).kind == BodyKind::lump) sum += w.body_def(id).mass;
             return sum;
         };
-        const double had = mass(), whole = w.length(wire), s = anywhere(random) * (whole - 0.02);
-        const WireId piece = w.cut(wire, s);
+        const double had = mass(), whole = w.wires().length(wire),
+                     s = anywhere(random) * (whole - 0.02);
+        const WireId piece = w.wires().cut(wire, s);
         // Within a thousandth of an element, a cut is at the node. Removing a node keeps tensions:
         // lengths change by the difference of strains.
-        EXPECT_NEAR(w.length(wire), s, 1.1e-3 * kElement) << k;
-        EXPECT_NEAR(w.length(wire) + w.length(piece), whole, 2e-4) << k;
+        EXPECT_NEAR(w.wires().length(wire), s, 1.1e-3 * kElement) << k;
+        EXPECT_NEAR(w.wires().length(wire) + w.wires().length(piece), whole, 2e-4) << k;
         // The bollard carries half of the element beside it, which becomes longer if a node is
         // removed.
         if (s > 1.3 * kElement) {
             EXPECT_NEAR(mass(), had, 1e-9 * had) << k;
         }
         for (const WireId id : {wire, piece}) {
-            const auto elements = w.elements(id);
+            const auto elements = w.wires().elements(id);
             // Beside a body, a node is removed only if energy does not increase.
             if (elements.size() < 3) continue;
             for (const InteractionId e : elements)

@@ -51,7 +51,7 @@ struct OverRoller {
         def.mass_per_length = kDensity;
         def.consistent_mass = true;
         def.path.assign(path.begin() + 1, path.end() - 1);
-        wire = w.add_wire(def);
+        wire = w.wires().add(def);
         GuideDef guide = like;
         guide.name = "roller";
         guide.wire = wire;
@@ -82,12 +82,12 @@ struct OverRoller {
     [[nodiscard]] double material() const {
         double sum = get("winch.wire_left") + get("winch.at_drum") + get("roller.wire_before") +
                      get("roller.wire_behind");
-        for (const BodyId id : w.nodes(wire))
+        for (const BodyId id : w.wires().nodes(wire))
             if (w.body_def(id).kind == BodyKind::lump) sum += w.body_def(id).mass / kDensity;
         return sum;
     }
     [[nodiscard]] std::ptrdiff_t nodes_behind() const {
-        const auto nodes = w.nodes(wire);
+        const auto nodes = w.wires().nodes(wire);
         return nodes.end() - std::find(nodes.begin(), nodes.end(), deck) -
                (std::find(nodes.begin() + 1, nodes.end(), deck) - nodes.begin());
     }
@@ -173,7 +173,7 @@ TEST(Guides, HoldAWireThatPartsAtThem) {
     const InteractionId behind = d.roller.behind;
     d.run(1.0, 0.0);
     const double before = d.get("roller.wire_before");
-    d.w.part(behind);
+    d.w.wires().part(behind);
     d.run(5.0, 0.0);
     ASSERT_FALSE(d.w.intact(behind));
     EXPECT_NEAR(d.get("roller.wire_before"), before, 0.05);  // [m], the last steps of sliding
@@ -192,20 +192,20 @@ TEST(Guides, EqualBitsForAnyThreadsAndAfterARestore) {
         for (int i = 0; i < 1000; ++i) {
             d.w.set_system_signal("winch.speed", speed(i));
             ASSERT_EQ(d.w.step(), Status::ok);
-            if (threads == 1) expected.push_back(d.w.state_hash());
-            ASSERT_EQ(d.w.state_hash(), expected[static_cast<std::size_t>(i)]) << threads;
+            if (threads == 1) expected.push_back(d.w.state().hash());
+            ASSERT_EQ(d.w.state().hash(), expected[static_cast<std::size_t>(i)]) << threads;
             if (threads == 1 && i == 617) {
-                saved = d.w.save();
-                made_of = d.w.structure();
+                saved = d.w.state().save();
+                made_of = d.w.state().structure();
             }
         }
     }
     OverRoller again;
-    again.w.restore(made_of, saved);
+    again.w.state().restore(made_of, saved);
     for (int i = 618; i < 1000; ++i) {
         again.w.set_system_signal("winch.speed", speed(i));
         ASSERT_EQ(again.w.step(), Status::ok);
-        ASSERT_EQ(again.w.state_hash(), expected[static_cast<std::size_t>(i)]) << i;
+        ASSERT_EQ(again.w.state().hash(), expected[static_cast<std::size_t>(i)]) << i;
     }
 }
 
@@ -227,7 +227,7 @@ TEST(Guides, OnAMovingBodyMomentumStays) {
     def.EA = 1e7;
     def.mass_per_length = 10.0;
     def.consistent_mass = true;
-    const WireId wire = w.add_wire(def);
+    const WireId wire = w.wires().add(def);
     // Past the middle of an element, so that the wire passes while it is drawn straight.
     w.add(GuideDef{.name = "post",
                    .wire = wire,
@@ -280,21 +280,21 @@ TEST(Guides, ACutAtOneGoesIntoTheElementBeyond) {
     for (const std::size_t part : {0U, 1U}) {
         OverRoller d;
         d.run(5.0, 0.2);
-        const auto elements = d.w.elements(d.wire);
+        const auto elements = d.w.wires().elements(d.wire);
         double s = 0.0;
         std::size_t k = 0;
         for (; elements[k] != (part == 0 ? d.roller.before : d.roller.behind); ++k)
             s += d.w.interaction_def(elements[k]).get("length");
-        const double whole = d.w.length(d.wire);
-        const WireId second = d.w.cut(d.wire, s + (part == 0 ? 0.1 : 1.0));
+        const double whole = d.w.wires().length(d.wire);
+        const WireId second = d.w.wires().cut(d.wire, s + (part == 0 ? 0.1 : 1.0));
         // True if it lies on the roller, or hangs from it.
         const auto has = [&](WireId wire) {
-            const auto of = d.w.elements(wire);
+            const auto of = d.w.wires().elements(wire);
             return std::find(of.begin(), of.end(), d.roller.before) != of.end();
         };
         EXPECT_EQ(has(second), part == 0);
         EXPECT_EQ(has(d.wire), part == 1);
-        EXPECT_NEAR(d.w.length(d.wire) + d.w.length(second), whole, 1e-3 * whole);
+        EXPECT_NEAR(d.w.wires().length(d.wire) + d.w.wires().length(second), whole, 1e-3 * whole);
         for (int i = 0; i < 60; ++i) ASSERT_EQ(d.w.step(), Status::ok) << i;
     }
 }
@@ -320,11 +320,11 @@ TEST(Guides, AdviseTheOtherSignOnlyWhereItHelps) {
 TEST(Guides, RefuseWhatCannotBe) {
     const auto refused = [](const std::function<void(OverRoller&)>& what) {
         OverRoller d;
-        const auto hash = d.w.state_hash();
+        const auto hash = d.w.state().hash();
         try {
             what(d);
         } catch (const DefError& error) {
-            EXPECT_EQ(d.w.state_hash(), hash) << error.what();
+            EXPECT_EQ(d.w.state().hash(), hash) << error.what();
             return std::string(error.what());
         }
         return std::string("taken");

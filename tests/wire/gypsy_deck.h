@@ -39,13 +39,13 @@ struct ChainDeck {
         const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});
         end = w.add_body({.name = "end", .kind = BodyKind::kinematic, .position = {0, 0, -length}});
         const ChainProperties chain = chain_properties(kBar, true);
-        wire = w.add_wire({.name = "chain",
-                           .from = deck,
-                           .to = end,
-                           .elements = 4,
-                           .EA = chain.EA,
-                           .mass_per_length = chain.mass_per_length,
-                           .axial_damping = 2.0});
+        wire = w.wires().add({.name = "chain",
+                              .from = deck,
+                              .to = end,
+                              .elements = 4,
+                              .EA = chain.EA,
+                              .mass_per_length = chain.mass_per_length,
+                              .axial_damping = 2.0});
         def.wire = wire;
         ids = w.add(def);
     }
@@ -70,7 +70,7 @@ struct ChainDeck {
     double chain() { return w.pose(ids.chain).position.x(); }
     /// Return the length of chain that slipped over its wheel [m].
     double jumped() { return gypsy_radius(def) * (chain() - drum()); }
-    std::int64_t count(EventKind kind) { return w.event_extremes(kind).count; }
+    std::int64_t count(EventKind kind) { return w.events().extremes(kind).count; }
 };
 
 }  // namespace hawser::test

@@ -21,7 +21,7 @@ TEST(Gypsy, PaysOutWholeLinksATurnAtOneRadius) {
     EXPECT_EQ(d.get("layer"), 1.0);
     // Chain and wheel move together, up to the compliance of the grip.
     EXPECT_NEAR(d.jumped(), 0.0, 1e-9);
-    EXPECT_NEAR(d.w.length(d.wire), 40.0 + gypsy_radius(def) * d.chain(), 1e-9);
+    EXPECT_NEAR(d.w.wires().length(d.wire), 40.0 + gypsy_radius(def) * d.chain(), 1e-9);
     // The length that left the locker is the length paid out, except in the last step.
     EXPECT_NEAR(300.0 - d.get("wire_left"),
                 gypsy_radius(def) *
@@ -38,8 +38,8 @@ TEST(Gypsy, JumpsAtItsLoad) {
     }
     ASSERT_EQ(d.count(EventKind::chain_jump), 1);
     EXPECT_NEAR(most, 1.2e6, 0.005 * 1.2e6);
-    EXPECT_NEAR(d.w.event_extremes(EventKind::chain_jump).first.value, 1.2e6, 1.0);
-    EXPECT_EQ(d.w.event_extremes(EventKind::chain_jump).first.body, d.ids.drum);
+    EXPECT_NEAR(d.w.events().extremes(EventKind::chain_jump).first.value, 1.2e6, 1.0);
+    EXPECT_EQ(d.w.events().extremes(EventKind::chain_jump).first.body, d.ids.drum);
     EXPECT_EQ(d.drum(), d.w.pose(d.ids.drum).position.x());
     EXPECT_LT(std::abs(d.drum()), 1e-5);  // the brake holds
 }
@@ -120,7 +120,7 @@ TEST(Gypsy, BitterEndPartsAtItsLoadOnce) {
         EXPECT_EQ(d.w.intact(d.ids.line), link == 1e7) << link;
         EXPECT_EQ(d.state(), link == 1e7 ? WinchState::empty : WinchState::parted) << link;
         if (link == 3e5) {
-            EXPECT_NEAR(d.w.event_extremes(EventKind::weak_link).first.value, 3e5, 0.02 * 3e5);
+            EXPECT_NEAR(d.w.events().extremes(EventKind::weak_link).first.value, 3e5, 0.02 * 3e5);
         } else if (link == 1e7) {
             EXPECT_GT(d.get("wire_left"), -0.01);  // stretch of the part after the wheel at 1.4 MN
         }
@@ -151,20 +151,20 @@ TEST(Gypsy, GoesOnBitForBitFromWithinAJump) {
     ChainDeck d(windlass());
     while (d.state() != WinchState::jumping && d.w.time() < 60.0) d.step(0.02);
     ASSERT_EQ(d.state(), WinchState::jumping);
-    const auto middle = d.w.save();
+    const auto middle = d.w.state().save();
     World twin = d.w.twin();
     d.run(10.0, 0.02);
     ChainDeck other(windlass());
-    other.w.restore(middle);
+    other.w.state().restore(middle);
     other.run(10.0, 0.02);
-    EXPECT_EQ(other.w.state_hash(), d.w.state_hash());
+    EXPECT_EQ(other.w.state().hash(), d.w.state().hash());
     Twist t;
     t.linear.z() = -0.02;
     for (int i = 0; i < 2400; ++i) {
         twin.set_velocity(d.end, t);
         ASSERT_EQ(twin.step(), Status::ok);
     }
-    EXPECT_EQ(twin.state_hash(), d.w.state_hash());
+    EXPECT_EQ(twin.state().hash(), d.w.state().hash());
 }
 
 /// A weight on light chain falls by a pocket against the friction of the links: s = a t²/2, a = (W
@@ -183,14 +183,14 @@ TEST(Gypsy, FallsByAPocketAgainstItsFriction) {
     def.element = 0.0;
     def.gypsy.jump_load = 0.9 * kWeight;
     def.gypsy.jump_friction = kFriction;
-    def.wire = w.add_wire({.name = "chain",
-                           .from = deck,
-                           .to = weight,
-                           .elements = 1,
-                           .length = 20.0,
-                           .EA = 5e8,
-                           .mass_per_length = 1.0,
-                           .axial_damping = 2.0});
+    def.wire = w.wires().add({.name = "chain",
+                              .from = deck,
+                              .to = weight,
+                              .elements = 1,
+                              .length = 20.0,
+                              .EA = 5e8,
+                              .mass_per_length = 1.0,
+                              .axial_damping = 2.0});
     const WinchIds ids = w.add(def);
     const double r = gypsy_radius(def);
     const auto way = [&] {
@@ -206,17 +206,17 @@ TEST(Gypsy, FallsByAPocketAgainstItsFriction) {
     // It starts in the first step, in which the chain loses the stretch of W − F, 3 mm.
     EXPECT_NEAR(w.time(), std::sqrt(2.0 * reached / a), 0.02 * w.time());
     EXPECT_NEAR(before, -kFriction * reached, 0.03 * kFriction * reached);
-    EXPECT_EQ(w.event_extremes(EventKind::chain_jump).count, 1);
+    EXPECT_EQ(w.events().extremes(EventKind::chain_jump).count, 1);
     EXPECT_LT(std::abs(w.pose(ids.drum).position.x()), 1e-5);
     while (way() < 0.9999 * kPocket && w.time() < 2.0) ASSERT_EQ(w.step(), Status::ok);
     // It falls into the next pocket. The falling weight brings the chain above its jump load, so
     // that it passes this pocket, too.
     EXPECT_NEAR(way(), kPocket, 1e-6);
     ASSERT_EQ(w.step(), Status::ok);
-    EXPECT_EQ(w.event_extremes(EventKind::chain_jump).count, 2);
-    EXPECT_GT(w.event_extremes(EventKind::chain_jump).worst.value, def.gypsy.jump_load);
+    EXPECT_EQ(w.events().extremes(EventKind::chain_jump).count, 2);
+    EXPECT_GT(w.events().extremes(EventKind::chain_jump).worst.value, def.gypsy.jump_load);
     EXPECT_GT(way(), kPocket);
-    EXPECT_EQ(w.event_extremes(EventKind::energy_created).count, 0);
+    EXPECT_EQ(w.events().extremes(EventKind::energy_created).count, 0);
 }
 
 /// If the fall into the locker is heavier, chain jumps inwards by the same rule.

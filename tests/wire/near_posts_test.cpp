@@ -50,7 +50,7 @@ struct PostRow {
         def.consistent_mass = true;
         def.radius = kThick;
         def.path.assign(start.nodes.begin() + 1, start.nodes.end() - 1);
-        wire = w.add_wire(def);
+        wire = w.wires().add(def);
         for (const double x : posts) {
             names.push_back("post" + std::to_string(names.size()));
             places.push_back({x, 0, 0});
@@ -76,8 +76,8 @@ struct PostRow {
     /// Return the largest depth of the wire's middle under the surface of a bollard [m].
     [[nodiscard]] double sunk() const {
         double out = 0.0;
-        for (const InteractionId id : w.elements(wire)) {
-            const std::array<Vec3, 2> ends = w.ends(id);
+        for (const InteractionId id : w.wires().elements(wire)) {
+            const std::array<Vec3, 2> ends = w.wires().ends(id);
             const Vec3 d = ends[1] - ends[0];
             for (const Vec3& at : places) {
                 const double t = std::clamp((at - ends[0]).dot(d) / d.squaredNorm(), 0.0, 1.0);
@@ -102,9 +102,9 @@ struct PostRow {
     /// Return the mass of nodes and of loads of their elements [kg].
     [[nodiscard]] double mass() {
         double sum = 0.0;
-        for (const BodyId id : w.nodes(wire))
+        for (const BodyId id : w.wires().nodes(wire))
             if (w.body_def(id).kind == BodyKind::lump) sum += w.body_def(id).mass;
-        const auto elements = w.elements(wire);
+        const auto elements = w.wires().elements(wire);
         for (const InteractionId end : {elements.front(), elements.back()})
             sum += 0.5 * w.interaction_def(end).get("mass");
         for (const InteractionId id : elements)
@@ -118,7 +118,7 @@ TEST(NearPosts, TakeOneWireEachAndLetItGo) {
          {std::vector<double>{-0.75, 0.75}, {0.0, 3.0}, {-0.4, 0.6}, {-1.5, 0.0, 1.5}}) {
         PostRow d(posts);
         const double mass = d.mass(), distance = posts[1] - posts[0];
-        const std::size_t had = d.w.elements(d.wire).size();
+        const std::size_t had = d.w.wires().elements(d.wire).size();
         double sunk = d.move({0, 0, -4}, 8.0);
         sunk = std::max(sunk, d.move({0, 0, 0}, 12.0));
         EXPECT_EQ(d.all("held"), static_cast<double>(posts.size())) << distance;
@@ -149,12 +149,12 @@ TEST(NearPosts, TakeOneWireEachAndLetItGo) {
         EXPECT_EQ(d.all("held"), 0.0) << distance;
         EXPECT_NEAR(d.mass(), mass, 1e-9 * mass) << distance;
         // Nodes inserted between bollards remain.
-        EXPECT_LE(d.w.elements(d.wire).size(), had + 2 * posts.size()) << distance;
-        for (const InteractionId id : d.w.elements(d.wire))
+        EXPECT_LE(d.w.wires().elements(d.wire).size(), had + 2 * posts.size()) << distance;
+        for (const InteractionId id : d.w.wires().elements(d.wire))
             EXPECT_EQ(d.w.interaction_def(id).kind, InteractionKind::Stretch);
         EXPECT_NE(d.w.verdict().grade, Grade::wrong) << distance;
         std::printf("%zu posts, %.1f m apart: sunk by %.1e m, %zu elements of %zu\n", posts.size(),
-                    distance, sunk, d.w.elements(d.wire).size(), had);
+                    distance, sunk, d.w.wires().elements(d.wire).size(), had);
     }
 }
 
@@ -176,8 +176,8 @@ TEST(NearPosts, GiveTheSameBitsOnAnyThreadsAndAfterRestoring) {
 TEST(NearGuides, ShareNoElement) {
     PostRow d({});
     // The middle of an element, and beside it.
-    const InteractionId element = d.w.elements(d.wire)[5];
-    const std::array<Vec3, 2> ends = d.w.ends(element);
+    const InteractionId element = d.w.wires().elements(d.wire)[5];
+    const std::array<Vec3, 2> ends = d.w.wires().ends(element);
     const auto at = [&](double share) { return Vec3(ends[0] + share * (ends[1] - ends[0])); };
     const auto add = [&](const char* name, double share) -> std::string {
         try {
@@ -198,9 +198,9 @@ TEST(NearGuides, ShareNoElement) {
 TEST(NearGuides, NodesRunThroughBoth) {
     PostRow d({});
     std::array<InteractionId, 2> at{};
-    std::copy_n(d.w.elements(d.wire).begin() + 6, 2, at.begin());
+    std::copy_n(d.w.wires().elements(d.wire).begin() + 6, 2, at.begin());
     for (const std::size_t k : {0U, 1U}) {
-        const std::array<Vec3, 2> ends = d.w.ends(at[k]);
+        const std::array<Vec3, 2> ends = d.w.wires().ends(at[k]);
         d.w.add(GuideDef{.name = k == 0 ? "one" : "two",
                          .wire = d.wire,
                          .element = at[k],

@@ -25,16 +25,16 @@ struct PinDeck {
         ship = w.add_body({.name = "ship", .kind = BodyKind::fixed});
         left = w.add_body({.name = "left", .kind = BodyKind::kinematic, .position = {-20, y, z}});
         right = w.add_body({.name = "right", .kind = BodyKind::kinematic, .position = {20, y, z}});
-        wire = w.add_wire({.name = "wire",
-                           .from = left,
-                           .to = right,
-                           .elements = 9,
-                           .length = 40.0 / (1.0 + 5e4 / kDeckEA),
-                           .EA = kDeckEA,
-                           .mass_per_length = kDeckDensity,
-                           .drag = 60.0,
-                           .radius = 0.038,
-                           .consistent_mass = true});
+        wire = w.wires().add({.name = "wire",
+                              .from = left,
+                              .to = right,
+                              .elements = 9,
+                              .length = 40.0 / (1.0 + 5e4 / kDeckEA),
+                              .EA = kDeckEA,
+                              .mass_per_length = kDeckDensity,
+                              .drag = 60.0,
+                              .radius = 0.038,
+                              .consistent_mass = true});
         w.add(PinDef{.name = "pin",
                      .body = ship,
                      .from = {0, 0, 0},
@@ -50,7 +50,9 @@ struct PinDeck {
         for (const BodyId id : {left, right}) w.set_velocity(id, {});
     }
     [[nodiscard]] double middle() const {
-        return 0.5 * (w.pose(w.nodes(wire)[4]).position + w.pose(w.nodes(wire)[5]).position).y();
+        return 0.5 * (w.pose(w.wires().nodes(wire)[4]).position +
+                      w.pose(w.wires().nodes(wire)[5]).position)
+                         .y();
     }
 };
 
@@ -100,7 +102,7 @@ TEST(Pins, LiftAWireThatLiesAcrossTheirTop) {
     EXPECT_NEAR(d.w.system_signal("pin.height"), 1.0, 1e-3);
     EXPECT_EQ(d.w.system_signal("pin/post.taken"), 0.0);
     double highest = 0.0;
-    for (const BodyId id : d.w.nodes(d.wire))
+    for (const BodyId id : d.w.wires().nodes(d.wire))
         highest = std::max(highest, d.w.pose(id).position.z());
     EXPECT_GT(highest, 1.9) << "on top of 2 m";
     EXPECT_NE(d.w.verdict().grade, Grade::wrong);

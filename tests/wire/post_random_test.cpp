@@ -110,7 +110,7 @@ struct Yard {
         def.drag = 40.0;
         def.consistent_mass = true;
         def.radius = kHalf;
-        wire = w.add_wire(def);
+        wire = w.wires().add(def);
         WinchDef winch{.name = "winch", .wire = wire, .end = x.end};
         winch.core_radius = 0.4;
         winch.width = 0.6;
@@ -171,7 +171,7 @@ struct Yard {
     /// Cut the wire at a fraction of its length; a position on the drum is rejected.
     void cut_at_share(double share) {
         try {
-            (void)w.cut(wire, share * w.length(wire));
+            (void)w.wires().cut(wire, share * w.wires().length(wire));
         } catch (const DefError& refused) {
             EXPECT_NE(std::string(refused.what()), "");
         }
@@ -215,8 +215,8 @@ void run(const Wiring& x, std::uint32_t seed, Tally& tally) {
         Yard d(x, 1);
         for (int i = 0; i < kSteps; ++i) {
             if (i == saved) {
-                bytes = d.w.save();
-                made_of = d.w.structure();
+                bytes = d.w.state().save();
+                made_of = d.w.state().structure();
             }
             const Status status = d.step(x, i);
             ASSERT_TRUE(status == Status::ok || status == Status::diverged)
@@ -225,7 +225,7 @@ void run(const Wiring& x, std::uint32_t seed, Tally& tally) {
             ASSERT_GT(d.lightest(), kLightest) << "seed " << seed << " step " << i;
             ASSERT_EQ(d.twice(), "") << "seed " << seed << " step " << i;
             statuses.push_back(status);
-            hashes.push_back(d.w.state_hash());
+            hashes.push_back(d.w.state().hash());
             if (status != Status::ok) break;
         }
         const bool ended = statuses.back() != Status::ok;
@@ -248,17 +248,17 @@ void run(const Wiring& x, std::uint32_t seed, Tally& tally) {
         Yard d(x, threads);
         for (std::size_t i = 0; i < statuses.size(); ++i) {
             ASSERT_EQ(d.step(x, static_cast<int>(i)), statuses[i]) << seed << " step " << i;
-            ASSERT_EQ(d.w.state_hash(), hashes[i])
+            ASSERT_EQ(d.w.state().hash(), hashes[i])
                 << "seed " << seed << ", " << threads << " threads, step " << i;
         }
     }
     if (bytes.empty()) return;
     Yard again(x, 2);
-    again.w.restore(made_of, bytes);
+    again.w.state().restore(made_of, bytes);
     ++tally.restores;
     for (auto i = static_cast<std::size_t>(saved); i < statuses.size(); ++i) {
         ASSERT_EQ(again.step(x, static_cast<int>(i)), statuses[i]);
-        ASSERT_EQ(again.w.state_hash(), hashes[i])
+        ASSERT_EQ(again.w.state().hash(), hashes[i])
             << "seed " << seed << ", restored at " << saved << ", step " << i;
     }
 }

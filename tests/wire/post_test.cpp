@@ -48,7 +48,7 @@ struct AbovePost {
         def.consistent_mass = true;
         def.radius = kPostHalf;
         def.path.assign(start.nodes.begin() + 1, start.nodes.end() - 1);
-        wire = w.add_wire(def);
+        wire = w.wires().add(def);
         const ShapeId pin =
             w.add_shape({.kind = ShapeKind::cylinder,
                          .body = ground,
@@ -73,9 +73,9 @@ struct AbovePost {
     /// Return the mass of nodes and of loads of their elements [kg].
     [[nodiscard]] double mass() {
         double sum = 0.0;
-        for (const BodyId id : w.nodes(wire))
+        for (const BodyId id : w.wires().nodes(wire))
             if (w.body_def(id).kind == BodyKind::lump) sum += w.body_def(id).mass;
-        const auto elements = w.elements(wire);
+        const auto elements = w.wires().elements(wire);
         for (const InteractionId end : {elements.front(), elements.back()})
             sum += 0.5 * w.interaction_def(end).get("mass");
         for (const InteractionId id : elements)
@@ -90,7 +90,7 @@ TEST(Posts, TakeAWireThatComesToLieAndLetItGo) {
     for (const auto& [elements, way] : {std::pair(13, 1.0), {14, 1.0}, {13, -1.0}, {14, -1.0}}) {
         AbovePost d(elements, 0.2, 1, way);
         const double mass = d.mass();
-        const std::size_t had = d.w.elements(d.wire).size();
+        const std::size_t had = d.w.wires().elements(d.wire).size();
         d.move({0, 0, -4}, 8.0);
         d.rest(12.0);
         EXPECT_EQ(d.get("post.held"), 1.0) << elements;
@@ -103,14 +103,15 @@ TEST(Posts, TakeAWireThatComesToLieAndLetItGo) {
         EXPECT_EQ(d.get("post.held"), 0.0) << elements;
         EXPECT_EQ(d.get("post.let_go"), 1.0) << elements;
         EXPECT_NEAR(d.mass(), mass, 1e-9 * mass);
-        EXPECT_NEAR(d.w.length(d.wire), 42.0, 0.02) << "rest lengths follow tensions";
-        EXPECT_LE(d.w.elements(d.wire).size(), had + 1);
-        for (const InteractionId id : d.w.elements(d.wire))
+        EXPECT_NEAR(d.w.wires().length(d.wire), 42.0, 0.02) << "rest lengths follow tensions";
+        EXPECT_LE(d.w.wires().elements(d.wire).size(), had + 1);
+        for (const InteractionId id : d.w.wires().elements(d.wire))
             EXPECT_EQ(d.w.interaction_def(id).kind, InteractionKind::Stretch);
         EXPECT_EQ(d.w.verdict().grade, Grade::good) << elements;
         // It hangs as before: its weight is carried by both ends.
         const double weight = 9.81 * kPostDensity * 42.0;
-        const double pulls[] = {d.w.tension(d.wire, 0.0), d.w.tension(d.wire, d.w.length(d.wire))};
+        const double pulls[] = {d.w.wires().tension(d.wire, 0.0),
+                                d.w.wires().tension(d.wire, d.w.wires().length(d.wire))};
         EXPECT_NEAR(pulls[0] / pulls[1], 1.0, 0.02);
         EXPECT_GT(pulls[0], 0.5 * weight);
     }
@@ -145,7 +146,7 @@ TEST(Posts, RubAtEulersRatio) {
 /// and lifts off at most once per period.
 TEST(Posts, DoNotChatter) {
     AbovePost d;
-    const double sag = d.w.pose(d.w.nodes(d.wire)[6]).position.z();
+    const double sag = d.w.pose(d.w.wires().nodes(d.wire)[6]).position.z();
     d.move({0, 0, 0.3 + kPostHalf - sag - 0.002}, 20.0);
     d.rest(10.0);
     constexpr int kPeriods = 4;
@@ -232,7 +233,7 @@ struct Thrown {
         def.radius = kPostHalf;
         def.velocity = velocity;
         for (int k = 1; k <= kElements; ++k) def.path.push_back(at(k));
-        wire = w.add_wire(def);
+        wire = w.wires().add(def);
         w.add(PostDef{.name = "pin", .shape = pin, .friction = 0.15});
     }
     /// Run for a time. @return number of steps in which an element passed through.
@@ -242,7 +243,7 @@ struct Thrown {
         std::vector<std::pair<InteractionId, std::array<Vec3, 2>>> was, now;
         for (int i = 0; i < steps; ++i) {
             now.clear();
-            for (const InteractionId id : w.elements(wire)) {
+            for (const InteractionId id : w.wires().elements(wire)) {
                 const InteractionDef& d = w.interaction_def(id);
                 // The element at the body at the wire's start has no capsule (WireDef::radius).
                 if (d.kind == InteractionKind::Stretch && d.body[0] != first)

@@ -46,7 +46,7 @@ struct Hung {
         def.drag = drag;
         def.consistent_mass = true;
         def.path.assign(start.nodes.begin() + 1, start.nodes.end() - 1);
-        wire = w.add_wire(def);
+        wire = w.wires().add(def);
     }
     Hung& with(ResolutionDef def) {
         def.name = "nodes";
@@ -64,14 +64,14 @@ struct Hung {
     /// Return the lengths of elements, from their mass [m].
     [[nodiscard]] std::vector<double> lengths() const {
         std::vector<double> out;
-        for (const InteractionId id : w.elements(wire))
+        for (const InteractionId id : w.wires().elements(wire))
             out.push_back(w.interaction_def(id).get("mass") / kPerMetre);
         return out;
     }
     /// Return the mass of nodes and of half elements at the ends [kg].
     [[nodiscard]] double mass() const {
         double sum = 0.5 * kPerMetre * (lengths().front() + lengths().back());
-        for (const BodyId id : w.nodes(wire))
+        for (const BodyId id : w.wires().nodes(wire))
             if (w.body_def(id).kind == BodyKind::lump) sum += w.body_def(id).mass;
         return sum;
     }
@@ -180,8 +180,8 @@ TEST(WireResolution, IsTheSameOnAnyThreads) {
         EXPECT_GT(h.get("inserted"), 20.0);
         EXPECT_GT(h.get("removed"), 20.0);
         EXPECT_NEAR(h.get("material"), 120.0, 1e-9);
-        if (threads == 1) hash = h.w.state_hash();
-        EXPECT_EQ(h.w.state_hash(), hash) << threads;
+        if (threads == 1) hash = h.w.state().hash();
+        EXPECT_EQ(h.w.state().hash(), hash) << threads;
     }
 }
 
@@ -206,7 +206,7 @@ TEST(WireResolution, GoesOnAfterRestore) {
     int of_edits = 0;
     for (int i = 0; i < kSteps; ++i) {
         World before = h.w.twin();
-        auto state = h.w.save();
+        auto state = h.w.state().save();
         swing(h, i);
         const bool edited = h.edits() != edits;
         edits = h.edits();
@@ -219,9 +219,9 @@ TEST(WireResolution, GoesOnAfterRestore) {
     for (Saved& s : saved) {
         Hung& again = h;
         std::swap(again.w, s.twin);
-        again.w.restore(s.state);
+        again.w.state().restore(s.state);
         for (int i = s.step; i < kSteps; ++i) swing(again, i);
-        EXPECT_EQ(again.w.state_hash(), s.twin.state_hash()) << "from step " << s.step;
+        EXPECT_EQ(again.w.state().hash(), s.twin.state().hash()) << "from step " << s.step;
         std::swap(again.w, s.twin);
     }
 }
@@ -231,7 +231,7 @@ TEST(WireResolution, TellsWhereNodesRunOut) {
     h.with({.min_length = 2.5, .max_length = 20.0, .max_nodes = 12});
     h.run(10.0);
     EXPECT_EQ(h.get("nodes"), 12.0);
-    const EventExtremes events = h.w.event_extremes(EventKind::node_limit);
+    const EventExtremes events = h.w.events().extremes(EventKind::node_limit);
     EXPECT_EQ(events.count, 1) << "once";
     EXPECT_EQ(events.first.value, 12.0);
     EXPECT_TRUE(h.w.alive(events.first.body));
@@ -239,7 +239,7 @@ TEST(WireResolution, TellsWhereNodesRunOut) {
 
 TEST(WireResolution, LeavesAloneWhatSomethingHolds) {
     Hung h(400.0, 40, 999e3);
-    const BodyId held = h.w.nodes(h.wire)[17];
+    const BodyId held = h.w.wires().nodes(h.wire)[17];
     const BodyId weight = h.w.add_body(
         {.kind = BodyKind::lump, .position = h.w.pose(held).position - Vec3(0, 0, 1), .mass = 5.0});
     h.w.add(DistanceDef{.a = held, .b = weight});
@@ -247,7 +247,7 @@ TEST(WireResolution, LeavesAloneWhatSomethingHolds) {
     h.run(40.0);
     EXPECT_LE(h.get("nodes"), 24.0);
     EXPECT_TRUE(h.w.alive(held));
-    const auto nodes = h.w.nodes(h.wire);
+    const auto nodes = h.w.wires().nodes(h.wire);
     EXPECT_NE(std::find(nodes.begin(), nodes.end(), held), nodes.end());
 }
 
@@ -257,8 +257,8 @@ TEST(WireResolution, IsCoarserByOrder) {
         Hung h(400.0, 80, 198e3);
         h.with({});
         for (int i = 0; i < 1800; ++i) {
-            h.w.degrade_next_step({.wires = level});
-            EXPECT_EQ(h.w.coarsening(), level);
+            h.w.solver().degrade_next_step({.wires = level});
+            EXPECT_EQ(h.w.solver().coarsening(), level);
             ASSERT_EQ(h.w.step(), Status::ok);
             EXPECT_EQ(h.w.stats().degradation.wires, level);
         }
@@ -302,12 +302,12 @@ TEST(WireResolution, RefusesWhatCannotBe) {
     EXPECT_THROW(h.w.add(ResolutionDef{.name = "none"}), DefError);
     World plain;
     const BodyId top = plain.add_body({.kind = BodyKind::fixed});
-    const WireId lumps = plain.add_wire({.name = "lumps",
-                                         .from = top,
-                                         .elements = 5,
-                                         .length = 10,
-                                         .EA = 1e6,
-                                         .mass_per_length = 1});
+    const WireId lumps = plain.wires().add({.name = "lumps",
+                                            .from = top,
+                                            .elements = 5,
+                                            .length = 10,
+                                            .EA = 1e6,
+                                            .mass_per_length = 1});
     EXPECT_THROW(plain.add(ResolutionDef{.name = "nodes", .wire = lumps}), DefError);
 }
 

@@ -154,7 +154,7 @@ TEST(Routes, TwoFallsOverWheelsHoldABlockInItsPlane) {
 std::string hash_of(Post& p, int steps) {
     for (int i = 0; i < steps; ++i)
         if (p.w.step() != Status::ok) return "";
-    return std::to_string(p.w.state_hash());
+    return std::to_string(p.w.state().hash());
 }
 
 TEST(Routes, BitsDoNotDependOnThreadsOrRestoring) {
@@ -168,9 +168,9 @@ TEST(Routes, BitsDoNotDependOnThreadsOrRestoring) {
     for (const int at : {1, 37, 120}) {
         Post p(8, 1.5, 1.1);
         (void)hash_of(p, at);
-        const std::vector<std::byte> saved = p.w.save();
+        const std::vector<std::byte> saved = p.w.state().save();
         (void)hash_of(p, 50);
-        p.w.restore(saved);
+        p.w.state().restore(saved);
         hashes.push_back(hash_of(p, 200 - at));
     }
     for (const std::string& hash : hashes) EXPECT_EQ(hash, hashes.front());
@@ -250,8 +250,8 @@ TEST(Routes, EndsStopAtTheirEye) {
             // 3 %: 1 % of the part is left, and the impact stretches the line.
             ASSERT_GE(w.pose(b).position.z(), -1.03 * length - 0.05) << seed << " step " << i;
         }
-        EXPECT_GE(w.event_extremes(EventKind::hauled_in).count, 1) << seed;
-        EXPECT_EQ(w.event_extremes(EventKind::energy_created).count, 0) << seed;
+        EXPECT_GE(w.events().extremes(EventKind::hauled_in).count, 1) << seed;
+        EXPECT_EQ(w.events().extremes(EventKind::energy_created).count, 0) << seed;
         EXPECT_LE(w.pose(a).position.norm(), 0.03 * left + 0.02) << seed;
         EXPECT_NEAR(-w.force(r.parts.back())[0], 9.81 * heavy, 0.02 * 9.81 * heavy) << seed;
         // 1e-3 m/s: rest of the oscillation after 40 s.

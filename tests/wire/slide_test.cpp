@@ -45,7 +45,7 @@ struct Stern {
         def.drag = 20.0;
         def.consistent_mass = true;
         def.radius = kHalf;
-        wire = w.add_wire(def);
+        wire = w.wires().add(def);
         const ShapeId edge =
             w.add_shape({.kind = ShapeKind::cylinder,
                          .body = ship,
@@ -77,9 +77,9 @@ struct Stern {
     [[nodiscard]] std::array<double, 2> angles() const {
         std::array<double, 2> out{};
         std::size_t k = 0;
-        for (const InteractionId id : w.elements(wire)) {
+        for (const InteractionId id : w.wires().elements(wire)) {
             if (!kind_info(w.interaction_def(id).kind).is(kAtGuide)) continue;
-            const auto ends = w.ends(id);
+            const auto ends = w.wires().ends(id);
             out[k++] = std::acos((ends[1] - ends[0]).normalized().y());
         }
         EXPECT_EQ(k, 2U);
@@ -95,9 +95,9 @@ struct Stern {
     [[nodiscard]] double rub() const {
         Vec3 sum = Vec3::Zero(), along = Vec3::Zero();
         double sign = -1.0, pull = 0.0;
-        for (const InteractionId id : w.elements(wire)) {
+        for (const InteractionId id : w.wires().elements(wire)) {
             if (!kind_info(w.interaction_def(id).kind).is(kAtGuide)) continue;
-            const auto ends = w.ends(id);
+            const auto ends = w.wires().ends(id);
             const Vec3 u = (ends[1] - ends[0]).normalized();
             sum += sign * u;
             along += u;
@@ -209,7 +209,7 @@ TEST(Slides, TakeEnergyAndMakeNone) {
     for (const double friction : {0.0, 0.15, 0.3}) {
         Stern d(friction);
         d.lower();
-        const double length = d.w.length(d.wire);
+        const double length = d.w.wires().length(d.wire);
         const InteractionId row = d.w.find_interaction("edge/1/friction");
         double taken = d.w.energy().friction, most = 0.0, strongest = 0.0;
         for (int i = 0; i < (test::kSanitized ? 900 : 3600); ++i) {
@@ -226,7 +226,7 @@ TEST(Slides, TakeEnergyAndMakeNone) {
                     d.get("slid"), most, taken);
         EXPECT_GT(d.get("slid"), test::kSanitized ? 0.0 : 0.4);
         EXPECT_EQ(d.w.verdict().grade, Grade::good) << friction;
-        EXPECT_NEAR(d.w.length(d.wire), length, 1e-9 * length);
+        EXPECT_NEAR(d.w.wires().length(d.wire), length, 1e-9 * length);
     }
 }
 
@@ -237,14 +237,14 @@ TEST(Slides, GiveTheSameBitsOnAnyThreadsAfterRestoringAndInTwins) {
         for (int i = 0; i < 1500; ++i) {
             d.pull({1e5, i < 600 ? 0.0 : i < 1000 ? 5e4 : -5e4, -100.0 * std::min(i, 600)});
             EXPECT_EQ(d.w.step(), Status::ok);
-            out.push_back(d.w.state_hash());
+            out.push_back(d.w.state().hash());
             if (i != restored) continue;
-            const auto bytes = d.w.save();
-            const Structure made_of = d.w.structure();
+            const auto bytes = d.w.state().save();
+            const Structure made_of = d.w.state().structure();
             Stern other(0.15, threads);
-            other.w.restore(made_of, bytes);
-            EXPECT_EQ(other.w.state_hash(), out.back());
-            EXPECT_EQ(d.w.twin().state_hash(), out.back());
+            other.w.state().restore(made_of, bytes);
+            EXPECT_EQ(other.w.state().hash(), out.back());
+            EXPECT_EQ(d.w.twin().state().hash(), out.back());
             d = std::move(other);
         }
         EXPECT_GT(d.get("slid"), 1.0);
@@ -260,18 +260,21 @@ TEST(Slides, MoveByTheWorldsOwnFunctionAndRefuse) {
     d.lower();
     InteractionId parts[2];
     std::size_t k = 0;
-    for (const InteractionId id : d.w.elements(d.wire))
+    for (const InteractionId id : d.w.wires().elements(d.wire))
         if (kind_info(d.w.interaction_def(id).kind).is(kAtGuide)) parts[k++] = id;
     ASSERT_EQ(k, 2U);
-    EXPECT_THROW((void)d.w.move_along(parts[1], parts[0], 0.1, 0.0), DefError) << "in this order";
-    EXPECT_THROW((void)d.w.move_along(parts[0], parts[1], 0.1, 1e3), DefError) << "so much length";
-    EXPECT_THROW((void)d.w.move_along(parts[0], parts[1], std::nan(""), 0.0), DefError);
-    EXPECT_THROW((void)d.w.move_along(parts[0], d.w.elements(d.wire)[0], 0.1, 0.0), DefError);
+    EXPECT_THROW((void)d.w.wires().move_along(parts[1], parts[0], 0.1, 0.0), DefError)
+        << "in this order";
+    EXPECT_THROW((void)d.w.wires().move_along(parts[0], parts[1], 0.1, 1e3), DefError)
+        << "so much length";
+    EXPECT_THROW((void)d.w.wires().move_along(parts[0], parts[1], std::nan(""), 0.0), DefError);
+    EXPECT_THROW((void)d.w.wires().move_along(parts[0], d.w.wires().elements(d.wire)[0], 0.1, 0.0),
+                 DefError);
     // The shortest path is here: on both sides it is longer.
-    const auto hash = d.w.state_hash();
+    const auto hash = d.w.state().hash();
     const Vec3 at = d.w.interaction_def(parts[0]).point[1];
-    EXPECT_FALSE(d.w.move_along(parts[0], parts[1], 0.5, 0.0));
-    EXPECT_EQ(d.w.state_hash(), hash);
+    EXPECT_FALSE(d.w.wires().move_along(parts[0], parts[1], 0.5, 0.0));
+    EXPECT_EQ(d.w.state().hash(), hash);
     EXPECT_EQ(d.w.interaction_def(parts[0]).point[1], at);
 }
 

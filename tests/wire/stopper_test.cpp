@@ -36,14 +36,14 @@ struct Deck {
         };
         inboard = weight("inboard", 40.0);
         outboard = weight("outboard", -40.0);
-        wire = w.add_wire({.name = "wire",
-                           .from = inboard,
-                           .to = outboard,
-                           .elements = 16,
-                           .length = 16 * kDeckElement,
-                           .EA = kDeckEA,
-                           .mass_per_length = kDeckDensity,
-                           .consistent_mass = true});
+        wire = w.wires().add({.name = "wire",
+                              .from = inboard,
+                              .to = outboard,
+                              .elements = 16,
+                              .length = 16 * kDeckElement,
+                              .EA = kDeckEA,
+                              .mass_per_length = kDeckDensity,
+                              .consistent_mass = true});
         StopperDef def = more;
         def.name = "jaw";
         def.body = ship;
@@ -52,7 +52,9 @@ struct Deck {
         w.add(def);
     }
     [[nodiscard]] double get(const char* signal) const { return w.system_signal(signal); }
-    [[nodiscard]] std::int64_t count(EventKind kind) const { return w.event_extremes(kind).count; }
+    [[nodiscard]] std::int64_t count(EventKind kind) const {
+        return w.events().extremes(kind).count;
+    }
     void pull(double in, double out) {
         w.set_force(inboard, {in, 0, 0}, Vec3::Zero());
         w.set_force(outboard, {-out, 0, 0}, Vec3::Zero());
@@ -66,7 +68,7 @@ struct Deck {
     /// Return the mass of nodes other than the two weights [kg].
     [[nodiscard]] double mass() const {
         double sum = 0.0;
-        for (const BodyId id : w.nodes(wire))
+        for (const BodyId id : w.wires().nodes(wire))
             if (id != inboard && id != outboard) sum += w.body_def(id).mass;
         return sum;
     }
@@ -84,7 +86,7 @@ TEST(Stoppers, AJawTakesTheNearestPlaceHoldsBothWaysAndLetsGo) {
     // The position next to the jaw, 38.2 m of unstretched wire from the inboard end.
     EXPECT_NEAR(d.get("jaw.at"), 38.2, 0.1);
     ASSERT_EQ(d.count(EventKind::join), 1);
-    const Event taken = d.w.event_extremes(EventKind::join).first;
+    const Event taken = d.w.events().extremes(EventKind::join).first;
     EXPECT_EQ(taken.interaction, d.w.find_interaction("jaw/hold"));
     EXPECT_NEAR(taken.value, 0.2, 1e-3) << "the wire lies 0.2 m beside the point";
     EXPECT_NEAR(d.mass(), mass, 1e-9 * mass);
@@ -96,13 +98,13 @@ TEST(Stoppers, AJawTakesTheNearestPlaceHoldsBothWaysAndLetsGo) {
     }
     const BodyId node = d.w.interaction_def(d.w.find_interaction("jaw/hold")).body[1];
     EXPECT_LT(std::abs(d.w.velocity(node).linear.x()), 1e-9) << "no creep";
-    const std::size_t nodes = d.w.nodes(d.wire).size();
+    const std::size_t nodes = d.w.wires().nodes(d.wire).size();
     d.w.set_system_signal("jaw.close", 0.0);
     d.run(5.0);
     EXPECT_FALSE(d.w.find_interaction("jaw/hold").valid());
     EXPECT_EQ(d.count(EventKind::detach), 1);
     EXPECT_EQ(d.get("jaw.state"), static_cast<double>(StopperState::open));
-    EXPECT_EQ(d.w.nodes(d.wire).size(), nodes - 1) << "the node that it put has gone";
+    EXPECT_EQ(d.w.wires().nodes(d.wire).size(), nodes - 1) << "the node that it put has gone";
     EXPECT_NEAR(d.mass(), mass, 1e-9 * mass);
     EXPECT_GT(d.w.velocity(d.inboard).linear.x(), 0.1) << "the wire runs";
     EXPECT_EQ(d.w.verdict().grade, Grade::good);
@@ -122,7 +124,7 @@ TEST(Stoppers, OpenAboveTheirRatedLoad) {
     d.pull(1e5, 6e5);
     d.run(3.0);
     ASSERT_EQ(d.count(EventKind::overload), 1);
-    EXPECT_GT(d.w.event_extremes(EventKind::overload).first.value, 4e5);
+    EXPECT_GT(d.w.events().extremes(EventKind::overload).first.value, 4e5);
     EXPECT_EQ(d.get("jaw.state"), static_cast<double>(StopperState::tripped));
     // Still closed, it takes nothing; opened and closed again, it does.
     d.pull(1e5, 1e5);
@@ -140,8 +142,8 @@ TEST(Stoppers, SayWhereNothingIsWithinReach) {
     d.w.set_system_signal("jaw.close", 1.0);
     d.run(1.0);
     ASSERT_EQ(d.count(EventKind::missed), 1) << "once";
-    EXPECT_NEAR(d.w.event_extremes(EventKind::missed).first.value, 0.2, 1e-9);
-    EXPECT_EQ(d.w.event_extremes(EventKind::missed).first.body, d.ship);
+    EXPECT_NEAR(d.w.events().extremes(EventKind::missed).first.value, 0.2, 1e-9);
+    EXPECT_EQ(d.w.events().extremes(EventKind::missed).first.body, d.ship);
     EXPECT_EQ(d.get("jaw.state"), static_cast<double>(StopperState::empty));
     EXPECT_EQ(d.get("jaw.held"), 0.0);
 }
@@ -166,7 +168,7 @@ TEST(Stoppers, AChainStopperLetsChainInAndNotOut) {
     // Back by less than two links, the pitch of the pawl, and the stretch of the wire.
     EXPECT_GT(d.w.pose(d.outboard).position.x() - held, in - 0.65);
     EXPECT_NEAR(d.get("jaw.load"), 2e5, 200.0);
-    EXPECT_LE(d.w.nodes(d.wire).size(), 19U) << "nodes of earlier links have gone";
+    EXPECT_LE(d.w.wires().nodes(d.wire).size(), 19U) << "nodes of earlier links have gone";
     EXPECT_EQ(d.count(EventKind::detach), 0);
 }
 
@@ -218,7 +220,7 @@ TEST(Stoppers, DoNotHoldOneNodeTogether) {
     EXPECT_EQ(d.get("second.state"), static_cast<double>(StopperState::empty));
     EXPECT_EQ(d.get("second.held"), 0.0);
     ASSERT_EQ(d.count(EventKind::missed), 1) << "once";
-    EXPECT_LT(d.w.event_extremes(EventKind::missed).first.value, 0.5) << "within its reach";
+    EXPECT_LT(d.w.events().extremes(EventKind::missed).first.value, 0.5) << "within its reach";
     d.pull(2e5, 5e5);
     d.run(30.0);
     EXPECT_NEAR(d.get("jaw.load"), 3e5, 300.0) << "alone";

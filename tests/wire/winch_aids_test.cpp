@@ -42,14 +42,14 @@ struct DriftingShip {
                                         .mass = mass,
                                         .inertia = 1e9 * Mat3::Identity(),
                                         .gravity = false});
-        wire = w.add_wire({.name = "wire",
-                           .from = shore,
-                           .to = ship,
-                           .elements = 1,
-                           .length = 100.0,
-                           .EA = 1e8,
-                           .mass_per_length = 10.0,
-                           .breaking_load = 1.1 * kAidsLimit});
+        wire = w.wires().add({.name = "wire",
+                              .from = shore,
+                              .to = ship,
+                              .elements = 1,
+                              .length = 100.0,
+                              .EA = 1e8,
+                              .mass_per_length = 10.0,
+                              .breaking_load = 1.1 * kAidsLimit});
         WinchDef def = winch_with_aids(wire);
         def.overload_limit = limit;
         def.overload_retained = retained;
@@ -66,7 +66,7 @@ struct DriftingShip {
 TEST(WinchAids, ProtectionPaysOutAtItsLimit) {
     DriftingShip bare(0.0);
     bare.run(600);
-    EXPECT_FALSE(bare.w.intact(bare.w.elements(bare.wire).front()));
+    EXPECT_FALSE(bare.w.intact(bare.w.wires().elements(bare.wire).front()));
     DriftingShip held(kAidsLimit);
     held.run(90);
     double least = 1e300, most = 0.0;
@@ -77,10 +77,10 @@ TEST(WinchAids, ProtectionPaysOutAtItsLimit) {
     }
     EXPECT_NEAR(least, kAidsLimit, 1e-3 * kAidsLimit);  // 1e-4 of the drum's inertia is left
     EXPECT_NEAR(most, kAidsLimit, 1e-3 * kAidsLimit);
-    EXPECT_TRUE(held.w.intact(held.w.elements(held.wire).front()));
+    EXPECT_TRUE(held.w.intact(held.w.wires().elements(held.wire).front()));
     EXPECT_EQ(held.signal("overload"), 1.0);
     EXPECT_NEAR(held.signal("wire_out"), 100.0 + held.signal("overload_out"), 0.02);
-    EXPECT_EQ(held.w.event_extremes(EventKind::render).count, 1);
+    EXPECT_EQ(held.w.events().extremes(EventKind::render).count, 1);
     // The ship loses limit times wire, and the elastic energy F² L/2EA; the drum has 1e5 J.
     const double speed = held.w.velocity(held.w.find_body("ship")).linear.x();
     const double stretched = kAidsLimit * kAidsLimit * held.signal("wire_out") / 2e8;
@@ -92,7 +92,7 @@ TEST(WinchAids, InputsDisarmAndReduceIt) {
     DriftingShip off(kAidsLimit);
     off.w.set_system_signal("winch.aops", 0.0);
     off.run(300);
-    EXPECT_FALSE(off.w.intact(off.w.elements(off.wire).front()));
+    EXPECT_FALSE(off.w.intact(off.w.wires().elements(off.wire).front()));
     DriftingShip manual(kAidsLimit, 1e8, 5e4);
     manual.w.set_system_signal("winch.mops", 1.0);
     manual.run(300);
@@ -133,13 +133,13 @@ double compensated_heave(WinchMode mode, double speed) {
                                     .inertia = 1e9 * Mat3::Identity(),
                                     .gravity = false});
     const BodyId load = w.add_body({.name = "load", .kind = BodyKind::lump, .mass = kLoad});
-    WinchDef def = winch_with_aids(w.add_wire({.name = "wire",
-                                               .from = ship,
-                                               .to = load,
-                                               .elements = 1,
-                                               .length = 49.95,
-                                               .EA = 1e8,
-                                               .mass_per_length = 10.0}));
+    WinchDef def = winch_with_aids(w.wires().add({.name = "wire",
+                                                  .from = ship,
+                                                  .to = load,
+                                                  .elements = 1,
+                                                  .length = 49.95,
+                                                  .EA = 1e8,
+                                                  .mass_per_length = 10.0}));
     def.mode = mode;
     def.heave_speed = speed;
     w.add(def);
@@ -166,23 +166,23 @@ TEST(WinchAids, LoadKeepsItsHeight) {
 TEST(WinchAids, GoesOnFromASnapshotToTheSameBits) {
     DriftingShip a(kAidsLimit), b(kAidsLimit);
     a.run(200);
-    b.w.restore(a.w.save());
+    b.w.state().restore(a.w.state().save());
     a.run(100);
     b.run(100);
-    EXPECT_EQ(a.w.state_hash(), b.w.state_hash());
+    EXPECT_EQ(a.w.state().hash(), b.w.state().hash());
 }
 
 TEST(WinchAids, RefusesWhatMakesNoSense) {
     const auto refusal = [](auto change) -> std::string {
         DriftingShip s(0.0);
         const BodyId far = s.w.add_body({.name = "far", .kind = BodyKind::fixed});
-        WinchDef def = winch_with_aids(s.w.add_wire({.name = "other",
-                                                     .from = far,
-                                                     .to = s.w.find_body("ship"),
-                                                     .elements = 1,
-                                                     .length = 120.0,
-                                                     .EA = 1e8,
-                                                     .mass_per_length = 10.0}));
+        WinchDef def = winch_with_aids(s.w.wires().add({.name = "other",
+                                                        .from = far,
+                                                        .to = s.w.find_body("ship"),
+                                                        .elements = 1,
+                                                        .length = 120.0,
+                                                        .EA = 1e8,
+                                                        .mass_per_length = 10.0}));
         def.name = "second";
         change(def);
         try {

@@ -35,13 +35,13 @@ struct Deck {
         : w(WorldDef{.step = step, .gravity = Vec3::Zero()}) {
         const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});
         end = w.add_body({.name = "end", .kind = BodyKind::kinematic, .position = {length, 0, 0}});
-        wire = w.add_wire({.name = "wire",
-                           .from = deck,
-                           .to = end,
-                           .elements = 2,  // one node can move
-                           .EA = 3e8,
-                           .mass_per_length = 25.0,
-                           .axial_damping = 5.0});
+        wire = w.wires().add({.name = "wire",
+                              .from = deck,
+                              .to = end,
+                              .elements = 2,  // one node can move
+                              .EA = 3e8,
+                              .mass_per_length = 25.0,
+                              .axial_damping = 5.0});
         def.wire = wire;
         ids = w.add(def);
     }
@@ -61,7 +61,7 @@ struct Deck {
     double get(const char* name) { return w.system_signal(std::string("winch.") + name); }
     WinchState state() { return static_cast<WinchState>(std::lround(get("state"))); }
     double tension() { return std::max(0.0, -w.force(ids.line)[0]); }
-    std::int64_t count(EventKind kind) { return w.event_extremes(kind).count; }
+    std::int64_t count(EventKind kind) { return w.events().extremes(kind).count; }
 };
 
 }  // namespace hawser::test

@@ -53,8 +53,8 @@ TEST(WinchEnds, LetsGoWhenItsDrumIsEmpty) {
     EXPECT_EQ(d.count(EventKind::drum_empty), 1);
     EXPECT_EQ(d.count(EventKind::weak_link), 0);
     // The jerk of the start makes it run ahead, at most at twice the speed.
-    EXPECT_GT(d.w.event_extremes(EventKind::drum_empty).first.time, 30.0);
-    EXPECT_LT(d.w.event_extremes(EventKind::drum_empty).first.time, 61.0);
+    EXPECT_GT(d.w.events().extremes(EventKind::drum_empty).first.time, 30.0);
+    EXPECT_LT(d.w.events().extremes(EventKind::drum_empty).first.time, 61.0);
 }
 
 TEST(WinchEnds, WeakLinkPartsOnceBehindTheLastWrap) {
@@ -68,7 +68,7 @@ TEST(WinchEnds, WeakLinkPartsOnceBehindTheLastWrap) {
     EXPECT_EQ(d.count(EventKind::weak_link), 1);
     EXPECT_EQ(d.count(EventKind::line_break), 1);
     EXPECT_FALSE(d.w.intact(d.ids.line));
-    const double value = d.w.event_extremes(EventKind::weak_link).first.value;
+    const double value = d.w.events().extremes(EventKind::weak_link).first.value;
     EXPECT_GT(value, 3e5);
     EXPECT_LT(value, 4e5);  // detected after the step that reached it
 }
@@ -97,8 +97,8 @@ TEST(WinchEnds, HaulsInNoMoreThanTheElementAtItHas) {
         // The end follows at the speed of the winch until 20 m are in, except for 40 cm.
         d.run(25.0, -1.0);
         EXPECT_EQ(d.state(), WinchState::full);
-        EXPECT_GE(d.w.length(d.wire), 20.0 + 0.01 * 20.0);
-        EXPECT_LE(d.w.length(d.wire), 20.0 + 0.03 * 20.0);
+        EXPECT_GE(d.w.wires().length(d.wire), 20.0 + 0.01 * 20.0);
+        EXPECT_LE(d.w.wires().length(d.wire), 20.0 + 0.03 * 20.0);
         EXPECT_LT(std::abs(d.w.velocity(d.ids.drum).linear.x()), 1e-3);
         // Only the start is suspect, at which the end reaches 1 m/s in one step.
         EXPECT_NE(d.w.verdict().grade, Grade::wrong);
@@ -125,15 +125,15 @@ TEST(WinchEnds, NoRoomForANodeIsAnEvent) {
         elements.push_back(w.add_interaction(d));
     }
     WinchDef def = big_winch();
-    def.wire = w.adopt_wire("wire", elements);
+    def.wire = w.wires().adopt("wire", elements);
     def.element = 10.0;
     def.mode = WinchMode::speed;
     def.speed = 1.0;
     w.add(def);
     w.set_force(end, {1e4, 0, 0}, Vec3::Zero());
     for (int i = 0; i < 3000; ++i) ASSERT_EQ(w.step(), Status::ok);
-    EXPECT_EQ(w.event_extremes(EventKind::no_node).count, 1);
-    EXPECT_NEAR(w.event_extremes(EventKind::no_node).first.value, 15.0, 0.1);
+    EXPECT_EQ(w.events().extremes(EventKind::no_node).count, 1);
+    EXPECT_NEAR(w.events().extremes(EventKind::no_node).first.value, 15.0, 0.1);
     EXPECT_GT(w.system_signal("winch.at_drum"), 30.0);
 }
 
@@ -144,25 +144,25 @@ TEST(WinchEnds, ALongElementComesOffTheDrum) {
     const BodyId deck =
         w.add_body({.name = "deck", .kind = BodyKind::fixed, .position = {0, 0, 30}});
     WinchDef def = big_winch();
-    def.wire = w.add_wire({.name = "hoist",
-                           .from = deck,
-                           .elements = 10,
-                           .length = 20.0,
-                           .EA = 3e8,
-                           .mass_per_length = 25.0,
-                           .consistent_mass = true});
+    def.wire = w.wires().add({.name = "hoist",
+                              .from = deck,
+                              .elements = 10,
+                              .length = 20.0,
+                              .EA = 3e8,
+                              .mass_per_length = 25.0,
+                              .consistent_mass = true});
     w.add(def);
     w.set_system_signal("winch.mode", static_cast<double>(WinchMode::speed));
     w.set_system_signal("winch.speed", 0.5);
-    const BodyId next = w.nodes(def.wire)[1];
+    const BodyId next = w.wires().nodes(def.wire)[1];
     while (w.system_signal("winch.at_drum") < 2.8) ASSERT_EQ(w.step(), Status::ok);
-    ASSERT_EQ(w.nodes(def.wire)[1], next);  // Before the next node is inserted, at 3 m.
+    ASSERT_EQ(w.wires().nodes(def.wire)[1], next);  // Before the next node is inserted, at 3 m.
     const double before = w.body_def(next).mass;
     const double half = 0.5 * 25.0 * w.system_signal("winch.at_drum");
     EXPECT_LT(before, half);
-    w.detach(def.wire, 0);
+    w.wires().detach(def.wire, 0);
     // The signal is from the start of the last step, 5 mm of wire ago.
-    EXPECT_NEAR(w.body_def(w.nodes(def.wire).front()).mass, half, 0.1);
+    EXPECT_NEAR(w.body_def(w.wires().nodes(def.wire).front()).mass, half, 0.1);
     EXPECT_NEAR(w.body_def(next).mass - before, half, 0.1);
     for (int i = 0; i < 100; ++i) ASSERT_EQ(w.step(), Status::ok);
     // Only the start is suspect, at which the drum reaches its speed in one step.

@@ -37,7 +37,7 @@ struct Hoist {
         def.radius = 0.04;
         def.EI = 5e3;
         def.consistent_mass = pieces;
-        wire = w.add_wire(def);
+        wire = w.wires().add(def);
         WinchDef winch{.name = "winch", .wire = wire, .end = end, .core_radius = 0.6, .width = 2.4};
         winch.wire_diameter = 0.076;
         winch.mass_per_length = kMass;
@@ -62,7 +62,7 @@ struct Hoist {
     /// Return the length on the drum and off it [m].
     [[nodiscard]] double material() const {
         double sum = get("wire_left") + get("at_drum");
-        for (const InteractionId id : w.elements(wire))
+        for (const InteractionId id : w.wires().elements(wire))
             if (id != ids.line) sum += w.interaction_def(id).get("mass") / kMass;
         return sum;
     }
@@ -73,8 +73,8 @@ TEST(WinchNodes, ComeWithMassBendsAndContacts) {
         Hoist h(4, end);
         const double whole = h.material();
         h.run(20.0, 1.0);
-        const auto nodes = h.w.nodes(h.wire);
-        const auto elements = h.w.elements(h.wire);
+        const auto nodes = h.w.wires().nodes(h.wire);
+        const auto elements = h.w.wires().elements(h.wire);
         ASSERT_EQ(elements.size(), 12U) << "19.5 m more in elements of 2.5 m";
         ASSERT_EQ(nodes.size(), 13U);
         EXPECT_EQ(end == 0 ? elements.front() : elements.back(), h.ids.line);
@@ -91,7 +91,7 @@ TEST(WinchNodes, ComeWithMassBendsAndContacts) {
         EXPECT_NEAR(h.w.body_def(end == 0 ? nodes[1] : nodes[nodes.size() - 2]).mass, 1.25 * kMass,
                     1e-9);
         h.run(23.0, -1.0);
-        EXPECT_LE(h.w.elements(h.wire).size(), 5U);
+        EXPECT_LE(h.w.wires().elements(h.wire).size(), 5U);
         EXPECT_NEAR(h.material(), whole, 1e-11);
     }
 }
@@ -102,7 +102,8 @@ TEST(WinchNodes, ComeWhereOthersAreShorter) {
         Hoist h(4, 0, element);
         const double whole = h.material();
         h.run(40.0, 1.0);
-        EXPECT_NEAR(static_cast<double>(h.w.elements(h.wire).size()), 4.0 + 39.5 / element, 1.5);
+        EXPECT_NEAR(static_cast<double>(h.w.wires().elements(h.wire).size()), 4.0 + 39.5 / element,
+                    1.5);
         EXPECT_NEAR(h.material(), whole, 1e-11);
     }
 }
@@ -114,27 +115,27 @@ TEST(WinchNodes, AreTheSameOnAnyThreadsAndAfterRestore) {
         h.run(3.0, 1.0);
         // From between two insertions, and from the step before the next one.
         while (h.get("at_drum") + 1.0 / 60.0 < 1.5 * 2.5) h.run(1.0 / 60.0, 1.0);
-        const auto saved = h.w.save();
+        const auto saved = h.w.state().save();
         World twin = h.w.twin();
         h.run(4.0, 1.0);
-        if (threads == 1) hash = h.w.state_hash();
-        EXPECT_EQ(h.w.state_hash(), hash) << threads;
-        twin.restore(saved);
+        if (threads == 1) hash = h.w.state().hash();
+        EXPECT_EQ(h.w.state().hash(), hash) << threads;
+        twin.state().restore(saved);
         for (int i = 0; i < 240; ++i) {
             twin.set_system_signal("winch.speed", 1.0);
             ASSERT_EQ(twin.step(), Status::ok);
         }
-        EXPECT_EQ(twin.state_hash(), hash) << threads;
+        EXPECT_EQ(twin.state().hash(), hash) << threads;
     }
 }
 
 TEST(WinchNodes, AWireOfOneElementRunsOut) {
     Hoist h(1, 0, 2.0);
     h.run(9.0, 1.0);
-    EXPECT_GE(h.w.elements(h.wire).size(), 5U);
+    EXPECT_GE(h.w.wires().elements(h.wire).size(), 5U);
     EXPECT_GE(h.w.shapes().size(), 3U) << "its contacts are known though it had no lumps";
     h.run(11.0, -1.0);
-    EXPECT_LE(h.w.elements(h.wire).size(), 2U);
+    EXPECT_LE(h.w.wires().elements(h.wire).size(), 2U);
 }
 
 /// A fault in mode render: the motor pulled on, the length at the drum became negative, and a free
@@ -143,7 +144,7 @@ TEST(WinchNodes, AFreeEndIsHauledInUpToTheFairleadInAnyMode) {
     for (const WinchMode mode :
          {WinchMode::speed, WinchMode::tension, WinchMode::render, WinchMode::free}) {
         Hoist d(6);
-        (void)d.w.cut(d.wire, 6.0);
+        (void)d.w.wires().cut(d.wire, 6.0);
         d.w.set_system_signal("winch.tension", 5e4);
         d.run(2.0, -1.5);
         d.w.set_system_signal("winch.mode", static_cast<double>(mode));
@@ -171,12 +172,14 @@ TEST(WinchNodes, AreRefusedWhereTheyCannotBe) {
     EXPECT_THROW(Hoist(4, 0, -1.0), DefError);
     EXPECT_THROW(Hoist(1, 1, 2.0), DefError) << "which end is at the drum";
     Hoist h(4);
-    const InteractionId plain = h.w.elements(h.wire)[1];
-    EXPECT_THROW((void)h.w.insert_node(h.ids.line, 0.5), DefError) << "its mass is the winch's";
-    EXPECT_THROW((void)h.w.insert_node(plain, 0.5, 10.0), DefError) << "its mass is its own";
-    EXPECT_EQ(h.w.wire_of(plain), h.wire);
-    EXPECT_THROW(h.w.set_mass(h.ids.drum, 1.0), DefError);
-    EXPECT_THROW(h.w.set_mass(h.w.nodes(h.wire)[1], 0.0), DefError);
+    const InteractionId plain = h.w.wires().elements(h.wire)[1];
+    EXPECT_THROW((void)h.w.wires().insert_node(h.ids.line, 0.5), DefError)
+        << "its mass is the winch's";
+    EXPECT_THROW((void)h.w.wires().insert_node(plain, 0.5, 10.0), DefError)
+        << "its mass is its own";
+    EXPECT_EQ(h.w.wires().of(plain), h.wire);
+    EXPECT_THROW(h.w.wires().set_mass(h.ids.drum, 1.0), DefError);
+    EXPECT_THROW(h.w.wires().set_mass(h.w.wires().nodes(h.wire)[1], 0.0), DefError);
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ World deck(int threads) {
         def.drag = 40.0;
         def.radius = k == 0 ? 0.0 : 0.03;
         def.consistent_mass = true;
-        WinchDef winch{.name = "winch" + n, .wire = w.add_wire(def), .end = k};
+        WinchDef winch{.name = "winch" + n, .wire = w.wires().add(def), .end = k};
         winch.core_radius = 0.4;
         winch.width = 0.5;
         winch.wire_diameter = 0.06;
@@ -135,10 +135,10 @@ Operation any(std::mt19937& dice, const World& w) {
     const auto pick = [&](auto list) { return list[dice() % list.size()]; };
     const double share = static_cast<double>(dice() % 1000) / 999.0;
     const std::string winch = "winch" + std::to_string(dice() % 2);
-    const WireId a = pick(w.wires()), b = pick(w.wires());
+    const WireId a = pick(w.wires().ids()), b = pick(w.wires().ids());
     const int end = static_cast<int>(dice() % 2), other = static_cast<int>(dice() % 2);
-    const InteractionId element = pick(w.elements(a));
-    const BodyId node = pick(w.nodes(a));
+    const InteractionId element = pick(w.wires().elements(a));
+    const BodyId node = pick(w.wires().nodes(a));
     switch (dice() % 12) {
         case 0:
             return {"mode", [=](World& x) { x.set_system_signal(winch + ".mode", 5.0 * share); }};
@@ -158,22 +158,25 @@ Operation any(std::mt19937& dice, const World& w) {
             return {"clutch", [=](World& x) { x.set_system_signal(winch + ".clutch", end); }};
         case 6:
             if (dice() % 4 != 0) return {"wait", [](World&) {}};
-            return {"cut", [=](World& x) { (void)x.cut(a, share * x.length(a)); }};
+            return {"cut", [=](World& x) { (void)x.wires().cut(a, share * x.wires().length(a)); }};
         case 7:
-            return {"splice", [=](World& x) { (void)x.join(a, end, b, other, {.reach = 100.0}); }};
+            return {"splice",
+                    [=](World& x) { (void)x.wires().join(a, end, b, other, {.reach = 100.0}); }};
         case 8: {
             const JoinDef def{.gear = Gear::shackle, .mass = 5.0, .length = 0.5, .reach = 100.0};
-            return {"gear", [=](World& x) { (void)x.join(a, end, b, other, def); }, def.mass};
+            return {"gear", [=](World& x) { (void)x.wires().join(a, end, b, other, def); },
+                    def.mass};
         }
         case 9:
             if (dice() % 4 != 0) return {"wait", [](World&) {}};
-            return {"detach", [=](World& x) { x.detach(a, end); }};
+            return {"detach", [=](World& x) { x.wires().detach(a, end); }};
         case 10:
-            return {"insert", [=](World& x) { (void)x.insert_node(element, 0.1 + 0.8 * share); }};
+            return {"insert",
+                    [=](World& x) { (void)x.wires().insert_node(element, 0.1 + 0.8 * share); }};
         default:
             return {"remove",
                     [=](World& x) {
-                        if (!x.remove_node(node, 3.15)) throw DefError("it stays");
+                        if (!x.wires().remove_node(node, 3.15)) throw DefError("it stays");
                     },
                     -kept_mass(w, node)};
     }
@@ -203,7 +206,7 @@ void sequence(std::uint32_t seed, long most, Tally& tally) {
     double owed = material(w);
     for (long k = 0; k < most; ++k) {
         const Operation op = any(dice, w);
-        const std::uint64_t hash = w.state_hash();
+        const std::uint64_t hash = w.state().hash();
         const double had = material(w);
         const std::string said = outcome(w, op);
         ASSERT_EQ(outcome(worlds[1], op), said) << op.what;
@@ -213,7 +216,7 @@ void sequence(std::uint32_t seed, long most, Tally& tally) {
             if (owed > 0.0) owed += op.adds;  // otherwise it is unknown
             ASSERT_NEAR(material(w), had + op.adds, 1e-11 * had) << op.what << " " << seed;
         } else {
-            ASSERT_EQ(w.state_hash(), hash) << op.what << ": " << said;
+            ASSERT_EQ(w.state().hash(), hash) << op.what << ": " << said;
         }
         for (int step = 0; step < 3; ++step) {
             const Status status = w.step();
@@ -230,7 +233,7 @@ void sequence(std::uint32_t seed, long most, Tally& tally) {
                 return;
             }
         }
-        ASSERT_EQ(worlds[1].state_hash(), w.state_hash()) << op.what << " " << k << " " << seed;
+        ASSERT_EQ(worlds[1].state().hash(), w.state().hash()) << op.what << " " << k << " " << seed;
         for (int line = 0; line < 2; ++line)
             if (const InteractionId id = line_of(w, line); id.valid() && !w.intact(id)) owed = -1.0;
         if (owed > 0.0) {
@@ -239,10 +242,10 @@ void sequence(std::uint32_t seed, long most, Tally& tally) {
         }
         if (k % 12 == 7) {
             World fresh = deck(2);
-            fresh.restore(w.structure(), w.save());
+            fresh.state().restore(w.state().structure(), w.state().save());
             worlds[1] = std::move(fresh);
             ++tally.restores;
-            ASSERT_EQ(worlds[1].state_hash(), w.state_hash());
+            ASSERT_EQ(worlds[1].state().hash(), w.state().hash());
         }
     }
 }

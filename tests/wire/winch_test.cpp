@@ -139,13 +139,15 @@ TEST(Winch, LayersChangeWithoutAJumpOfTheRestLength) {
     def.tension = 1e5;
     def.max_speed = 3.0;
     Deck d(def);
-    double before = d.w.length(d.wire), began = before, jump = 0.0, radius = d.get("radius");
+    double before = d.w.wires().length(d.wire), began = before, jump = 0.0,
+           radius = d.get("radius");
     const double first = radius;
     double climb = 0.0, highest = radius, lowest = radius;
     for (int way : {1, -1})
         for (int i = 0; i < 6 * 240; ++i) {
             d.step(way * 2.5);
-            const double speed = d.w.velocity(d.ids.drum).linear.x(), now = d.w.length(d.wire);
+            const double speed = d.w.velocity(d.ids.drum).linear.x(),
+                         now = d.w.wires().length(d.wire);
             jump = std::max(jump, std::abs(now - before - d.get("radius") * speed / 240.0));
             began = std::exchange(before, now);
             climb = std::max(climb, std::abs(d.get("radius") - radius));
@@ -185,7 +187,7 @@ TEST(Winch, GoesOnBitForBitAfterARestoreAndInATwin) {
     def.tension = 3e5;
     Deck a(def), b(def);
     a.run(2.0, 0.8);
-    b.w.restore(a.w.save());
+    b.w.state().restore(a.w.state().save());
     World twin = a.w.twin();
     for (int i = 0; i < 240; ++i) {
         a.step(-0.5);
@@ -195,8 +197,8 @@ TEST(Winch, GoesOnBitForBitAfterARestoreAndInATwin) {
         twin.set_velocity(a.end, t);
         ASSERT_EQ(twin.step(), Status::ok);
     }
-    EXPECT_EQ(a.w.state_hash(), b.w.state_hash());
-    EXPECT_EQ(a.w.state_hash(), twin.state_hash());
+    EXPECT_EQ(a.w.state().hash(), b.w.state().hash());
+    EXPECT_EQ(a.w.state().hash(), twin.state().hash());
 }
 
 TEST(Winch, RefusesWhatIsNoWinch) {
@@ -220,15 +222,15 @@ TEST(Winch, RefusesWhatIsNoWinch) {
     World sweeping(WorldDef{.nonsmooth = Nonsmooth::pgs});
     const BodyId deck = sweeping.add_body({.name = "deck", .kind = BodyKind::fixed});
     def = big_winch();
-    def.wire = sweeping.add_wire({.name = "wire",
-                                  .from = deck,
-                                  .elements = 2,
-                                  .length = 40.0,
-                                  .EA = 3e8,
-                                  .mass_per_length = 25.0});
+    def.wire = sweeping.wires().add({.name = "wire",
+                                     .from = deck,
+                                     .elements = 2,
+                                     .length = 40.0,
+                                     .EA = 3e8,
+                                     .mass_per_length = 25.0});
     EXPECT_THROW((void)sweeping.add(def), DefError);
     EXPECT_EQ(sweeping.interactions().size(), 2U);
-    EXPECT_TRUE(sweeping.intact(sweeping.elements(def.wire).front()));
+    EXPECT_TRUE(sweeping.intact(sweeping.wires().elements(def.wire).front()));
     // Two winches on one end.
     Deck d(big_winch());
     def = big_winch();
@@ -250,14 +252,14 @@ TEST(WinchPower, IsTheLimitOfTorqueTimesSpeed) {
         const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});
         const BodyId load = w.add_body(
             {.name = "load", .kind = BodyKind::lump, .position = {0, 0, -60}, .mass = kLoad});
-        const WireId wire = w.add_wire({.name = "wire",
-                                        .from = deck,
-                                        .to = load,
-                                        .elements = 12,
-                                        .EA = 1e8,
-                                        .mass_per_length = 4.0,
-                                        .axial_damping = 0.5,
-                                        .consistent_mass = true});
+        const WireId wire = w.wires().add({.name = "wire",
+                                           .from = deck,
+                                           .to = load,
+                                           .elements = 12,
+                                           .EA = 1e8,
+                                           .mass_per_length = 4.0,
+                                           .axial_damping = 0.5,
+                                           .consistent_mass = true});
         const WinchIds ids = w.add(WinchDef{.name = "winch",
                                             .wire = wire,
                                             .core_radius = 0.4,
@@ -307,13 +309,13 @@ TEST(WinchPower, HoldsWhileAWinchRenders) {
         const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});
         const BodyId load = w.add_body(
             {.name = "load", .kind = BodyKind::lump, .position = {0, 0, -30}, .mass = kLoad});
-        const WireId wire = w.add_wire({.name = "wire",
-                                        .from = deck,
-                                        .to = load,
-                                        .elements = 11,
-                                        .EA = 1.2e7,
-                                        .mass_per_length = 1.1,
-                                        .consistent_mass = true});
+        const WireId wire = w.wires().add({.name = "wire",
+                                           .from = deck,
+                                           .to = load,
+                                           .elements = 11,
+                                           .EA = 1.2e7,
+                                           .mass_per_length = 1.1,
+                                           .consistent_mass = true});
         const WinchIds ids = w.add(WinchDef{.name = "winch",
                                             .wire = wire,
                                             .core_radius = 0.3,

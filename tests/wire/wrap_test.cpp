@@ -39,7 +39,7 @@ struct Tether {
         def.EA = 2e7;
         def.mass_per_length = 5.0;
         def.consistent_mass = true;
-        wire = w.add_wire(def);
+        wire = w.wires().add(def);
         post = w.add(GuideDef{.name = "post",
                               .wire = wire,
                               .body = quay,
@@ -48,13 +48,13 @@ struct Tether {
                               .element_length = through ? 5.0 : 0.0});
     }
     [[nodiscard]] double angle() const {
-        return w.wrapped(post.before)[1] + w.wrapped(post.behind)[0];
+        return w.wires().wrapped(post.before)[1] + w.wires().wrapped(post.behind)[0];
     }
     /// Return the length from end to end, including the part on the bollard [m].
     [[nodiscard]] double way() const {
         double sum = radius * angle();
-        for (const InteractionId id : w.elements(wire)) {
-            const auto ends = w.ends(id);
+        for (const InteractionId id : w.wires().elements(wire)) {
+            const auto ends = w.wires().ends(id);
             sum += (ends[1] - ends[0]).norm();
         }
         return sum;
@@ -86,18 +86,18 @@ TEST(Wraps, TurnsArePartOfTheState) {
     Tether t(false);
     ASSERT_TRUE(t.to(40.0));
     ASSERT_GT(t.angle(), kPi);
-    const Structure made_of = t.w.structure();
-    const std::vector<std::byte> saved = t.w.save();
+    const Structure made_of = t.w.state().structure();
+    const std::vector<std::byte> saved = t.w.state().save();
     Tether fresh(false);
-    fresh.w.restore(made_of, saved);
+    fresh.w.state().restore(made_of, saved);
     Tether same(false);
-    same.w.restore(saved);
+    same.w.state().restore(saved);
     World twin = t.w.twin();
     for (int i = 0; i < 60; ++i) {
         ASSERT_EQ(t.w.step(), Status::ok);
         for (World* other : {&fresh.w, &same.w, &twin}) {
             ASSERT_EQ(other->step(), Status::ok);
-            ASSERT_EQ(other->state_hash(), t.w.state_hash()) << i;
+            ASSERT_EQ(other->state().hash(), t.w.state().hash()) << i;
         }
     }
     EXPECT_EQ(fresh.angle(), t.angle());
@@ -134,7 +134,7 @@ TEST(Wraps, ARollerTurnsUnderItsLine) {
     def.mass_per_length = kDensity;
     def.consistent_mass = true;
     for (int i = 1; i < def.elements; ++i) def.path.push_back(at(i * kLength / def.elements));
-    const WireId wire = w.add_wire(def);
+    const WireId wire = w.wires().add(def);
     w.add(
         GuideDef{.name = "guide", .wire = wire, .body = drum, .radius = kRadius, .friction = 0.3});
     for (int i = 0; i < 360; ++i) ASSERT_EQ(w.step(), Status::ok) << i;

@@ -177,7 +177,7 @@ std::string define_refusal(World& world, const auto& def) {
 TEST(Define, AllPartsOrNone) {
     JointYard y;
     ASSERT_EQ(y.world.step(), Status::ok);
-    const std::vector<std::byte> before = y.world.save();
+    const std::vector<std::byte> before = y.world.state().save();
     HingeDef def{.name = "boom",
                  .a = y.a,
                  .b = y.b,
@@ -205,7 +205,7 @@ TEST(Define, AllPartsOrNone) {
     EXPECT_FALSE(taken.world.find_interaction("boom").valid());
     EXPECT_FALSE(taken.world.find_interaction("boom/limit").valid());
     // Nothing has changed: the state is restored, and the joint can be added.
-    y.world.restore(before);
+    y.world.state().restore(before);
     EXPECT_TRUE(y.world.add(def).motor.valid());
 }
 

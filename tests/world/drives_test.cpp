@@ -205,7 +205,7 @@ TEST(Drives, AMotorAtTheEndOfItsRangeGivesWay) {
                                           // decays
     auto saturations = [&] {
         std::vector<Event> out;
-        for (const Event& e : w.take_events())
+        for (const Event& e : w.events().take())
             if (e.kind == EventKind::saturation) out.push_back(e);
         return out;
     };
@@ -239,11 +239,11 @@ TEST(Drives, AMotorAtTheEndOfItsRangeGivesWay) {
     // A restored world does not report an earlier event again, and continues equally.
     World again = parts.recipe.make();
     (void)drive(again, parts.motor, "speed");
-    again.restore(w.save());
+    again.state().restore(w.state().save());
     ASSERT_EQ(again.step(), Status::ok);
-    for (const Event& e : again.take_events()) EXPECT_NE(e.kind, EventKind::saturation);
+    for (const Event& e : again.events().take()) EXPECT_NE(e.kind, EventKind::saturation);
     ASSERT_EQ(w.step(), Status::ok);
-    EXPECT_EQ(w.state_hash(), again.state_hash());
+    EXPECT_EQ(w.state().hash(), again.state().hash());
 }
 
 TEST(Snapshot, RefusesOtherParameters) {
@@ -252,7 +252,7 @@ TEST(Snapshot, RefusesOtherParameters) {
     (void)drive(a, parts.motor, "speed");
     for (int i = 0; i < 10; ++i) ASSERT_EQ(a.step(), Status::ok);
     a.set_input(a.find_input("speed"), -1.5);
-    const auto bytes = a.save();
+    const auto bytes = a.state().save();
     auto refused = [&](auto change) {
         Winch other = parts;
         InputDef input;
@@ -263,7 +263,7 @@ TEST(Snapshot, RefusesOtherParameters) {
         World b = other.recipe.make();
         (void)b.add_input(input);
         try {
-            b.restore(bytes);
+            b.state().restore(bytes);
         } catch (const DefError& e) {
             return std::string(e.what()).find("parameters") != std::string::npos;
         }

@@ -165,13 +165,13 @@ TEST(Edits, OnlyWhatAnEditTouchesWakes) {
     SleepYard y(def);
     y.run(600);
     ASSERT_EQ(y.asleep(), "zzzzzzzzz");
-    const std::uint64_t hash = y.w.state_hash();
+    const std::uint64_t hash = y.w.state().hash();
     // Far away, without joints.
     const BodyId far = y.w.add_body(
         {.name = "far", .kind = BodyKind::lump, .position = {500, 0, 50}, .mass = 1.0});
     ASSERT_EQ(y.w.step(), Status::ok);
     EXPECT_EQ(y.asleep().substr(0, 9), "zzzzzzzzz");
-    EXPECT_NE(y.w.state_hash(), hash);
+    EXPECT_NE(y.w.state().hash(), hash);
     (void)y.w.remove_body(far);
     ASSERT_EQ(y.w.step(), Status::ok);
     EXPECT_EQ(y.asleep().substr(0, 9), "zzzzzzzzz");
@@ -203,13 +203,13 @@ TEST(Edits, WhatIsNearDoesNotDependOnStepsBefore) {
     for (int k = -10; k <= 10; ++k) {
         World a = w.twin(), b = w.twin();
         ASSERT_EQ(a.step(), Status::ok);
-        b.restore(a.save());
+        b.state().restore(a.state().save());
         for (World* world : {&a, &b})
             world->add_shape({.kind = ShapeKind::sphere,
                               .body = ground,
                               .position = {meets + 0.2 * k * way, 0, 0},
                               .radius = radius});
-        EXPECT_EQ(a.save(), b.save()) << k;
+        EXPECT_EQ(a.state().save(), b.state().save()) << k;
     }
 }
 

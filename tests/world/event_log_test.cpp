@@ -14,14 +14,14 @@ Event event(double time, EventKind kind, double value) {
 }
 
 TEST(EventLog, SlackAndTautPushNothingElseOut) {
-    stepper::EventLog log;
+    context::EventLog log;
     log.push(event(0, EventKind::line_break, 5e5));
     log.push(event(0, EventKind::saturation, 100));
     for (int i = 1; i <= 200'000; ++i)
         log.push(event(i, i % 2 == 0 ? EventKind::slack : EventKind::taut, i % 2 == 0 ? 0 : i));
     log.push(event(3e5, EventKind::line_break, 3e5));
     const auto events = log.take();
-    EXPECT_EQ(events.size(), 2 * stepper::EventLog::kFrequent + 3);
+    EXPECT_EQ(events.size(), 2 * context::EventLog::kFrequent + 3);
     EXPECT_EQ(events.front().kind, EventKind::line_break);
     EXPECT_EQ(events[1].kind, EventKind::saturation);
     EXPECT_EQ(events.back().time, 3e5);
@@ -31,7 +31,7 @@ TEST(EventLog, SlackAndTautPushNothingElseOut) {
 }
 
 TEST(EventLog, FirstAndWorstStay) {
-    stepper::EventLog log;
+    context::EventLog log;
     EXPECT_EQ(log.extremes(EventKind::taut).count, 0);
     for (int i = 1; i <= 100'000; ++i)
         log.push(event(i, EventKind::taut, i == 5'000 ? 1e6 : i == 6'000 ? 1e6 : 1.0));
@@ -55,14 +55,14 @@ TEST(EventLog, AWorldTellsThemAndTheInput) {
     w.set_input(push, -1e6);
     w.set_input(push, -5e6);
     for (int i = 0; i < 60; ++i) ASSERT_EQ(w.step(), Status::ok);
-    const EventExtremes clamped = w.event_extremes(EventKind::input_clamped);
+    const EventExtremes clamped = w.events().extremes(EventKind::input_clamped);
     EXPECT_EQ(clamped.count, 2);
     EXPECT_EQ(clamped.first.value, -1e6);
     EXPECT_EQ(clamped.worst.value, -5e6);
     EXPECT_EQ(clamped.worst.input, push);
-    EXPECT_EQ(w.event_extremes(EventKind::line_break).count, 1);
-    EXPECT_GT(w.event_extremes(EventKind::line_break).worst.value, 200.0);
-    EXPECT_EQ(w.event_extremes(EventKind::slack).count, 0);
+    EXPECT_EQ(w.events().extremes(EventKind::line_break).count, 1);
+    EXPECT_GT(w.events().extremes(EventKind::line_break).worst.value, 200.0);
+    EXPECT_EQ(w.events().extremes(EventKind::slack).count, 0);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 
 std::map<EventKind, std::vector<Event>> by_kind(World& w) {
     std::map<EventKind, std::vector<Event>> out;
-    for (const Event& e : w.take_events()) out[e.kind].push_back(e);
+    for (const Event& e : w.events().take()) out[e.kind].push_back(e);
     return out;
 }
 
@@ -48,7 +48,7 @@ TEST(Events, ARopeGoesSlackAndTaut) {
     r.add(d.set("EA", 1e5).set("length", 1.0));
     World w = r.make();
     for (int i = 0; i < 60; ++i) ASSERT_EQ(w.step(), Status::ok);
-    EXPECT_TRUE(w.take_events().empty());
+    EXPECT_TRUE(w.events().take().empty());
     w.set_velocity(b, {.linear = {0, 0, 3.0}, .angular = {0, 0, 0}});
     double least = 0.0;
     for (int i = 0; i < 90; ++i) {
@@ -80,7 +80,7 @@ TEST(Events, AnElementThatMayPushReportsNothing) {
         most = std::max(most, w.force(InteractionId{0})[0]);
     }
     EXPECT_GT(most, 50.0) << "98.1 N rest on it";
-    EXPECT_TRUE(w.take_events().empty());
+    EXPECT_TRUE(w.events().take().empty());
 }
 
 TEST(Events, ARangeStopsAHinge) {
@@ -118,12 +118,12 @@ TEST(Inputs, AreClampedWithAnEvent) {
     const InputId in = w.add_input(def);
     w.set_input(in, 7.0);
     EXPECT_EQ(w.input(in), 7.0);
-    EXPECT_TRUE(w.take_events().empty());
+    EXPECT_TRUE(w.events().take().empty());
     w.set_input(in, 70.0);
     EXPECT_EQ(w.input(in), 10.0);
     w.set_input(in, -70.0);
     EXPECT_EQ(w.input(in), -5.0);
-    const auto events = w.take_events();
+    const auto events = w.events().take();
     ASSERT_EQ(events.size(), 2U);
     EXPECT_EQ(events[0].kind, EventKind::input_clamped);
     EXPECT_EQ(events[0].value, 70.0);
@@ -150,7 +150,7 @@ TEST(Inputs, RefuseWhatPhysicsCannotFollow) {
                 EXPECT_NE(text.find(part), std::string::npos) << text;
         }
     }
-    EXPECT_TRUE(w.take_events().empty());
+    EXPECT_TRUE(w.events().take().empty());
     EXPECT_EQ(w.input(in), 0.0);
 }
 

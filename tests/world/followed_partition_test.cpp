@@ -2,6 +2,8 @@
 /// Partitions that continue from an earlier one.
 #include "world/three_cables.h"
 
+#include <hawser/experimental/splits.h>
+
 #include <utility>
 
 namespace hawser::test::regrouping {
@@ -13,10 +15,10 @@ TEST(FollowedPartition, GoesOnFromTheOneBefore) {
     run(w, kEvery);
     for (const PartitionUse use : {PartitionUse::cuts, PartitionUse::separators}) {
         PartitionRequest request{.use = use, .parts = 3, .exact_cost = false};
-        const PartitionView first = w.partition(request);
+        const PartitionView first = w.splits().partition(request);
         EXPECT_FALSE(first.followed);
         request.before = &first;
-        const PartitionView second = w.partition(request);
+        const PartitionView second = w.splits().partition(request);
         EXPECT_TRUE(second.followed);
         EXPECT_EQ(second.makespan_new, first.makespan_new);
         EXPECT_EQ(second.cuts.size(), first.cuts.size());
@@ -28,9 +30,9 @@ TEST(FollowedPartition, GoesOnFromTheOneBefore) {
                 moved.emplace(first.part_of_body[b], second.part_of_body[b]);
         EXPECT_LE(moved.size(), use == PartitionUse::cuts ? 1U : 0U);
         request.parts = 2;  // with another number of parts none can be kept
-        EXPECT_FALSE(w.partition(request).followed);
+        EXPECT_FALSE(w.splits().partition(request).followed);
         request.use = use == PartitionUse::cuts ? PartitionUse::separators : PartitionUse::cuts;
-        EXPECT_THROW((void)w.partition(request), DefError);
+        EXPECT_THROW((void)w.splits().partition(request), DefError);
     }
 }
 
@@ -41,19 +43,19 @@ TEST(FollowedPartition, ADamagedOneIsMadeAnew) {
     run(w, 2);
     for (const PartitionUse use : {PartitionUse::cuts, PartitionUse::separators}) {
         PartitionRequest request{.use = use, .parts = 3, .exact_cost = false};
-        const PartitionView good = w.partition(request);
+        const PartitionView good = w.splits().partition(request);
         for (const std::int32_t part : {3, 1'000'000'000, -3, -1'000'000'000}) {
             PartitionView damaged = good;
             damaged.part_of_body[5] = part;
             request.before = &damaged;
-            const PartitionView made = w.partition(request);
+            const PartitionView made = w.splits().partition(request);
             EXPECT_FALSE(made.followed) << part;
             EXPECT_EQ(made.part_of_body, good.part_of_body) << part;
         }
         PartitionView brief = good;
         brief.part_of_body.pop_back();
         request.before = &brief;
-        EXPECT_FALSE(w.partition(request).followed);
+        EXPECT_FALSE(w.splits().partition(request).followed);
     }
 }
 
@@ -65,7 +67,7 @@ TEST(FollowedPartition, SeparatorsFollowContacts) {
     World w = t.recipe.make();
     run(w, 3);
     PartitionRequest request{.parts = 3, .exact_cost = false};
-    const PartitionView first = w.partition(request);
+    const PartitionView first = w.splits().partition(request);
     const auto part = [](const PartitionView& v, BodyId x) {
         return v.part_of_body[static_cast<std::size_t>(x.index)];
     };
@@ -105,7 +107,7 @@ TEST(FollowedPartition, SeparatorsFollowContacts) {
     };
     touch(others[0]);
     request.before = &first;
-    const PartitionView second = w.partition(request);
+    const PartitionView second = w.splits().partition(request);
     EXPECT_TRUE(second.followed);
     EXPECT_TRUE(part(second, ball) == -2 || part(second, others[0]) == -2);
     expect_rest_stays(second);
@@ -113,7 +115,7 @@ TEST(FollowedPartition, SeparatorsFollowContacts) {
     run(w, 130);  // the pair is forgotten when another one appears
     touch(others[1]);
     request.before = &second;
-    const PartitionView third = w.partition(request);
+    const PartitionView third = w.splits().partition(request);
     EXPECT_TRUE(third.followed);
     EXPECT_EQ(part(third, others[0]), part(first, others[0]));
     EXPECT_TRUE(part(third, ball) == -2 || part(third, others[1]) == -2 ||

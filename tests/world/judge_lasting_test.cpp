@@ -121,9 +121,9 @@ TEST(MonitorLasting, ARestoredWorldGivesTheSameVerdictAtTheSameStep) {
     std::vector<std::byte> saved;
     while (w.step() == Status::ok && steps < 300) {
         ++steps;
-        saved = w.save();
+        saved = w.state().save();
     }
-    other.restore(saved);
+    other.state().restore(saved);
     EXPECT_EQ(other.step(), Status::diverged);
     EXPECT_EQ(other.verdict().of(Judge::violation).wrong, w.verdict().of(Judge::violation).wrong);
 }

@@ -60,10 +60,10 @@ TEST(Judge, ContradictoryJointsEndAsDivergedAndTheStateBeforeStays) {
     EXPECT_GT(std::max(v.of(Judge::violation).wrong, v.of(Judge::energy).wrong), 1.0);
     EXPECT_TRUE(v.of(Judge::violation).interaction.valid());
     EXPECT_LE(v.of(v.judge).time, w.time());
-    const std::uint64_t hash = w.state_hash();
+    const std::uint64_t hash = w.state().hash();
     const std::int64_t steps = w.step_count();
     EXPECT_EQ(w.step(), Status::diverged) << "the next call tries the same step again";
-    EXPECT_EQ(w.state_hash(), hash);
+    EXPECT_EQ(w.state().hash(), hash);
     EXPECT_EQ(w.step_count(), steps);
     EXPECT_NE(std::string(remedy(v.judge)), "");
 }
@@ -74,7 +74,7 @@ TEST(Judge, WarnGoesOnAndSaysSo) {
     World w = r.make();
     ASSERT_EQ(run(w, 60), Status::ok);
     EXPECT_EQ(w.verdict().grade, Grade::wrong);
-    const std::vector<Event> events = w.take_events();
+    const std::vector<Event> events = w.events().take();
     const auto open = std::find_if(events.begin(), events.end(),
                                    [](const Event& e) { return e.kind == EventKind::joint_open; });
     ASSERT_NE(open, events.end());
@@ -149,15 +149,15 @@ TEST(Judge, ARestoredWorldGivesTheSameVerdict) {
     r.world.on_diverged = OnDiverged::stop;
     World w = r.make();
     ASSERT_EQ(run(w, 1), Status::ok);
-    const std::vector<std::byte> saved = w.save();
+    const std::vector<std::byte> saved = w.state().save();
     const Status end = run(w, 2000);
     ASSERT_NE(end, Status::ok) << "joints that contradict each other";
     World other = r.make();
-    other.restore(saved);
+    other.state().restore(saved);
     EXPECT_EQ(run(other, 2000), end);
     EXPECT_EQ(other.step_count(), w.step_count());
-    EXPECT_EQ(other.state_hash(), w.state_hash());
-    EXPECT_EQ(other.save(), w.save());
+    EXPECT_EQ(other.state().hash(), w.state().hash());
+    EXPECT_EQ(other.state().save(), w.state().save());
 }
 
 TEST(Judge, PuttingABodyElsewhereIsNoEnergyOutOfNothing) {
@@ -179,7 +179,7 @@ TEST(Judge, AFastTurnIsToldWithItsBody) {
                             .inertia = Mat3::Identity()});
     World w = r.make();
     ASSERT_EQ(run(w, 30), Status::ok);
-    const std::vector<Event> events = w.take_events();
+    const std::vector<Event> events = w.events().take();
     ASSERT_EQ(events.size(), 1U) << "once until it is well again";
     EXPECT_EQ(events[0].kind, EventKind::fast);
     EXPECT_EQ(events[0].body, b);

@@ -78,14 +78,14 @@ TEST(LocalInputs, GoOnTheSameAfterARestore) {
     world.set_input(along, kThrust);
     world.set_input({1}, 3.0);
     for (int i = 0; i < 40; ++i) ASSERT_EQ(world.step(), Status::ok);
-    const std::vector<std::byte> saved = world.save();
+    const std::vector<std::byte> saved = world.state().save();
     for (int i = 0; i < 40; ++i) ASSERT_EQ(world.step(), Status::ok);
-    const std::uint64_t hash = world.state_hash();
+    const std::uint64_t hash = world.state().hash();
     world.set_input(along, -1.0);
-    world.restore(saved);
+    world.state().restore(saved);
     EXPECT_EQ(world.input(along), kThrust);
     for (int i = 0; i < 40; ++i) ASSERT_EQ(world.step(), Status::ok);
-    EXPECT_EQ(world.state_hash(), hash);
+    EXPECT_EQ(world.state().hash(), hash);
 }
 
 TEST(LocalInputs, ACancelledStepLeavesNoForceBehind) {
@@ -98,7 +98,7 @@ TEST(LocalInputs, ACancelledStepLeavesNoForceBehind) {
     world.cancel();
     ASSERT_EQ(world.step(), Status::cancelled);
     for (World* w : {&world, &other}) ASSERT_EQ(w->step(), Status::ok);
-    EXPECT_EQ(world.state_hash(), other.state_hash());
+    EXPECT_EQ(world.state().hash(), other.state().hash());
 }
 
 TEST(LocalInputs, PushNoMoreWhenTheyAreRemoved) {

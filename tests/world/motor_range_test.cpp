@@ -92,11 +92,11 @@ TEST(MotorRange, OfNothingIsNotSaturated) {
     World w = r.make();
     const InputId most = w.add_input({.name = "most", .interaction = motor, .param = "force_max"});
     for (int i = 0; i < 10; ++i) ASSERT_EQ(w.step(), Status::ok);
-    EXPECT_EQ(w.event_extremes(EventKind::saturation).count, 0);
+    EXPECT_EQ(w.events().extremes(EventKind::saturation).count, 0);
     w.set_input(most, 6.0);
     for (int i = 0; i < 10; ++i) ASSERT_EQ(w.step(), Status::ok);
-    EXPECT_EQ(w.event_extremes(EventKind::saturation).count, 1);
-    EXPECT_EQ(w.event_extremes(EventKind::saturation).first.value, 6.0);
+    EXPECT_EQ(w.events().extremes(EventKind::saturation).count, 1);
+    EXPECT_EQ(w.events().extremes(EventKind::saturation).first.value, 6.0);
 }
 
 }  // namespace

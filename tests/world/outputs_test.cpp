@@ -224,20 +224,20 @@ TEST(Outputs, AreTheSameBitsOnTwoThreadsAndAfterARestore) {
         ASSERT_EQ(two.world.step(), Status::ok);
         const auto a = bits(one.world), b = bits(two.world);
         ASSERT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(double)), 0) << i;
-        if (i == 29) one.world.save(saved);
+        if (i == 29) one.world.state().save(saved);
         if (i > 29) after.push_back(a);
     }
-    one.world.restore(saved);
+    one.world.state().restore(saved);
     for (const std::vector<double>& wanted : after) {
         ASSERT_EQ(one.world.step(), Status::ok);
         EXPECT_EQ(
             std::memcmp(bits(one.world).data(), wanted.data(), wanted.size() * sizeof(double)), 0);
     }
     // The same as in a world without steps.
-    one.world.restore(saved);
+    one.world.state().restore(saved);
     OutputCrane fresh;
     fresh.add_all();
-    fresh.world.restore(saved);
+    fresh.world.state().restore(saved);
     EXPECT_EQ(bits(one.world), bits(fresh.world));
     EXPECT_EQ(bits(one.world), bits(one.world.twin()));
 }

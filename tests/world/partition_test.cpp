@@ -2,6 +2,8 @@
 /// Parts of a world: effects of forces and velocities on the choice of cuts.
 #include "world/three_cables.h"
 
+#include <hawser/experimental/splits.h>
+
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -41,7 +43,7 @@ TEST(WorldPartition, TheAcceleratingCableStaysWhole) {
         request.use = PartitionUse::cuts;
         request.parts = 2;
         request.exact_cost = false;  // equal for all three
-        const PartitionView view = t.world->partition(request);
+        const PartitionView view = t.world->splits().partition(request);
         ASSERT_FALSE(view.cuts.empty());
         EXPECT_LT(view.imbalance, 1.1);
         const std::set<std::size_t> cut = t.cut_cables(view);
@@ -60,8 +62,8 @@ TEST(WorldPartition, TensionAloneMovesNoCut) {
     request.exact_cost = false;
     request.parts = 2;
     EXPECT_GT(std::abs(taut.world->force(InteractionId{10})[0]), 4e3);
-    EXPECT_EQ(slack.cut_cables(slack.world->partition(request)).size(),
-              taut.cut_cables(taut.world->partition(request)).size());
+    EXPECT_EQ(slack.cut_cables(slack.world->splits().partition(request)).size(),
+              taut.cut_cables(taut.world->splits().partition(request)).size());
 }
 
 TEST(WorldPartition, SeparatorsSeparate) {
@@ -69,7 +71,7 @@ TEST(WorldPartition, SeparatorsSeparate) {
     PartitionRequest request;
     for (const int parts : {1, 2, 4, 7}) {
         request.parts = parts;
-        const PartitionView view = t.world->partition(request);
+        const PartitionView view = t.world->splits().partition(request);
         for (int i = 0; i < t.world->interaction_count(); ++i) {
             int part = -1;
             for (const BodyId b : t.world->interaction_def(InteractionId{i}).body) {
@@ -83,7 +85,7 @@ TEST(WorldPartition, SeparatorsSeparate) {
         EXPECT_LT(view.imbalance, 1.3);
     }
     request.parts = 0;
-    EXPECT_THROW((void)t.world->partition(request), DefError);
+    EXPECT_THROW((void)t.world->splits().partition(request), DefError);
 }
 
 TEST(WorldPartition, GroupsByHandAreKept) {
@@ -93,7 +95,7 @@ TEST(WorldPartition, GroupsByHandAreKept) {
     request.parts = 3;
     request.group.assign(static_cast<std::size_t>(t.world->body_count()), -1);
     for (const BodyId b : t.cable[1]) request.group[static_cast<std::size_t>(b.index)] = 2;
-    const PartitionView view = t.world->partition(request);
+    const PartitionView view = t.world->splits().partition(request);
     for (const BodyId b : t.cable[1])
         EXPECT_EQ(view.part_of_body[static_cast<std::size_t>(b.index)], 2);
 }

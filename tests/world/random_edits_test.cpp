@@ -46,7 +46,8 @@ struct Fleet {
     }
     void compare() const {
         for (const World& w : worlds)
-            EXPECT_EQ(w.state_hash(), worlds[0].state_hash()) << w.settings().threads << " threads";
+            EXPECT_EQ(w.state().hash(), worlds[0].state().hash())
+                << w.settings().threads << " threads";
     }
     std::vector<World> worlds;
 };
@@ -54,18 +55,18 @@ struct Fleet {
 /// Let one world continue, restore it, and replace it by a twin restored from the same state.
 void restore_one(Fleet& fleet, Editor& editor, std::size_t which) {
     World& w = fleet.worlds[which];
-    const auto saved = w.save();
+    const auto saved = w.state().save();
     for (int k = 0; k < 3; ++k) (void)w.step();
-    const std::uint64_t later = w.state_hash();
-    w.restore(saved);
-    ASSERT_EQ(w.state_hash(), fleet.worlds[0].state_hash()) << "after restore()";
+    const std::uint64_t later = w.state().hash();
+    w.state().restore(saved);
+    ASSERT_EQ(w.state().hash(), fleet.worlds[0].state().hash()) << "after restore()";
     for (int k = 0; k < 3; ++k) (void)w.step();
-    ASSERT_EQ(w.state_hash(), later) << "the same steps again";
-    w.restore(saved);
+    ASSERT_EQ(w.state().hash(), later) << "the same steps again";
+    w.state().restore(saved);
     World twin = w.twin();
-    ASSERT_EQ(twin.state_hash(), fleet.worlds[0].state_hash()) << "of a twin";
-    twin.restore(saved);
-    ASSERT_EQ(twin.state_hash(), fleet.worlds[0].state_hash()) << "of a twin after restore()";
+    ASSERT_EQ(twin.state().hash(), fleet.worlds[0].state().hash()) << "of a twin";
+    twin.state().restore(saved);
+    ASSERT_EQ(twin.state().hash(), fleet.worlds[0].state().hash()) << "of a twin after restore()";
     w = std::move(twin);
     editor.replace(which, w);
 }
@@ -97,7 +98,7 @@ void edit_at_random(std::uint32_t seed) {
         "%lld sleepers looked at; hash %016llx on %zu numbers of threads\n",
         seed, editor.edits(), editor.summary().c_str(), steps, failed, restored, contacts,
         static_cast<long long>(asleep),
-        static_cast<unsigned long long>(fleet.worlds[0].state_hash()), fleet.worlds.size());
+        static_cast<unsigned long long>(fleet.worlds[0].state().hash()), fleet.worlds.size());
     for (World& w : fleet.worlds) EXPECT_EQ(editor.not_refused(w), 0U) << "ids of what is gone";
     std::printf("    %zu ids of what was removed, all refused\n", editor.gone_count());
     EXPECT_EQ(restored, kRestores);

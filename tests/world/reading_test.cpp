@@ -16,7 +16,7 @@ TEST(Reading, StateIsWhatPosesAndVelocitiesSay) {
     World world = r.make();
     for (int step = 0; step < 20; ++step) {
         ASSERT_EQ(world.step(), Status::ok);
-        const StateView s = world.state();
+        const StateView s = world.state().arrays();
         ASSERT_EQ(s.kinds.size(), static_cast<std::size_t>(world.body_count()));
         ASSERT_EQ(s.positions.size(), 3 * s.kinds.size());
         ASSERT_EQ(s.orientations.size(), 4 * s.kinds.size());
@@ -64,8 +64,8 @@ TEST(Reading, SnapshotsInTheCallersMemoryAreTheSame) {
     std::vector<std::byte> out(3);
     for (int i = 0; i < 5; ++i) {
         ASSERT_EQ(world.step(), Status::ok);
-        world.save(out);
-        EXPECT_EQ(out, world.save());
+        world.state().save(out);
+        EXPECT_EQ(out, world.state().save());
     }
     std::vector<ContactView> contacts(5);
     world.contacts(contacts);
@@ -91,31 +91,31 @@ TEST(Reading, EachReaderOfEventsHasItsOwnPlace) {
     Jumping j;
     std::uint64_t early = 0, late = 0;
     std::vector<Event> events;
-    EXPECT_EQ(j.world.events_since(early, events), 0U);
+    EXPECT_EQ(j.world.events().since(early, events), 0U);
     EXPECT_TRUE(events.empty());
     j.ask(5.0);
     j.ask(6.0);
-    EXPECT_EQ(j.world.events_since(early, events), 0U);
+    EXPECT_EQ(j.world.events().since(early, events), 0U);
     ASSERT_EQ(events.size(), 2U);
     EXPECT_EQ(events[0].value, 5.0);
     EXPECT_EQ(events[1].value, 6.0);
     j.ask(7.0);
-    EXPECT_EQ(j.world.events_since(early, events), 0U);
+    EXPECT_EQ(j.world.events().since(early, events), 0U);
     ASSERT_EQ(events.size(), 1U);
     EXPECT_EQ(events[0].value, 7.0);
-    EXPECT_EQ(j.world.events_since(late, events), 0U);
+    EXPECT_EQ(j.world.events().since(late, events), 0U);
     EXPECT_EQ(events.size(), 3U);
     EXPECT_EQ(early, late);
-    EXPECT_EQ(j.world.event_cursor(), late);
+    EXPECT_EQ(j.world.events().cursor(), late);
     // Taking events does not affect cursors, nor vice versa.
-    EXPECT_EQ(j.world.take_events().size(), 3U);
+    EXPECT_EQ(j.world.events().take().size(), 3U);
     late = 1;
-    EXPECT_EQ(j.world.events_since(late, events), 0U);
+    EXPECT_EQ(j.world.events().since(late, events), 0U);
     EXPECT_EQ(events.size(), 2U);
     late = 1'000'000;  // of another world
-    EXPECT_EQ(j.world.events_since(late, events), 0U);
+    EXPECT_EQ(j.world.events().since(late, events), 0U);
     EXPECT_TRUE(events.empty());
-    EXPECT_EQ(late, j.world.event_cursor());
+    EXPECT_EQ(late, j.world.events().cursor());
 }
 
 TEST(Reading, EventsOfAllKindsComeInTheirOrder) {
@@ -127,14 +127,14 @@ TEST(Reading, EventsOfAllKindsComeInTheirOrder) {
         if (i % 7 == 0) j.ask(2.0 + i);
         ASSERT_EQ(j.world.step(), Status::ok);
         if (i % 50 != 0) continue;
-        EXPECT_EQ(j.world.events_since(cursor, part), 0U);
+        EXPECT_EQ(j.world.events().since(cursor, part), 0U);
         all.insert(all.end(), part.begin(), part.end());
     }
-    EXPECT_EQ(j.world.events_since(cursor, part), 0U);
+    EXPECT_EQ(j.world.events().since(cursor, part), 0U);
     all.insert(all.end(), part.begin(), part.end());
-    const std::vector<Event> taken = j.world.take_events();
+    const std::vector<Event> taken = j.world.events().take();
     ASSERT_EQ(all.size(), taken.size());
-    ASSERT_GT(j.world.event_extremes(EventKind::slack).count, 2);
+    ASSERT_GT(j.world.events().extremes(EventKind::slack).count, 2);
     for (std::size_t i = 0; i < all.size(); ++i) {
         EXPECT_EQ(all[i].kind, taken[i].kind);
         EXPECT_EQ(all[i].value, taken[i].value);
@@ -148,7 +148,7 @@ TEST(Reading, AReaderThatComesTooLateIsToldHowMuchItMissed) {
     for (int i = 0; i < kAsked; ++i) j.ask(2.0 + i);
     std::uint64_t cursor = 0;
     std::vector<Event> events;
-    EXPECT_EQ(j.world.events_since(cursor, events), static_cast<std::uint64_t>(kAsked - kKept));
+    EXPECT_EQ(j.world.events().since(cursor, events), static_cast<std::uint64_t>(kAsked - kKept));
     ASSERT_EQ(events.size(), static_cast<std::size_t>(kKept));
     EXPECT_EQ(events.front().value, 2.0 + kAsked - kKept);
     EXPECT_EQ(events.back().value, 1.0 + kAsked);

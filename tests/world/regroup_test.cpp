@@ -3,6 +3,8 @@
 #include "support/tier.h"
 #include "world/three_cables.h"
 
+#include <hawser/experimental/splits.h>
+
 #include <map>
 
 namespace hawser::test::regrouping {
@@ -11,9 +13,9 @@ namespace {
 /// Return the sum of the weights of the cuts, computed from the state.
 double weight_of_cuts(const World& w) {
     PartitionRequest request{.use = PartitionUse::cuts, .parts = 2, .exact_cost = false};
-    request.group = w.groups();
+    request.group = w.splits().groups();
     double sum = 0.0;
-    for (const CutInteraction& c : w.partition(request).cuts) sum += c.weight;
+    for (const CutInteraction& c : w.splits().partition(request).cuts) sum += c.weight;
     return sum;
 }
 
@@ -22,7 +24,7 @@ TEST(Regroup, TheCutOfARunningWorldLeavesTheCableThatAccelerates) {
         SCOPED_TRACE(fast);
         const Cables t(2);
         World w = t.recipe.make();
-        const std::vector<std::int32_t> first = w.groups();
+        const std::vector<std::int32_t> first = w.splits().groups();
         EXPECT_EQ(std::set<std::int32_t>(first.begin(), first.end()).size(), 2U);
         t.turn(w, fast);
         t.pull(w, (fast + 1) % 3);
@@ -40,16 +42,16 @@ TEST(Regroup, ACutMovesAlongACableThatStartsToTurn) {
     World stays = t.recipe.make();
     run(moves, kEvery);
     run(stays, kEvery);
-    stays.follow_groups(2, 0);
+    stays.splits().follow_groups(2, 0);
     const std::int64_t settled = stays.stats().regroupings;
-    const auto before = moves.groups();
-    ASSERT_EQ(before, stays.groups());
+    const auto before = moves.splits().groups();
+    ASSERT_EQ(before, stays.splits().groups());
     const std::size_t cut = *t.cut_cables(moves).begin();
     for (World* w : {&moves, &stays}) t.turn(*w, cut);
     run(moves, 8 * kEvery);
     run(stays, 8 * kEvery);
-    EXPECT_NE(moves.groups(), before);
-    EXPECT_EQ(stays.groups(), before);
+    EXPECT_NE(moves.splits().groups(), before);
+    EXPECT_EQ(stays.splits().groups(), before);
     EXPECT_GT(moves.stats().regroupings, settled);
     EXPECT_GT(moves.stats().regrouped_bodies, stays.stats().regrouped_bodies);
     EXPECT_EQ(stays.stats().regroupings, settled);
@@ -66,10 +68,10 @@ void leave_alone(Coupling coupling, Predictor predictor) {
     for (std::size_t c = 0; c < 3; ++c) t.pull(w, c);
     run(w, 20 * kEvery);
     const std::int64_t once = w.stats().regroupings;
-    const auto groups = w.groups();
+    const auto groups = w.splits().groups();
     run(w, 40 * kEvery);
     EXPECT_EQ(w.stats().regroupings, once);
-    EXPECT_EQ(w.groups(), groups);
+    EXPECT_EQ(w.splits().groups(), groups);
 }
 
 TEST(Regroup, ASteadySceneIsLeftAlone) {
@@ -80,20 +82,20 @@ TEST(Regroup, ASteadySceneIsLeftAlone) {
 TEST(Regroup, GroupsByHandStay) {
     const Cables t(3);
     World w = t.recipe.make();
-    for (const BodyId b : t.cable[1]) w.set_group(b, "mine");
-    w.set_group(t.cable[2].back(), "other");
+    for (const BodyId b : t.cable[1]) w.splits().set_group(b, "mine");
+    w.splits().set_group(t.cable[2].back(), "other");
     t.turn(w, 0);
     t.pull(w, 2);
     for (int k = 0; k < 6 * kEvery; ++k) {
         run(w, 1);
-        const auto groups = w.groups();
+        const auto groups = w.splits().groups();
         const auto of = [&](BodyId b) { return groups[static_cast<std::size_t>(b.index)]; };
         for (const BodyId b : t.cable[1]) ASSERT_EQ(of(b), of(t.cable[1].front())) << k;
         ASSERT_NE(of(t.cable[2].back()), of(t.cable[1].front())) << k;
         // The others are distributed nevertheless.
         ASSERT_EQ(std::set<std::int32_t>(groups.begin(), groups.end()).size(), 3U) << k;
     }
-    w.set_group(t.cable[2].back(), "");
+    w.splits().set_group(t.cable[2].back(), "");
     run(w, 1);
     EXPECT_EQ(w.body_def(t.cable[1][0]).group, "mine");
 }
@@ -102,14 +104,14 @@ TEST(Regroup, GroupsByHandEndIt) {
     const Cables t(2);
     World w = t.recipe.make();
     run(w, 2 * kEvery);
-    w.set_groups(2);
+    w.splits().set_groups(2);
     EXPECT_EQ(w.settings().parts, 0);
-    const auto groups = w.groups();
+    const auto groups = w.splits().groups();
     const std::int64_t before = w.stats().regroupings;
     const std::size_t cut = *t.cut_cables(w).begin();
     t.turn(w, cut);
     run(w, 6 * kEvery);
-    EXPECT_EQ(w.groups(), groups);
+    EXPECT_EQ(w.splits().groups(), groups);
     EXPECT_EQ(w.stats().regroupings, before);
 }
 
@@ -117,21 +119,21 @@ TEST(Regroup, CanBeBegunAndEndedInARunningWorld) {
     const Cables t(0);
     World w = t.recipe.make();
     run(w, 5);
-    EXPECT_TRUE(w.cuts().empty());
-    w.follow_groups(2, kEvery);
+    EXPECT_TRUE(w.splits().cuts().empty());
+    w.splits().follow_groups(2, kEvery);
     run(w, 5);
-    EXPECT_FALSE(w.cuts().empty());
-    w.follow_groups(0);
+    EXPECT_FALSE(w.splits().cuts().empty());
+    w.splits().follow_groups(0);
     run(w, 5);
-    EXPECT_TRUE(w.cuts().empty());
-    EXPECT_THROW(w.follow_groups(-1), DefError);
-    EXPECT_THROW(w.follow_groups(4097), DefError);
-    EXPECT_THROW(w.follow_groups(2, -1), DefError);
+    EXPECT_TRUE(w.splits().cuts().empty());
+    EXPECT_THROW(w.splits().follow_groups(-1), DefError);
+    EXPECT_THROW(w.splits().follow_groups(4097), DefError);
+    EXPECT_THROW(w.splits().follow_groups(2, -1), DefError);
     EXPECT_EQ(w.settings().parts, 0);
     // Exact coupling needs no groups.
     for (std::int32_t i = 0; i < w.interaction_count(); ++i)
-        w.set_coupling(InteractionId{i}, Coupling::exact);
-    w.follow_groups(2);
+        w.splits().set_coupling(InteractionId{i}, Coupling::exact);
+    w.splits().follow_groups(2);
     run(w, 5);
     EXPECT_EQ(w.stats().cuts, 0);
 }
@@ -139,7 +141,8 @@ TEST(Regroup, CanBeBegunAndEndedInARunningWorld) {
 TEST(Regroup, WhatIsCoupledExactlyIsNotCut) {
     const Cables t(2);
     World w = t.recipe.make();
-    for (std::int32_t i = 0; i < 2 * kNodes; ++i) w.set_coupling(InteractionId{i}, Coupling::exact);
+    for (std::int32_t i = 0; i < 2 * kNodes; ++i)
+        w.splits().set_coupling(InteractionId{i}, Coupling::exact);
     EXPECT_EQ(t.cut_cables(w), std::set<std::size_t>{2});
     run(w, 3 * kEvery);
     EXPECT_EQ(t.cut_cables(w), std::set<std::size_t>{2});
@@ -160,7 +163,7 @@ TEST(Regroup, IsTheSameForAnyNumberOfThreads) {
         for (int i = 0; i < 8 * kEvery; ++i) {
             play(t, w, i);
             ASSERT_EQ(w.step(), Status::ok);
-            hash[threads].push_back(w.state_hash());
+            hash[threads].push_back(w.state().hash());
         }
         EXPECT_GT(w.stats().regroupings, 1);
     }
@@ -177,10 +180,10 @@ TEST(Regroup, GoesOnBitForBitFromASnapshotOfAnyStep) {
     constexpr int kSteps = 8 * kEvery;
     for (int i = 0; i < kSteps; ++i) {
         play(t, a, i);
-        saved.push_back(a.save());
+        saved.push_back(a.state().save());
         changes.push_back(a.stats().regroupings);
         ASSERT_EQ(a.step(), Status::ok);
-        hash.push_back(a.state_hash());
+        hash.push_back(a.state().hash());
     }
     ASSERT_GT(a.stats().regroupings, 1);
     // In a world that is new each time, and in one whose groups are from another time.
@@ -192,28 +195,28 @@ TEST(Regroup, GoesOnBitForBitFromASnapshotOfAnyStep) {
         SCOPED_TRACE(i);
         World fresh = t.recipe.make();
         for (World* w : {&fresh, &again}) {
-            w->restore(saved[static_cast<std::size_t>(i)]);
-            ASSERT_EQ(w->save(), saved[static_cast<std::size_t>(i)]);
+            w->state().restore(saved[static_cast<std::size_t>(i)]);
+            ASSERT_EQ(w->state().save(), saved[static_cast<std::size_t>(i)]);
             for (int k = i; k < std::min(kSteps, i + kEvery + 12); ++k) {
                 if (k > i) play(t, *w, k);  // the snapshot was taken after it
                 ASSERT_EQ(w->step(), Status::ok);
-                ASSERT_EQ(w->state_hash(), hash[static_cast<std::size_t>(k)]) << "step " << k;
+                ASSERT_EQ(w->state().hash(), hash[static_cast<std::size_t>(k)]) << "step " << k;
             }
         }
     }
     // Damage is rejected, for any groups.
     const auto& good = saved[kSteps - 1];
-    again.restore(saved[1]);
-    const std::uint64_t before = again.state_hash();
+    again.state().restore(saved[1]);
+    const std::uint64_t before = again.state().hash();
     const int trials = by_tier(100, 500, 5000);
     for (int trial = 0; trial < trials; ++trial) {
         auto bytes = good;
         const int where = random.integer(0, static_cast<int>(bytes.size()) - 1);
         bytes[static_cast<std::size_t>(where)] ^= static_cast<std::byte>(random.integer(1, 255));
-        EXPECT_THROW(again.restore(bytes), DefError) << "byte " << where;
-        ASSERT_EQ(again.state_hash(), before);
+        EXPECT_THROW(again.state().restore(bytes), DefError) << "byte " << where;
+        ASSERT_EQ(again.state().hash(), before);
     }
-    EXPECT_EQ(again.save(), saved[1]);
+    EXPECT_EQ(again.state().save(), saved[1]);
 }
 
 TEST(Regroup, TwinsHaveTheGroupsAndGoOnAlike) {
@@ -225,13 +228,13 @@ TEST(Regroup, TwinsHaveTheGroupsAndGoOnAlike) {
     }
     ASSERT_GT(a.stats().regroupings, 0);
     World b = a.twin();
-    EXPECT_EQ(b.groups(), a.groups());
-    EXPECT_EQ(b.state_hash(), a.state_hash());
+    EXPECT_EQ(b.splits().groups(), a.splits().groups());
+    EXPECT_EQ(b.state().hash(), a.state().hash());
     World c = t.recipe.make();
-    c.copy_state(a);
-    EXPECT_EQ(c.groups(), a.groups());
+    c.state().copy_from(a);
+    EXPECT_EQ(c.splits().groups(), a.splits().groups());
     World exact = a.twin(Coupling::exact);
-    EXPECT_TRUE(exact.cuts().empty());
+    EXPECT_TRUE(exact.splits().cuts().empty());
     run(exact, kEvery);
     for (int i = 4 * kEvery - 2; i < 6 * kEvery; ++i) {
         play(t, a, i);
@@ -240,8 +243,8 @@ TEST(Regroup, TwinsHaveTheGroupsAndGoOnAlike) {
         ASSERT_EQ(a.step(), Status::ok);
         ASSERT_EQ(b.step(), Status::ok);
         ASSERT_EQ(c.step(), Status::ok);
-        ASSERT_EQ(b.groups(), a.groups()) << i;
-        ASSERT_EQ(c.groups(), a.groups()) << i;
+        ASSERT_EQ(b.splits().groups(), a.splits().groups()) << i;
+        ASSERT_EQ(c.splits().groups(), a.splits().groups()) << i;
     }
 }
 

@@ -6,7 +6,7 @@
 #include "support/sanitizer.h"
 #include "support/tier.h"
 
-#include <hawser/partition.h>
+#include <hawser/experimental/splits.h>
 
 #include <gtest/gtest.h>
 
@@ -22,13 +22,13 @@ TEST(SceneRestore, ContinuesBitForBitAtRandomSteps) {
         test::Random random(seed);
         for (int round = 0; round < rounds; ++round) {
             for (int i = random.integer(0, 4); i > 0; --i) ASSERT_EQ(a.step(), Status::ok) << file;
-            b.restore(a.structure(), a.save());
-            ASSERT_EQ(a.state_hash(), b.state_hash()) << file << " round " << round;
+            b.state().restore(a.state().structure(), a.state().save());
+            ASSERT_EQ(a.state().hash(), b.state().hash()) << file << " round " << round;
             ASSERT_EQ(a.step(), Status::ok) << file;
             ASSERT_EQ(b.step(), Status::ok) << file;
-            ASSERT_EQ(a.state_hash(), b.state_hash()) << file << " round " << round;
+            ASSERT_EQ(a.state().hash(), b.state().hash()) << file << " round " << round;
         }
-        EXPECT_EQ(a.save(), b.save()) << file;
+        EXPECT_EQ(a.state().save(), b.state().save()) << file;
     }
 }
 
@@ -43,13 +43,13 @@ TEST(SceneRestore, PartitionsLeaveTheStateAlone) {
         const int steps = a.body_count() < 50 ? 200 : 12;
         for (int i = 0; i < (test::kSanitized ? steps / 4 : steps); ++i) {
             for (const PartitionUse use : {PartitionUse::cuts, PartitionUse::separators})
-                EXPECT_GE(a.partition({.use = use, .parts = 3}).parts, 3) << file;
-            ASSERT_EQ(a.state_hash(), b.state_hash()) << file << " before step " << i;
+                EXPECT_GE(a.splits().partition({.use = use, .parts = 3}).parts, 3) << file;
+            ASSERT_EQ(a.state().hash(), b.state().hash()) << file << " before step " << i;
             ASSERT_EQ(a.step(), Status::ok) << file;
             ASSERT_EQ(b.step(), Status::ok) << file;
-            ASSERT_EQ(a.state_hash(), b.state_hash()) << file << " step " << i;
+            ASSERT_EQ(a.state().hash(), b.state().hash()) << file << " step " << i;
         }
-        EXPECT_EQ(a.save(), b.save()) << file;
+        EXPECT_EQ(a.state().save(), b.state().save()) << file;
     }
 }
 

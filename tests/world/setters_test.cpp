@@ -49,13 +49,13 @@ TEST(Setters, HaveTheRangesOfDefinitions) {
     const Vec3 zero = Vec3::Zero();
     const Quat upright = Quat::Identity();
     ASSERT_EQ(w.step(), Status::ok);
-    const std::uint64_t before = w.state_hash();
+    const std::uint64_t before = w.state().hash();
     const auto expect_refused = [&](std::initializer_list<const char*> words,
                                     const std::function<void()>& f) {
         const std::string message = refusal_of(f);
         for (const char* word : words)
             EXPECT_NE(message.find(word), std::string::npos) << word << ": " << message;
-        EXPECT_EQ(w.state_hash(), before) << message;
+        EXPECT_EQ(w.state().hash(), before) << message;
     };
     for (const double bad : {kNoNumber, kInfinite, -kInfinite}) {
         expect_refused({"block", "force"}, [&] { w.set_force(body, {0, bad, 0}, zero); });
@@ -76,18 +76,18 @@ TEST(Setters, HaveTheRangesOfDefinitions) {
                    [&] { w.set_velocity(body, {{2e5, 0, 0}, zero}); });
     expect_refused({"angular_velocity"}, [&] { w.set_velocity(body, {zero, {2e5, 0, 0}}); });
     expect_refused({"quay", "velocity"}, [&] { w.set_velocity(quay, {{1, 0, 0}, zero}); });
-    expect_refused({"parts", "4096", "5000"}, [&] { w.follow_groups(5000); });
-    expect_refused({"regroup_every", "-1"}, [&] { w.follow_groups(2, -1); });
-    expect_refused({"parts = 0"}, [&] { w.set_groups(0); });
-    expect_refused({"spans"}, [&] { w.start_trace(std::size_t{1} << 40); });
-    expect_refused({"no body"}, [&] { w.set_group(BodyId{9}, "x"); });
+    expect_refused({"parts", "4096", "5000"}, [&] { w.splits().follow_groups(5000); });
+    expect_refused({"regroup_every", "-1"}, [&] { w.splits().follow_groups(2, -1); });
+    expect_refused({"parts = 0"}, [&] { w.splits().set_groups(0); });
+    expect_refused({"spans"}, [&] { w.solver().start_trace(std::size_t{1} << 40); });
+    expect_refused({"no body"}, [&] { w.splits().set_group(BodyId{9}, "x"); });
     expect_refused({"no interaction"},
-                   [&] { w.set_coupling(InteractionId{0}, Coupling::compliant); });
+                   [&] { w.splits().set_coupling(InteractionId{0}, Coupling::compliant); });
     // Clamped, with an event.
     w.set_input(input, 7.0);
     EXPECT_EQ(w.input(input), 5.0);
     // Only a number of iterations above 0 limits a step.
-    w.degrade_next_step({.iterations = -3, .hasty = true, .cuts = 0});
+    w.solver().degrade_next_step({.iterations = -3, .hasty = true, .cuts = 0});
     EXPECT_EQ(w.step(), Status::ok);
     EXPECT_FALSE(w.stats().cut);
 }

@@ -186,48 +186,48 @@ TEST(Shapes, ContactsAreSeenFromOutside) {
 TEST(Shapes, AWorldGoesOnBitForBitAfterRestore) {
     World a = falling_wire();
     for (int i = 0; i < 3; ++i) ASSERT_EQ(a.step(), Status::ok);
-    const auto saved = a.save();
-    const std::uint64_t hash = a.state_hash();
+    const auto saved = a.state().save();
+    const std::uint64_t hash = a.state().hash();
     World b = falling_wire(2);
     // Other contacts than when saved.
     ASSERT_EQ(b.step(), Status::ok);
-    EXPECT_NE(b.state_hash(), hash);
-    b.restore(saved);
-    EXPECT_EQ(b.state_hash(), hash);
+    EXPECT_NE(b.state().hash(), hash);
+    b.state().restore(saved);
+    EXPECT_EQ(b.state().hash(), hash);
     EXPECT_TRUE(b.contacts().empty());
-    EXPECT_EQ(b.save(), saved);
+    EXPECT_EQ(b.state().save(), saved);
     for (int i = 0; i < 20; ++i) {
         ASSERT_EQ(a.step(), Status::ok);
         ASSERT_EQ(b.step(), Status::ok);
-        ASSERT_EQ(a.state_hash(), b.state_hash()) << i;
+        ASSERT_EQ(a.state().hash(), b.state().hash()) << i;
         ASSERT_EQ(a.contacts().size(), b.contacts().size());
     }
     // Back in time, to another number of contacts.
-    a.restore(saved);
-    EXPECT_EQ(a.state_hash(), hash);
+    a.state().restore(saved);
+    EXPECT_EQ(a.state().hash(), hash);
 }
 
 TEST(Shapes, ASnapshotOfOtherShapesIsRefused) {
     World a = falling_wire();
     ASSERT_EQ(a.step(), Status::ok);
-    auto saved = a.save();
+    auto saved = a.state().save();
     World b = falling_wire();
     ShapeDef ball;
     ball.kind = ShapeKind::sphere;
     ball.body = BodyId{3};
     ball.radius = 0.2;
     b.add_shape(ball);
-    EXPECT_NE(refusal([&] { b.restore(saved); }), "");
+    EXPECT_NE(refusal([&] { b.state().restore(saved); }), "");
     World c = falling_wire();
     MaterialPairDef pair;
     pair.a = pair.b = MaterialId{0};
     c.add_material_pair(pair);
-    EXPECT_NE(refusal([&] { c.restore(saved); }), "");
+    EXPECT_NE(refusal([&] { c.state().restore(saved); }), "");
     // A count of contacts that exceeds the bytes.
     for (const std::size_t at : {24U, 30U}) {
         auto damaged = saved;
         damaged[at] ^= std::byte{0x55};
-        EXPECT_NE(refusal([&] { a.restore(damaged); }), "");
+        EXPECT_NE(refusal([&] { a.state().restore(damaged); }), "");
     }
 }
 

@@ -336,27 +336,28 @@ TEST(Sleep, SnapshotsAndThreadsKeepTheBits) {
     };
     SleepYard y(sleepy());
     y.run(kSettled);
-    const std::vector<std::byte> saved = y.w.save();
+    const std::vector<std::byte> saved = y.w.state().save();
     std::vector<std::uint64_t> hashes;
     for (int i = 0; i < 400; ++i) {
         disturb(y, i);
         y.run(1);
-        hashes.push_back(y.w.state_hash());
+        hashes.push_back(y.w.state().hash());
     }
     for (const int threads : {1, 2, 4}) {
         SleepYard z(sleepy(Nonsmooth::newton, threads));
-        z.w.restore(saved);
+        z.w.state().restore(saved);
         EXPECT_EQ(z.asleep(), kAll);
         EXPECT_EQ(z.w.stats().asleep, 9);
         for (int i = 0; i < 400; ++i) {
             disturb(z, i);
             z.run(1);
-            ASSERT_EQ(z.w.state_hash(), hashes[static_cast<std::size_t>(i)]) << threads << " " << i;
+            ASSERT_EQ(z.w.state().hash(), hashes[static_cast<std::size_t>(i)])
+                << threads << " " << i;
         }
     }
     // Settings of sleep must agree.
     SleepYard awake{WorldDef{}};
-    EXPECT_THROW(awake.w.restore(saved), DefError);
+    EXPECT_THROW(awake.w.state().restore(saved), DefError);
 }
 
 class SleepMethods : public testing::TestWithParam<Nonsmooth> {};

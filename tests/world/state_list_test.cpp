@@ -26,21 +26,21 @@ TEST(StateList, ACopySleepsAsItsOriginalDoes) {
     World twin = y.w.twin();
     for (int b = 0; b < y.w.body_count(); ++b)
         EXPECT_EQ(twin.asleep(BodyId{b}), y.w.asleep(BodyId{b})) << "body " << b;
-    EXPECT_EQ(twin.state_hash(), y.w.state_hash());
+    EXPECT_EQ(twin.state().hash(), y.w.state().hash());
     ASSERT_EQ(twin.step(), Status::ok);
     ASSERT_EQ(y.w.step(), Status::ok);
     EXPECT_EQ(twin.stats().asleep, y.w.stats().asleep);
     EXPECT_EQ(twin.stats().matrix_nnz, 0) << "what sleeps is solved for";
-    EXPECT_EQ(twin.state_hash(), y.w.state_hash());
+    EXPECT_EQ(twin.state().hash(), y.w.state().hash());
     // A world that was awake falls asleep with the copy, and wakes with the next one.
     SleepYard fresh(sleepy());
     const World awake = fresh.w.twin();
-    fresh.w.copy_state(y.w);
+    fresh.w.state().copy_from(y.w);
     EXPECT_EQ(fresh.asleep(), "zzzzzzzzz");
-    EXPECT_EQ(fresh.w.state_hash(), y.w.state_hash());
+    EXPECT_EQ(fresh.w.state().hash(), y.w.state().hash());
     ASSERT_EQ(fresh.w.step(), Status::ok);
     EXPECT_EQ(fresh.w.stats().matrix_nnz, 0);
-    fresh.w.copy_state(awake);
+    fresh.w.state().copy_from(awake);
     EXPECT_EQ(fresh.asleep(), ".........");
     ASSERT_EQ(fresh.w.step(), Status::ok);
     EXPECT_GT(fresh.w.stats().matrix_nnz, 0);
@@ -71,16 +71,16 @@ World falling(const WorldDef& def) {
 TEST(Settings, ThoseThatGiveOtherStatesAreOfTheIdentityOfASnapshot) {
     World plain = falling({});
     ASSERT_EQ(plain.step(), Status::ok);
-    const auto saved = plain.save();
+    const auto saved = plain.state().save();
     for (const SettingInfo& s : setting_infos()) {
         WorldDef def;
         s.set(def, 0, other(s, s.get(def, 0)));
         // Coupling belongs to interactions, of which there are none here.
         World w = falling(def);
         if (s.identity)
-            EXPECT_THROW(w.restore(saved), DefError) << s.name;
+            EXPECT_THROW(w.state().restore(saved), DefError) << s.name;
         else
-            EXPECT_NO_THROW(w.restore(saved)) << s.name;
+            EXPECT_NO_THROW(w.state().restore(saved)) << s.name;
     }
 }
 

@@ -31,7 +31,7 @@ World set_up(int threads) {
     def.EI = 5e3;
     def.radius = 0.04;
     def.consistent_mass = true;
-    WinchDef winch{.name = "winch", .wire = w.add_wire(def), .core_radius = 0.6, .width = 2.4};
+    WinchDef winch{.name = "winch", .wire = w.wires().add(def), .core_radius = 0.6, .width = 2.4};
     winch.wire_diameter = 0.076;
     winch.mass_per_length = kMass;
     winch.stored = 300.0;
@@ -43,7 +43,7 @@ World set_up(int threads) {
     def.to = post;
     def.length = 33.0;
     def.elements = 8;
-    w.add_wire(def);
+    w.wires().add(def);
     w.add_input({.name = "push", .body = load, .component = 0, .min = -1e4, .max = 1e4});
     return w;
 }
@@ -52,7 +52,7 @@ std::vector<std::uint64_t> run(World& w, int steps) {
     std::vector<std::uint64_t> out;
     for (int i = 0; i < steps; ++i) {
         EXPECT_EQ(w.step(), Status::ok) << to_string(w.bad_load(), w);
-        out.push_back(w.state_hash());
+        out.push_back(w.state().hash());
     }
     return out;
 }
@@ -62,42 +62,43 @@ TEST(Structure, GoesOnInAnotherWorldInTheSameBits) {
     const int rounds = by_tier(3, 12, 120);
     for (int round = 0; round < rounds; ++round) {
         World w = set_up(1);
-        const std::uint64_t identity = w.identity();
+        const std::uint64_t identity = w.state().identity();
         w.set_system_signal("winch.speed", round % 2 == 0 ? 1.0 : 2.0);
         (void)run(w, 60 + static_cast<int>(dice() % 300));
-        const WireId span = w.find_wire("span");
-        if (round % 3 == 1) (void)w.insert_node(w.elements(span)[2], 0.4);
+        const WireId span = w.wires().find("span");
+        if (round % 3 == 1) (void)w.wires().insert_node(w.wires().elements(span)[2], 0.4);
         if (round % 3 == 2) {
-            (void)w.cut(span, 14.0);
+            (void)w.wires().cut(span, 14.0);
             (void)run(w, 10);
-            (void)w.join(span, 1, w.find_wire("span/2"), 0,
-                         {.gear = Gear::pelican_hook, .mass = 20.0, .length = 1.0, .reach = 50.0});
+            (void)w.wires().join(
+                span, 1, w.wires().find("span/2"), 0,
+                {.gear = Gear::pelican_hook, .mass = 20.0, .length = 1.0, .reach = 50.0});
         }
         (void)run(w, static_cast<int>(dice() % 20));
-        EXPECT_NE(w.identity(), identity) << "or nothing has come and gone";
-        const Structure made_of = w.structure();
-        const std::vector<std::byte> state = w.save();
+        EXPECT_NE(w.state().identity(), identity) << "or nothing has come and gone";
+        const Structure made_of = w.state().structure();
+        const std::vector<std::byte> state = w.state().save();
         World other = set_up(2);
         (void)run(other, 3);
-        const std::vector<std::byte> before = other.save();
-        EXPECT_THROW(other.restore(state), DefError) << "other pieces";
-        other.restore(made_of, state);
-        EXPECT_EQ(other.identity(), w.identity());
-        EXPECT_EQ(other.state_hash(), w.state_hash());
-        EXPECT_EQ(other.save(), state);
+        const std::vector<std::byte> before = other.state().save();
+        EXPECT_THROW(other.state().restore(state), DefError) << "other pieces";
+        other.state().restore(made_of, state);
+        EXPECT_EQ(other.state().identity(), w.state().identity());
+        EXPECT_EQ(other.state().hash(), w.state().hash());
+        EXPECT_EQ(other.state().save(), state);
         w.set_system_signal("winch.speed", -1.0);
         other.set_system_signal("winch.speed", -1.0);
         w.set_input(w.find_input("push"), 2e3);
         other.set_input(other.find_input("push"), 2e3);
         EXPECT_EQ(run(other, 200), run(w, 200)) << round;
         EXPECT_EQ(other.output(other.find_output("load.z")), w.output(w.find_output("load.z")));
-        EXPECT_EQ(other.find_wire("span"), span);
-        EXPECT_EQ(other.take_events().size() > 0, w.take_events().size() > 0);
+        EXPECT_EQ(other.wires().find("span"), span);
+        EXPECT_EQ(other.events().take().size() > 0, w.events().take().size() > 0);
         // Back to its earlier state.
         World third = set_up(1);
         (void)run(third, 3);
-        const Structure first = third.structure();
-        other.restore(first, before);
+        const Structure first = third.state().structure();
+        other.state().restore(first, before);
         EXPECT_EQ(run(other, 50), run(third, 50));
     }
 }
@@ -107,13 +108,13 @@ TEST(Structure, OfAnotherStateLeavesTheWorldAsItWas) {
     w.set_system_signal("winch.speed", 1.0);
     (void)run(w, 200);
     (void)run(other, 20);
-    const Structure made_of = w.structure();
-    const auto state = w.save(), before = other.save();
+    const Structure made_of = w.state().structure();
+    const auto state = w.state().save(), before = other.state().save();
     auto damaged = state;
     damaged[damaged.size() / 2] ^= std::byte{1};
     const auto refuses = [&](const Structure& s, std::span<const std::byte> bytes) {
-        EXPECT_THROW(other.restore(s, bytes), DefError);
-        EXPECT_EQ(other.save(), before);
+        EXPECT_THROW(other.state().restore(s, bytes), DefError);
+        EXPECT_EQ(other.state().save(), before);
         EXPECT_EQ(other.system_count(), 1);
     };
     refuses(made_of, damaged);

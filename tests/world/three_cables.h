@@ -4,8 +4,8 @@
 /// cuts.
 #include "support/recipe.h"
 
+#include <hawser/experimental/splits.h>
 #include <hawser/inspect.h>
-#include <hawser/partition.h>
 
 #include <gtest/gtest.h>
 
@@ -66,7 +66,7 @@ struct Cables {
 
     /// Return the cables with a cut in force.
     [[nodiscard]] std::set<std::size_t> cut_cables(const World& w) const {
-        return cables_of(w, w.cuts());
+        return cables_of(w, w.splits().cuts());
     }
     /// Return the cables that a partition cuts.
     [[nodiscard]] std::set<std::size_t> cut_cables(const World& w,

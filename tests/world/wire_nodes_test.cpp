@@ -30,7 +30,7 @@ Account account_of(const World& w, WireId wire) {
     const auto point = [&](BodyId id) {
         return Vec3(w.pose(id).position - half * w.velocity(id).linear);
     };
-    for (const BodyId id : w.nodes(wire)) {
+    for (const BodyId id : w.wires().nodes(wire)) {
         const double m = w.body_def(id).mass;
         const Vec3 v = w.velocity(id).linear;
         a.mass += m;
@@ -38,7 +38,7 @@ Account account_of(const World& w, WireId wire) {
         a.angular += m * point(id).cross(v);
         a.energy += 0.5 * m * v.squaredNorm();
     }
-    for (const InteractionId id : w.elements(wire)) {
+    for (const InteractionId id : w.wires().elements(wire)) {
         const InteractionDef& d = w.interaction_def(id);
         const Vec3 separation = point(d.body[1]) - point(d.body[0]);
         const Vec3 u = w.velocity(d.body[1]).linear - w.velocity(d.body[0]).linear;
@@ -81,7 +81,7 @@ struct Free {
             d.set("EA", kEA).set("mass", kDensity * l);
             made.push_back(w.add_interaction(d));
         }
-        wire = w.adopt_wire("free", made);
+        wire = w.wires().adopt("free", made);
     }
 };
 
@@ -89,11 +89,11 @@ TEST(WireNodes, PutOnAnElementChangeNoMotion) {
     Free f(20);
     for (int i = 0; i < 30; ++i) ASSERT_EQ(f.w.step(), Status::ok);
     const Account before = account_of(f.w, f.wire);
-    const InteractionId element = f.w.elements(f.wire)[7];
-    const BodyId node = f.w.insert_node(element, 0.3);
+    const InteractionId element = f.w.wires().elements(f.wire)[7];
+    const BodyId node = f.w.wires().insert_node(element, 0.3);
     const Account after = account_of(f.w, f.wire);
-    EXPECT_EQ(f.w.elements(f.wire).size(), 21U);
-    EXPECT_EQ(f.w.nodes(f.wire)[8], node);
+    EXPECT_EQ(f.w.wires().elements(f.wire).size(), 21U);
+    EXPECT_EQ(f.w.wires().nodes(f.wire)[8], node);
     EXPECT_NEAR(after.mass, before.mass, 1e-12 * before.mass);
     EXPECT_LE((after.linear - before.linear).norm(), 1e-12 * before.linear.norm());
     EXPECT_LE((after.angular - before.angular).norm(), 1e-12 * before.angular.norm());
@@ -107,15 +107,16 @@ TEST(WireNodes, TakenAwayAtOnceLeaveNoTrace) {
     for (int i = 0; i < 30; ++i) ASSERT_EQ(f.w.step(), Status::ok);
     std::vector<Pose> pose;
     std::vector<Twist> twist;
-    for (const BodyId id : f.w.nodes(f.wire)) {
+    for (const BodyId id : f.w.wires().nodes(f.wire)) {
         pose.push_back(f.w.pose(id));
         twist.push_back(f.w.velocity(id));
     }
-    const double length = f.w.length(f.wire);
-    ASSERT_TRUE(f.w.remove_node(f.w.insert_node(f.w.elements(f.wire)[7], 0.3)));
-    EXPECT_NEAR(f.w.length(f.wire), length, 1e-12 * length);
+    const double length = f.w.wires().length(f.wire);
+    ASSERT_TRUE(
+        f.w.wires().remove_node(f.w.wires().insert_node(f.w.wires().elements(f.wire)[7], 0.3)));
+    EXPECT_NEAR(f.w.wires().length(f.wire), length, 1e-12 * length);
     for (std::size_t k = 0; k < pose.size(); ++k) {
-        const BodyId id = f.w.nodes(f.wire)[k];
+        const BodyId id = f.w.wires().nodes(f.wire)[k];
         EXPECT_LE((f.w.pose(id).position - pose[k].position).norm(), 1e-10);
         EXPECT_LE((f.w.velocity(id).linear - twist[k].linear).norm(), 1e-9);
     }
@@ -128,17 +129,17 @@ struct Sums {
     Vec3 linear{0, 0, 0}, angular{0, 0, 0};
 };
 void edit(Free& f, std::mt19937& dice, Sums& sum) {
-    const auto n = static_cast<int>(f.w.elements(f.wire).size());
+    const auto n = static_cast<int>(f.w.wires().elements(f.wire).size());
     const std::size_t at =
         1 + static_cast<std::size_t>(dice() % 1000U) * static_cast<std::size_t>(n - 2) / 1000;
-    const double length = f.w.interaction_def(f.w.elements(f.wire)[at]).get("length");
+    const double length = f.w.interaction_def(f.w.wires().elements(f.wire)[at]).get("length");
     const bool more = length > 2.0 && (n <= 24 || (n < 96 && (dice() & 1U) != 0));
     const Account before = account_of(f.w, f.wire);
     if (more) {
-        (void)f.w.insert_node(f.w.elements(f.wire)[at], 0.5);
+        (void)f.w.wires().insert_node(f.w.wires().elements(f.wire)[at], 0.5);
         ++sum.in;
     } else {
-        ++(f.w.remove_node(f.w.nodes(f.wire)[at]) ? sum.out : sum.stayed);
+        ++(f.w.wires().remove_node(f.w.wires().nodes(f.wire)[at]) ? sum.out : sum.stayed);
     }
     const Account after = account_of(f.w, f.wire);
     const double change = after.energy - before.energy;
@@ -179,10 +180,10 @@ TEST(WireNodes, KeepMomentaAndMakeNoEnergy) {
 TEST(WireNodes, StayWhereTheWireIsBent) {
     Free f(24);
     for (int i = 0; i < 30; ++i) ASSERT_EQ(f.w.step(), Status::ok);
-    const std::uint64_t hash = f.w.state_hash();
-    EXPECT_FALSE(f.w.remove_node(f.w.nodes(f.wire)[6], 1e-4));
-    EXPECT_EQ(f.w.state_hash(), hash);
-    EXPECT_EQ(f.w.elements(f.wire).size(), 24U);
+    const std::uint64_t hash = f.w.state().hash();
+    EXPECT_FALSE(f.w.wires().remove_node(f.w.wires().nodes(f.wire)[6], 1e-4));
+    EXPECT_EQ(f.w.state().hash(), hash);
+    EXPECT_EQ(f.w.wires().elements(f.wire).size(), 24U);
 }
 
 TEST(WireNodes, ComeAndGoTheSameOnAnyNumberOfThreads) {
@@ -197,14 +198,14 @@ TEST(WireNodes, ComeAndGoTheSameOnAnyNumberOfThreads) {
                 edit(f, dice, sum);
                 ASSERT_EQ(f.w.step(), Status::ok);
             }
-            if (threads == 1) hash = f.w.state_hash();
-            EXPECT_EQ(f.w.state_hash(), hash) << threads;
-            const auto saved = f.w.save();
+            if (threads == 1) hash = f.w.state().hash();
+            EXPECT_EQ(f.w.state().hash(), hash) << threads;
+            const auto saved = f.w.state().save();
             for (int i = 0; i < 20; ++i) ASSERT_EQ(f.w.step(), Status::ok);
-            const std::uint64_t later = f.w.state_hash();
-            f.w.restore(saved);
+            const std::uint64_t later = f.w.state().hash();
+            f.w.state().restore(saved);
             for (int i = 0; i < 20; ++i) ASSERT_EQ(f.w.step(), Status::ok);
-            EXPECT_EQ(f.w.state_hash(), later);
+            EXPECT_EQ(f.w.state().hash(), later);
         }
     }
 }
@@ -226,7 +227,7 @@ struct Hung {
         d.radius = 0.02;
         d.drag = 20.0;
         d.consistent_mass = true;
-        wire = w.add_wire(d);
+        wire = w.wires().add(d);
     }
 };
 
@@ -234,20 +235,20 @@ TEST(WireNodes, TakeBendsAndCapsulesWithThem) {
     Hung h;
     for (int i = 0; i < 300; ++i) ASSERT_EQ(h.w.step(), Status::ok);
     const std::size_t interactions = h.w.interactions().size(), shapes = h.w.shapes().size();
-    const double length = h.w.length(h.wire);
+    const double length = h.w.wires().length(h.wire);
     std::vector<BodyId> came;
     for (const std::size_t k : {15U, 10U, 5U, 0U})
-        came.push_back(h.w.insert_node(h.w.elements(h.wire)[k], 0.5));
+        came.push_back(h.w.wires().insert_node(h.w.wires().elements(h.wire)[k], 0.5));
     EXPECT_EQ(h.w.interactions().size(), interactions + 8);
     EXPECT_EQ(h.w.shapes().size(), shapes + 4);  // all new elements are between nodes
     for (int i = 0; i < 60; ++i) ASSERT_EQ(h.w.step(), Status::ok);
-    for (const BodyId id : came) EXPECT_TRUE(h.w.remove_node(id, 3.2));
+    for (const BodyId id : came) EXPECT_TRUE(h.w.wires().remove_node(id, 3.2));
     EXPECT_EQ(h.w.interactions().size(), interactions);
     EXPECT_EQ(h.w.shapes().size(), shapes);
-    EXPECT_NEAR(h.w.length(h.wire), length, 1e-3);
+    EXPECT_NEAR(h.w.wires().length(h.wire), length, 1e-3);
     for (int i = 0; i < 60; ++i) ASSERT_EQ(h.w.step(), Status::ok);
     EXPECT_EQ(h.w.verdict().grade, Grade::good);
-    h.w.remove_wire(h.wire);
+    h.w.wires().remove(h.wire);
     EXPECT_TRUE(h.w.interactions().empty());
     EXPECT_TRUE(h.w.shapes().empty());
 }
@@ -255,14 +256,14 @@ TEST(WireNodes, TakeBendsAndCapsulesWithThem) {
 TEST(WireNodes, LeaveTheTensionOfAWireAtRest) {
     Hung h;
     for (int i = 0; i < 3600; ++i) ASSERT_EQ(h.w.step(), Status::ok);
-    const auto pull = [&] { return -h.w.force(h.w.elements(h.wire).back())[0]; };
+    const auto pull = [&] { return -h.w.force(h.w.wires().elements(h.wire).back())[0]; };
     const double before = pull();
     BodyId node{};
     for (int edit = 0; edit < 2; ++edit) {
         if (edit == 0)
-            node = h.w.insert_node(h.w.elements(h.wire)[16], 0.5);
+            node = h.w.wires().insert_node(h.w.wires().elements(h.wire)[16], 0.5);
         else
-            EXPECT_TRUE(h.w.remove_node(node, 3.2));
+            EXPECT_TRUE(h.w.wires().remove_node(node, 3.2));
         for (int i = 0; i < 30; ++i) {
             ASSERT_EQ(h.w.step(), Status::ok);
             EXPECT_NEAR(pull(), before, 50.0) << edit << " " << i;
@@ -282,36 +283,37 @@ TEST(WireNodes, GoWhereTheyAreTheOnlyOne) {
     def.EA = kEA;
     def.mass_per_length = kDensity;
     def.consistent_mass = true;
-    const WireId wire = w.add_wire(def);
+    const WireId wire = w.wires().add(def);
     ASSERT_EQ(w.step(), Status::ok);
-    const BodyId lump = w.nodes(wire)[1];
+    const BodyId lump = w.wires().nodes(wire)[1];
     w.set_velocity(lump, {{0, 0, 0.1}, Vec3::Zero()});
-    const double pull = w.tension(wire, 2.0);
-    EXPECT_TRUE(w.remove_node(lump, 3.2));
-    ASSERT_EQ(w.elements(wire).size(), 1U);
+    const double pull = w.wires().tension(wire, 2.0);
+    EXPECT_TRUE(w.wires().remove_node(lump, 3.2));
+    ASSERT_EQ(w.wires().elements(wire).size(), 1U);
     ASSERT_EQ(w.step(), Status::ok);
-    EXPECT_NEAR(w.tension(wire, 2.0), pull, 50.0);  // like in the wire at rest, above
+    EXPECT_NEAR(w.wires().tension(wire, 2.0), pull, 50.0);  // like in the wire at rest, above
 }
 
 TEST(WireNodes, AreRefusedWhereTheyCannotBe) {
     Free f(8);
-    const InteractionId element = f.w.elements(f.wire)[3];
+    const InteractionId element = f.w.wires().elements(f.wire)[3];
     for (const double share : {0.0, 1.0, -0.5, std::nan("")})
-        EXPECT_THROW((void)f.w.insert_node(element, share), DefError) << share;
-    const BodyId end = f.w.nodes(f.wire)[0], node = f.w.nodes(f.wire)[3];
-    EXPECT_THROW((void)f.w.remove_node(end), DefError);
-    EXPECT_THROW((void)f.w.remove_node(node, -1.0), DefError);
+        EXPECT_THROW((void)f.w.wires().insert_node(element, share), DefError) << share;
+    const BodyId end = f.w.wires().nodes(f.wire)[0], node = f.w.wires().nodes(f.wire)[3];
+    EXPECT_THROW((void)f.w.wires().remove_node(end), DefError);
+    EXPECT_THROW((void)f.w.wires().remove_node(node, -1.0), DefError);
     InteractionDef held{.kind = InteractionKind::Distance};
     held.body = {node, f.w.add_body({.name = "load",
                                      .position = Vec3(0, 0, -30),
                                      .mass = 1.0,
                                      .inertia = Mat3::Identity()})};
     (void)f.w.add_interaction(held);
-    EXPECT_THROW((void)f.w.remove_node(node), DefError);
+    EXPECT_THROW((void)f.w.wires().remove_node(node), DefError);
     InteractionDef plain{.kind = InteractionKind::Stretch};
-    plain.body = {f.w.nodes(f.wire)[8], f.w.add_body({.name = "end", .kind = BodyKind::fixed})};
+    plain.body = {f.w.wires().nodes(f.wire)[8],
+                  f.w.add_body({.name = "end", .kind = BodyKind::fixed})};
     plain.set("EA", 1e6);
-    EXPECT_THROW((void)f.w.insert_node(f.w.add_interaction(plain), 0.5), DefError);
+    EXPECT_THROW((void)f.w.wires().insert_node(f.w.add_interaction(plain), 0.5), DefError);
 }
 
 }  // namespace

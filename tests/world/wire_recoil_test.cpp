@@ -34,12 +34,12 @@ struct Taut {
             def.EA = kStiff;
             def.mass_per_length = kDense;
             def.axial_damping = damping;
-            wire.push_back(w.add_wire(def));
+            wire.push_back(w.wires().add(def));
         }
     }
     [[nodiscard]] double speed(int k, int node) const {
         const BodyId id =
-            w.nodes(wire[static_cast<std::size_t>(k)])[static_cast<std::size_t>(node)];
+            w.wires().nodes(wire[static_cast<std::size_t>(k)])[static_cast<std::size_t>(node)];
         return w.velocity(id).linear.x();
     }
     void steps(int n) {
@@ -53,7 +53,7 @@ TEST(WireRecoil, IsTheSameAtAnyDamping) {
     for (const double damping : {0.0, 0.1, 1.0, 10.0, kDefault}) {
         Taut t(1, 201, 5.0, damping, 1.0 / 60);
         t.steps(4);
-        t.w.part(t.w.elements(t.wire[0])[100]);
+        t.w.wires().part(t.w.wires().elements(t.wire[0])[100]);
         std::vector<double> now;
         for (int i = 0; i < 12; ++i) {
             t.steps(1);
@@ -78,7 +78,7 @@ TEST(WireRecoil, TheWholePieceIsSlowerThanItsEnd) {
     for (const int fine : {0, 1}) {
         Taut t(1, 201, 5.0, 0.1, fine == 0 ? 1.0 / 60 : 1.0 / 240);
         t.steps(2);
-        t.w.part(t.w.elements(t.wire[0])[100]);
+        t.w.wires().part(t.w.wires().elements(t.wire[0])[100]);
         t.steps(fine == 0 ? 14 : 56);  // 0.23 s: the wave reached the end after 0.16 s
         double sum = 0.0;
         for (int node = 1; node <= 100; ++node) sum -= t.speed(0, node);
@@ -98,7 +98,7 @@ TEST(WireRecoil, BeginsBeforeTheFirstStepToo) {
     for (const int before : {0, 4}) {
         Taut t(1, 201, 5.0, 0.1, 1.0 / 60);
         t.steps(before);
-        t.w.part(t.w.elements(t.wire[0])[100]);
+        t.w.wires().part(t.w.wires().elements(t.wire[0])[100]);
         t.steps(6);
         speed[before == 0 ? 0 : 1] = t.speed(0, 100);
     }
@@ -113,10 +113,10 @@ TEST(WireRecoil, BeginsBeforeTheFirstStepToo) {
 TEST(WireRecoil, LeavesOtherWiresAlone) {
     Taut with(2, 40, 5.0, 0.3, 1.0 / 60), without(2, 40, 5.0, 0.3, 1.0 / 60);
     for (Taut* t : {&with, &without}) {
-        t->w.set_velocity(t->w.nodes(t->wire[1])[20], {Vec3(0.5, 0.2, 0.0), Vec3::Zero()});
+        t->w.set_velocity(t->w.wires().nodes(t->wire[1])[20], {Vec3(0.5, 0.2, 0.0), Vec3::Zero()});
         t->steps(3);
     }
-    with.w.part(with.w.elements(with.wire[0])[20]);
+    with.w.wires().part(with.w.wires().elements(with.wire[0])[20]);
     for (int i = 0; i < 60; ++i) {
         with.steps(1);
         without.steps(1);
@@ -133,8 +133,8 @@ TEST(WireRecoil, EndsAndDampersActAgain) {
         Taut t(1, 41, 20.0, 0.02, 1.0 / 960);
         t.steps(2);
         // The last element breaks: the rest is attached to no body, and is held by hand.
-        const auto nodes = t.w.nodes(t.wire[0]);
-        if (parted) t.w.part(t.w.elements(t.wire[0])[40]);
+        const auto nodes = t.w.wires().nodes(t.wire[0]);
+        if (parted) t.w.wires().part(t.w.wires().elements(t.wire[0])[40]);
         t.steps(960);
         for (std::size_t i = 1; i < 41; ++i) {
             t.w.set_pose(nodes[i],
@@ -160,35 +160,35 @@ TEST(WireRecoil, IsSavedAndRestored) {
     const auto world = [] { return Taut(2, 60, 4.0, 0.1, 1.0 / 240); };
     Taut t = world();
     t.steps(5);
-    t.w.part(t.w.elements(t.wire[0])[17]);
+    t.w.wires().part(t.w.wires().elements(t.wire[0])[17]);
     std::vector<std::vector<std::byte>> saved;
     std::vector<std::uint64_t> hash;
     for (int i = 0; i < 40; ++i) {
-        saved.push_back(t.w.save());
-        hash.push_back(t.w.state_hash());
+        saved.push_back(t.w.state().save());
+        hash.push_back(t.w.state().hash());
         t.steps(1);
     }
     Taut other = world();
     for (std::size_t i = 0; i < saved.size(); i += 3) {
-        other.w.restore(saved[i]);
+        other.w.state().restore(saved[i]);
         for (std::size_t k = i; k < hash.size(); ++k) {
-            ASSERT_EQ(other.w.state_hash(), hash[k]) << "saved at " << i << ", step " << k;
+            ASSERT_EQ(other.w.state().hash(), hash[k]) << "saved at " << i << ", step " << k;
             other.steps(1);
         }
     }
     World copy = t.w.twin();
-    EXPECT_EQ(copy.state_hash(), t.w.state_hash());
+    EXPECT_EQ(copy.state().hash(), t.w.state().hash());
 }
 
 /// Edits beside it, and of the wire itself, do not end the recoil.
 TEST(WireRecoil, GoesOnThroughEdits) {
     Taut t(1, 201, 5.0, 0.1, 1.0 / 60);
     t.steps(4);
-    t.w.part(t.w.elements(t.wire[0])[100]);
+    t.w.wires().part(t.w.wires().elements(t.wire[0])[100]);
     t.steps(1);
     (void)t.w.add_body({.kind = BodyKind::fixed});
     t.steps(1);
-    t.w.part(t.w.elements(t.wire[0])[2]);
+    t.w.wires().part(t.w.wires().elements(t.wire[0])[2]);
     (void)t.w.add_body({.kind = BodyKind::fixed});
     t.steps(4);
     const double v = kTaut / std::sqrt(kStiff * kDense);

@@ -58,7 +58,7 @@ void weigh(const World& world, const base::HeldTogether& afloat, double gravity,
         const double tension = start_tension(world, id);
         if (!(tension > 0.0)) continue;
         const InteractionDef& def = world.interaction_def(id);
-        const RowsView view = world.rows(id);
+        const RowsView view = world.solver().rows(id);
         for (std::size_t b = 0; b < static_cast<std::size_t>(kind_info(def.kind).bodies); ++b) {
             if (world.body_def(def.body[b]).kind == BodyKind::scalar) continue;
             const auto found = floats.find(afloat.group(def.body[b]));

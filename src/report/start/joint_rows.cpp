@@ -66,7 +66,7 @@ JointRows::JointRows(const World& world) {
         if (kind_info(def.kind).is(kElastic) || kind_info(def.kind).is(kFrictionKind) ||
             is_open_range(def))
             continue;
-        const RowsView view = world.rows(id);
+        const RowsView view = world.solver().rows(id);
         Joint joint{.id = id, .row_begin = static_cast<std::int32_t>(rows_)};
         for (std::size_t r = 0; r < index(view.rows); ++r) {
             const double felt = kFelt * mobility(world, def, view, r);
@@ -136,7 +136,7 @@ void JointRows::build_pattern() {
 void JointRows::write_row(const World& world, const Joint& joint) {
     const auto j = static_cast<std::size_t>(&joint - joints_.data());
     const InteractionDef& def = world.interaction_def(joint.id);
-    const RowsView view = world.rows(joint.id);
+    const RowsView view = world.solver().rows(joint.id);
     const auto nodes = static_cast<std::int32_t>(pattern_.size.size());
     double* const own = &values_[static_cast<std::size_t>(
         factor_.value_begin(static_cast<std::int32_t>(bodies_.size() + j)))];

@@ -54,7 +54,7 @@ void report(const World& world, const std::string& name, const std::string& what
 double start_tension(const World& world, InteractionId id) {
     const InteractionDef& def = world.interaction_def(id);
     if (!kind_info(def.kind).is(kWireElement)) return 0.0;
-    const RowsView view = world.rows(id);
+    const RowsView view = world.solver().rows(id);
     return view.compliance[0] > 0.0 ? std::max(0.0, view.violation[0] / view.compliance[0]) : 0.0;
 }
 

@@ -89,7 +89,7 @@ void check_drag(const record::SceneInfo& scene, const World& world, const SeaDef
             if (world.body_def(id).kind != BodyKind::scalar)
                 deepest = std::max(deepest, level - world.pose(id).position.z());
         if (!(deepest > kInTheSea)) continue;
-        const WireId wire = world.find_wire(cable.name);
+        const WireId wire = world.wires().find(cable.name);
         const auto line = std::find_if(sea.lines.begin(), sea.lines.end(),
                                        [&](const WaterLine& l) { return l.wire == wire; });
         const bool wet = wire.valid() && line != sea.lines.end();

@@ -122,7 +122,7 @@ class Statics {
 
     /// Write the diagonal of G M⁻¹ Gᵀ, with the largest mass or moment of each column.
     std::int32_t write_rows(std::int32_t i, std::int32_t edge) {
-        const RowsView view = world_.rows(id_of(i));
+        const RowsView view = world_.solver().rows(id_of(i));
         const InteractionDef& def = world_.interaction_def(id_of(i));
         const auto rows = index_of(view.rows);
         double* const own = &values_[index_of64(factor_.value_begin(row_node(i)))];

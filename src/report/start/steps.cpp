@@ -126,7 +126,7 @@ double pull_at_ends(const World& world, const record::CableInfo& cable, const Ca
 /// True if the sea acts on the cable.
 bool in_the_sea(const World& world, const std::string& cable) {
     const SeaDef* sea = find_sea(world);
-    const WireId wire = world.find_wire(cable);
+    const WireId wire = world.wires().find(cable);
     return sea != nullptr && wire.valid() &&
            std::any_of(sea->lines.begin(), sea->lines.end(),
                        [&](const WaterLine& line) { return line.wire == wire; });
