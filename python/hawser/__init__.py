@@ -26,7 +26,7 @@ _LAZY = {
     "World": "_core", "System": "_core", "State": "_core", "Body": "_core",
     "Interaction": "_core", "Wire": "_core", "Shape": "_core", "Material": "_core",
     "Input": "_core", "Output": "_core", "Step": "_core", "Loads": "_core",
-    "instruction_set": "_core", "Recording": "recording",
+    "instruction_set": "_core", "Recording": "recording", "Batch": "batch",
 }
 
 __all__ = ["stats", "table", "Error", "DefError", "RemovedError", "SceneError", "LimitError",
@@ -35,6 +35,7 @@ __all__ = ["stats", "table", "Error", "DefError", "RemovedError", "SceneError", 
 if TYPE_CHECKING:
     from ._core import (Body, Input, Interaction, Loads, Material, Output, Shape, State, Step,
                         System, Wire, World, instruction_set)
+    from .batch import Batch
     from .recording import Recording
     from .session import Event, Session, load
 

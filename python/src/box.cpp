@@ -164,8 +164,8 @@ Status WorldBox::step_once(std::int64_t& left) {
 
 void WorldBox::step(std::int64_t count) {
     check_thread();
-    if (count < 0) throw py::value_error("the number of steps must be >= 0, it is " +
-                                         std::to_string(count));
+    if (count < 0)
+        throw py::value_error("the number of steps must be >= 0, it is " + std::to_string(count));
     if (running_) throw UseError("step: called from within a step; do it between steps");
     events_.clear();
     std::int64_t left = count;
@@ -174,7 +174,8 @@ void WorldBox::step(std::int64_t count) {
         const Status status = step_once(left);
         refresh_arrays();
         if (events_.size() > kMostEvents)
-            events_.erase(events_.begin(), events_.end() - static_cast<std::ptrdiff_t>(kMostEvents));
+            events_.erase(events_.begin(),
+                          events_.end() - static_cast<std::ptrdiff_t>(kMostEvents));
         if (error_) {
             const std::unique_ptr<py::error_already_set> error = std::move(error_);
             throw py::error_already_set(*error);
@@ -230,9 +231,8 @@ py::object WorldBox::array(StateArray which) {
     memories_.push_back(memory);
     present_[i] = memory;
     const double* const data = memory->data;
-    const py::capsule owner(new std::shared_ptr<StateMemory>(std::move(memory)), [](void* p) {
-        delete static_cast<std::shared_ptr<StateMemory>*>(p);
-    });
+    const py::capsule owner(new std::shared_ptr<StateMemory>(std::move(memory)),
+                            [](void* p) { delete static_cast<std::shared_ptr<StateMemory>*>(p); });
     py::array_t<double> made(shape, data, owner);
     made.attr("flags").attr("writeable") = false;
     arrays_[i] = made;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file box.h
-/// Shared owner of a world: exclusive use by one thread, numpy arrays on its state, errors raised in
-/// callbacks.
+/// Shared owner of a world: exclusive use by one thread, numpy arrays on its state, errors raised
+/// in callbacks.
 
 #include <hawser/hawser.h>
 #include <hawser/session.h>
@@ -63,6 +63,8 @@ class WorldBox : public std::enable_shared_from_this<WorldBox> {
     /// longer step if an interrupt arrives.
     /// @throws StepFailed, py::error_already_set (of a callback or a signal handler).
     void step(std::int64_t count);
+    /// Cancel the running step, or else the next one. Any thread may call it.
+    void cancel() noexcept { world_->cancel(); }
     /// Update arrays whose memory the world has released. Call it after each change.
     void refresh_arrays();
     /// Return the present array, without a copy.

@@ -45,7 +45,7 @@ py::array_t<double> numbers(py::handle given, const std::string& field,
         throw py::value_error(field + ": expected " + wanted + " and dtype float64, got shape " +
                               shape_text(found) + " and dtype " +
                               py::str(array.dtype()).cast<std::string>());
-    auto out = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(array);
+    auto out = py::array_t < double, py::array::c_style | py::array::forcecast > ::ensure(array);
     if (!out) throw py::error_already_set();
     const double* const data = out.data();
     for (py::ssize_t i = 0; i < out.size(); ++i)

@@ -119,8 +119,7 @@ E word(py::handle given, const std::string& field) {
         if (name == w.text) return w.value;
         all.emplace_back(w.text);
     }
-    throw py::value_error(field + ": \"" + name + "\" is none of its values" +
-                          nearest(name, all));
+    throw py::value_error(field + ": \"" + name + "\" is none of its values" + nearest(name, all));
 }
 
 template <class T>

@@ -3,7 +3,9 @@
 #include "convert.h"
 #include "system.h"
 
-#include <hawser/settings.h>
+#include <algorithm>
+#include <string_view>
+#include <type_traits>
 
 namespace hawser::python {
 namespace {
@@ -17,6 +19,10 @@ void method(WorldClass& c, const char* name, const char* doc, F add) {
     c.def(
         name,
         [add, path](const Box& box, const py::kwargs& given) {
+            if (given.contains("from_")) {  // `from` is a keyword of Python
+                given["from"] = given["from_"];
+                given.attr("pop")("from_");
+            }
             Def def;
             Reader::read(*box, given, path, def);
             World& world = box->read();
@@ -54,7 +60,8 @@ py::object add_interaction(const Box& box, const std::string& kind, const py::se
                               " bodies, got " + std::to_string(py::len(bodies)));
     for (std::size_t i = 0; i < py::len(bodies); ++i)
         def.body[i] = find_id<BodyId>(*box, py::object(bodies[i]), "bodies");
-    std::vector<std::string> known{"name", "points", "frames", "compliance", "damping_time", "loads"};
+    std::vector<std::string> known{"name",       "points",       "frames",
+                                   "compliance", "damping_time", "loads"};
     for (const ParamInfo& p : info->params) known.emplace_back(p.name);
     for (const auto& [key, value] : given) {
         const auto field = py::str(key).cast<std::string>();

@@ -43,8 +43,8 @@ void add_name(HandleClass<Id>& c, F name) {
                                      (Kind<Id>::name + 1);
             if (!h.alive()) return kind + " removed>";
             const std::string text = name(h.checked()->read(), h.id);
-            return kind + " " + std::to_string(h.id.index) + (text.empty() ? "" : " \"" + text + "\"") +
-                   ">";
+            return kind + " " + std::to_string(h.id.index) +
+                   (text.empty() ? "" : " \"" + text + "\"") + ">";
         });
 }
 
@@ -90,14 +90,16 @@ void bind_body(py::module_& module) {
             "mass", [](const B& b) { return b.checked()->read().body_def(b.id).mass; },
             "Mass as defined [kg]; scalar: [kg] or [kg m²].")
         .def_property_readonly(
-            "position", [](const B& b) { return python::array_of(b.checked()->read().pose(b.id).position); },
+            "position",
+            [](const B& b) { return python::array_of(b.checked()->read().pose(b.id).position); },
             "Position of the centre of mass, world frame [m]; scalar: the coordinate first.")
         .def_property_readonly(
             "orientation",
             [](const B& b) { return array_of(b.checked()->read().pose(b.id).orientation); },
             "Quaternion w, x, y, z from body frame to world frame.")
         .def_property_readonly(
-            "velocity", [](const B& b) { return python::array_of(b.checked()->read().velocity(b.id).linear); },
+            "velocity",
+            [](const B& b) { return python::array_of(b.checked()->read().velocity(b.id).linear); },
             "Velocity of the centre of mass at time − h/2, world frame [m/s].")
         .def_property_readonly(
             "angular_velocity",
@@ -161,16 +163,14 @@ void bind_body(py::module_& module) {
 void bind_interaction(py::module_& module) {
     using I = Handle<InteractionId>;
     auto c = handle_class<InteractionId>(module, "Interaction", "Interaction of a world.");
-    add_name<InteractionId>(c, [](World& w, InteractionId id) { return w.interaction_def(id).name; });
+    add_name<InteractionId>(c,
+                            [](World& w, InteractionId id) { return w.interaction_def(id).name; });
     c.def_property_readonly(
          "kind",
-         [](const I& i) {
-             return kind_info(i.checked()->read().interaction_def(i.id).kind).name;
-         },
+         [](const I& i) { return kind_info(i.checked()->read().interaction_def(i.id).kind).name; },
          "Name of the kind, as in scene files.")
         .def_property_readonly(
-            "force",
-            [](const I& i) { return python::array_of(i.checked()->read().force(i.id)); },
+            "force", [](const I& i) { return python::array_of(i.checked()->read().force(i.id)); },
             "Force of each row in the last step [N or N m]; a line in tension has force[0] < 0.")
         .def_property_readonly(
             "coordinate", [](const I& i) { return i.checked()->read().coordinate(i.id); },
@@ -243,9 +243,9 @@ void bind_wire(py::module_& module) {
          "tension", tensions,
          "Tension of each element in the last step, from the first end [N]; 0: slack or broken.")
         .def(
-            "tension_at",
-            [](const W& w, double s) { return w.checked()->read().tension(w.id, s); },
-            py::arg("s"), "Return the tension at the material coordinate s [m] in the last step [N].")
+            "tension_at", [](const W& w, double s) { return w.checked()->read().tension(w.id, s); },
+            py::arg("s"),
+            "Return the tension at the material coordinate s [m] in the last step [N].")
         .def_property_readonly(
             "length", [](const W& w) { return w.checked()->read().length(w.id); },
             "Unstretched length [m].")
@@ -301,7 +301,9 @@ void bind_wire(py::module_& module) {
             "Attach an end (0 or 1) to a point in a body's frame [m].")
         .def(
             "detach",
-            [](const W& w, int end) { change(w, [&](World& of, WireId id) { of.detach(id, end); }); },
+            [](const W& w, int end) {
+                change(w, [&](World& of, WireId id) { of.detach(id, end); });
+            },
             py::arg("end"), "Release an end (0 or 1) from gear or from a body.")
         .def(
             "remove",
@@ -316,8 +318,7 @@ void bind_values(py::module_& module) {
     add_name<InputId>(input, [](World& w, InputId id) { return w.input_def(id).name; });
     input
         .def_property(
-            "value",
-            [](const Handle<InputId>& h) { return h.checked()->read().input(h.id); },
+            "value", [](const Handle<InputId>& h) { return h.checked()->read().input(h.id); },
             [](const Handle<InputId>& h, py::handle value) {
                 const double v = number(value, "value");
                 change(h, [&](World& w, InputId id) { w.set_input(id, v); });
@@ -330,7 +331,8 @@ void bind_values(py::module_& module) {
             "max", [](const Handle<InputId>& h) { return h.checked()->read().input_def(h.id).max; },
             "Upper limit.")
         .def_property_readonly(
-            "unit", [](const Handle<InputId>& h) { return h.checked()->read().input_def(h.id).unit; },
+            "unit",
+            [](const Handle<InputId>& h) { return h.checked()->read().input_def(h.id).unit; },
             "Unit label.")
         .def(
             "remove",

@@ -63,10 +63,9 @@ py::tuple poses(const Recording& r) {
             const auto at = static_cast<std::size_t>(b);
             const bool there = at < f.there.size() && f.there[at];
             const Pose pose = at < f.poses.size() ? f.poses[at] : Pose{};
-            const double turn[] = {pose.orientation.w(), pose.orientation.x(),
-                                   pose.orientation.y(), pose.orientation.z()};
-            for (int k = 0; k < 3; ++k)
-                x.mutable_at(i, b, k) = there ? pose.position[k] : kDefault;
+            const double turn[] = {pose.orientation.w(), pose.orientation.x(), pose.orientation.y(),
+                                   pose.orientation.z()};
+            for (int k = 0; k < 3; ++k) x.mutable_at(i, b, k) = there ? pose.position[k] : kDefault;
             for (int k = 0; k < 4; ++k) q.mutable_at(i, b, k) = there ? turn[k] : kDefault;
         }
     });

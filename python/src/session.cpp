@@ -56,13 +56,12 @@ std::unique_ptr<SessionFace> start(const std::string& file, const std::string& s
         const py::gil_scoped_release release;
         scene::Scene scene = scene_text.empty() ? scene::load_file(file, options)
                                                 : scene::load_text(scene_text, file, options);
-        session = std::make_unique<Session>(
-            std::move(scene), SessionDef{.restore = restore,
-                                         .control = control,
-                                         .record = record,
-                                         .csv = csv,
-                                         .every = every,
-                                         .verify = verify});
+        session = std::make_unique<Session>(std::move(scene), SessionDef{.restore = restore,
+                                                                         .control = control,
+                                                                         .record = record,
+                                                                         .csv = csv,
+                                                                         .every = every,
+                                                                         .verify = verify});
     }
     return std::make_unique<SessionFace>(
         SessionFace{std::make_shared<WorldBox>(std::move(session)), ""});
@@ -155,8 +154,8 @@ void bind_reading(SessionClass& c) {
         .def_property_readonly(
             "cables", [scene](const SessionFace& s) { return cables(scene(s), s.box); },
             "Cables of the scene with nodes and elements.")
-        .def_property_readonly(
-            "_signal_inputs", [scene](const SessionFace& s) { return signal_inputs(scene(s)); })
+        .def_property_readonly("_signal_inputs",
+                               [scene](const SessionFace& s) { return signal_inputs(scene(s)); })
         .def(
             "_events",
             [](const SessionFace& s, const py::object& type) {
@@ -184,7 +183,8 @@ void bind_session(py::module_& module) {
           py::arg("csv") = "", py::arg("every") = 1, py::arg("verify") = false);
     bind_reading(c);
     c.def(
-         "_step", [](const SessionFace& s, std::int64_t count) {
+         "_step",
+         [](const SessionFace& s, std::int64_t count) {
              static_cast<void>(s.box->session());
              s.box->step(count);
          },
@@ -196,8 +196,7 @@ void bind_session(py::module_& module) {
             },
             py::arg("name"), py::arg("value"),
             "Set an input from the next step on. Raises DefError with the nearest name.")
-        .def(
-            "_save", [](const SessionFace& s) { return save_state(s.box->session().world()); })
+        .def("_save", [](const SessionFace& s) { return save_state(s.box->session().world()); })
         .def(
             "_save_file",
             [](const SessionFace& s, const std::string& file) { s.box->session().save(file); },
@@ -237,8 +236,8 @@ void bind_session(py::module_& module) {
             py::arg("interrupted") = false,
             "Close the files. Return \"finished\", \"interrupted\" or \"failed\".")
         .def(
-            "cancel", [](const SessionFace& s) { s.box->session().cancel(); },
-            "Cancel the next step.");
+            "cancel", [](const SessionFace& s) { s.box->cancel(); },
+            "Cancel the running step, or else the next one. Other threads may call it.");
     module.def(
         "_session_of_world",
         [](const Box& box) {

@@ -117,8 +117,7 @@ Eigen::MatrixXd matrix(py::handle given, const std::string& field) {
     const auto a = numbers(given, field, {-1, -1});
     if (a.shape(0) != a.shape(1) || a.shape(0) > 6)
         throw py::value_error(field + ": expected a square matrix of up to 6 rows, got shape (" +
-                              std::to_string(a.shape(0)) + ", " + std::to_string(a.shape(1)) +
-                              ")");
+                              std::to_string(a.shape(0)) + ", " + std::to_string(a.shape(1)) + ")");
     Eigen::MatrixXd out(a.shape(0), a.shape(1));
     for (py::ssize_t i = 0; i < a.shape(0); ++i)
         for (py::ssize_t j = 0; j < a.shape(1); ++j) out(i, j) = a.at(i, j);
@@ -218,10 +217,11 @@ void bind_systems(py::module_& module) {
         core.signals.push_back(std::move(signal));
     };
     py::class_<SystemCore, std::shared_ptr<SystemCore>>(
-        module, "System", py::dynamic_attr(),
+        module, "System",
         "Component that acts on a world at the start of each step. Derive from it, call\n"
         "``super().__init__(name)``, and define ``prestep(self, step, loads)``.\n\n"
-        "An exception in prestep() makes the step fail without effect, and World.step() raises it.\n"
+        "An exception in prestep() makes the step fail without effect, and World.step() raises "
+        "it.\n"
         "Later steps may depend on values in `state` and signals only: these are saved, restored,\n"
         "hashed, and undone if a step fails.\n\n"
         "Optional methods: ``holds()`` returns handles of objects that must not be removed.\n"
@@ -245,11 +245,9 @@ void bind_systems(py::module_& module) {
         .def(
             "add_input",
             [add](SystemCore& core, const std::string& name, const std::string& unit, double value,
-                  double min, double max) {
-                add(core, {name, unit, value, true, min, max});
-            },
-            py::arg("name"), py::arg("unit") = "", py::arg("value") = 0.0,
-            py::arg("min") = -1e300, py::arg("max") = 1e300,
+                  double min, double max) { add(core, {name, unit, value, true, min, max}); },
+            py::arg("name"), py::arg("unit") = "", py::arg("value") = 0.0, py::arg("min") = -1e300,
+            py::arg("max") = 1e300,
             "Add a signal that may be set between steps as \"system.signal\".")
         .def(
             "add_output",

@@ -21,8 +21,8 @@ struct SystemCore {
         double min = -1e300, max = 1e300;
     };
     std::string name;
-    std::deque<Signal> signals;  ///< The world stores addresses of the values.
-    std::vector<double> state;   ///< Numbers on which later steps depend.
+    std::deque<Signal> signals;      ///< The world stores addresses of the values.
+    std::vector<double> state;       ///< Numbers on which later steps depend.
     SystemBridge* bridge = nullptr;  ///< Null: in no world.
 
     SystemCore(std::string name_, std::size_t numbers)

@@ -20,9 +20,9 @@ void set_setting(WorldDef& def, const SettingInfo& info, py::handle value) {
     const std::string field = info.name;
     const auto check = [&](double v) {
         if (!(v >= info.min && v <= info.max))
-            throw DefError(field + ": " + std::to_string(v) + " is out of range: " +
-                           std::to_string(info.min) + " to " + std::to_string(info.max) + " " +
-                           info.unit);
+            throw DefError(field + ": " + std::to_string(v) +
+                           " is out of range: " + std::to_string(info.min) + " to " +
+                           std::to_string(info.max) + " " + info.unit);
         return v;
     };
     switch (info.type) {
@@ -47,7 +47,8 @@ void set_setting(WorldDef& def, const SettingInfo& info, py::handle value) {
         if (word == info.words[i]) return info.set(def, 0, static_cast<double>(i));
         names.emplace_back(info.words[i]);
     }
-    throw py::value_error(field + ": \"" + word + "\" is none of its values" + nearest(word, names));
+    throw py::value_error(field + ": \"" + word + "\" is none of its values" +
+                          nearest(word, names));
 }
 
 WorldDef world_def(const py::kwargs& given) {
@@ -68,14 +69,16 @@ WorldDef world_def(const py::kwargs& given) {
 std::string settings_doc() {
     std::string doc =
         "Bodies, interactions, and the step that moves them.\n\n"
-        "`position`, `orientation` and `velocity` are read-only arrays on the memory of the world.\n"
+        "`position`, `orientation` and `velocity` are read-only arrays on the memory of the "
+        "world.\n"
         "They follow each step, and stay valid after additions and after the world's end.\n\n"
         "Parameters\n----------\n";
     for (const SettingInfo& s : setting_infos()) {
         const char* const types[] = {"float", "int", "bool", "str", "three numbers"};
-        doc += std::string(s.name) + " : " + types[static_cast<std::size_t>(s.type)] + ", optional\n";
-        doc += std::string("    ") + s.doc + (*s.unit != '\0' ? std::string(" [") + s.unit + "]" : "") +
-               "\n";
+        doc +=
+            std::string(s.name) + " : " + types[static_cast<std::size_t>(s.type)] + ", optional\n";
+        doc += std::string("    ") + s.doc +
+               (*s.unit != '\0' ? std::string(" [") + s.unit + "]" : "") + "\n";
     }
     return doc;
 }
@@ -133,10 +136,10 @@ py::object contacts_of(const std::vector<ContactView>& contacts) {
 py::dict energy_of(const Energy& e) {
     py::dict out;
     const std::pair<const char*, double> all[] = {
-        {"kinetic", e.kinetic},   {"gravity", e.gravity},   {"elastic", e.elastic},
-        {"applied", e.applied},   {"driven", e.driven},     {"dissipated", e.dissipated},
-        {"friction", e.friction}, {"contact", e.contact},   {"damped", e.damped},
-        {"added", e.added},       {"system", e.system},     {"water", e.water},
+        {"kinetic", e.kinetic},   {"gravity", e.gravity},        {"elastic", e.elastic},
+        {"applied", e.applied},   {"driven", e.driven},          {"dissipated", e.dissipated},
+        {"friction", e.friction}, {"contact", e.contact},        {"damped", e.damped},
+        {"added", e.added},       {"system", e.system},          {"water", e.water},
         {"edited", e.edited},     {"mechanical", e.mechanical()}};
     for (const auto& [name, value] : all) out[name] = value;
     return out;
@@ -232,7 +235,8 @@ void bind_state(WorldClass& c) {
         .def_property_readonly(
             "velocity", [](const Box& b) { return b->array(StateArray::velocity); },
             "Packed velocities at time − h/2, world frame [m/s, rad/s]: 6 for a rigid body, 3 for\n"
-            "a lump, 1 for a scalar body, 0 for others. `velocity_begin` has the first entry of each.")
+            "a lump, 1 for a scalar body, 0 for others. `velocity_begin` has the first entry of "
+            "each.")
         .def_property_readonly(
             "velocity_begin",
             [](const Box& b) {
@@ -291,17 +295,18 @@ void bind_objects(WorldClass& c) {
             "outputs", [](const Box& b) { return handles_of(b, b->read().output_ids()); },
             "All outputs.")
         .def_property_readonly(
-            "output_values",
-            [](const Box& b) { return array_of(b->read().outputs()); },
+            "output_values", [](const Box& b) { return array_of(b->read().outputs()); },
             "Values of all outputs by index, in SI units; NaN if removed.")
         .def("body", find<BodyId>, py::arg("name"), "Return the body of a name. Raises KeyError.")
         .def("interaction", find<InteractionId>, py::arg("name"),
              "Return the interaction of a name. Raises KeyError.")
         .def("wire", find<WireId>, py::arg("name"), "Return the wire of a name. Raises KeyError.")
-        .def("shape", find<ShapeId>, py::arg("name"), "Return the shape of a name. Raises KeyError.")
+        .def("shape", find<ShapeId>, py::arg("name"),
+             "Return the shape of a name. Raises KeyError.")
         .def("material", find<MaterialId>, py::arg("name"),
              "Return the material of a name. Raises KeyError.")
-        .def("input", find<InputId>, py::arg("name"), "Return the input of a name. Raises KeyError.")
+        .def("input", find<InputId>, py::arg("name"),
+             "Return the input of a name. Raises KeyError.")
         .def("output", find<OutputId>, py::arg("name"),
              "Return the output of a name. Raises KeyError.")
         .def_property_readonly(
@@ -347,9 +352,9 @@ void bind_calls(WorldClass& c) {
          "UseError\n    If another thread uses the world.\n"
          "KeyboardInterrupt\n    After Ctrl-C, within 0.1 s; the state is the last good one.")
         .def(
-            "cancel",
-            [](const Box& b) { b->read().cancel(); },
-            "Cancel the next step: it raises StepError with status \"cancelled\".")
+            "cancel", [](const Box& b) { b->cancel(); },
+            "Cancel the running step, or else the next one: it raises StepError with status\n"
+            "\"cancelled\". Other threads may call it.")
         .def(
             "prepare",
             [](const Box& b) {
@@ -392,8 +397,9 @@ void bind_calls(WorldClass& c) {
         .def("__repr__", [](const Box& b) {
             World& w = b->read();
             return "<hawser.World: " + std::to_string(w.bodies().size()) + " bodies, " +
-                   std::to_string(w.interactions().size()) + " interactions, t = " +
-                   py::str(py::float_(w.time())).cast<std::string>() + " s>";
+                   std::to_string(w.interactions().size()) +
+                   " interactions, t = " + py::str(py::float_(w.time())).cast<std::string>() +
+                   " s>";
         });
 }
 

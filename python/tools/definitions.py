@@ -16,6 +16,7 @@ Python form; scene files set them.
 from __future__ import annotations
 
 import dataclasses
+import keyword
 import pathlib
 import re
 import sys
@@ -259,6 +260,11 @@ def python_type(kind: str, owner: str, structs: dict[str, Struct],
     raise ValueError(f"{owner}: no Python form of {kind}")
 
 
+def python_name(name: str) -> str:
+    """Return the name of a keyword argument."""
+    return name + "_" if keyword.iskeyword(name) else name
+
+
 def default_of(field: Field) -> str:
     """Return a default for docstrings; "" if it says nothing."""
     text = field.default.rstrip("f")
@@ -279,7 +285,7 @@ def described(struct: Struct, structs: dict[str, Struct], enums: dict[str, list[
         default = default_of(field)
         required = "Required." in field.doc
         tail = "" if required else f", default {default}" if default else ", optional"
-        lines.append(f"{indent}{field.name} : {word}{tail}")
+        lines.append(f"{indent}{python_name(field.name)} : {word}{tail}")
         doc = re.sub(r"\s*Required\.", "", field.doc)
         lines += textwrap.wrap(doc, 88 - len(indent), initial_indent=indent + "    ",
                                subsequent_indent=indent + "    ")
@@ -310,7 +316,7 @@ def stub(method: str, struct: Struct, first: str, result: str, structs: dict[str
     for field in kept(struct):
         kind, _ = python_type(field.type, struct.name, structs, enums)
         optional = kind if kind.endswith("None") else f"{kind} | None"
-        lines.append(f"        {field.name}: {optional} = ...,")
+        lines.append(f"        {python_name(field.name)}: {optional} = ...,")
     return "\n".join([*lines, f"    ) -> {result}: ..."])
 
 
