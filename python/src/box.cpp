@@ -27,6 +27,8 @@ constexpr double kLongStep = 2e-3;
 std::atomic<World*> interruptible{nullptr};
 std::atomic<bool> interrupted{false};
 void (*earlier_handler)(int) = nullptr;
+/// World with a request to cancel that came after its last step; its next step is repeated.
+const World* cancelled_late = nullptr;
 
 extern "C" void cancel_step(int signal) {
     interrupted = true;
@@ -173,6 +175,9 @@ void WorldBox::step(std::int64_t count) {
         interrupted = false;
         const Status status = step_once(left);
         refresh_arrays();
+        const bool late = status == Status::cancelled && cancelled_late == world_;
+        if (late) cancelled_late = nullptr;
+        if (interrupted && status != Status::cancelled) cancelled_late = world_;
         if (events_.size() > kMostEvents)
             events_.erase(events_.begin(),
                           events_.end() - static_cast<std::ptrdiff_t>(kMostEvents));
@@ -181,7 +186,7 @@ void WorldBox::step(std::int64_t count) {
             throw py::error_already_set(*error);
         }
         if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-        if (status == Status::cancelled && interrupted) {
+        if (status == Status::cancelled && (interrupted || late)) {
             ++left;  // The handler of the signal went on: so does the run, with the same step.
             continue;
         }
