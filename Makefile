@@ -9,7 +9,7 @@ DEMO   := out/demo
 VIEW_PORT ?= 8080
 CXX_FILES = git ls-files -co --exclude-standard '*.cpp' '*.h'
 
-.PHONY: help demo view page test test-full test-long test-page test-bare test-view-bare test-export test-python build bench docs format format-check layers words tidy check check-full mutants release clean packages
+.PHONY: help demo view page test test-full test-long test-page test-bare test-view-bare test-export test-python python wheel build bench docs format format-check layers words tidy check check-full mutants release clean packages
 .NOTPARALLEL:
 
 help:
@@ -23,7 +23,9 @@ help:
 	@echo "make test-bare  demo and test in a bare Debian 12 that debootstrap makes: root, network, minutes"
 	@echo "make test-view-bare  make view in a bare Debian 12, and its program in one without node"
 	@echo "make test-export  export 60 s of anchor_contact to glTF and VTK, check with other readers"
-	@echo "make test-python  statistics in Python: numpy"
+	@echo "make python     the Python package in build/$(PRESET)/python"
+	@echo "make test-python  build the Python package, run its tests"
+	@echo "make wheel      pack it into a wheel in build/$(PRESET)/wheel"
 	@echo "make bench      build with the foreign engines installed, run the comparisons"
 	@echo "make docs       documentation site and C++ reference in build/docs (index: docs/index.html)"
 	@echo "make build      build the program and the tests (PRESET=$(PRESET); others: debug relassert asan-ubsan tsan)"
@@ -122,9 +124,17 @@ test-export: build
 	@node scripts/check_gltf.mjs $(EXPORT) $(EXPORT)/run.glb
 	@/usr/bin/python3 scripts/check_export.py $(EXPORT)/run.hwr $(EXPORT)/run.glb $(EXPORT)/run.pvd
 
-test-python:
+# The package with its compiled part in build/PRESET/python, for Debian's interpreter.
+python: packages
 	@scripts/install_packages.sh python
-	@/usr/bin/python3 -m unittest discover -s python/tests
+	@cmake --preset $(PRESET) -DHAWSER_PYTHON=ON >/dev/null
+	@cmake --build build/$(PRESET) -j $(JOBS) --target hawser_python hawser_program
+
+test-python: python
+	@HAWSER_BUILD=build/$(PRESET) /usr/bin/python3 -m pytest -q python/tests
+
+wheel: python
+	@scripts/make_wheel.sh build/$(PRESET)
 
 bench:
 	@scripts/install_packages.sh build bench

@@ -223,6 +223,12 @@ if(NOT HAWSER_SANITIZE)
         COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/scripts/test_scripts.py")
     set_tests_properties(scripts PROPERTIES LABELS quick)
 
+    # Statistics in Python need numpy only. Without numpy the test is skipped.
+    set(HAWSER_PYTHON_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "Interpreter of the Python package")
+    add_test(NAME python.quick
+        COMMAND "${HAWSER_PYTHON_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/python/tests/quick.py")
+    set_tests_properties(python.quick PROPERTIES LABELS quick SKIP_RETURN_CODE 77)
+
     if(HAWSER_CCACHE AND HAWSER_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
         add_test(NAME compiler_cache
             COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/scripts/test_cache.py"

@@ -1,11 +1,59 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Hawser for Python: statistics of results.
+"""Hawser for Python: real-time multibody dynamics of ships, cranes, winches, rigs and cables.
 
-`hawser.stats` works on numpy arrays, `hawser.table` reads tables that `hawser run --csv` wrote, and
-`python3 -m hawser FILE.csv` prints the statistics of each column. Worlds and sessions are not bound
-yet.
+>>> import hawser
+>>> session = hawser.load("scenes/pendulum.json")
+>>> session.step(60)
+
+`load` runs scenes, `World` builds a world, `System` adds a controller, `Recording` reads
+recordings, `stats` computes statistics of results. Statistics and tables work without the compiled
+part.
 """
-from . import stats, table
+from __future__ import annotations
 
-__all__ = ["stats", "table"]
+import importlib
+from typing import TYPE_CHECKING, Any
+
+from . import stats, table
+from .errors import (DefError, Error, LimitError, RecordingError, RemovedError, SceneError,
+                     StepError, StudyError, ThreadError, UseError)
+
 __version__ = "0.1.0"
+
+# Names that need the compiled part, with their module. They are imported on first use.
+_LAZY = {
+    "load": "session", "Session": "session", "Event": "session",
+    "World": "_core", "System": "_core", "State": "_core", "Body": "_core",
+    "Interaction": "_core", "Wire": "_core", "Shape": "_core", "Material": "_core",
+    "Input": "_core", "Output": "_core", "Step": "_core", "Loads": "_core",
+    "instruction_set": "_core", "Recording": "recording", "Batch": "batch",
+}
+
+__all__ = ["stats", "table", "Error", "DefError", "RemovedError", "SceneError", "LimitError",
+           "UseError", "ThreadError", "RecordingError", "StepError", "StudyError", *_LAZY]
+
+if TYPE_CHECKING:
+    from ._core import (Body, Input, Interaction, Loads, Material, Output, Shape, State, Step,
+                        System, Wire, World, instruction_set)
+    from .batch import Batch
+    from .recording import Recording
+    from .session import Event, Session, load
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _LAZY:
+        raise AttributeError(f"module 'hawser' has no attribute '{name}'")
+    try:
+        module = importlib.import_module(f".{_LAZY[name]}", __name__)
+    except ModuleNotFoundError as error:
+        if error.name != "hawser._core":
+            raise
+        raise ImportError("the compiled part of hawser is missing: install the wheel of `make wheel`,"
+                          " or set PYTHONPATH to build/release/python") from error
+    value = getattr(module, name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})
