@@ -124,6 +124,11 @@ std::vector<Field> lists() {
               {"after", text("a goal"), false, "", "", "Counts only once that goal is reached."},
               {"by", time_shape(), false, "the end", "s", "Later it gives nothing."}},
              "Unique among goals.");
+    const ShapePtr phase =
+        object("phase", "a phase", "A part of the task, for displays and reports.",
+               {{"name", name("a name"), true, "", "", "Unique among phases."},
+                text_field(),
+                {"goal", text("a goal"), false, "no end condition", "", "Goal that ends it."}});
     const ShapePtr penalty =
         with("penalty", "a penalty", "What costs points.",
              {{"points", points_shape(), false, "0", "", "Each time it begins."},
@@ -134,18 +139,20 @@ std::vector<Field> lists() {
                               {{"failed", boolean("true or false"), false, "false", "",
                                 "Whether it has then failed, whatever the points."}},
                               "Unique among ends.");
-    return {{"stations", some("a list of stations", station()), false, "none", "", "Roles."},
-            {"displays", some("a list of outputs", text("an output")), false, "none", "",
-             "What stations see, and reports draw."},
-            {"faults", some("a list of faults", fault()), false, "none", "", "Faults."},
-            {"alarms",
-             some("a list of alarms",
-                  with("alarm", "an alarm", "Sounds while it holds.", {}, "Unique among alarms.")),
-             false, "none", "", "Alarms."},
-            {"goals", some("a list of goals", goal), false, "none", "", "Goals."},
-            {"penalties", some("a list of penalties", penalty), false, "none", "", "Penalties."},
-            {"ends", some("a list of ends", end), false, "none", "",
-             "Beside the time, and all goals reached."}};
+    return {
+        {"stations", some("a list of stations", station()), false, "none", "", "Roles."},
+        {"displays", some("a list of outputs", text("an output")), false, "none", "",
+         "What stations see, and reports draw."},
+        {"faults", some("a list of faults", fault()), false, "none", "", "Faults."},
+        {"alarms",
+         some("a list of alarms",
+              with("alarm", "an alarm", "Sounds while it holds.", {}, "Unique among alarms.")),
+         false, "none", "", "Alarms."},
+        {"goals", some("a list of goals", goal), false, "none", "", "Goals."},
+        {"phases", some("a list of phases", phase), false, "none", "", "Phases in their order."},
+        {"penalties", some("a list of penalties", penalty), false, "none", "", "Penalties."},
+        {"ends", some("a list of ends", end), false, "none", "",
+         "Beside the time, and all goals reached."}};
 }
 
 ShapePtr make_shape() {
