@@ -5,6 +5,7 @@
 Values change at the times of the plans below. DP orders move along line 1 in steps of 5 s.
 docs/anchor_handling.md explains the phases.
 """
+import json
 import math
 import pathlib
 
@@ -62,12 +63,14 @@ def from_the_rig():
     p.at(8, hook=1)
     p.at(9, slew=0)
     p.at(15, luff=0, knuckle=0, hoist=0)
-    p.at(24, crane_hook=0)
-    p.at(26, hoist=0.4, luff=0.08)
-    p.at(44, hoist=0, luff=0)
+    # The crane holds the socket until the winch has hauled it over the deck: legs of hooks do not
+    # touch the roller.
+    p.at(22, work_mode=SPEED, work_speed=-0.5, hoist=-0.1)
+    p.at(36, crane_hook=0, hoist=0)
+    p.at(38, hoist=0.4, luff=0.08)
+    p.at(54, hoist=0, luff=0)
     # Pennant between the guide pins; the ship moves off, the windlass pays out.
-    p.at(27, work_mode=SPEED, work_speed=-0.5)
-    p.at(39, work_speed=0, port_pin=1, starboard_pin=1)
+    p.at(40, work_speed=0, port_pin=1, starboard_pin=1)
     p.at(45, windlass_mode=SPEED, windlass_speed=0.6)
     t = p.sail(36, 56.5, 136.5, 0.7)
     p.at(t, windlass_speed=0, windlass_pull=200000, windlass_mode=TENSION)
@@ -101,12 +104,29 @@ def lower(p, t):
     p.at(t + 330, work_speed=0)
 
 
+def first_minute(plan):
+    """Write the first minute by the signals of the scene, for `hawser run`."""
+    exercise = json.loads((EXERCISES / "anchor_handling.json").read_text())
+    signal = {i["name"]: i["signal"] for i in exercise["inputs"]}
+    rows = {t: v for t, v in plan.rows.items() if t < 60}
+    names = []
+    for values in rows.values():
+        names += [n for n in values if n not in names]
+    lines = ["# First minute of exercises/anchor_handling.control.csv, by the signals of the scene.",
+             "time," + ",".join(signal[n] for n in names)]
+    for time in sorted(rows):
+        lines.append(",".join([f"{time:g}"] + [str(rows[time].get(n, "")) for n in names]))
+    (EXERCISES.parent / "scenes" / "anchor_handling.control.csv").write_text(
+        "\n".join(lines) + "\n")
+
+
 def main():
     whole = from_the_rig()
     whole.at(258, windlass_pull=300000)
     t = whole.sail(260, 136.5, 1052.0, 1.2)
     lower(whole, t + 60)
     whole.write("anchor_handling", "Modes of winches: 0 speed, 1 tension, 3 brake; of the ship: 3 DP.")
+    first_minute(whole)
     part = Plan()
     part.at(0, mode=POSITION, work_mode=BRAKE, hook=1, jaw_close=1)
     lower(part, 0)
