@@ -61,11 +61,17 @@ demo: packages build/$(PRESET)/build.ninja
 	    --control scenes/anchor_lines.control.csv --record $(DEMO)/exercise/anchor_lines.hwr \
 	    --summary $(DEMO)/exercise/summary.json --csv $(DEMO)/exercise/anchor_lines.csv
 	$(BIN)/hawser plot $(DEMO)/exercise/anchor_lines.hwr -o $(DEMO)/exercise
+	@echo "--- one minute of anchor handling: the rig crane hands the pennant to the anchor handler"
+	@mkdir -p $(DEMO)/handling
+	$(BIN)/hawser run scenes/anchor_handling.json --duration 60 --threads 2 --record-every 30 \
+	    --control scenes/anchor_handling.control.csv --record $(DEMO)/handling/anchor_handling.hwr
+	$(BIN)/hawser plot $(DEMO)/handling/anchor_handling.hwr --only space --at 22 \
+	    --axes 0,10,-26,130,95,48 --azimuth -110 --elevation 18 -o $(DEMO)/handling
 	@echo
 	@echo "Results:  summary.json, anchor_lines.csv, anchor_lines.hwr in $(DEMO) and $(DEMO)/exercise"
-	@echo "Pictures:" && ls $(DEMO)/*.png $(DEMO)/*.svg $(DEMO)/exercise/*.png $(DEMO)/exercise/*.svg | \
+	@echo "Pictures:" && ls $(DEMO)/*.png $(DEMO)/*.svg $(DEMO)/exercise/*.png $(DEMO)/exercise/*.svg $(DEMO)/handling/*.png | \
 	    sed 's/^/  /'
-	@echo "Next:     make view    drives anchor_contact in a browser, with levers"
+	@echo "Next:     make view    sails the anchor-handling exercise in a browser"
 
 # The page, built and embedded where the program finds it (docs/live.md, "The page's files").
 page:
@@ -74,7 +80,7 @@ page:
 view: packages page
 	@cmake --preset $(PRESET) >/dev/null
 	@cmake --build build/$(PRESET) -j $(JOBS) --target hawser_program
-	$(BIN)/hawser view scenes/anchor_contact.json --port $(VIEW_PORT) --open
+	$(BIN)/hawser view exercises/anchor_handling.json --port $(VIEW_PORT) --open
 
 # Screenshots in docs/pictures are made anew.
 test-page: packages page

@@ -16,6 +16,9 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace hawser::cli {
 
@@ -33,7 +36,8 @@ option or file, 2 a step failed, 3 the replay came out differently, 4 not passed
 constexpr int kNotPassed = 4;
 
 struct ExerciseOptions {
-    std::string file, control, record, report, summary, replay;
+    std::string file, control, record, report, summary, replay, restore, csv;
+    std::vector<std::pair<double, std::string>> saves;  ///< Times [s] and files of saved states.
     std::int32_t stride = 1;
     int threads = 1;
     bool quiet = false, verify = false;
@@ -130,12 +134,26 @@ int rescore(const ExerciseOptions& options) {
 
 void check_files(const ExerciseOptions& options, const scene::Scene& scene) {
     std::vector<NamedFile> inputs{{"the exercise", options.file},
-                                  {"the control file", options.control}};
+                                  {"the control file", options.control},
+                                  {"the saved state", options.restore}};
     for (const std::filesystem::path& file : scene.files)
         inputs.push_back({"a file of the scene", file.string()});
-    check_outputs(inputs, {{"--record", options.record},
-                           {"--report", options.report},
-                           {"--summary", options.summary}});
+    std::vector<NamedFile> outputs{{"--record", options.record},
+                                   {"--report", options.report},
+                                   {"--csv", options.csv},
+                                   {"--summary", options.summary}};
+    for (const auto& [time, file] : options.saves) outputs.push_back({"--save-at", file});
+    check_outputs(inputs, outputs);
+}
+
+/// Save the states that are due and have not been saved.
+void save_due(const std::vector<std::pair<double, std::string>>& saves, double now,
+              std::vector<bool>& saved, const Session& session) {
+    for (std::size_t i = 0; i < saves.size(); ++i)
+        if (!saved[i] && saves[i].first <= now) {
+            session.save(saves[i].second);
+            saved[i] = true;
+        }
 }
 
 /// Print the reason of a failed step, or of the rejection by --verify, and end the exercise as
@@ -154,13 +172,17 @@ int fail(exercise::Run& run, const Session& session) {
 }
 
 /// Run the exercise. @return kOk if it ended by itself, else the exit code of the failure.
-int drive(exercise::Run& run, Session& session, Controls& controls, Progress& progress) {
+int drive(exercise::Run& run, Session& session, Controls& controls, Progress& progress,
+          const ExerciseOptions& options) {
     constexpr double kSlack = 1e-6;  // Times are multiples of the step up to rounding.
     catch_signals();
     const CancelledBySignal cancelled(session.world());
+    std::vector<bool> saved(options.saves.size());
     while (!run.ended()) {
         if (stop_requested()) break;
-        controls.take(session.time() + kSlack * session.world().settings().step, run);
+        const double now = session.time() + kSlack * session.world().settings().step;
+        save_due(options.saves, now, saved, session);
+        controls.take(now, run);
         if (const Status status = run.step(); status == Status::cancelled) {
             break;
         } else if (status != Status::ok) {
@@ -188,12 +210,18 @@ int perform(const ExerciseOptions& options) {
         loaded.scene.world.prepare();
         verifier.emplace(loaded.scene.world);
     }
-    Session session(std::move(loaded.scene), {.record = recording, .every = options.stride});
+    Session session(std::move(loaded.scene), {.restore = options.restore,
+                                              .record = recording,
+                                              .csv = options.csv,
+                                              .every = options.stride});
+    if (!options.restore.empty()) exercise::start_at(loaded.exercise, session.time());
+    for (const std::string& difference : session.differences())
+        if (!options.quiet) fmt::print(stderr, "{}: differs in {}\n", options.restore, difference);
     if (verifier) session.observe(*verifier);
     exercise::Run run(loaded.exercise, session);
     const double h = session.world().settings().step;
     Progress progress(std::llround(loaded.exercise.duration / h), h, !options.quiet);
-    const int end = drive(run, session, controls, progress);
+    const int end = drive(run, session, controls, progress, options);
     progress.close();
     (void)session.finish(end == kInterrupted);
     if (verifier && !options.quiet) fmt::print("{}", report::to_text(verifier->result()));
@@ -218,6 +246,11 @@ void add_exercise(CLI::App& app, Command& chosen) {
                      "Steps from one frame of the recording to the next")
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
+    command->add_option("--csv", options->csv, "Write a table of tensions, motions and outputs");
+    command->add_option("--restore", options->restore,
+                        "Start from a saved state; goals then do not wait for earlier ones");
+    command->add_option("--save-at", options->saves, "Save the state at a time [s] to a file")
+        ->allow_extra_args(false);
     command->add_option("--report", options->report, "Write a report for the debriefing (HTML)");
     command->add_option("--summary", options->summary, "Write the score as JSON");
     command

@@ -124,6 +124,12 @@ struct Goal {
     std::optional<double> by{};  ///< Time after which it adds no points [s].
 };
 
+/// Phase of the task, for displays and reports. It ends when its goal is reached.
+struct Phase {
+    std::string name{}, text{};
+    std::string goal{};  ///< Goal that ends the phase; "": it has no end condition.
+};
+
 /// Penalty while its trigger is true.
 struct Penalty {
     std::string name{}, text{};
@@ -152,6 +158,7 @@ struct Exercise {
     std::vector<Fault> faults{};
     std::vector<Alarm> alarms{};
     std::vector<Goal> goals{};
+    std::vector<Phase> phases{};  ///< Phases in their order.
     std::vector<Penalty> penalties{};
     std::vector<End> ends{};
     std::vector<std::string> displays{};  ///< Outputs in the displays of stations and in plots of
@@ -175,6 +182,10 @@ struct Loaded {
 /// @throws scene::SceneError.
 [[nodiscard]] Loaded load_text(std::string_view text, const std::string& name,
                                const scene::Options& options = {});
+/// Prepare an exercise for a session that starts from a saved state. Faults with an earlier time do
+/// not start by themselves, and goals do not wait for goals before them (`after`).
+/// @param time  Time of the saved state [s].
+void start_at(Exercise& exercise, double time);
 /// True if the document has the key "exercise", and so is an exercise instead of a scene.
 [[nodiscard]] bool is_exercise(const std::filesystem::path& file) noexcept;
 /// Return the format as a JSON Schema (draft 07): schema/exercise-1.json.

@@ -126,6 +126,11 @@ std::vector<Field> lists() {
               {"after", text("a goal"), false, "", "", "Counts only once that goal is reached."},
               {"by", time_shape(), false, "the end", "s", "Time after which it gives no points."}},
              "Unique among goals.");
+    const ShapePtr phase =
+        object("phase", "a phase", "A part of the task, for displays and reports.",
+               {{"name", name("a name"), true, "", "", "Unique among phases."},
+                text_field(),
+                {"goal", text("a goal"), false, "no end condition", "", "Goal that ends it."}});
     const ShapePtr penalty =
         with("penalty", "a penalty", "Conditions that cost points.",
              {{"points", points_shape(), false, "0", "", "Each time it begins."},
@@ -146,6 +151,7 @@ std::vector<Field> lists() {
                                        {}, "Unique among alarms.")),
          false, "none", "", "Alarms."},
         {"goals", some("a list of goals", goal), false, "none", "", "Goals."},
+        {"phases", some("a list of phases", phase), false, "none", "", "Phases in their order."},
         {"penalties", some("a list of penalties", penalty), false, "none", "", "Penalties."},
         {"ends", some("a list of ends", end), false, "none", "",
          "Further conditions, besides the time and all goals reached."}};

@@ -118,6 +118,12 @@ Loaded load_text(std::string_view text, const std::string& name, const scene::Op
     return load(scene::parse_json(text, name, {}), std::string(text), name, options);
 }
 
+void start_at(Exercise& exercise, double time) {
+    for (Fault& fault : exercise.faults)
+        if (fault.at && *fault.at < time) fault.at.reset();
+    for (Goal& goal : exercise.goals) goal.after.clear();
+}
+
 bool is_exercise(const std::filesystem::path& file) noexcept {
     try {
         const Json root = scene::read_json_file(file, {});

@@ -91,6 +91,8 @@ Goal read_goal(const Json& json, const Place& place) {
     return out;
 }
 
+Phase read_phase(const Json& json, const Place&) { return {"", "", word(json, "goal")}; }
+
 Penalty read_penalty(const Json& json, const Place& place) {
     Penalty out;
     out.when = read_trigger(json, place);
@@ -147,6 +149,19 @@ void check_order(const Exercise& e, const Place& place) {
     }
 }
 
+/// Check that the goals of phases exist.
+void check_phases(const Exercise& e, const Place& place) {
+    std::vector<std::string> goals;
+    for (const Goal& goal : e.goals) goals.push_back(goal.name);
+    for (std::size_t i = 0; i < e.phases.size(); ++i) {
+        const std::string& goal = e.phases[i].goal;
+        if (!goal.empty() && std::find(goals.begin(), goals.end(), goal) == goals.end())
+            scene::refuse(
+                place / "phases" / i / "goal",
+                "there is no goal " + scene::in_quotes(goal) + scene::suggestion(goal, goals));
+    }
+}
+
 }  // namespace
 
 Exercise read_exercise(const Json& root, const Place& place) {
@@ -162,9 +177,11 @@ Exercise read_exercise(const Json& root, const Place& place) {
     read_list(root, "faults", place, out.faults, read_fault);
     read_list(root, "alarms", place, out.alarms, read_alarm);
     read_list(root, "goals", place, out.goals, read_goal);
+    read_list(root, "phases", place, out.phases, read_phase);
     read_list(root, "penalties", place, out.penalties, read_penalty);
     read_list(root, "ends", place, out.ends, read_end);
     check_order(out, place);
+    check_phases(out, place);
     return out;
 }
 

@@ -47,6 +47,8 @@ TEST(ExerciseFiles, MistakesHavePlaceAndRemedy) {
          {"/goals/0/when/0/output", "did you mean \"load_z\"?"}},
         {{"/goals/0/when/0/below", "2"}, {"/goals/0/when/0", "never met"}},
         {{"/goals/0/after", "\"up\""}, {"/goals/0/after", "there is no goal \"up\" above it"}},
+        {{"/phases", R"([{"name": "lift", "goal": "pu"}])"},
+         {"/phases/0/goal", "did you mean \"up\"?"}},
         {{"/goals/0/event", "\"slack\""}, {"/goals/0", "not both"}},
         {{"/penalties/0/event", "\"line_braek\""},
          {"/penalties/0/event", "did you mean \"line_break\"?"}},

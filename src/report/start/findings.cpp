@@ -15,7 +15,8 @@ const char* to_string(FindingKind kind) noexcept {
         "contradiction", "repeated", "motor",   "overlap",     "gap",        "speed",
         "tension",       "density",  "inertia", "wire_step",   "joint_step", "spin_step",
         "displacement",  "dry",      "depth",   "short_waves", "memory",     "stiffness",
-        "brake",         "drum",     "points",  "post",        "unexamined", "vessel"};
+        "brake",         "drum",     "points",  "post",        "unexamined", "vessel",
+        "phase",         "goal",     "station"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -37,8 +37,11 @@ enum class FindingKind : std::uint8_t {
     post,        ///< A bollard that never engages a nearby cable. value: distance [m].
     unexamined,  ///< Too large to be checked. value: rows or bodies.
     vessel,      ///< Coefficients of a vessel outside the range of published ships. value: 0.
+    phase,       ///< A phase of an exercise without an end condition. value: its index.
+    goal,        ///< A goal that no control can reach in time. value: time that is missing [s].
+    station,     ///< A station without inputs. value: its index.
 };
-inline constexpr int kFindingKindCount = 24;
+inline constexpr int kFindingKindCount = 27;
 [[nodiscard]] const char* to_string(FindingKind kind) noexcept;
 
 struct Finding {

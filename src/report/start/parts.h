@@ -31,6 +31,9 @@ void check_document(const record::SceneInfo& scene, Findings& out);
 void check_drums(const record::SceneInfo& scene, const World& world, Findings& out);
 /// Check for points that an exercise needs and its goals do not award (points.cpp).
 void check_points(const exercise::Exercise& exercise, Findings& out);
+/// Check for phases without an end condition, goals that no control can reach in time, and stations
+/// without inputs (points.cpp). Texts contain the place in the document.
+void check_task(const exercise::Exercise& exercise, Findings& out);
 /// Check coefficients of vessels against the range of published ships (vessels.cpp).
 void check_vessels(const World& world, Findings& out);
 /// Check for bollards that never engage a nearby cable (posts.cpp).
