@@ -35,7 +35,6 @@ export class ExercisePanel {
         document.body.classList.add('has-exercise');
         if (first) this.build();
         this.app.alarms.take(e.alarms, this.app.frame?.time ?? 0, title);
-        this.app.instruments.body = undefined;
         this.paint();
         this.paintEnd();
         this.app.briefing.paint();

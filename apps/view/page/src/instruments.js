@@ -128,7 +128,6 @@ export class Instruments {
         this.box.className = this.laid ? `console ${this.laid}` : 'console';
         this.box.replaceChildren(...parts);
         this.box.hidden = !parts.length || !this.open;
-        this.app.levers?.instrumentsChanged?.();
     }
 
     at(name) {

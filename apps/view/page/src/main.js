@@ -250,6 +250,7 @@ class App {
         $('rate').addEventListener('dblclick', () => this.rate(1));
         $('dials').addEventListener('click', () => this.dials());
         $('menu').addEventListener('click', () => this.menu());
+        $('tools').addEventListener('click', () => this.menu(false));
         $('debrief').addEventListener('click', () => this.debriefing.toggle());
         $('shot').addEventListener('click', () => this.screenshot());
         $('pull').addEventListener('click', () => this.drag.mode(!this.drag.on));
