@@ -146,7 +146,7 @@ export class Instruments {
             ...[...'NESW'].map((c, i) => { const e = svg('text', {x: 31 * Math.sin(i * Math.PI / 2), y: -31 * Math.cos(i * Math.PI / 2) + 3.5, 'text-anchor': 'middle'}); e.textContent = c; return e; }), needle, order);
         return el('section', {className: 'instrument ship', 'aria-label': `${t('Ship')} ${readable(ship.name.replace(/\/hull$/, ''))}`},
             el('div', {className: 'heading'}, rose, el('small', {textContent: t('Heading')}), this.big = el('output', {className: 'big', textContent: '–'})),
-            el('div', {className: 'facts2 one'}, fact('speed', 'Speed (ground)'), ...(this.water() >= 0 ? [fact('water', 'Speed (water)')] : []), fact('course', 'Course'), fact('turn', 'Rate of turn'), fact('heel', 'Heel'),
+            el('div', {className: 'facts2 one'}, fact('speed', 'Speed (ground)'), ...(this.water() >= 0 ? [fact('water', 'Speed (water)')] : []), fact('course', 'Course (ground)'), fact('turn', 'Rate of turn'), fact('heel', 'Heel'),
                 ...(scene.sea ? [fact('depth', 'Depth')] : []), ...(this.at('sea.wind') >= 0 ? [fact('wind', 'Wind')] : [])));
     }
 
