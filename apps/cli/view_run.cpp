@@ -5,6 +5,7 @@
 #include <hawser/recording.h>
 #include "commands.h"
 #include "debrief/debrief.h"
+#include "live/debriefing.h"
 #include "live/driver.h"
 #include "live/player.h"
 #include "live/server.h"
@@ -14,10 +15,12 @@
 
 #include <fmt/format.h>
 #include <spawn.h>
+#include <nlohmann/json.hpp>
 
 #include <cstdio>
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -153,9 +156,41 @@ int view_exercise(const ViewOptions& options) {
           {.recording = options.record,
            .paused = !options.go,
            .exercise = &loaded.exercise,
-           .run = &run},
+           .run = &run,
+           .report =
+               [&](const std::string& people) {
+                   return debrief::to_html(loaded.exercise, run.result(), run.curves(), nullptr,
+                                           people);
+               }},
           std::move(roles), [&] { close_exercise(options, recording, loaded.exercise, run); });
     return kOk;
+}
+
+/// Compute the score of a recorded exercise. @return an empty debriefing for a recording of a
+/// scene.
+/// @param score  Kept by the caller while the debriefing is used.
+live::Debriefing debriefing_of(const record::Recording& recording, int threads,
+                               std::optional<exercise::Rescored>& score) {
+    if (!exercise::is_recorded(recording)) return {};
+    fmt::print("computing the score of the recording\n");
+    std::fflush(stdout);
+    try {
+        score = exercise::rescore(recording, threads);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "{}: shown without its score: {}\n", recording.file, error.what());
+        return {};
+    }
+    if (!score->same)
+        fmt::print(stderr, "{}: the score may differ: {}\n", recording.file, score->difference);
+    const exercise::Result& r = score->result;
+    fmt::print("{}: {}, {:.6g} of {:.6g} points\n", r.exercise, exercise::to_string(r.outcome),
+               r.points, r.possible);
+    return {.text = live::debriefing_json(score->exercise, r, score->curves, score->requests)
+                        .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace),
+            .report = [&recording, &score](const std::string& people) {
+                return debrief::to_html(score->exercise, score->result, score->curves, &recording,
+                                        people);
+            }};
 }
 
 int view_recording(const ViewOptions& options) {
@@ -171,8 +206,9 @@ int view_recording(const ViewOptions& options) {
     const record::Recording recording = record::Recording::open(options.scene.file);
     if (!recording.damage.empty())
         fmt::print(stderr, "{}: not complete: {}\n", recording.file, recording.damage);
+    std::optional<exercise::Rescored> score;
     live::Hub hub;
-    live::Player player(recording, hub);
+    live::Player player(recording, hub, debriefing_of(recording, options.scene.threads, score));
     if (!player.fault().empty())
         fmt::print(stderr, "{}: shown without its shapes: {}\n", recording.file, player.fault());
     const live::ServerOptions to_serve =

@@ -34,6 +34,8 @@ constexpr Word kWords[] = {
     {CommandKind::seek, "seek", " time "},
     {CommandKind::fault, "fault", " name active "},
     {CommandKind::end, "end", " "},
+    {CommandKind::note, "note", " text "},
+    {CommandKind::report, "report", " people "},
 };
 
 constexpr std::uint64_t kMaxId = std::uint64_t{1} << 53U;
@@ -150,6 +152,13 @@ void read_command(const Json& from, Command one, std::vector<Command>& out) {
             take_name(from["name"], "name", one.name.kMaximum, one);
             one.value = switched(from, "active") ? 1.0 : 0.0;
             break;
+        case CommandKind::note:
+            if (!from.contains("text")) throw Refused("text is missing");
+            take_name(from["text"], "text", one.name.kMost, one);
+            break;
+        case CommandKind::report:
+            if (from.contains("people")) take_name(from["people"], "people", one.name.kMost, one);
+            break;
         case CommandKind::seek:
             one.value = number(from, "time", 0.0, kMaxTime);
             break;
@@ -218,6 +227,12 @@ void read_message(std::string_view text, Request& out) {
 }
 
 }  // namespace
+
+std::vector<CommandKind> message_kinds() {
+    std::vector<CommandKind> out;
+    for (const Word& word : kWords) out.push_back(word.kind);
+    return out;
+}
 
 const char* to_string(CommandKind kind) noexcept {
     for (const Word& word : kWords)

@@ -27,10 +27,14 @@ enum class CommandKind : std::uint8_t {
     restore,
     pick,
     seek,
-    fault,  ///< Start a fault of an exercise, or end it if the value is 0.
-    end,    ///< End an exercise.
-    left,   ///< The client has disconnected: release its drags.
+    fault,   ///< Start a fault of an exercise, or end it if the value is 0.
+    end,     ///< End an exercise.
+    note,    ///< Write a remark into the time line.
+    report,  ///< Send the report of an exercise.
+    left,    ///< The client has disconnected: release its drags.
 };
+/// Return all messages of clients except hello, in the order of docs/live.md.
+[[nodiscard]] std::vector<CommandKind> message_kinds();
 /// Return the word for a command in messages of the protocol.
 [[nodiscard]] const char* to_string(CommandKind kind) noexcept;
 
@@ -70,7 +74,7 @@ struct Command {
     double stiffness = 0.0;          ///< Stiffness [N/m].
     std::array<double, 3> point{};   ///< In the body's frame [m].
     std::array<double, 3> target{};  ///< World frame [m].
-    ShortText<160> name;             ///< Input, restore point, wire, fault.
+    ShortText<160> name;             ///< Input, restore point, wire, fault, note, people.
     ShortText<40> role;              ///< Role of the sender.
 };
 

@@ -39,6 +39,8 @@ struct DriverOptions {
     /// Exercise of the session, and its run; null: none.
     const exercise::Exercise* exercise = nullptr;
     exercise::Run* run = nullptr;
+    /// Write the report of the exercise (HTML). @param people  Names and date for its heading.
+    std::function<std::string(const std::string& people)> report{};
 };
 
 /// Figures of a run.
@@ -74,6 +76,7 @@ class Driver {
     void set_input(const Command& command);
     void drag(const Command& command);
     void part(const Command& command);
+    void note(const Command& command);
     void save(const std::string& name);
     void restore(const Command& command);
     /// Check the time that saving and restoring need. @throws DefError if it would exceed a fifth

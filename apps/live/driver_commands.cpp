@@ -92,6 +92,13 @@ void Driver::perform(const Command& command) {
             over_ = true;
             out_.command(now, command, "ended the exercise");
             break;
+        case CommandKind::note:
+            note(command);
+            break;
+        case CommandKind::report:
+            if (!options_.report) throw DefError("this is a scene without an exercise: no report");
+            out_.report(command, options_.report(std::string(command.name.view())));
+            return;
         case CommandKind::seek:
             throw DefError("this run is live: only recordings can be sought through");
         case CommandKind::none:
@@ -124,6 +131,13 @@ void Driver::drag(const Command& command) {
     if (!wire.wire.valid()) throw DefError("\"" + wire.name + "\" has no nodes to pull at");
     drags_.begin(world, command.client, node_near(world, wire.wire, command.value), Vec3::Zero(),
                  target, command.stiffness);
+}
+
+/// Write a remark of the instructor into recording and time line.
+void Driver::note(const Command& command) {
+    const std::string text = fmt::format("note: {}", command.name.view());
+    session_.note(record::kDoneNote, std::as_bytes(std::span(text)));
+    out_.command(session_.time(), command, text);
 }
 
 void Driver::part(const Command& command) {

@@ -149,6 +149,7 @@ void add_inputs(const scene::Scene& scene, FramePlan& plan) {
                                        .spring = input.spring,
                                        .words = input.factor == 1.0 ? record::signal_words(world, s)
                                                                     : std::vector<std::string>{},
+                                       .drives = input.signal,
                                        .id = {},
                                        .signal = s.value});
     for (const InputId id : world.inputs()) {

@@ -59,8 +59,9 @@ struct InputSource {
     double min = -1e30, max = 1e30, nominal = 0.0, factor = 1.0;
     std::optional<double> spring{};
     std::vector<std::string>
-        words{};   ///< Words of the values 0, 1, …; empty: the input is no choice.
-    InputId id{};  ///< Input of the world, or …
+        words{};           ///< Words of the values 0, 1, …; empty: the input is no choice.
+    std::string drives{};  ///< Signal that an input of the scene sets; "": none.
+    InputId id{};          ///< Input of the world, or …
     const double* signal = nullptr;  ///< … a system's number; the value is that over `factor`.
 };
 

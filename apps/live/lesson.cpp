@@ -126,8 +126,10 @@ Json Lesson::state() const {
     const exercise::Result& r = run_.result();
     Json stations = Json::array();
     for (const exercise::Station& station : exercise_.stations)
-        stations.push_back(
-            {{"name", station.name}, {"text", station.text}, {"inputs", station.inputs}});
+        stations.push_back({{"name", station.name},
+                            {"text", station.text},
+                            {"layout", station.layout},
+                            {"inputs", station.inputs}});
     return {{"type", "exercise"},
             {"name", exercise_.name},
             {"description", exercise_.description},

@@ -49,6 +49,15 @@ void Outbox::refuse(const Command& to, const std::string& reason) {
     send(to.client, out);
 }
 
+void Outbox::report(const Command& to, std::string html) {
+    constexpr std::size_t kMost = 900 * 1024;  // of 1 MB that may wait for a client
+    if (html.size() > kMost)
+        return refuse(to, "the report is larger than 900 kB: use `hawser exercise --report`");
+    Json out{{"type", "report"}, {"html", std::move(html)}};
+    if (to.id != kNoId) out["id"] = to.id;
+    send(to.client, out);
+}
+
 void Outbox::state(const Json& message) { state_ = compact(message); }
 void Outbox::timeline(const Json& message) { timeline_ = compact(message); }
 void Outbox::exercise(const Json& message) { exercise_ = compact(message); }

@@ -29,6 +29,8 @@ class Outbox {
     void answer(const Command& to);  ///< Send `ok` if the message had an id.
     void refuse(const Command& to, const std::string& reason);
     void send(std::uint32_t client, const Json& message);
+    /// Send a report (HTML), or refuse one that exceeds the queue of a client.
+    void report(const Command& to, std::string html);
 
     void scene(std::string text) { scene_ = std::move(text); }
     void state(const Json& message);

@@ -8,13 +8,19 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace hawser::live {
 
-Player::Player(const record::Recording& recording, Hub& hub)
-    : recording_(recording), hub_(hub), out_(hub), scene_(recording) {
+Player::Player(const record::Recording& recording, Hub& hub, Debriefing debriefing)
+    : recording_(recording),
+      hub_(hub),
+      out_(hub),
+      debriefing_(std::move(debriefing)),
+      scene_(recording) {
     out_.scene(text_of(scene_.json()));
     send_timeline();
+    if (!debriefing_.text.empty()) out_.exercise(Json::parse(debriefing_.text));
     send_state();
     publish();
 }
@@ -126,6 +132,11 @@ void Player::perform(const Command& command) {
             break;
         case CommandKind::left:
         case CommandKind::none:
+            return;
+        case CommandKind::report:
+            if (!debriefing_.report)
+                throw DefError("this is no recording of an exercise: no report");
+            out_.report(command, debriefing_.report(std::string(command.name.view())));
             return;
         case CommandKind::pick:
             throw DefError("a recording has poses and tensions alone, which frames show");

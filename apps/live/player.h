@@ -3,6 +3,7 @@
 /// @file player.h
 /// Show a recording to clients: play, pause, step, seek. All clients see the same frame.
 
+#include "live/debriefing.h"
 #include "live/hub.h"
 #include "live/outbox.h"
 #include "live/playing.h"
@@ -17,8 +18,8 @@ namespace hawser::live {
 class Player {
   public:
     /// Create a player. @param recording  Must outlive the player. @throws RecordingError if it has
-    /// no frame.
-    Player(const record::Recording& recording, Hub& hub);
+    /// no frame. @param debriefing  Debriefing of an exercise; empty for scenes.
+    Player(const record::Recording& recording, Hub& hub, Debriefing debriefing = {});
 
     /// Serve the recording to the clients of the hub until `stop` returns true.
     void run(const std::function<bool()>& stop);
@@ -41,6 +42,7 @@ class Player {
     const record::Recording& recording_;
     Hub& hub_;
     Outbox out_;
+    Debriefing debriefing_;
     RecordedScene scene_;
     Playing playing_;
     std::size_t frame_ = 0;

@@ -75,6 +75,7 @@ std::string forbidden(const Role& role, const Command& command, bool recording) 
         case CommandKind::resume:
         case CommandKind::step:
         case CommandKind::rate:
+        case CommandKind::report:
             if (recording) return {};
             break;
         default:

@@ -179,6 +179,7 @@ Json inputs_of(const World& world, const FramePlan& plan) {
              {"nominal", input.nominal},
              {"spring", input.spring ? Json(*input.spring) : Json(nullptr)},
              {"words", input.words},
+             {"drives", input.drives},
              {"kind", input.kind}});
     return out;
 }
@@ -253,6 +254,7 @@ Json scene_json(const scene::Scene& scene, const FramePlan& plan, const SceneNot
     add_lines(scene, plan, out);
     out["joints"] = joints_of(world, plan);
     out["systems"] = systems_of(world);
+    out["vessels"] = vessels_json(world);
     out["inputs"] = inputs_of(world, plan);
     out["outputs"] = outputs_of(world, plan);
     add_sea(world, out);

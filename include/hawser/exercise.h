@@ -76,8 +76,12 @@ struct Trigger {
 struct Station {
     std::string name{};  ///< Name of the role.
     std::string text{};
+    std::string layout{};               ///< One of station_layouts(); "": by its inputs.
     std::vector<std::string> inputs{};  ///< Names of the inputs that the role may set.
 };
+
+/// Return the layouts of stations in the page: "bridge", "winch", "crane", "engine_room".
+[[nodiscard]] std::span<const char* const> station_layouts() noexcept;
 
 /// Kind of a fault.
 enum class FaultKind : std::uint8_t {
@@ -320,15 +324,25 @@ class Run {
     std::unique_ptr<Impl> impl_;
 };
 
+/// Value of a control that a role requested.
+struct ControlRequest {
+    double time = 0.0;  ///< Time [s].
+    std::string role, input;
+    double value = 0.0;  ///< In the unit of the input.
+};
+
 /// Score of a recorded exercise, from a replay of its motion.
 struct Rescored {
     Exercise exercise;
     Result result;
     Curves curves;
+    std::vector<ControlRequest> requests;  ///< In order of occurrence, of all branches.
     bool same = true;  ///< True if every frame has the recorded hash; else `difference` describes
                        ///< the first deviation.
     std::string difference;
 };
+/// True if the recording is of an exercise.
+[[nodiscard]] bool is_recorded(const record::Recording& recording) noexcept;
 /// Compute the score of a recording by a replay of its motion.
 /// @param threads  Worker threads of the replaying world.
 /// @throws record::RecordingError if it is not a recording of an exercise

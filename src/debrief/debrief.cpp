@@ -151,14 +151,17 @@ std::string pictures(const record::Recording& recording) {
 }  // namespace
 
 std::string to_html(const exercise::Exercise& exercise, const exercise::Result& result,
-                    const exercise::Curves& curves, const record::Recording* recording) {
+                    const exercise::Curves& curves, const record::Recording* recording,
+                    const std::string& people) {
     std::string out =
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
         "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
         "'unsafe-inline'\">\n<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
         text(exercise.name) + ": debriefing</title>\n<style>" + kStyle +
         "</style>\n</head>\n<body>\n";
-    out += heading(exercise, result) + goal_table(result);
+    out += heading(exercise, result);
+    if (!people.empty()) out += fmt::format("<p><b>{}</b></p>\n", text(people));
+    out += goal_table(result);
     out += tally_table("Penalties", result.penalties, true);
     out += tally_table("Alarms", result.alarms, false);
     out += entry_table(result);

@@ -16,6 +16,7 @@ using scene::ShapePtr;
 
 constexpr const char* kFaults[] = {"line_parts",  "motor_loses_force", "brake_slips",
                                    "input_stuck", "input_late",        "output_frozen"};
+constexpr const char* kLayouts[] = {"bridge", "winch", "crane", "engine_room"};
 constexpr double kMaxTime = 1e6, kMostPoints = 1e6;
 constexpr std::size_t kMaxConditions = 16;
 
@@ -62,6 +63,8 @@ ShapePtr station() {
         "station", "a station", "A role that operates some inputs.",
         {{"name", name("a name"), true, "", "", "Of the role; not instructor or watcher."},
          text_field(),
+         {"layout", word("a layout", {std::begin(kLayouts), std::end(kLayouts)}), false,
+          "by its inputs", "", "Instruments and forms of controls in the page."},
          {"inputs", some("a list of inputs", text("an input")), true, "", "",
           "That it may set: inputs, and signals of systems (winch.speed)."}});
 }
@@ -184,6 +187,8 @@ ShapePtr make_shape() {
 }  // namespace
 
 std::span<const char* const> fault_words() noexcept { return kFaults; }
+
+std::span<const char* const> station_layouts() noexcept { return kLayouts; }
 
 std::vector<std::string> event_words() {
     std::vector<std::string> out;

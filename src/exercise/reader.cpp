@@ -112,6 +112,7 @@ End read_end(const Json& json, const Place& place) {
 Station read_station(const Json& json, const Place& place) {
     Station out;
     out.inputs = words(json, "inputs");
+    out.layout = word(json, "layout");
     if (const std::string name = word(json, "name"); name == kInstructor || name == kWatcher)
         scene::refuse(place / "name", scene::in_quotes(name) + " is a role of every exercise");
     return out;

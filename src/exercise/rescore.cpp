@@ -157,9 +157,15 @@ class Rescorer {
                     state_->scorer.end(state_->time, why, in.get<std::uint8_t>() != 0);
                     break;
                 }
+                case NoteKind::asked: {
+                    std::string role = in.get_text(), input = in.get_text();
+                    const double value = in.get<double>();
+                    out_.requests.push_back(
+                        {state_->time, std::move(role), std::move(input), value});
+                    break;
+                }
                 case NoteKind::begin:
                 case NoteKind::values:
-                case NoteKind::asked:
                     break;
             }
         }
@@ -192,6 +198,11 @@ class Rescorer {
 };
 
 }  // namespace
+
+bool is_recorded(const record::Recording& recording) noexcept {
+    return std::any_of(recording.notes.begin(), recording.notes.end(),
+                       [](const record::RecordedNote& note) { return note.kind == kNoteKind; });
+}
 
 Rescored rescore(const record::Recording& recording, int threads) {
     try {

@@ -3,6 +3,7 @@
 /// its condition begins and cleared when it ends. An acknowledged one leaves the list when it is
 /// cleared; a cleared one leaves it when it is acknowledged.
 import {clock, el} from './dom.js';
+import {t} from './words.js';
 
 export const kPriority = {danger: 2, warning: 1};
 
@@ -91,8 +92,8 @@ export class AlarmList {
         this.box.hidden = !list.length;
         this.box.replaceChildren(el('ul', {}, ...rows.map(e => el('li', {className: `${e.priority}${e.seen ? ' seen' : ''}${e.active ? '' : ' over'}`},
             el('b', {textContent: e.priority === 'danger' ? '▲' : '●', 'aria-hidden': 'true'}),
-            el('span', {textContent: `${clock(e.time)} ${e.text}${e.active ? '' : ' (ended)'}${e.times > 1 ? ` ×${e.times}` : ''}`}),
-            e.seen ? el('i', {textContent: 'acknowledged'}) : el('button', {textContent: 'Acknowledge', 'aria-label': `Acknowledge ${e.text}`, onclick: () => this.acknowledge(e.key)})))),
-            more > 0 || list.filter(e => !e.seen).length > 1 ? el('button', {className: 'all', textContent: more > 0 ? `Acknowledge all (${list.length})` : 'Acknowledge all', onclick: () => this.all()}) : '');
+            el('span', {textContent: `${clock(e.time)} ${e.text}${e.active ? '' : ` (${t('ended')})`}${e.times > 1 ? ` ×${e.times}` : ''}`}),
+            e.seen ? el('i', {textContent: t('acknowledged')}) : el('button', {textContent: t('Acknowledge'), 'aria-label': `${t('Acknowledge')} ${e.text}`, onclick: () => this.acknowledge(e.key)})))),
+            more > 0 || list.filter(e => !e.seen).length > 1 ? el('button', {className: 'all', textContent: more > 0 ? `${t('Acknowledge all')} (${list.length})` : t('Acknowledge all'), onclick: () => this.all()}) : '');
     }
 }

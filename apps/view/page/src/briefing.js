@@ -2,6 +2,7 @@
 /// The briefing before a run: description, task, stations, number of clients; the instructor starts.
 import {$, clock, el} from './dom.js';
 import {readable} from './roles.js';
+import {t} from './words.js';
 
 export class Briefing {
     constructor(box, app) {
@@ -28,14 +29,14 @@ export class Briefing {
         }
         const e = app.exercise.exercise, role = app.scene.role, mine = e?.stations.find(s => s.name === role.name);
         const parts = [el('h2', {id: 'briefing-title', textContent: readable(e?.name ?? app.scene.name)}), el('p', {textContent: (e?.description || app.scene.description) ?? ''})];
-        if (mine) parts.push(el('p', {}, el('b', {textContent: `Your station: ${readable(mine.name)}. `}), mine.text ?? ''));
-        if (e?.goals.length) parts.push(el('h3', {textContent: 'Goals'}), el('ul', {}, ...e.goals.map(g => el('li', {textContent: `${g.text || readable(g.name)}: ${+g.possible.toFixed(1)} points${g.by === null ? '' : `, until ${clock(g.by)}`}`}))),
-            el('p', {className: 'note', textContent: `${+e.pass.toFixed(1)} of ${+e.possible.toFixed(1)} points pass.${e.duration ? ` Duration ${clock(e.duration)}.` : ''}`}));
-        if (e?.stations.length) parts.push(el('h3', {textContent: 'Stations'}), el('ul', {}, ...e.stations.map(s => el('li', {textContent: `${readable(s.name)}${s.text ? `: ${s.text}` : ''}`}))));
+        if (mine) parts.push(el('p', {}, el('b', {textContent: `${t('Your station')}: ${t(readable(mine.name))}. `}), mine.text ?? ''));
+        if (e?.goals.length) parts.push(el('h3', {textContent: t('Goals')}), el('ul', {}, ...e.goals.map(g => el('li', {textContent: `${g.text || readable(g.name)}: ${+g.possible.toFixed(1)} ${t('points')}${g.by === null ? '' : `, ${t('until')} ${clock(g.by)}`}`}))),
+            el('p', {className: 'note', textContent: `${t('Pass mark')}: ${+e.pass.toFixed(1)} ${t('of')} ${+e.possible.toFixed(1)} ${t('points')}.${e.duration ? ` ${t('Duration')} ${clock(e.duration)}.` : ''}`}));
+        if (e?.stations.length) parts.push(el('h3', {textContent: t('Stations')}), el('ul', {}, ...e.stations.map(s => el('li', {textContent: `${t(readable(s.name))}${s.text ? `: ${s.text}` : ''}`}))));
         const n = app.state.clients ?? 1;
-        parts.push(el('p', {className: 'note', textContent: `${n} ${n === 1 ? 'page has' : 'pages have'} joined.`}));
-        const start = el('button', {id: 'start', className: 'primary', textContent: 'Start', onclick: () => app.play()});
-        parts.push(el('div', {className: 'row'}, ...(app.mayRun ? [start] : [el('b', {textContent: 'The instructor starts the run.'})]), el('button', {textContent: 'Look around first', onclick: () => this.close()})));
+        parts.push(el('p', {className: 'note', textContent: `${t('Pages that have joined')}: ${n}`}));
+        const start = el('button', {id: 'start', className: 'primary', textContent: t('Start'), onclick: () => app.play()});
+        parts.push(el('div', {className: 'row'}, ...(app.mayRun ? [start] : [el('b', {textContent: t('The instructor starts the run.')})]), el('button', {textContent: t('Look around first'), onclick: () => this.close()})));
         const text = parts.map(p => p.textContent).join('\n');
         if (!box.hidden && text === this.text) return;  // a repeated state must not take the focus
         const focus = app.mayRun && (box.hidden || document.activeElement?.id === 'start');

@@ -16,6 +16,15 @@ export function el(tag, props = {}, ...children) {
     return e;
 }
 
+const kSvg = 'http://www.w3.org/2000/svg';
+/// Create an element of a drawing with attributes and children.
+export function svg(tag, props = {}, ...children) {
+    const e = document.createElementNS(kSvg, tag);
+    for (const [key, value] of Object.entries(props)) e.setAttribute(key, value);
+    e.append(...children);
+    return e;
+}
+
 let hide = 0;
 /// Show a short message that disappears by itself.
 export function toast(words) {

@@ -4,6 +4,7 @@
 import {$, clock, el, memory} from './dom.js';
 import {readable} from './roles.js';
 import {shown} from './units.js';
+import {t} from './words.js';
 
 const points = v => `${v > 0 ? '+' : v < 0 ? '−' : ''}${+Math.abs(v).toFixed(1)}`;
 const title = one => one.text || readable(one.name);
@@ -11,9 +12,9 @@ const kFaults = {line_parts: 'line parts', motor_loses_force: 'motor loses force
 
 /// Return the mark and words of a goal: reached, too late, or open.
 export function goalState(goal, time) {
-    if (goal.reached !== null) return {mark: '✓', className: 'done', words: `reached at ${clock(goal.reached)}`};
-    if (goal.late) return {mark: '✕', className: 'late', words: `too late: until ${clock(goal.by)}`};
-    const left = goal.by === null ? '' : `${clock(Math.max(0, goal.by - time))} left`;
+    if (goal.reached !== null) return {mark: '✓', className: 'done', words: `${t('reached at')} ${clock(goal.reached)}`};
+    if (goal.late) return {mark: '✕', className: 'late', words: `${t('too late: until')} ${clock(goal.by)}`};
+    const left = goal.by === null ? '' : `${clock(Math.max(0, goal.by - time))} ${t('left')}`;
     return {mark: '○', className: '', words: left};
 }
 
@@ -21,6 +22,7 @@ export class ExercisePanel {
     constructor(panel, app) {
         Object.assign(this, {panel, app, exercise: null, faults: [], displays: [], sound: memory.get('sound', false), closed: null});
         $('over-close').addEventListener('click', () => this.close());
+        $('over-debrief').addEventListener('click', () => { this.close(); app.debriefing.live(); });
     }
 
     get on() {
@@ -33,7 +35,6 @@ export class ExercisePanel {
         document.body.classList.add('has-exercise');
         if (first) this.build();
         this.app.alarms.take(e.alarms, this.app.frame?.time ?? 0, title);
-        this.app.instruments.body = undefined;
         this.paint();
         this.paintEnd();
         this.app.briefing.paint();
@@ -48,11 +49,11 @@ export class ExercisePanel {
     build() {
         const {exercise: e, panel} = this;
         const list = id => el('ul', {id, className: 'tally'});
-        this.score = el('output', {id: 'score', 'aria-live': 'polite', 'aria-label': 'Score'});
+        this.score = el('output', {id: 'score', 'aria-live': 'polite', 'aria-label': t('Score')});
         this.left = el('span', {className: 'note', id: 'time-left'});
         this.goals = list('goals');
         this.penalties = list('penalties');
-        this.alarms = el('ul', {id: 'alarms', className: 'tally', role: 'alert', 'aria-label': 'Alarms'});
+        this.alarms = el('ul', {id: 'alarms', className: 'tally', role: 'alert', 'aria-label': t('Alarms')});
         this.shown = el('dl', {className: 'facts', id: 'displays'});
         const sound = el('input', {type: 'checkbox', id: 'sound', checked: this.sound});
         sound.addEventListener('change', () => {
@@ -63,19 +64,20 @@ export class ExercisePanel {
         const mine = e.stations.find(s => s.name === this.app.scene?.role.name);
         const parts = [el('h2', {textContent: readable(e.name), title: e.description}), el('p', {className: 'row score'}, this.score, this.left)];
         if (mine?.text) parts.push(el('p', {className: 'note', textContent: mine.text}));
-        parts.push(this.alarms, el('h3', {textContent: 'Goals'}), this.goals);
-        this.penaltyTitle = el('h3', {textContent: 'Penalties'});
+        parts.push(this.alarms, el('h3', {textContent: t('Goals')}), this.goals);
+        this.penaltyTitle = el('h3', {textContent: t('Penalties')});
         parts.push(this.penaltyTitle, this.penalties);
-        if (e.displays.length) parts.push(el('h3', {textContent: 'Displays'}), this.shown);
-        if (e.alarms.length) parts.push(el('label', {className: 'check'}, sound, el('span', {textContent: 'Sound of alarms'})));
+        if (e.displays.length) parts.push(el('h3', {textContent: t('Displays')}), this.shown);
+        if (e.alarms.length) parts.push(el('label', {className: 'check'}, sound, el('span', {textContent: t('Sound of alarms')})));
         this.faultBox = el('div', {id: 'faults', hidden: true});
         parts.push(this.faultBox);
         panel.replaceChildren(...parts);
         panel.hidden = false;
+        $('debrief').hidden = false;
         this.app.inset();
         this.displays = e.displays.map(name => {
             const value = el('dd', {});
-            this.shown.append(el('dt', {textContent: readable(name), title: name}), value);
+            this.shown.append(el('dt', {textContent: t(readable(name)), title: name}), value);
             return {name, value};
         });
         this.paintFaults();
@@ -83,7 +85,7 @@ export class ExercisePanel {
 
     paint() {
         const e = this.exercise, time = this.app.frame?.time ?? 0;
-        const score = `${points(e.points) || 0} of ${+e.possible.toFixed(1)} points`;
+        const score = `${points(e.points) || 0} ${t('of')} ${+e.possible.toFixed(1)} ${t('points')}`;
         if (this.score.textContent !== score) this.score.textContent = score;
         this.score.title = `${e.pass} are needed`;
         this.score.className = e.points >= e.pass ? 'good' : '';
@@ -100,7 +102,7 @@ export class ExercisePanel {
         const sounding = e.alarms.filter(a => a.active), names = sounding.map(a => a.name).join();
         if (names !== this.sounding) {  // only then: each change is spoken
             this.sounding = names;
-            this.alarms.replaceChildren(...sounding.map(a => el('li', {className: 'alarm'}, el('b', {textContent: '!', 'aria-hidden': 'true'}), el('span', {textContent: `Alarm: ${title(a)}`}))));
+            this.alarms.replaceChildren(...sounding.map(a => el('li', {className: 'alarm'}, el('b', {textContent: '!', 'aria-hidden': 'true'}), el('span', {textContent: `${t('Alarm')}: ${title(a)}`}))));
         }
     }
 
@@ -109,12 +111,25 @@ export class ExercisePanel {
         box.hidden = !may;
         if (!may) return;
         const send = (f, active) => this.app.ask({type: 'fault', name: f.name, active});
-        box.replaceChildren(el('h3', {textContent: 'Faults'}), ...this.faults.map(f => el('div', {className: 'fault'},
+        box.replaceChildren(el('h3', {textContent: t('Faults')}), ...this.faults.map(f => el('div', {className: 'fault'},
             el('span', {textContent: title(f), title: `${kFaults[f.kind] ?? f.kind}: ${f.target}`}),
-            el('button', {textContent: f.active ? f.ends ? 'End' : 'Done' : 'Begin', 'aria-pressed': String(f.active), 'data-fault': f.name, 'aria-label': `${f.active ? 'End' : 'Begin'} the fault ${title(f)}`,
+            el('button', {textContent: f.active ? f.ends ? t('End') : t('Done') : t('Begin'), 'aria-pressed': String(f.active), 'data-fault': f.name, 'aria-label': `${f.active ? t('End') : t('Begin')}: ${title(f)}`,
                 disabled: f.active && !f.ends, onclick: () => send(f, !f.active)}),
-            el('small', {textContent: [kFaults[f.kind] ?? f.kind, f.at === null ? '' : `by itself at ${clock(f.at)}`].filter(Boolean).join(', ')}))),
-            el('button', {id: 'end-exercise', textContent: 'End the exercise', disabled: this.exercise.ended !== null, onclick: () => this.app.ask({type: 'end'})}));
+            el('small', {textContent: [kFaults[f.kind] ?? f.kind, f.at === null ? '' : `${t('by itself at')} ${clock(f.at)}`].filter(Boolean).join(', ')}))),
+            this.noteForm(), el('button', {id: 'end-exercise', textContent: t('End the exercise'), disabled: this.exercise.ended !== null, onclick: () => this.app.ask({type: 'end'})}));
+    }
+
+    /// A remark of the instructor for the time line.
+    noteForm() {
+        const text = el('input', {type: 'text', className: 'text', maxLength: 120, placeholder: t('Note'), 'aria-label': t('Note for the time line'), id: 'note-text'});
+        const form = el('form', {className: 'row note-form'}, text, el('button', {textContent: t('Note')}));
+        form.addEventListener('submit', e => {
+            e.preventDefault();
+            if (!text.value.trim()) return;
+            this.app.ask({type: 'note', text: text.value.trim()}, t('Noted'));
+            text.value = '';
+        });
+        return form;
     }
 
     /// Show passed or failed in the middle of the page, until it is closed or a state is restored.
@@ -126,8 +141,8 @@ export class ExercisePanel {
         if (key === null || this.closed === key) return void (box.hidden = true);
         this.key = key;
         box.className = `panel ${e.outcome}`;
-        $('over-title').textContent = e.outcome === 'passed' ? 'Passed' : 'Not passed';
-        $('over-text').textContent = `${points(e.points) || 0} of ${+e.possible.toFixed(1)} points, ${+e.pass.toFixed(1)} needed. At ${clock(e.ended)}: ${e.end}.`;
+        $('over-title').textContent = e.outcome === 'passed' ? t('Passed') : t('Not passed');
+        $('over-text').textContent = `${points(e.points) || 0} ${t('of')} ${+e.possible.toFixed(1)} ${t('points')}, ${+e.pass.toFixed(1)} ${t('needed')}. ${clock(e.ended)}: ${e.end}.`;
         if (box.hidden) {
             box.hidden = false;
             $('over-close').focus();
@@ -150,7 +165,7 @@ export class ExercisePanel {
             const words = Number.isFinite(value) ? shown(value, scene.outputs[k].unit, d.name) : '–';
             if (d.value.textContent !== words) d.value.textContent = words;
         }
-        this.left.textContent = e.ended !== null ? 'ended' : e.duration === null ? '' : `${clock(Math.max(0, e.duration - frame.time))} left`;
+        this.left.textContent = e.ended !== null ? t('ended') : e.duration === null ? '' : `${clock(Math.max(0, e.duration - frame.time))} ${t('left')}`;
         if (e.goals.some(g => g.by !== null && g.reached === null)) this.paint();
         if (this.sound && this.app.alarms.book.sounding && now >= (this.beepDue ?? 0)) {
             this.beepDue = now + 1000;

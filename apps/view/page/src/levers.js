@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The controls, by group: buttons for a choice, a switch for two values, otherwise a slider with
-/// range and unit. A control with a spring returns to neutral after its release by pointer, touch, keys
+/// range and unit, with the form of the thing that it operates (forms.js). A control with a spring returns to neutral after its release by pointer, touch, keys
 /// or gamepad. A control shows the request; a line below it shows another value in force.
 import {el, memory} from './dom.js';
-import {groupLevers, leverRange, neutral, nudge, springHome, toDeflection, valueWords, fromDeflection, Throttle} from './lever_logic.js';
+import {azimuthLever, endsOf, kCraneSticks, formOf, headingDial, helmWheel, inPercent, keyStep, stickPad} from './forms.js';
+import {groupLevers, leverRange, neutral, nudge, springHome, toDeflection, fromDeflection, Throttle} from './lever_logic.js';
 import {readable} from './roles.js';
 import {shown} from './units.js';
+import {choicesOf, signalOf} from './vessel.js';
+import {t} from './words.js';
+
+const kDangerous = new Set(['release']);   // a second press within 3 s confirms
+
+/// Return the word of a choice in the words of the trade.
+export function choiceWord(def, value) {
+    const word = def.words[value] ?? '', key = signalOf(def).endsWith('.mode') ? `${word === 'off' || ['joystick', 'heading', 'position', 'follow'].includes(word) ? 'mode' : 'winch'} ${word}` : word, words = t(key);
+    return words === key && key !== word ? readable(word) : words === word ? readable(word) : words;
+}
 
 export class Levers {
     constructor(panel, send) {
@@ -18,23 +29,26 @@ export class Levers {
     /// @param first  Groups at the top, such as ships.
     setScene(scene, live, first = []) {
         const kept = this.levers[this.active]?.def.name;
-        this.panel.replaceChildren(el('h2', {textContent: 'Levers'}));
+        this.scene = scene;
+        this.panel.replaceChildren(el('h2', {textContent: t('Controls')}));
         this.levers = [];
         const may = scene.role.inputs, mine = i => i.mine ?? (may === 'all' || may.includes(i.name));
-        const shown = scene.inputs.map((def, index) => ({...def, index})).filter(i => i.kind !== 'inner' && mine(i));
+        const shown = scene.inputs.map((def, index) => ({...def, index, words: choicesOf(def, scene.vessels)})).filter(i => i.kind !== 'inner' && mine(i));
         document.body.classList.toggle('levers-none', !shown.length || !live);
         if (!shown.length) return;
         const rank = ([g]) => first.includes(g) ? 0 : 1;
         const groups = [...groupLevers(shown)].sort((a, b) => rank(a) - rank(b));
         const closed = new Set(memory.get(`closed.${scene.name}`, shown.length > 14 ? groups.slice(2).map(([g]) => g) : []));
         for (const [group, members] of groups) {
-            const box = el('details', {className: 'lever-group', open: !closed.has(group)}, el('summary', {textContent: readable(group)}));
+            const box = el('details', {className: 'lever-group', open: !closed.has(group)}, el('summary', {textContent: t(readable(group))}));
             box.addEventListener('toggle', () => {
                 if (box.open) closed.delete(group);
                 else closed.add(group);
                 memory.set(`closed.${scene.name}`, [...closed]);
             });
+            const first = this.levers.length;
             for (const m of members) box.append(this.make(shown[m], group));
+            this.joinPads(this.levers.slice(first));
             this.panel.append(box);
         }
         const again = this.levers.findIndex(l => l.def.name === kept);
@@ -47,11 +61,16 @@ export class Levers {
         if (def.words?.length) return this.makeChoice(def, range, rest, own, at, id);
         const slider = el('input', {type: 'range', id, min: range[0], max: range[1], step: 'any', value: def.value ?? rest});
         const output = el('output', {htmlFor: id});
-        const ends = el('div', {className: 'ends', 'aria-hidden': 'true'}, el('span', {textContent: shown(range[0], unit, def.name)}),
-            el('span', {className: 'home', textContent: def.spring === null || def.spring === undefined ? vague ? def.unit : '' : `springs to ${shown(def.spring, unit, def.name)}`}),
-            el('span', {textContent: shown(range[1], unit, def.name)}));
-        const element = el('div', {className: 'lever'}, el('div', {className: 'head'}, el('label', {for: id, textContent: readable(own), title: def.name}), output), slider, ends, el('small', {className: 'force', hidden: true}));
-        const lever = {def, unit, range, rest, slider, output, element, force: element.lastElementChild, value: Number(slider.value), held: new Set(), sent: null, until: 0};
+        const form = formOf(def, this.scene), words = endsOf(form, signalOf(def)), percent = inPercent(form, def.unit, range);
+        const text = v => percent ? `${Math.round(100 * v)} %` : shown(v, unit, signalOf(def));
+        const home = def.spring === null || def.spring === undefined ? vague ? def.unit : '' : def.spring === 0 ? t('returns to centre') : `${t('returns to')} ${text(def.spring)}`;
+        const ends = el('div', {className: 'ends', 'aria-hidden': 'true'}, el('span', {textContent: words ? t(words[0]) : text(range[0])}),
+            el('span', {className: 'home', textContent: words?.[1] ? t(words[1]) : home}), el('span', {textContent: words ? t(words[2]) : text(range[1])}));
+        if (form === 'heading') ends.hidden = true;
+        const lever = {def, unit, range, rest, slider, output, value: Number(slider.value), held: new Set(), sent: null, until: 0, text, form, step: keyStep(form)};
+        const picture = form === 'heading' ? headingDial(lever, v => { this.activate(at); this.move(at, v); }) : form === 'helm' ? helmWheel(lever) : null;
+        const element = lever.element = el('div', {className: `lever ${form}`}, el('div', {className: 'head'}, el('label', {for: id, textContent: t(readable(own)), title: def.name}), output), picture, slider, ends, el('small', {className: 'force', hidden: true}));
+        lever.force = element.lastElementChild;
         this.levers.push(lever);
         slider.dataset.input = def.name;
         slider.addEventListener('input', () => this.move(at, Number(slider.value)));
@@ -71,16 +90,19 @@ export class Levers {
 
     /// A radio group of buttons, or a switch if there are two values.
     makeChoice(def, range, rest, own, at, id) {
-        const label = el('span', {id: `${id}-label`, textContent: readable(own), title: def.name});
+        const label = el('span', {id: `${id}-label`, textContent: t(readable(own)), title: def.name});
         const lever = {def, unit: '', range, rest, slider: null, value: def.value ?? rest, held: new Set(), sent: null, until: 0};
         this.levers.push(lever);
         const pick = value => {
             this.activate(at);
+            if (kDangerous.has(def.words[value]) && value !== Math.round(lever.value) && !(performance.now() < (lever.armed ?? 0))) return this.arm(lever, value);
+            lever.armed = 0;
             this.move(at, value);
         };
+        lever.wordOf = value => choiceWord(def, value);
         const two = def.words.length === 2;
         lever.buttons = two ? [el('button', {role: 'switch', id, onclick: () => pick(lever.value > 0.5 ? 0 : 1)})]
-            : def.words.map((word, i) => el('button', {role: 'radio', textContent: readable(word), onclick: () => pick(i)}));
+            : def.words.map((word, i) => el('button', {role: 'radio', textContent: lever.wordOf(i), className: kDangerous.has(word) ? 'guarded' : '', onclick: () => pick(i)}));
         for (const b of lever.buttons) {
             b.dataset.input = def.name;
             b.addEventListener('focus', () => this.activate(at));
@@ -93,10 +115,43 @@ export class Levers {
         return lever.element;
     }
 
+    /// Ask for a second press of a dangerous choice.
+    arm(lever, value) {
+        lever.armed = performance.now() + 3000;
+        const b = lever.buttons[value];
+        b.textContent = t('Press again');
+        b.classList.add('armed');
+        setTimeout(() => { b.classList.remove('armed'); b.textContent = lever.wordOf(value); }, 3000);
+    }
+
+    /// Join controls of one thing to a pad: joystick of a vessel, order and angle of an azimuth.
+    joinPads(levers) {
+        const of = end => levers.find(l => l.form === 'joystick' && signalOf(l.def).endsWith(end)), x = of('_x'), y = of('_y'), index = l => this.levers.indexOf(l);
+        const join = (across, along) => {
+            if (!across || !along) return;
+            const both = [across, along], pad = stickPad(across, along, () => both.forEach(l => this.hold(index(l), 'stick')), (l, d) => this.move(index(l), fromDeflection(l.range, d)), () => both.forEach(l => this.letGo(index(l), 'stick')));
+            along.drawn = v => pad.set('y', toDeflection(along.range, v));
+            across.drawn = v => pad.set('x', toDeflection(across.range, v));
+            (index(across) < index(along) ? across : along).element.before(pad.box);
+        };
+        join(y, x);
+        const crane = name => levers.find(l => l.form === 'crane' && signalOf(l.def).endsWith(`.${name}`));
+        for (const [across, along] of kCraneSticks) join(crane(across), crane(along));
+        for (const angle of levers.filter(l => l.form === 'azimuth' && signalOf(l.def).endsWith('_angle'))) {
+            const order = levers.find(l => signalOf(l.def) === signalOf(angle.def).slice(0, -6));
+            if (!order) continue;
+            const dial = azimuthLever((a, r) => { this.move(index(angle), Math.min(angle.range[1], Math.max(angle.range[0], a))); this.move(index(order), order.range[1] * r); });
+            angle.drawn = v => dial.set('angle', v);
+            order.drawn = v => dial.set('order', v / order.range[1]);
+            order.element.before(dial.box);
+        }
+        for (const l of levers) this.paint(l);
+    }
+
     key(e, at) {
         const lever = this.levers[at], steps = {ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 5, PageDown: -5}[e.key];
         let to = null;
-        if (steps) to = nudge(lever.range, lever.value, steps, lever.def.words?.length > 0);
+        if (steps) to = this.nudged(lever, steps);
         else if (e.key === 'Home') to = lever.range[0];
         else if (e.key === 'End') to = lever.range[1];
         else if (e.key === '0' || e.key === 'Backspace') to = lever.rest;
@@ -106,6 +161,13 @@ export class Levers {
         if (steps) this.hold(at, e.key);
         this.move(at, to);
         if (lever.buttons?.length > 1) lever.buttons[Math.round(lever.value)]?.focus();
+    }
+
+    /// Return the value after presses of a key. Dangerous choices are skipped: they need two presses.
+    nudged(lever, steps) {
+        if (lever.step) return Math.min(lever.range[1], Math.max(lever.range[0], Math.round(lever.value / lever.step + steps * (Math.abs(steps) > 1 ? 2 : 1)) * lever.step));
+        const to = nudge(lever.range, lever.value, steps, lever.def.words?.length > 0);
+        return kDangerous.has(lever.def.words?.[to]) ? lever.value : to;
     }
 
     hold(at, by) {
@@ -134,20 +196,22 @@ export class Levers {
         const lever = this.levers[this.active];
         if (!lever) return;
         this.hold(this.active, by);
-        this.move(this.active, nudge(lever.range, lever.value, steps, lever.def.words?.length > 0));
+        this.move(this.active, this.nudged(lever, steps));
     }
 
     neutral() {
         if (this.levers[this.active]) this.move(this.active, this.levers[this.active].rest);
     }
 
-    /// Move a control by a stick: deflection −1 to 1.
+    /// Move a control by a stick: deflection −1 to 1. A control with a spring follows the stick. Another
+    /// one moves while the stick is held, over its whole range in four seconds, and stays.
     deflect(at, d, holding) {
         const lever = this.levers[at];
         if (!lever) return;
         if (holding) this.hold(at, 'pad');
         else this.letGo(at, 'pad');
-        this.move(at, fromDeflection(lever.range, d));
+        if (lever.def.spring !== null && lever.def.spring !== undefined) return this.move(at, fromDeflection(lever.range, d));
+        lever.drift = holding ? d : 0;
     }
 
     move(at, value) {
@@ -164,6 +228,7 @@ export class Levers {
     /// Update for each picture: springs, values that others have set, values to send.
     update(now, dt, frame) {
         for (const [at, lever] of this.levers.entries()) {
+            if (lever.drift) this.move(at, Math.min(lever.range[1], Math.max(lever.range[0], lever.value + lever.drift * dt * (lever.range[1] - lever.range[0]) / 4)));
             const springs = lever.def.spring !== null && lever.def.spring !== undefined;
             if (springs && !lever.held.size && lever.until && lever.value !== lever.rest) {
                 const about = lever.range.map(v => v - lever.rest);
@@ -185,7 +250,7 @@ export class Levers {
 
     /// Show a value in force that differs from the request; null: none.
     paintForce(lever, value) {
-        const words = value === null ? '' : `in force: ${lever.def.words?.length ? readable(valueWords(lever.def, value)) : shown(value, lever.unit, lever.def.name)}`;
+        const words = value === null ? '' : `${t('in force')}: ${lever.wordOf ? lever.wordOf(Math.round(value)) : lever.text(value)}`;
         if (lever.force.textContent === words) return;
         lever.force.textContent = words;
         lever.force.hidden = !words;
@@ -198,8 +263,9 @@ export class Levers {
 
     paint(lever) {
         if (lever.buttons) return this.paintChoice(lever);
-        const {slider, range, value, def} = lever, of = v => 100 * (v - range[0]) / (range[1] - range[0]);
-        const words = shown(value, lever.unit, def.name);
+        const {slider, range, value} = lever, of = v => 100 * (v - range[0]) / (range[1] - range[0]);
+        const words = lever.text(value);
+        lever.drawn?.(value, words);
         slider.value = value;
         lever.output.textContent = words;
         slider.setAttribute('aria-valuetext', words);
@@ -210,7 +276,7 @@ export class Levers {
     paintChoice(lever) {
         const at = Math.round(lever.value);
         if (lever.buttons.length === 1) {
-            const [b] = lever.buttons, words = readable(lever.def.words[at] ?? '');
+            const [b] = lever.buttons, words = lever.wordOf(at);
             b.setAttribute('aria-checked', String(at === 1));
             b.textContent = words;
             return;

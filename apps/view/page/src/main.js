@@ -3,6 +3,7 @@
 import {AlarmList} from './alarms.js';
 import {Briefing} from './briefing.js';
 import {Connection} from './connection.js';
+import {Debriefing} from './debriefing.js';
 import {gradient} from './colour.js';
 import {$, clock, el, memory, toast} from './dom.js';
 import {Drag} from './drag.js';
@@ -19,6 +20,7 @@ import {readable} from './roles.js';
 import {Stage} from './stage.js';
 import {Timeline} from './timeline.js';
 import {kModes} from './camera.js';
+import {chooseLanguage, language, t, translatePage} from './words.js';
 
 const kPause = 'M3 2h4v12H3zM9 2h4v12H9z', kPlay = 'M4 2v12l10-6z';
 const kCameraNames = {free: 'Free', follow: 'Follow', board: 'Deck', bridge: 'Bridge', aft: 'Aft', hook: 'Hook', top: 'Chart'};
@@ -35,6 +37,7 @@ class App {
         this.exercise = new ExercisePanel($('exercise'), this);
         this.alarms = new AlarmList($('alarm-list'));
         this.briefing = new Briefing($('briefing'), this);
+        this.debriefing = new Debriefing($('debriefing'), this);
         this.instruments = new Instruments($('instruments'), this);
         this.timeline = new Timeline(time => this.link.ask({type: 'seek', time}));
         this.drag = new Drag(this);
@@ -68,9 +71,11 @@ class App {
         on('event', e => {
             this.timeline.tell(e);
             this.alarms.event(e);
+            this.debriefing.collector.event(e);
             if (e.kind === 'command' && /restored/.test(e.words ?? '')) this.restored();
         });
-        on('timeline', t => this.timeline.setEvents(t.events));
+        on('timeline', m => { this.timeline.setEvents(m.events); this.debriefing.timeline(m.events); });
+        on('debriefing', d => this.debriefing.set(d));
         on('exercise', e => this.exercise.setExercise(e));
         on('faults', f => this.exercise.setFaults(f.faults));
         on('failure', f => this.paintFailure(f));
@@ -100,7 +105,8 @@ class App {
         this.instruments.setScene(scene);
         this.plots.setScene(scene);
         if (first) this.inspector.clear();
-        const names = this.levers.levers.map(l => l.def.name);
+        // Sticks move continuous controls, those that spring back like a stick first.
+        const sprung = l => l.def.spring !== null && l.def.spring !== undefined, names = this.levers.levers.filter(l => !l.buttons).sort((a, b) => sprung(b) - sprung(a)).map(l => l.def.name);
         this.pads.setMapping(memory.get(`pad.${scene.name}`, defaultMapping(names)));
         $('subject').replaceChildren(...this.stage.subjects().map(b => el('option', {value: b.id, textContent: readable(b.name.replace(/\/hull$/, ''))})));
         if (this.stage.subjectBody) $('subject').value = this.stage.subjectBody.id;
@@ -118,7 +124,7 @@ class App {
     setState(s) {
         this.state = s;
         $('play-icon').setAttribute('d', s.paused ? kPlay : kPause);
-        $('play-text').textContent = s.paused ? 'Go on' : 'Pause';
+        $('play-text').textContent = t(s.paused ? 'Go on' : 'Pause');
         $('play').setAttribute('aria-pressed', String(s.paused));
         if (document.activeElement !== $('rate')) $('rate').value = Math.log10(s.rate);
         $('rate-text').textContent = `×${Number(s.rate.toPrecision(2))}`;
@@ -206,6 +212,12 @@ class App {
         for (const lever of this.levers.levers) this.levers.paint(lever);
     }
 
+    /// Open or close the menu of tools, on narrow pages.
+    menu(on = !document.body.classList.contains('menu-open')) {
+        document.body.classList.toggle('menu-open', on);
+        $('menu').setAttribute('aria-expanded', String(on));
+    }
+
     dials() {
         this.instruments.toggle();
         $('dials').setAttribute('aria-pressed', String(this.instruments.open));
@@ -237,6 +249,9 @@ class App {
         $('rate').addEventListener('input', () => this.rate(10 ** Number($('rate').value)));
         $('rate').addEventListener('dblclick', () => this.rate(1));
         $('dials').addEventListener('click', () => this.dials());
+        $('menu').addEventListener('click', () => this.menu());
+        $('tools').addEventListener('click', () => this.menu(false));
+        $('debrief').addEventListener('click', () => this.debriefing.toggle());
         $('shot').addEventListener('click', () => this.screenshot());
         $('pull').addEventListener('click', () => this.drag.mode(!this.drag.on));
         $('lost-retry').addEventListener('click', () => this.link.retry());
@@ -244,7 +259,7 @@ class App {
         $('failure-restore').addEventListener('click', () => { this.restore(this.failure.restore_point); $('failure').hidden = true; });
         $('subject').addEventListener('change', () => this.followBody(this.stage.bodies.byId.get(Number($('subject').value))));
         for (const b of document.querySelectorAll('[data-panel]')) b.addEventListener('click', () => this.panel(b.dataset.panel));
-        $('cameras').append(...kModes.map((mode, i) => el('button', {role: 'radio', textContent: kCameraNames[mode], title: `Camera: ${kCameraNames[mode]} (${i + 1})`, onclick: () => this.camera(mode)})));
+        $('cameras').append(...kModes.map((mode, i) => el('button', {role: 'radio', textContent: t(kCameraNames[mode]), title: `${t('Camera')}: ${t(kCameraNames[mode])} (${i + 1})`, onclick: () => this.camera(mode)})));
         [...$('cameras').children].forEach((b, i) => { b.dataset.mode = kModes[i]; });
         $('legend-ramp').style.background = gradient();
         $('legend-range').addEventListener('click', () => this.nextRange());
@@ -304,6 +319,7 @@ class App {
             this.levers.keepsRequests = this.exercise.on;
             this.exercise.update(this.frame, now);
             this.instruments.update(this.frame, now);
+            this.debriefing.update(this.frame);
             this.alarms.paint();
             $('time').textContent = clock(this.frame.time);
         }
@@ -342,4 +358,6 @@ class App {
     }
 }
 
+language.code = memory.get('language', null) ?? chooseLanguage(navigator.languages ?? []);
+translatePage(document.body);
 window.hawser = new App();

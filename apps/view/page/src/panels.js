@@ -5,6 +5,7 @@ import {quantity} from './lever_logic.js';
 import {leftOutWords} from './protocol.js';
 import {readable} from './roles.js';
 import {FORCE} from './stage.js';
+import {kLanguages, language, t} from './words.js';
 
 /// Return pairs of name and value from any notation.
 const words = text => Array.isArray(text) ? text : Object.entries(text ?? {});
@@ -103,7 +104,13 @@ export function layersPanel(panel, app) {
         el('p', {className: 'note', textContent: 'Lengths of force arrows go with the cube root of the force: ten times the length is a thousand times the force.'}));
     const si = el('input', {type: 'checkbox', checked: memory.get('si', false), id: 'si'});
     si.addEventListener('change', () => app.useSi(si.checked));
-    panel.append(el('h2', {textContent: 'Units'}), el('label', {className: 'check'}, si, el('span', {textContent: 'SI units (N, m/s, rad)'})));
+    const speech = el('select', {id: 'language', 'aria-label': t('Language')}, ...Object.entries(kLanguages).map(([value, textContent]) => el('option', {value, textContent})));
+    speech.value = language.code;
+    speech.addEventListener('change', () => {
+        memory.set('language', speech.value);
+        location.reload();
+    });
+    panel.append(el('h2', {textContent: t('Language')}), speech, el('h2', {textContent: t('Units')}), el('label', {className: 'check'}, si, el('span', {textContent: 'SI units (N, m/s, rad)'})));
     paintForces(app);
 }
 

@@ -6,7 +6,10 @@ import {quantity} from './lever_logic.js';
 const kTonne = 9806.65;                 // N, the weight of 1000 kg
 const kKnot = 1852 / 3600;              // m/s
 const kDegree = Math.PI / 180;          // rad
-const afloat = /wind|gust|current|ground|through|ship|drift|surge|sway|(^|[._ /])speed$/i;
+const afloat = /wind|gust|current|ground|through|ship|drift|surge|sway|speed_order|(^|[._ /])speed$/i;
+const clockwise = /(^|\.)heading(_order)?$/;      // from the world's x axis, which is east
+const anticlockwise = /(^|[._])(course|yaw)$/;     // of a pose
+
 const ofWire = /winch|drum|wire|hoist|haul|tow|work|anchor|chain|windlass|luff|fold|knuckle|pay|slip/i;
 const turning = /turn|yaw|heading|slew/i;
 const shaft = /shaft|propeller|engine|drum|rpm/i;
@@ -33,6 +36,10 @@ const ofInstruments = new Set(['kn', 'm', 'm/min', 'm/s', 't', 't m', '°', '°/
 
 /// Format a quantity in the units of the page: "12.4 t", "8.1 kn". Less than an instrument shows is 0.
 export function shown(value, unit, name = '', digits = 3, si = units.si) {
+    if (unit === 'rad' && !si && Number.isFinite(value)) {
+        if (clockwise.test(name)) return bearing(90 + value / kDegree);
+        if (anticlockwise.test(name)) return bearing(90 - value / kDegree);
+    }
     const [v, u] = convert(value, unit, name, si);
     return quantity(Math.abs(v) < kFine && ofInstruments.has(u) ? 0 : v, u, digits);
 }

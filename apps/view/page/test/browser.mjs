@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drives the page in a browser against the real program: node test/browser.mjs HAWSER [PART …]
-// Parts: act (levers to restore), exercise (roles, faults, score), record (scrubbing), look (pictures,
-// rates). All by default.
+// Parts: act (levers to restore), exercise (roles, faults, score), station (instruments, keys), record
+// (scrubbing), look (pictures, rates). All by default.
+// HAWSER_PAGE=build/page/files serves the page's files from that folder instead of the program's.
 // Debian's chromium without a graphics card: software GL. CHROMIUM names another one.
 import assert from 'node:assert/strict';
 import {spawn} from 'node:child_process';
@@ -13,12 +14,13 @@ import {chromium} from 'playwright-core';
 import {actPart} from './browser_act.mjs';
 import {exercisePart} from './browser_exercise.mjs';
 import {lookPart} from './browser_look.mjs';
+import {stationPart} from './browser_station.mjs';
 import {recordPart} from './browser_record.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url)), root = resolve(here, '../../../..');
 const hawser = resolve(process.argv[2] ?? join(root, 'build/release/bin/hawser'));
-const parts = process.argv.length > 3 ? process.argv.slice(3) : ['act', 'exercise', 'record', 'look'];
-const kArguments = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'];
+const parts = process.argv.length > 3 ? process.argv.slice(3) : ['act', 'exercise', 'station', 'record', 'look'];
+const kArguments = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', '--disable-features=LocalNetworkAccessChecks'];
 
 let passed = 0, failed = 0;
 const children = new Set();
@@ -75,9 +77,22 @@ async function open(browser, address, {query = '', ...options} = {}) {
         window.fakePads = [];
         navigator.getGamepads = () => window.fakePads;
     });
-    await page.goto(address.replace('/#', `/${query}#`));
+    const folder = process.env.HAWSER_PAGE && resolve(root, process.env.HAWSER_PAGE);
+    for (const name of folder ? ['', 'view.js', 'view.css'] : []) await page.route(u => u.pathname === `/${name}`, r => r.fulfill({path: join(folder, name || 'index.html')}));
+    await page.goto(address.replace('/#', `/${query}#`), {timeout: 90000});
     await page.waitForFunction(() => window.hawser?.frame, null, {timeout: 60000});
     return page;
+}
+
+/// Stop drawing of the picture: without a graphics card it takes the processors from all else. Panels,
+/// controls and instruments go on. @param still  False: draw again, and wait for two pictures.
+async function still(page, on = true) {
+    await page.evaluate(async s => {
+        const {stage} = hawser;
+        stage.drawn ??= stage.draw.bind(stage);
+        stage.draw = s ? () => {} : stage.drawn;
+        for (let i = 0; !s && i < 2; ++i) await new Promise(done => requestAnimationFrame(done));
+    }, on);
 }
 
 /// Waits for an expression of the page; tells its last value where it does not come true.
@@ -94,11 +109,12 @@ async function until(page, f, argument, timeout = 20000) {
 const out = mkdtempSync(join(tmpdir(), 'hawser-page-')), pictures = join(root, 'docs/pictures');
 mkdirSync(pictures, {recursive: true});
 const browser = await chromium.launch({executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: kArguments});
-const kit = {browser, serve, open, until, check, out, root, pictures, hawser, size: f => statSync(f).size, load: () => readFileSync('/proc/loadavg', 'utf8').split(' ')[0],
+const kit = {browser, serve, open, until, still, check, out, root, pictures, hawser, size: f => statSync(f).size, load: () => readFileSync('/proc/loadavg', 'utf8').split(' ')[0],
     quiet: page => check('the page said no error', () => assert.ok(!page.errors.length, page.errors.slice(0, 3).join(' ; ').slice(0, 500)))};
 try {
     if (parts.includes('act')) await actPart(kit);
     if (parts.includes('exercise')) await exercisePart(kit);
+    if (parts.includes('station')) await stationPart(kit);
     if (parts.includes('record')) await recordPart(kit);
     if (parts.includes('look')) await lookPart(kit);
 } catch (e) {

@@ -28,6 +28,11 @@ export const redness = (page, wire) => page.evaluate(async w => {
 }, wire);
 
 const input = (page, name) => page.evaluate(n => hawser.frame.inputs[hawser.scene.inputs.findIndex(i => i.name === n)], name);
+/// Press a tool of the header; on narrow pages it is in the menu.
+async function tool(page, selector) {
+    if (await page.locator('#menu').isVisible()) await page.locator('#menu').click();
+    await page.locator(selector).click();
+}
 const slider = (page, name) => page.locator(`input[data-input="${name}"]`);
 
 async function levers(kit, page) {
@@ -197,7 +202,7 @@ async function wire(kit, page) {
         hawser.stage.full = 0.25;
     });
     await check('a restore point goes back in time', async () => {
-        await page.locator('[data-panel="restore"]').click();
+        await tool(page, '[data-panel="restore"]');
         await page.locator('#save-name').fill('slack wire');
         await page.locator('#save').click();
         const t = await until(page, () => hawser.state.restore_points.find(p => p.name === 'slack wire')?.time);
@@ -211,7 +216,7 @@ async function wire(kit, page) {
         await until(page, a => Math.abs(hawser.frame.time - a) < 0.02, t);
         await page.evaluate(() => hawser.state.paused && hawser.play());
         await until(page, () => !hawser.state.paused);
-        await page.locator('[data-panel="restore"]').click();
+        await tool(page, '[data-panel="restore"]');
         return `from ${later.toFixed(2)} s to ${t.toFixed(2)} s`;
     });
     await check('hauling makes the wire redder', async () => {
@@ -279,15 +284,17 @@ async function rest(kit, page) {
         }).map(e => e.id || e.outerHTML.slice(0, 80)));
         assert.deepEqual(nameless, []);
         const seen = new Set();
+        await page.evaluate(() => hawser.menu(true));
         await page.evaluate(() => document.body.focus());
         for (let i = 0; i < 40; ++i) {
             await page.keyboard.press('Tab');
             seen.add(await page.evaluate(() => document.activeElement.id || document.activeElement.textContent));
         }
+        await page.evaluate(() => hawser.menu(false));
         for (const id of ['play', 'step', 'rate', 'subject', 'shot', 'canvas', 'lever-0']) assert.ok(seen.has(id), `${id} is not among ${[...seen].join()}`);
     });
     await check('a screenshot is a PNG of the picture', async () => {
-        const [download] = await Promise.all([page.waitForEvent('download'), page.locator('#shot').click()]);
+        const [download] = await Promise.all([page.waitForEvent('download'), tool(page, '#shot')]);
         assert.match(download.suggestedFilename(), /^harbour_[\d.]+s\.png$/);
         await download.saveAs(join(kit.out, 'shot.png'));
         return `${kit.size(join(kit.out, 'shot.png'))} bytes`;

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 import {AlarmBook} from '../src/alarms.js';
-import {cranesOf, prefixOf, propulsorsOf, tensionBar, winchesOf} from '../src/instruments.js';
+import {cranesOf, prefixOf, tensionBar, winchesOf} from '../src/instruments.js';
 import {attitude, Motion} from '../src/motion.js';
 import {readable} from '../src/roles.js';
 import {bearing, convert, shown, sided} from '../src/units.js';
@@ -71,6 +71,7 @@ test('the station’s ship is the prefix of most of its inputs', () => {
 
 test('winches of a ship: by drum, joined with their system, others left out', () => {
     const scene = {
+        systems: [], bodies: [],
         wires: [{name: 'tow'}, {name: 'work'}, {name: 'crane'}],
         drums: [{name: 'tow_winch', wire: 0, body: 4}, {name: 'work', wire: 1, body: 4}, {name: 'crane', wire: 2, body: 9}],
         outputs: ['tow_winch.pull', 'work/feed.paid_out', 'crane.pull'].map(name => ({name})),
@@ -80,9 +81,8 @@ test('winches of a ship: by drum, joined with their system, others left out', ()
     assert.equal(found[1].feed, 'work/feed');
 });
 
-test('propulsors and cranes from the names of outputs', () => {
+test('cranes from the names of outputs', () => {
     const outputs = ['osv.port', 'osv.port_thrust', 'osv.port_turned', 'osv.bow1_thrust', 'other.x_thrust', 'ahts1/crane.utilisation', 'rig.utilisation'].map(name => ({name}));
-    assert.deepEqual(propulsorsOf(outputs, 'osv'), [{name: 'port', order: true, angle: 'osv.port_turned'}, {name: 'bow1', order: false, angle: ''}]);
     assert.deepEqual(cranesOf(outputs, 'ahts1'), ['ahts1/crane']);
     assert.deepEqual(cranesOf(outputs, ''), ['ahts1/crane', 'rig']);
     assert.deepEqual(cranesOf([], 'rig'), []);
