@@ -9,7 +9,7 @@ DEMO   := out/demo
 VIEW_PORT ?= 8080
 CXX_FILES = git ls-files -co --exclude-standard '*.cpp' '*.h'
 
-.PHONY: help demo view page test test-full test-long test-page test-bare test-view-bare test-export test-python python wheel build bench docs format format-check layers words tidy check check-full mutants release clean packages
+.PHONY: help demo view page test test-full test-long test-page test-bare test-view-bare test-release-bare test-export test-python python wheel build bench docs format format-check layers words tidy check check-full mutants release clean packages
 .NOTPARALLEL:
 
 help:
@@ -37,6 +37,7 @@ help:
 	@echo "make check-full all suites, all sanitizers, benchmark libraries; resumes after an interruption"
 	@echo "make mutants    insert 60 faults one at a time, report the share that quick tests catch"
 	@echo "make release    source archive and Debian packages in build/packages, installed and used for a check"
+	@echo "make test-release-bare   the same packages installed by apt in a bare Debian 12"
 	@echo "make clean      remove build/ and out/"
 
 packages:
@@ -185,6 +186,9 @@ mutants: packages
 
 release: packages build/$(PRESET)/build.ninja
 	@scripts/release.sh build/$(PRESET) $(JOBS)
+
+test-release-bare: release
+	@scripts/test_release_bare.sh
 
 clean:
 	rm -rf build out

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <memory>
 #include <set>
+#include <span>
 #include <utility>
 
 namespace hawser::scene {
@@ -208,26 +209,14 @@ class Expander {
 
     Json filled_lists(const Json& definition, const Json& parameters, const InstanceScope& inner) {
         Json content = Json::object();
-        const Format& f = format();
-        std::vector<std::pair<const char*, const Shape*>> lists{
-            {"bodies", f.bodies.get()},     {"instances", f.instances.get()},
-            {"cables", f.cables.get()},     {"winches", f.winches.get()},
-            {"guides", f.guides.get()},     {"posts", f.posts.get()},
-            {"stoppers", f.stoppers.get()}, {"pins", f.pins.get()},
-            {"hooks", f.hooks.get()},       {"chasers", f.chasers.get()},
-            {"cranes", f.cranes.get()},     {"vessels", f.vessels.get()},
-            {"anchors", f.anchors.get()},   {"stability", f.stability.get()},
-            {"routes", f.routes.get()},     {"interactions", f.interactions.get()},
-            {"inputs", f.inputs.get()},     {"outputs", f.outputs.get()}};
-        for (std::size_t i = 0; i < section_formats().size(); ++i)
-            lists.emplace_back(section_formats()[i].key, f.sections[i].get());
+        const std::span<const ListFormat> lists = list_formats();
         const bool filled = with_note(out_.mistakes, inner.note, [&] {
-            for (const auto& [key, shape] : lists) {
-                if (definition.contains(key)) {
-                    const Place at = inner.scope.place / key;
-                    content[key] = substitute(definition[key], parameters, at);
-                    check_list(content, key, *shape, at, inner.scope.prefix, out_.mistakes);
-                }
+            for (std::size_t i = 0; i < lists.size(); ++i) {
+                const char* key = lists[i].key;
+                if (!definition.contains(key)) continue;
+                const Place at = inner.scope.place / key;
+                content[key] = substitute(definition[key], parameters, at);
+                check_list(content, key, *format().lists[i], at, inner.scope.prefix, out_.mistakes);
             }
         });
         if (!filled) {

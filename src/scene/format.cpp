@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/format.h"
 
+#include <algorithm>
+#include <span>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace hawser::scene {
 namespace {
@@ -38,7 +43,9 @@ ShapePtr cylinder() {
                     "Axis of the body's frame along which it lies."}});
 }
 
-ShapePtr body() {
+}  // namespace
+
+ShapePtr body_shape() {
     return object(
         "body", "a body", "One body.",
         {{"name", name("a name"), true, "", "", "Unique among bodies."},
@@ -83,6 +90,8 @@ ShapePtr body() {
         {{"orientation", "euler_deg"}, {"inertia", "box", "cylinder", "sphere"}});
 }
 
+namespace {
+
 /// Return the shape of the value of a parameter of a template.
 ShapePtr parameter() {
     const ShapePtr any_number = number("a number", -1e30, 1e30);
@@ -91,7 +100,9 @@ ShapePtr parameter() {
                    list("a list of numbers", any_number, 0, 16)});
 }
 
-ShapePtr instance() {
+}  // namespace
+
+ShapePtr instance_shape() {
     return object(
         "instance", "an instance", "One use of a template.",
         {{"template", text("a template name"), true, "", "", "Template to use."},
@@ -109,37 +120,22 @@ ShapePtr instance() {
         {{"orientation", "euler_deg"}});
 }
 
+namespace {
+
+/// Add the lists that scenes and templates have in common.
+void add_lists(std::vector<Field>& fields, const Format& format, bool placeholders) {
+    const std::span<const ListFormat> lists = list_formats();
+    for (std::size_t i = 0; i < lists.size(); ++i)
+        fields.push_back({lists[i].key,
+                          placeholders ? with_placeholders(format.lists[i]) : format.lists[i],
+                          false, "", "", lists[i].doc});
+}
+
 ShapePtr scene_template(const Format& format) {
-    std::vector<Field> fields{
-        {"description", text("a text"), false, "", "", "Remarks."},
-        {"parameters", map("parameters by name", parameter()), false, "", "",
-         "Names and defaults of what \"${name}\" stands for."},
-        {"bodies", with_placeholders(format.bodies), false, "", "", "Bodies."},
-        {"interactions", with_placeholders(format.interactions), false, "", "", "Interactions."},
-        {"cables", with_placeholders(format.cables), false, "", "", "Cables."},
-        {"winches", with_placeholders(format.winches), false, "", "", "Winches."},
-        {"guides", with_placeholders(format.guides), false, "", "", "What cables run over."},
-        {"posts", with_placeholders(format.posts), false, "", "",
-         "What cables may come to lie on."},
-        {"stoppers", with_placeholders(format.stoppers), false, "", "",
-         "Shark jaws and chain stoppers."},
-        {"pins", with_placeholders(format.pins), false, "", "", "Pins that go up and down."},
-        {"hooks", with_placeholders(format.hooks), false, "", "", "Hooks that take loads."},
-        {"chasers", with_placeholders(format.chasers), false, "", "",
-         "Rings that run along cables."},
-        {"cranes", with_placeholders(format.cranes), false, "", "", "Cranes."},
-        {"vessels", with_placeholders(format.vessels), false, "", "", "What sails."},
-        {"anchors", with_placeholders(format.anchors), false, "", "", "Anchors in the soil."},
-        {"stability", with_placeholders(format.stability), false, "", "", "Stability gauges."},
-        {"routes", with_placeholders(format.routes), false, "", "",
-         "Lines over posts and sheaves."},
-        {"inputs", with_placeholders(format.inputs), false, "", "", "Inputs."},
-        {"outputs", with_placeholders(format.outputs), false, "", "", "Outputs."},
-        {"instances", with_placeholders(format.instances), false, "", "",
-         "Templates used inside."}};
-    for (std::size_t i = 0; i < section_formats().size(); ++i)
-        fields.push_back({section_formats()[i].key, with_placeholders(format.sections[i]), false,
-                          "", "", section_formats()[i].doc});
+    std::vector<Field> fields{{"description", text("a text"), false, "", "", "Remarks."},
+                              {"parameters", map("parameters by name", parameter()), false, "", "",
+                               "Names and defaults of what \"${name}\" stands for."}};
+    add_lists(fields, format, true);
     return object("template", "a template", "A reusable group of bodies, such as a crane.",
                   std::move(fields));
 }
@@ -172,6 +168,40 @@ std::vector<Field> common_fields(const ShapePtr& line, const ShapePtr& group) {
             {"templates", map("templates by name", group), false, "", "", "Templates."}};
 }
 
+/// Return the parts of a scene that no template has.
+std::vector<Field> parts_of_scene(const Format& f) {
+    return {{"sea", sea_shape(), false, "air", "", "Water and wind."},
+            {"timeline", f.operations, false, "", "", "What is done to the scene at times."},
+            {"repeat",
+             object("repeat", "a repetition", "How copies of the scene stand side by side.",
+                    {{"offset", vector3("an offset"), true, "", "m", "From one copy to the next."},
+                     {"joins", f.list("cables"), false, "", "",
+                      "Cables between neighbours: \"from\" in one copy, \"to\" in the next."},
+                     {"copies", integer("a number of copies", 1, kMaxCopies), false, "1", "",
+                      "Copies in all; the option --scale sets it."}}),
+             false, "", "", "Copies."},
+            {"state",
+             object("state", "a state", "Pose and velocity in which the scene starts.",
+                    [] {
+                        auto all = state_fields();
+                        all.push_back({"file", text("a file name"), false, "", "",
+                                       "State file, relative to this one."});
+                        return all;
+                    }(),
+                    {{"file", "bodies"}}),
+             false, "", "", "Start from a stored state."},
+            {"plot",
+             object("plot", "a plot", "What pictures of the scene show.",
+                    {{"tensions", list_of("a list of cables", text("a cable name")), false, "", "",
+                      "Cables with a curve of tension."},
+                     {"motions", list_of("a list of bodies", body_ref()), false, "", "",
+                      "Bodies with a curve of motion."},
+                     {"view_box",
+                      list("six numbers [x, y, z, x, y, z]", number("a number", -1e9, 1e9), 6, 6),
+                      false, "", "m", "Lower and upper corner of what is shown."}}),
+             false, "", "", "Pictures."}};
+}
+
 ShapePtr scene_file(const Format& f, std::vector<Field> fields) {
     const ShapePtr number_or_rows = number("a number", 0.0, 1e12);
     const std::vector<Field> more{
@@ -183,59 +213,10 @@ ShapePtr scene_file(const Format& f, std::vector<Field> fields) {
                  {"damping_time", number_or_rows, false, "two steps", "s", "Damping time."}}),
          false, "", "", "Defaults of constraints."},
         {"material_pairs", list_of("a list of material pairs", material_pair()), false, "", "",
-         "How two given materials touch, in place of the mixing rules."},
-        {"bodies", f.bodies, false, "", "", "Bodies."},
-        {"interactions", f.interactions, false, "", "", "Interactions."},
-        {"cables", f.cables, false, "", "", "Cables."},
-        {"winches", f.winches, false, "", "", "Winches."},
-        {"guides", f.guides, false, "", "", "What cables run over."},
-        {"posts", f.posts, false, "", "", "What cables may come to lie on."},
-        {"stoppers", f.stoppers, false, "", "", "Shark jaws and chain stoppers."},
-        {"pins", f.pins, false, "", "", "Pins that go up and down."},
-        {"hooks", f.hooks, false, "", "", "Hooks that take loads."},
-        {"chasers", f.chasers, false, "", "", "Rings that run along cables."},
-        {"cranes", f.cranes, false, "", "", "Cranes."},
-        {"vessels", f.vessels, false, "", "", "What sails."},
-        {"anchors", f.anchors, false, "", "", "Anchors in the soil."},
-        {"stability", f.stability, false, "", "", "Stability gauges."},
-        {"routes", f.routes, false, "", "", "Lines over posts and sheaves."},
-        {"instances", f.instances, false, "", "", "Uses of templates."},
-        {"inputs", f.inputs, false, "", "", "Inputs."},
-        {"outputs", f.outputs, false, "", "", "Outputs: columns of --csv."},
-        {"sea", sea_shape(), false, "air", "", "Water and wind."},
-        {"timeline", f.operations, false, "", "", "What is done to the scene at times."},
-        {"repeat",
-         object("repeat", "a repetition", "How copies of the scene stand side by side.",
-                {{"offset", vector3("an offset"), true, "", "m", "From one copy to the next."},
-                 {"joins", f.cables, false, "", "",
-                  "Cables between neighbours: \"from\" in one copy, \"to\" in the next."},
-                 {"copies", integer("a number of copies", 1, kMaxCopies), false, "1", "",
-                  "Copies in all; the option --scale sets it."}}),
-         false, "", "", "Copies."},
-        {"state",
-         object("state", "a state", "Pose and velocity in which the scene starts.",
-                [] {
-                    auto all = state_fields();
-                    all.push_back({"file", text("a file name"), false, "", "",
-                                   "State file, relative to this one."});
-                    return all;
-                }(),
-                {{"file", "bodies"}}),
-         false, "", "", "Start from a stored state."},
-        {"plot",
-         object("plot", "a plot", "What pictures of the scene show.",
-                {{"tensions", list_of("a list of cables", text("a cable name")), false, "", "",
-                  "Cables with a curve of tension."},
-                 {"motions", list_of("a list of bodies", body_ref()), false, "", "",
-                  "Bodies with a curve of motion."},
-                 {"view_box",
-                  list("six numbers [x, y, z, x, y, z]", number("a number", -1e9, 1e9), 6, 6),
-                  false, "", "m", "Lower and upper corner of what is shown."}}),
-         false, "", "", "Pictures."}};
+         "How two given materials touch, in place of the mixing rules."}};
     fields.insert(fields.end(), more.begin(), more.end());
-    for (std::size_t i = 0; i < section_formats().size(); ++i)
-        fields.push_back(
-            {section_formats()[i].key, f.sections[i], false, "", "", section_formats()[i].doc});
+    add_lists(fields, f, false);
+    for (Field& part : parts_of_scene(f)) fields.push_back(std::move(part));
     return object("scene", "a scene", "A scene file.", std::move(fields));
 }
 
@@ -243,26 +224,8 @@ Format make_format() {
     Format f;
     f.line_type = line_type_shape();
     f.operations = list_of("a list of operations", operation_shape());
-    f.bodies = list_of("a list of bodies", body());
-    f.interactions = list_of("a list of interactions", interaction_shape());
-    f.cables = list_of("a list of cables", cable_shape());
-    f.winches = list_of("a list of winches", winch_shape());
-    f.guides = list_of("a list of guides", guide_shape());
-    f.posts = list_of("a list of posts", post_shape());
-    f.stoppers = list_of("a list of stoppers", stopper_shape());
-    f.pins = list_of("a list of pins", pin_shape());
-    f.hooks = list_of("a list of hooks", hook_shape());
-    f.chasers = list_of("a list of chasers", chaser_shape());
-    f.cranes = list_of("a list of cranes", crane_shape());
-    f.vessels = list_of("a list of vessels", vessel_shape());
-    f.anchors = list_of("a list of anchors", anchor_shape());
-    f.stability = list_of("a list of stability gauges", stability_shape());
-    f.routes = list_of("a list of routes", route_shape());
-    f.instances = list_of("a list of instances", instance());
-    f.inputs = list_of("a list of inputs", input_shape());
-    f.outputs = list_of("a list of outputs", output_shape());
-    for (const SectionFormat& section : section_formats())
-        f.sections.push_back(list_of(std::string("a list of ") + section.entries, section.shape()));
+    for (const ListFormat& each : list_formats())
+        f.lists.push_back(list_of(std::string("a list of ") + each.entries, each.shape()));
     const auto common = common_fields(f.line_type, scene_template(f));
     f.scene = scene_file(f, common);
     auto part = common;
@@ -277,13 +240,20 @@ Format make_format() {
 
 }  // namespace
 
-std::span<const SectionFormat> section_formats() {
-    static constexpr SectionFormat kFormats[] = {
-#define HAWSER_SECTION_FORMAT(key, item, entries, doc) {#key, entries, doc, item##_shape},
-        HAWSER_SCENE_SECTIONS(HAWSER_SECTION_FORMAT)
-#undef HAWSER_SECTION_FORMAT
+std::span<const ListFormat> list_formats() {
+    static constexpr ListFormat kFormats[] = {
+#define HAWSER_LIST_FORMAT(key, item, entries, doc) {#key, entries, doc, item##_shape},
+        HAWSER_SCENE_LISTS(HAWSER_LIST_FORMAT) HAWSER_SCENE_SECTIONS(HAWSER_LIST_FORMAT)
+#undef HAWSER_LIST_FORMAT
     };
     return kFormats;
+}
+
+const ShapePtr& Format::list(std::string_view key) const {
+    const std::span<const ListFormat> all = list_formats();
+    const auto at = std::find_if(all.begin(), all.end(),
+                                 [&](const ListFormat& each) { return key == each.key; });
+    return lists.at(static_cast<std::size_t>(at - all.begin()));
 }
 
 const Format& format() {

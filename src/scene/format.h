@@ -12,6 +12,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hawser::scene {
@@ -38,38 +39,26 @@ struct Format {
 
     ShapePtr operations;  ///< Shape of a timeline, in the scene or in a file of its own.
     ShapePtr line_type;
-    ShapePtr bodies;  ///< The lists of a scene, and of a template once its parameters are in.
-    ShapePtr interactions;
-    ShapePtr cables;
-    ShapePtr winches;
-    ShapePtr guides;
-    ShapePtr posts;
-    ShapePtr stoppers;
-    ShapePtr pins;
-    ShapePtr hooks;
-    ShapePtr chasers;
-    ShapePtr cranes;
-    ShapePtr vessels;
-    ShapePtr anchors;
-    ShapePtr stability;
-    ShapePtr routes;
-    ShapePtr instances;
-    ShapePtr inputs;
-    ShapePtr outputs;
-    std::vector<ShapePtr> sections;  ///< Lists of section_formats(), in their order.
+    std::vector<ShapePtr> lists;  ///< Shapes of list_formats(), in their order.
+
+    /// Return the shape of the list with this key of list_formats().
+    [[nodiscard]] const ShapePtr& list(std::string_view key) const;
 };
 
-/// Format of a section: a list of systems (sections.h).
-struct SectionFormat {
+/// Format of a list of a scene and of a template (section_list.h).
+struct ListFormat {
     const char* key;      ///< Key of the list.
     const char* entries;  ///< Entries in words.
     const char* doc;
     ShapePtr (*shape)();  ///< Shape of an entry.
 };
-[[nodiscard]] std::span<const SectionFormat> section_formats();
-#define HAWSER_SECTION_SHAPE(key, item, entries, doc) [[nodiscard]] ShapePtr item##_shape();
-HAWSER_SCENE_SECTIONS(HAWSER_SECTION_SHAPE)
-#undef HAWSER_SECTION_SHAPE
+/// Return all lists, in the order of the reference page.
+[[nodiscard]] std::span<const ListFormat> list_formats();
+// Shapes of the entries.
+#define HAWSER_LIST_SHAPE(key, item, entries, doc) [[nodiscard]] ShapePtr item##_shape();
+HAWSER_SCENE_LISTS(HAWSER_LIST_SHAPE)
+HAWSER_SCENE_SECTIONS(HAWSER_LIST_SHAPE)
+#undef HAWSER_LIST_SHAPE
 
 [[nodiscard]] const Format& format();
 /// Return the keys of the outermost object of a scene, a part and a state.
@@ -80,54 +69,24 @@ HAWSER_SCENE_SECTIONS(HAWSER_SECTION_SHAPE)
 /// Return the largest value of a setting in a scene if it is less than the limit of a world.
 [[nodiscard]] double most_of(const SettingInfo& setting);
 
-/// Return the shapes of a line type and of a cable. See format_cables.cpp.
+/// Return the shape of a line type. See format_cables.cpp.
 [[nodiscard]] ShapePtr line_type_shape();
-[[nodiscard]] ShapePtr cable_shape();
-
-/// Return the shape of a winch at the end of a cable. See format_cables.cpp.
-[[nodiscard]] ShapePtr winch_shape();
-
-/// Return the shapes of a guide and of a post, over which cables run. See format_routes.cpp.
-[[nodiscard]] ShapePtr guide_shape();
-[[nodiscard]] ShapePtr post_shape();
-/// Return the shapes of deck gear. See format_deck.cpp.
-[[nodiscard]] ShapePtr stopper_shape();
-[[nodiscard]] ShapePtr pin_shape();
-[[nodiscard]] ShapePtr hook_shape();
-[[nodiscard]] ShapePtr chaser_shape();
-/// Return the shape of a crane on a body. See format_cranes.cpp.
-[[nodiscard]] ShapePtr crane_shape();
-/// Return the shape of a load that the hook of a crane may carry.
+/// Return the shape of a load that the hook of a crane may carry. See format_cranes.cpp.
 [[nodiscard]] ShapePtr crane_load_shape();
-/// Return the shape of a vessel. See format_vessels.cpp.
-[[nodiscard]] ShapePtr vessel_shape();
 /// Return the shape of the control of a vessel. See format_vessel_control.cpp.
 [[nodiscard]] ShapePtr vessel_control_shape();
 /// Return the shapes of the data of a ship for DNV-ST-0111, and of a file of them. See
 /// format_dp_ship.cpp.
 [[nodiscard]] ShapePtr dp_ship_shape();
 [[nodiscard]] ShapePtr dp_file_shape();
-/// Return the shapes of anchors in the soil, and of stability gauges. See format_anchors.cpp.
-[[nodiscard]] ShapePtr anchor_shape();
-[[nodiscard]] ShapePtr stability_shape();
 /// Return the shape of the sea. See format_sea.cpp.
 [[nodiscard]] ShapePtr sea_shape();
 /// Return the shape of an entry of "hulls" (format_hulls.cpp).
 [[nodiscard]] ShapePtr water_hull_shape();
 [[nodiscard]] std::vector<Field> line_water_fields();
 
-/// Return the shape of a line over posts and sheaves. See format_routes.cpp.
-[[nodiscard]] ShapePtr route_shape();
-
 /// Return the shape of an operation at a given time. See format_timeline.cpp.
 [[nodiscard]] ShapePtr operation_shape();
-
-/// Return the shape of one interaction, by kind. See format_kinds.cpp.
-[[nodiscard]] ShapePtr interaction_shape();
-
-/// Return the shapes of one input, and of one output by kind. See format_signals.cpp.
-[[nodiscard]] ShapePtr input_shape();
-[[nodiscard]] ShapePtr output_shape();
 
 /// Return the shapes (JSON forms) of a shape of a body, a material, a pair of materials, and the
 /// contact of a cable. See format_shapes.cpp.

@@ -9,11 +9,14 @@
 namespace hawser::scene {
 namespace {
 
-using ReadEntry = SectionItem (*)(const Description& out, const Scope& scope, const Json& json,
-                                  const Place& place);
-/// In the order of section_formats().
-constexpr ReadEntry kReaders[] = {
-#define HAWSER_SECTION_ENTRY(key, item, entries, doc) read_##item,
+/// A section: its key and the reader of its entries.
+struct SectionReader {
+    const char* key;
+    SectionItem (*read)(const Description& out, const Scope& scope, const Json& json,
+                        const Place& place);
+};
+constexpr SectionReader kReaders[] = {
+#define HAWSER_SECTION_ENTRY(key, item, entries, doc) {#key, read_##item},
     HAWSER_SCENE_SECTIONS(HAWSER_SECTION_ENTRY)
 #undef HAWSER_SECTION_ENTRY
 };
@@ -21,17 +24,15 @@ constexpr ReadEntry kReaders[] = {
 }  // namespace
 
 void expand_sections(Description& out, const Scope& scope) {
-    const auto formats = section_formats();
-    for (std::size_t k = 0; k < formats.size(); ++k) {
-        const char* key = formats[k].key;
-        const auto list = scope.content->find(key);
+    for (const SectionReader& section : kReaders) {
+        const auto list = scope.content->find(section.key);
         if (list == scope.content->end()) continue;
         for (std::size_t i = 0; i < list->size(); ++i) {
             const Json& json = (*list)[i];
             if (json.is_null()) continue;  // Left out: mistakes.h.
-            const Place place = scope.place / key / i;
+            const Place place = scope.place / section.key / i;
             (void)attempt(out.mistakes, [&] {
-                SectionItem item = kReaders[k](out, scope, json, place);
+                SectionItem item = section.read(out, scope, json, place);
                 item.name = scope.prefix + json["name"].get<std::string>();
                 item.place = place;
                 const auto same = [&](const SectionItem& other) { return other.name == item.name; };
