@@ -128,7 +128,7 @@ void bind_definitions(WorldClass& c) {
     method<ShapeDef>(c, "add_shape", doc_add_shape,
                      [](World& w, const ShapeDef& d) { return w.add_shape(d); });
     method<WireDef>(c, "add_wire", doc_add_wire,
-                    [](World& w, const WireDef& d) { return w.add_wire(d); });
+                    [](World& w, const WireDef& d) { return w.wires().add(d); });
     defined<HingeDef>(c, "add_hinge", doc_add_hinge);
     defined<PrismaticDef>(c, "add_prismatic", doc_add_prismatic);
     defined<CylindricalDef>(c, "add_cylindrical", doc_add_cylindrical);

@@ -191,11 +191,11 @@ void bind_interaction(py::module_& module) {
             },
             py::arg("param"), "Return a parameter of the kind by its name.")
         .def(
-            "part", [](const I& i) { change(i, [](World& w, InteractionId id) { w.part(id); }); },
+            "part", [](const I& i) { change(i, [](World& w, InteractionId id) { w.wires().part(id); }); },
             "Break an element of a wire.")
         .def(
             "release",
-            [](const I& i) { change(i, [](World& w, InteractionId id) { w.release(id); }); },
+            [](const I& i) { change(i, [](World& w, InteractionId id) { w.wires().release(id); }); },
             "Open a pelican hook.")
         .def(
             "remove",
@@ -224,7 +224,7 @@ JoinDef gear_of(WorldBox& box, const py::kwargs& given) {
 py::array_t<double> tensions(const Handle<WireId>& w) {
     const auto box = w.checked();
     World& world = box->read();
-    const auto elements = world.elements(w.id);
+    const auto elements = world.wires().elements(w.id);
     py::array_t<double> out(static_cast<py::ssize_t>(elements.size()));
     double* const to = out.mutable_data();
     for (std::size_t i = 0; i < elements.size(); ++i) {
@@ -238,7 +238,7 @@ py::array_t<double> tensions(const Handle<WireId>& w) {
 void bind_wire(py::module_& module) {
     using W = Handle<WireId>;
     auto c = handle_class<WireId>(module, "Wire", "Wire of a world.");
-    add_name<WireId>(c, [](World& w, WireId id) { return w.wire_name(id); });
+    add_name<WireId>(c, [](World& w, WireId id) { return w.wires().name(id); });
     c.def_property_readonly(
          "tension", tensions,
          "Tension of each element in the last step, from the first end [N]; 0: slack or broken.")
@@ -266,13 +266,13 @@ void bind_wire(py::module_& module) {
         .def(
             "cut",
             [](const W& w, double s) {
-                const WireId piece = change(w, [&](World& of, WireId id) { return of.cut(id, s); });
+                const WireId piece = change(w, [&](World& of, WireId id) { return of.wires().cut(id, s); });
                 return handle_of(w.checked(), piece);
             },
             py::arg("s"), "Cut the wire at the material coordinate s [m]. Return the second piece.")
         .def(
             "part",
-            [](const W& w, double s) { change(w, [&](World& of, WireId id) { of.part(id, s); }); },
+            [](const W& w, double s) { change(w, [&](World& of, WireId id) { of.wires().part(id, s); }); },
             py::arg("s"), "Break the element at the material coordinate s [m].")
         .def(
             "join",
@@ -281,7 +281,7 @@ void bind_wire(py::module_& module) {
                 const JoinDef def = gear_of(*box, gear);
                 const WireId b = find_id<WireId>(*box, other, "other");
                 return join_result(box, change(w, [&](World& of, WireId id) {
-                                       return of.join(id, end, b, other_end, def);
+                                       return of.wires().join(id, end, b, other_end, def);
                                    }));
             },
             py::arg("end"), py::arg("other"), py::arg("other_end"),
@@ -294,7 +294,7 @@ void bind_wire(py::module_& module) {
                 const BodyId to = find_id<BodyId>(*box, body, "body");
                 const Vec3 p = vector(point, "point");
                 return join_result(box, change(w, [&](World& of, WireId id) {
-                                       return of.attach(id, end, to, p, def);
+                                       return of.wires().attach(id, end, to, p, def);
                                    }));
             },
             py::arg("end"), py::arg("body"), py::arg("point"),
@@ -302,13 +302,13 @@ void bind_wire(py::module_& module) {
         .def(
             "detach",
             [](const W& w, int end) {
-                change(w, [&](World& of, WireId id) { of.detach(id, end); });
+                change(w, [&](World& of, WireId id) { of.wires().detach(id, end); });
             },
             py::arg("end"), "Release an end (0 or 1) from gear or from a body.")
         .def(
             "remove",
             [](const W& w) {
-                change(w, [](World& of, WireId id) { static_cast<void>(of.remove_wire(id)); });
+                change(w, [](World& of, WireId id) { static_cast<void>(of.wires().remove(id)); });
             },
             "Remove the wire with its nodes and elements.");
 }

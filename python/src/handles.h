@@ -53,7 +53,7 @@ struct Kind<MaterialId> {
 template <>
 struct Kind<WireId> {
     static constexpr const char* name = "wire";
-    static WireId find(World& w, const std::string& n) { return w.find_wire(n); }
+    static WireId find(World& w, const std::string& n) { return w.wires().find(n); }
     static bool alive(World& w, WireId id) { return w.alive(id); }
 };
 

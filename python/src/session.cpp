@@ -208,7 +208,7 @@ void bind_session(py::module_& module) {
                 if (state.structure)
                     session.restore(*state.structure, state.bytes);
                 else
-                    session.restore(session.world().structure(), state.bytes);
+                    session.restore(session.world().state().structure(), state.bytes);
                 s.box->events().clear();
                 s.box->refresh_arrays();
             },

@@ -266,10 +266,10 @@ void bind_state(WorldClass& c) {
             "verdict", [](const Box& b) { return verdict_of(b->read().verdict()); },
             "Worst result of the monitors since the start: grade, monitor, value, time, remedy.")
         .def_property_readonly(
-            "state_hash", [](const Box& b) { return b->read().state_hash(); },
+            "state_hash", [](const Box& b) { return b->read().state().hash(); },
             "Hash of the state, equal for any number of threads and after save and restore.")
         .def_property_readonly(
-            "motion_hash", [](const Box& b) { return b->read().motion_hash(); },
+            "motion_hash", [](const Box& b) { return b->read().state().motion_hash(); },
             "Hash of the state without states of systems.")
         .def_property_readonly(
             "identity", [](const Box& b) { return b->read().identity(); },
@@ -286,7 +286,7 @@ void bind_objects(WorldClass& c) {
             "interactions", [](const Box& b) { return handles_of(b, b->read().interactions()); },
             "All interactions.")
         .def_property_readonly(
-            "wires", [](const Box& b) { return handles_of(b, b->read().wires()); }, "All wires.")
+            "wires", [](const Box& b) { return handles_of(b, b->read().wires().ids()); }, "All wires.")
         .def_property_readonly(
             "shapes", [](const Box& b) { return handles_of(b, b->read().shapes()); }, "All shapes.")
         .def_property_readonly(
@@ -406,15 +406,15 @@ void bind_calls(WorldClass& c) {
 }  // namespace
 
 SavedState save_state(World& world) {
-    return {std::make_shared<const Structure>(world.structure()), world.save(), world.identity(),
+    return {std::make_shared<const Structure>(world.state().structure()), world.state().save(), world.state().identity(),
             world.time()};
 }
 
 void restore_state(World& world, const SavedState& state) {
     if (state.structure)
-        world.restore(*state.structure, state.bytes);
+        world.state().restore(*state.structure, state.bytes);
     else
-        world.restore(state.bytes);
+        world.state().restore(state.bytes);
 }
 
 WorldClass bind_world(py::module_& module) {
