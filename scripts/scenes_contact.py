@@ -172,11 +172,11 @@ def wedge():
             "shapes": [{"kind": "hull", "vertices": vertices}]}
     write({"name": "wedge", "description": "A wedge of 10 degrees half angle stands in a groove; "
            "friction 0.5 is above tan 10 = 0.176, so that it jams when the input `push` (N, up) "
-           "presses it down.",
+           "presses it down. Up, push stays below the weight of 981 N: the wedge cannot fly.",
            "settings": {"step": STEP, "duration": 5},
            **rock(1e7, 0.5), "bodies": [*slopes, body],
            "inputs": [{"name": "push", "body": "wedge", "component": "force_z", "min": -1e6,
-                       "max": 1e6}],
+                       "max": 900}],
            "plot": {"motions": ["wedge"]}})
 
 

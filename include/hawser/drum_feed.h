@@ -17,9 +17,12 @@
 /// *Loads*. Half of the mass, weight and drag of the element at the drum acts on its node, half on
 /// the fairlead. The drum carries the weight along the wire.
 ///
-/// *End stop*. When no node is left to remove, the element keeps 2 % of its length
-/// (kLeastOfDrumElement). Hauling stops there: the drum is braked, and the event `hauled_in` is
-/// reported once. Paying out is free.
+/// *End stop*. When no node is left to remove, the element keeps a least length:
+/// - with elements fed: min(g (10 h)², ¼ `element`), at least 2 % of its length. At 1/60 s this is
+///   0.27 m. A load that swings on a shorter element turns further than a step follows.
+/// - with one element (`element` = 0): 2 % of its length (kLeastOfDrumElement).
+/// Hauling stops there: the drum is braked, and the event `hauled_in` is reported once. Paying out
+/// is free.
 ///
 /// Limits: one radius, no layers, unlimited store. A winch (winch.h) has layers, capacity, motor
 /// and brake. The brake of the end stop is a damper of 1000 J/h, with the drum's inertia J and the

@@ -4,6 +4,7 @@
 #include "verify/interaction_forces.h"
 #include "verify/line_path.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -21,13 +22,28 @@ void each_element(const World& world, F&& f) {
             if (world.alive(id) && world.intact(id)) f(id, world.interaction_def(id));
 }
 
-/// Return the rest length of an element [m]. @param pose  Poses of all bodies, by index.
-double rest_at(const World& world, InteractionId id, std::span<const Pose> pose) {
+/// Return the rest length of an element [m]. @param pose  Function (body) -> its pose.
+/// @param driven  True if an input may set a parameter of the element.
+template <class P>
+double rest_at(const World& world, InteractionId id, bool driven, P&& pose) {
     const InteractionDef& def = world.interaction_def(id);
-    const double length = parameter(world, id, "length");
+    // parameter() searches all inputs.
+    const auto value = [&](const char* name) {
+        return driven ? parameter(world, id, name) : def.get(name);
+    };
+    const double length = value("length");
     if (!kind_info(def.kind).is(kWoundUp)) return length;
-    const double turned = pose[at_index(def.body[2].index)].position.x();
-    return length + parameter(world, id, "radius") * (turned - def.get("drum_zero"));
+    const double turned = pose(def.body[2]).position.x();
+    return length + value("radius") * (turned - def.get("drum_zero"));
+}
+
+/// Return the interactions with a parameter that an input sets, sorted.
+std::vector<InteractionId> driven_by_inputs(const World& world) {
+    std::vector<InteractionId> out;
+    for (const InputId i : world.inputs())
+        if (const InteractionId id = world.input_def(i).interaction; id.valid()) out.push_back(id);
+    std::sort(out.begin(), out.end());
+    return out;
 }
 
 /// Return ½ g² EA/l₀ [J]. A line that only pulls stores nothing if it is shorter than l₀.
@@ -63,10 +79,13 @@ std::vector<Pose> present_poses(const World& world, std::span<const Pose> known)
 
 double EditedStretch::energy_now(const World& world) {
     double sum = 0.0;
-    std::vector<Pose> pose(at_index(world.body_count()));
-    pose = present_poses(world, pose);
+    const std::vector<InteractionId> driven = driven_by_inputs(world);
+    const auto present = [&](BodyId body) { return world.pose(body); };
     each_element(world, [&](InteractionId id, const InteractionDef& def) {
-        sum += held(def, world.violation(id)[0], rest_at(world, id, pose));
+        const double gap = world.violation(id)[0];
+        if (gap < 0.0 && def.get("tension_only") != 0.0) return;
+        const bool sets = std::binary_search(driven.begin(), driven.end(), id);
+        sum += held(def, gap, rest_at(world, id, sets, present));
     });
     return sum;
 }
@@ -84,7 +103,11 @@ double EditedStretch::change(const World& world, std::span<const Pose> pose) con
     }
     double sum = 0.0;
     each_element(world, [&](InteractionId id, const InteractionDef& def) {
-        const double rest_then = rest_at(world, id, before), rest_now = rest_at(world, id, now);
+        const auto of = [](const std::vector<Pose>& all) {
+            return [&all](BodyId body) -> const Pose& { return all[at_index(body.index)]; };
+        };
+        const double rest_then = rest_at(world, id, true, of(before)),
+                     rest_now = rest_at(world, id, true, of(now));
         const double gap =
             world.violation(id)[0] - growth(world, id, before, now) + (rest_now - rest_then);
         sum += held(def, gap, rest_then);

@@ -233,6 +233,8 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
         swings = std::max(swings, h * h * pull.norm() * rate);
     }
     if (swings > 4.0) fast = (swings - 4.0) / (swings + 4.0);
+    constexpr double kMaxVibrations = 2.5e9;  // beyond, the terms stop growing with the force
+    const double bound = std::min(1.0, kMaxVibrations / swings);
     const double fraction =
         completed       ? held
         : is_line(kind) ? resolved(on, 4.0 * scale * pull.norm() / std::max(between.norm(), 1e-9) *
@@ -249,7 +251,7 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
             turns ? Vec3((1.0 + fast) * now.angular + (1.0 - fast) * old.angular) : Vec3::Zero();
         if (on.kind(b) == BodyKind::rigid)
             out.on[static_cast<std::size_t>(b)].torque -=
-                fraction * (1.0 + 0.5 * fast) * scale *
+                fraction * bound * (1.0 + 0.5 * fast) * scale *
                 (arm_stiffness(b == 0 ? Vec3(-pull) : pull, arm[b]) * turned[b]);
     }
     if (is_line(kind)) {
@@ -257,7 +259,7 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
     } else if (damped && !completed) {
         const double damping = settings.rotation_damping * h * h * pull.norm() *
                                std::min(arm[0].norm(), arm[1].norm()) *
-                               std::min(1.0, 16.0 * swings * swings) * (1.0 + 9.0 * fast);
+                               std::min(1.0, 16.0 * swings * swings) * (1.0 + 9.0 * fast) * bound;
         const Vec3 torque = damping * (spin[1] - spin[0]);
         out.on[0].torque += torque;
         out.on[1].torque -= torque;

@@ -51,13 +51,25 @@ double DrumFeedSystem::paid_out(const World& world, InteractionId element) const
     return line.get("radius") * (world.pose(line.body[2]).position.x() - start_);
 }
 
+/// Return the rest length at which hauling stops [m]. The swing of a load below the drum turns by
+/// at most hω = h √(g/l) = 0.1 rad per step at an amplitude of 1 rad. A shorter element would turn
+/// faster than a step follows, and its length would grow by (5/4)(hω)² l without a force.
+double DrumFeedSystem::least_length(const World& world, double length) const noexcept {
+    const double least = kLeastOfDrumElement * length;
+    if (!feeds()) return least;  // version 1 of scenes: one element, whose stop stays
+    constexpr double kMostTurn = 0.1, kMostOfElement = 0.25;
+    const double way = world.settings().step / kMostTurn;
+    const double swings = world.settings().gravity.norm() * way * way;
+    return std::max(least, std::min(swings, kMostOfElement * def_.element));
+}
+
 /// Brake a drum that hauls while its element is at the least length, and report the first step.
 void DrumFeedSystem::stop_at_fairlead(Prestep& now, Loads& loads,
                                       const InteractionDef& line) noexcept {
     const World& world = now.world;
     const BodyId drum = line.body[2];
     const double radius = line.get("radius"), length = line.get("length");
-    const double least = kLeastOfDrumElement * length;
+    const double least = least_length(world, length);
     const double rest = length + radius * (world.pose(drum).position.x() - line.get("drum_zero"));
     const double speed = radius * world.velocity(drum).linear.x();
     if (rest > least || speed >= 0.0) return;

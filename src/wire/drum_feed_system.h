@@ -45,6 +45,7 @@ class DrumFeedSystem final : public System {
   private:
     [[nodiscard]] bool feeds() const noexcept { return def_.element > 0.0; }
     [[nodiscard]] std::size_t node_slot(const World& world) const noexcept;
+    [[nodiscard]] double least_length(const World& world, double length) const noexcept;
     void stop_at_fairlead(Prestep& now, Loads& loads, const InteractionDef& line) noexcept;
 
     DrumFeedDef def_;
