@@ -8,7 +8,7 @@ import sys
 import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-BUILD = pathlib.Path(os.environ.get("HAWSER_BUILD", ROOT / "build/release"))
+BUILD = pathlib.Path(os.environ.get("HAWSER_BUILD", ROOT / "build/release")).absolute()
 sys.path.insert(0, str(BUILD / "python" if (BUILD / "python/hawser").is_dir() else ROOT / "python"))
 COMPILED = importlib.util.find_spec("hawser._core") is not None
 

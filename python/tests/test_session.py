@@ -136,9 +136,10 @@ def test_pickle_continues_in_another_process(hook, tmp_path):
     hook.step(25)
     code = ("import pickle, sys; s = pickle.load(open(sys.argv[1], 'rb')); s.step(25); "
             "print(s.world.state_hash)")
+    package = os.path.dirname(os.path.dirname(os.path.abspath(hawser.__file__)))
     done = subprocess.run([sys.executable, "-c", code, str(tmp_path / "session")], check=True,
                           capture_output=True, text=True,
-                          env=dict(os.environ, PYTHONPATH=os.pathsep.join(sys.path)))
+                          env=dict(os.environ, PYTHONPATH=package))
     assert int(done.stdout) == hook.world.state_hash
 
 
