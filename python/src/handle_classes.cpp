@@ -191,11 +191,14 @@ void bind_interaction(py::module_& module) {
             },
             py::arg("param"), "Return a parameter of the kind by its name.")
         .def(
-            "part", [](const I& i) { change(i, [](World& w, InteractionId id) { w.wires().part(id); }); },
+            "part",
+            [](const I& i) { change(i, [](World& w, InteractionId id) { w.wires().part(id); }); },
             "Break an element of a wire.")
         .def(
             "release",
-            [](const I& i) { change(i, [](World& w, InteractionId id) { w.wires().release(id); }); },
+            [](const I& i) {
+                change(i, [](World& w, InteractionId id) { w.wires().release(id); });
+            },
             "Open a pelican hook.")
         .def(
             "remove",
@@ -266,13 +269,16 @@ void bind_wire(py::module_& module) {
         .def(
             "cut",
             [](const W& w, double s) {
-                const WireId piece = change(w, [&](World& of, WireId id) { return of.wires().cut(id, s); });
+                const WireId piece =
+                    change(w, [&](World& of, WireId id) { return of.wires().cut(id, s); });
                 return handle_of(w.checked(), piece);
             },
             py::arg("s"), "Cut the wire at the material coordinate s [m]. Return the second piece.")
         .def(
             "part",
-            [](const W& w, double s) { change(w, [&](World& of, WireId id) { of.wires().part(id, s); }); },
+            [](const W& w, double s) {
+                change(w, [&](World& of, WireId id) { of.wires().part(id, s); });
+            },
             py::arg("s"), "Break the element at the material coordinate s [m].")
         .def(
             "join",

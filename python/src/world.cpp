@@ -286,7 +286,8 @@ void bind_objects(WorldClass& c) {
             "interactions", [](const Box& b) { return handles_of(b, b->read().interactions()); },
             "All interactions.")
         .def_property_readonly(
-            "wires", [](const Box& b) { return handles_of(b, b->read().wires().ids()); }, "All wires.")
+            "wires", [](const Box& b) { return handles_of(b, b->read().wires().ids()); },
+            "All wires.")
         .def_property_readonly(
             "shapes", [](const Box& b) { return handles_of(b, b->read().shapes()); }, "All shapes.")
         .def_property_readonly(
@@ -406,8 +407,8 @@ void bind_calls(WorldClass& c) {
 }  // namespace
 
 SavedState save_state(World& world) {
-    return {std::make_shared<const Structure>(world.state().structure()), world.state().save(), world.state().identity(),
-            world.time()};
+    return {std::make_shared<const Structure>(world.state().structure()), world.state().save(),
+            world.state().identity(), world.time()};
 }
 
 void restore_state(World& world, const SavedState& state) {

@@ -161,7 +161,8 @@ inline JointTerms<T> joint_terms(const assembly::View& view, const T& nf, const 
         select_greater(none, marked_vibration, none,
                        push * view.rotation_damping * select_greater(n1, n0, n0, n1) * need);
     const T fade = select_greater(none, marked_vibration, completed_stiffness(s4), unit);
-    const T bound = select_greater(s4, constant(s4, kMaxVibration), T(kMaxVibration * (1.0 / s4)), unit);
+    const T bound =
+        select_greater(s4, constant(s4, kMaxVibration), T(kMaxVibration * (1.0 / s4)), unit);
     return {(0.25 * view.h * view.h * view.geometric_stiffness) * fade *
                 (unit + kMoreStiffness * fast) * bound,
             half * (unit + fast) * bound, half * (unit - fast) * bound};
