@@ -103,6 +103,8 @@ Status start_contacts(context::StepContext& ctx, Phase phase) noexcept {
             const context::StageTimer again(ctx, Stage::analyse);
             state::keep_state(ctx, context::Undo::Depth::system);
             c.relink(ctx.state.step);
+            // keep_links() of a later step must not allocate.
+            ctx.work.undo.link_used.reserve(c.link_used.capacity());
             split::relink(ctx);
             if (!c.connect(ctx.state.step)) throw std::bad_alloc();
         }

@@ -32,8 +32,9 @@ class Layers(unittest.TestCase):
 
     def test_table_is_complete(self):
         rooms = "base runtime wire graph factor model nonsmooth collide assembly budget " \
-                "context state solve contact methods monitor split edit step world scene record verify " \
-                "session report draw validate crane marine live export exercise debrief vessel apps examples tests bench"
+                "context state solve contact methods monitor split edit step world scene " \
+                "record verify session report draw validate crane marine live export exercise " \
+                "debrief vessel apps examples python tests bench"
         self.assertEqual(set(rooms.split()), set(self.table))
         self.assertEqual(self.table["base"], set())
         self.assertEqual(self.table["nonsmooth"], {"base", "factor"})

@@ -252,8 +252,9 @@ TEST(Allocation, NoneInAWarmStepOfACommittedScene) {
             for (int i = 0; i < 3; ++i) ASSERT_EQ(s.world.step(), Status::ok) << file;
             // A step with more contacts than ever before, or with the first contact of two bodies,
             // grows and reports it. All others are warm.
+            // A scene that starts with wires on deck grows in most of its first steps.
             int warm = 0;
-            for (int i = 0; i < 20; ++i) {
+            for (int i = 0; i < 20 || (warm < 10 && i < 60); ++i) {
                 const std::int64_t growths = s.world.stats().growths;
                 long seen = 0;
                 {
