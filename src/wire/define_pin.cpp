@@ -61,7 +61,7 @@ void check(World& world, const PinDef& def) {
     if (def.name.empty()) throw DefError("a pin needs a name");
     for (const std::string& name : {def.name, def.name + "/post"})
         if (world.find_system(name) != nullptr)
-            refuse(def, "there is a system '" + name + "' already; names are unique");
+            refuse(def, "there is a system '" + name + "' already; names must be unique");
     if (!world.alive(def.body)) refuse(def, "its body is missing; give one");
     const BodyKind kind = world.body_def(def.body).kind;
     if (kind == BodyKind::lump || kind == BodyKind::scalar)

@@ -55,9 +55,9 @@ void check_others(World& world, const StopperDef& def) {
         if (!theirs || theirs->wire != claim->wire) continue;
         const double separation = std::abs(theirs->at - claim->at);
         if (separation > wire::kStopperAtNode) continue;
-        refuse(def, "point: if closed at the start, it would hold the same node as stopper '" +
+        refuse(def, "point: if closed at the start, it would hold the node that stopper '" +
                         other->def().name + "' holds, " + number(separation) +
-                        " m from it along the wire; give points whose nearest positions on the "
+                        " m away along the wire; give points whose nearest positions on the "
                         "wire are more than " +
                         number(wire::kStopperAtNode) + " m apart, or start one of them open");
     }

@@ -98,7 +98,7 @@ Joint WorldWires::attach(WireId id, int end, BodyId body, const Vec3& point, con
     if (!world_->alive(body) || world_->body_def(body).kind == BodyKind::scalar ||
         world_->body_def(body).kind == BodyKind::lump)
         world::refuse(world::label("wire", wire.name),
-                      "it is attached to a body that has an orientation; join() ends of wires");
+                      "attach() needs a body with an orientation; join() connects ends of wires");
     JoinDef named = def;
     if (named.name.empty()) named.name = gear_name(*world_, wire.name);
     Joint out = join(one.lump, body, point, named);

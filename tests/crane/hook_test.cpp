@@ -230,7 +230,7 @@ TEST(Hooks, RefuseWhatCannotBe) {
     };
     for (const Row& row :
          {Row{{.body = block, .loads = {load}}, "needs a name"},
-          Row{{.name = "h", .loads = {load}}, "no body"},
+          Row{{.name = "h", .loads = {load}}, "body of the hook is missing"},
           Row{{.name = "h", .body = drum, .loads = {load}}, "scalar"},
           Row{{.name = "h", .body = lump, .point = {0, 0, 1}, .loads = {load}}, "lump is a point"},
           Row{{.name = "h", .body = block}, "it has no loads"},

@@ -80,7 +80,8 @@ TEST(Radiation, WavesOfBothKindsAreRefused) {
             f.hull.excitation = ExcitationKind::full;
         },
         "wave_pressure false");
-    fails([](Floater& f) { f.hull.excitation = ExcitationKind::scattering; }, "on top of");
+    fails([](Floater& f) { f.hull.excitation = ExcitationKind::scattering; },
+          "needs the wave pressure on the mesh");
     fails([](Floater& f) { f.hull.radiation = RadiationKind::constant; }, "constant_period");
     fails([](Floater& f) { f.hull.memory = 0.01; }, "memory");
     fails(

@@ -62,7 +62,7 @@ TEST(StartTask, GoalThatNoControlReachesInTime) {
 
 TEST(StartTask, StationWithoutInputs) {
     exercise::Exercise e = two_goals(1.0, 1.0, 50.0);
-    e.stations = {{"bridge", "", {"rudder"}}, {"winch", "", {}}};
+    e.stations = {{.name = "bridge", .inputs = {"rudder"}}, {.name = "winch"}};
     const Findings found = findings_of(e);
     ASSERT_EQ(found.list.size(), 1U);
     EXPECT_EQ(found.list[0].kind, FindingKind::station);

@@ -213,7 +213,7 @@ TEST(SceneWinches, GypsiesAndChainsAreRefusedByTheirPlace) {
           Row{"\"line_type\": \"chain\"", "\"line_type\": \"wire\"", "/winches/0/cable", "EI"},
           Row{"\"locker_fall\": 5", "\"locker_fall\": 5, \"locker\": 50", "/winches/0",
               "its locker holds 50 m"},
-          Row{"\"locker_fall\": 5", "\"pitch\": 0.1", "/winches/0", "4 are usual"},
+          Row{"\"locker_fall\": 5", "\"pitch\": 0.1", "/winches/0", "4 is usual"},
           Row{"\"link\": 0.304", "\"link\": 0.304, \"EI\": 10", "/cables/0/line_type",
               "leave out \"EI\""},
           Row{"\"stored\": 100", "\"stored\": 100, \"element\": 3", "/winches/0/element",

@@ -259,7 +259,7 @@ TEST(Systems, AreRefusedWithAReason) {
     w.add_body(floating({0, 0, 0}, 1.0, {1, 1, 1}));
     const auto nothing = [](Acting&, Prestep&, Loads&) {};
     act(w, "one", nothing);
-    EXPECT_NE(refusal([&] { act(w, "one", nothing); }).find("taken"), std::string::npos);
+    EXPECT_NE(refusal([&] { act(w, "one", nothing); }).find("name is in use"), std::string::npos);
     EXPECT_NE(refusal([&] { act(w, "", nothing); }).find("name"), std::string::npos);
     EXPECT_NE(refusal([&] { w.add_system(nullptr); }).find("no system"), std::string::npos);
     const Acting other("other", nothing);

@@ -22,6 +22,8 @@ constexpr int kVerifiedSteps = test::kSanitized ? 12 : 120;
 const std::vector<std::string> kTouchingScenes = {"anchor_adaptive",
                                                   "anchor_contact",
                                                   "anchor_drag",
+                                                  "anchor_handling",
+                                                  "anchor_handling_lower",
                                                   "anchor_run",
                                                   "anchor_run_fine",
                                                   "anchor_seaway",
@@ -68,7 +70,8 @@ TEST(SceneVerified, IsEverySceneWithShapes) {
 }
 
 /// Scenes of more than 1,000 bodies whose kinds of bodies and wires are in other scenes as well.
-const std::vector<std::string> kLargeScenes = {"anchor_adaptive", "anchor_run_fine",
+const std::vector<std::string> kLargeScenes = {"anchor_adaptive", "anchor_handling",
+                                               "anchor_handling_lower", "anchor_run_fine",
                                                "anchor_seaway"};
 
 bool is_large(const std::string& scene) {
@@ -100,12 +103,15 @@ TEST_P(VerifiedScene, SeparateCodeAgrees) {
     // when it stops sliding, a step may have no solution (`hawser validate painleve` allows the
     // same number).
     EXPECT_LE(open_steps, GetParam() == "painleve" ? 2 : 0);
-    EXPECT_EQ(verifier.result().steps, kVerifiedSteps);
+    // The jaw of this scene closes in the first step. The verifier does not check a step that adds
+    // a joint; the slack chain and pennant become taut after it.
+    const bool joins = GetParam() == "anchor_handling_lower";
+    EXPECT_EQ(verifier.result().steps, kVerifiedSteps - (joins ? 1 : 0));
     // Both figures are sums of a few terms in different orders.
     EXPECT_LE(verifier.result().difference, 1e-9);
     // It may leave out a body for a step if rounding determines a row's direction; not many.
     EXPECT_GE(10 * verifier.result().covered_bodies, 9 * verifier.result().moving_bodies);
-    EXPECT_LE(verifier.result().rejected_steps, 2);
+    EXPECT_LE(verifier.result().rejected_steps, joins ? 3 : 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, VerifiedScene, ::testing::ValuesIn(small_scenes()),

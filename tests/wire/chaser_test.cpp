@@ -174,12 +174,13 @@ TEST(Chasers, RefuseWhatCannotBe) {
         ChaserDef def;
         const char* says;
     };
-    for (const Row& row :
-         {Row{{.body = d.ring}, "needs a name"}, Row{{.name = "chaser", .body = d.ring}, "taken"},
-          Row{{.name = "c"}, "no body"}, Row{{.name = "c", .body = d.anchor}, "rigid body"},
-          Row{{.name = "c", .body = d.ring, .reach = 0.0}, "reach = 0"},
-          Row{{.name = "c", .body = d.ring, .friction = -0.1}, "friction = -0.1"},
-          Row{{.name = "c", .body = d.ring, .element = -1.0}, "element = -1"}}) {
+    for (const Row& row : {Row{{.body = d.ring}, "needs a name"},
+                           Row{{.name = "chaser", .body = d.ring}, "name is in use"},
+                           Row{{.name = "c"}, "body of its ring is missing"},
+                           Row{{.name = "c", .body = d.anchor}, "rigid body"},
+                           Row{{.name = "c", .body = d.ring, .reach = 0.0}, "reach = 0"},
+                           Row{{.name = "c", .body = d.ring, .friction = -0.1}, "friction = -0.1"},
+                           Row{{.name = "c", .body = d.ring, .element = -1.0}, "element = -1"}}) {
         const std::string said = test::refusal_of(d.w, row.def);
         EXPECT_NE(said.find(row.says), std::string::npos) << row.says << " in: " << said;
     }

@@ -190,7 +190,7 @@ TEST(DrumFeed, RefusesWhatItCannotFeed) {
         return "";
     };
     EXPECT_NE(message({.name = "", .wire = wire}), "");
-    EXPECT_NE(message({.name = "f", .wire = wire}).find("wind_up"), std::string::npos);
+    EXPECT_NE(message({.name = "f", .wire = wire}).find("spool()"), std::string::npos);
     w.wires().spool(wire, 0, drum, 0.5);
     EXPECT_NE(message({.name = "f", .wire = wire}).find("mass_per_length"), std::string::npos);
     EXPECT_NE(message({.name = "f", .wire = wire, .mass_per_length = 2.0}).find("consistent_mass"),
@@ -198,7 +198,7 @@ TEST(DrumFeed, RefusesWhatItCannotFeed) {
     EXPECT_NE(message({.name = "f", .wire = wire, .end = 2}), "");
     EXPECT_NE(message({.name = "f", .wire = wire, .end = 1}), "");
     EXPECT_EQ(message({.name = "f", .wire = wire, .element = 0.0}), "");
-    EXPECT_NE(message({.name = "f", .wire = wire, .element = 0.0}).find("taken"),
+    EXPECT_NE(message({.name = "f", .wire = wire, .element = 0.0}).find("name is in use"),
               std::string::npos);
 }
 

@@ -346,10 +346,11 @@ TEST(Guides, RefuseWhatCannotBe) {
             d.w.add(def);
         });
     };
-    EXPECT_NE(with([](GuideDef& g) { g.name = "roller"; }).find("taken"), std::string::npos);
+    EXPECT_NE(with([](GuideDef& g) { g.name = "roller"; }).find("name is in use"),
+              std::string::npos);
     EXPECT_NE(with([](GuideDef& g) { g.name = ""; }).find("needs a name"), std::string::npos);
-    EXPECT_NE(with([](GuideDef& g) { g.wire = {}; }).find("no wire"), std::string::npos);
-    EXPECT_NE(with([](GuideDef& g) { g.body = {}; }).find("no body"), std::string::npos);
+    EXPECT_NE(with([](GuideDef& g) { g.wire = {}; }).find("wire is missing"), std::string::npos);
+    EXPECT_NE(with([](GuideDef& g) { g.body = {}; }).find("body is missing"), std::string::npos);
     EXPECT_NE(with([](GuideDef& g) { g.efficiency = 1.5; }).find("efficiency"), std::string::npos);
     EXPECT_NE(with([](GuideDef& g) { g.friction = -1.0; }).find("friction"), std::string::npos);
     EXPECT_NE(with([](GuideDef& g) { g.element_length = -1.0; }).find("element_length"),

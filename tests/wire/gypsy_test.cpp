@@ -261,7 +261,7 @@ TEST(Gypsy, BadDefinitionsAreRefusedWithARemedy) {
     says([](WinchDef& d) { d.gypsy.pockets = 2; }, "3 to 100");
     says([](WinchDef& d) { d.gypsy.pockets = -5; }, "3 to 100");
     says([](WinchDef& d) { d.core_radius = 0.5; }, "leave them out");
-    says([](WinchDef& d) { d.gypsy.pitch = 0.1; }, "4 are usual");
+    says([](WinchDef& d) { d.gypsy.pitch = 0.1; }, "4 is usual");
     says([](WinchDef& d) { d.gypsy.jump_load = 0.0; }, "jump_load");
     says([](WinchDef& d) { d.gypsy.jump_friction = 2e6; }, "above jump_load");
     says([](WinchDef& d) { d.gypsy.locker_fall = -1.0; }, "locker_fall");

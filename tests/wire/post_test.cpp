@@ -307,13 +307,13 @@ TEST(Posts, RefuseWhatCannotBe) {
         PostDef def;
         const char* says;
     };
-    for (const Row& row :
-         {Row{{.shape = pin}, "needs a name"}, Row{{.name = "post", .shape = pin}, "taken"},
-          Row{{.name = "p"}, "no shape"},
-          Row{{.name = "p", .shape = ball}, "neither a cylinder nor a capsule"},
-          Row{{.name = "p", .shape = pin, .friction = -1.0}, "friction = -1"},
-          Row{{.name = "p", .shape = pin, .efficiency = 0.0}, "efficiency = 0"},
-          Row{{.name = "p", .shape = pin, .wires = 17}, "wires = 17"}})
+    for (const Row& row : {Row{{.shape = pin}, "needs a name"},
+                           Row{{.name = "post", .shape = pin}, "name is in use"},
+                           Row{{.name = "p"}, "shape for the wires is missing"},
+                           Row{{.name = "p", .shape = ball}, "neither a cylinder nor a capsule"},
+                           Row{{.name = "p", .shape = pin, .friction = -1.0}, "friction = -1"},
+                           Row{{.name = "p", .shape = pin, .efficiency = 0.0}, "efficiency = 0"},
+                           Row{{.name = "p", .shape = pin, .wires = 17}, "wires = 17"}})
         EXPECT_NE(refusal(row.def).find(row.says), std::string::npos)
             << row.says << " in: " << refusal(row.def);
     d.w.add(PostDef{.name = "p", .shape = pin});

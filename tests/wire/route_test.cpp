@@ -214,7 +214,8 @@ TEST(Routes, ThatAreWrongAreRefusedAndLeaveNothing) {
     EXPECT_NE(refused([](RouteDef& d) { d.places.clear(); }).find("places"), std::string::npos);
     EXPECT_NE(refused([](RouteDef& d) { d.places[0].inertia = -1.0; }).find("inertia"),
               std::string::npos);
-    EXPECT_NE(refused([&](RouteDef& d) { d.places[0].body = b; }).find("lump"), std::string::npos);
+    EXPECT_NE(refused([&](RouteDef& d) { d.places[0].body = b; }).find("point mass"),
+              std::string::npos);
     EXPECT_EQ(w.add(good).parts.size(), 2u);
 }
 

@@ -193,9 +193,9 @@ TEST(Stoppers, RefuseWhatCannotBe) {
     };
     for (const Row& row :
          {Row{{.body = d.ship, .rated_load = 1e6}, "needs a name"},
-          Row{{.name = "jaw", .body = d.ship, .rated_load = 1e6}, "taken"},
-          Row{{.name = "j", .rated_load = 1e6}, "no body"},
-          Row{{.name = "j", .body = d.inboard, .rated_load = 1e6}, "lump"},
+          Row{{.name = "jaw", .body = d.ship, .rated_load = 1e6}, "name is in use"},
+          Row{{.name = "j", .rated_load = 1e6}, "body is missing"},
+          Row{{.name = "j", .body = d.inboard, .rated_load = 1e6}, "on a point mass"},
           Row{{.name = "j", .body = d.ship}, "rated_load = 0"},
           Row{{.name = "j", .body = d.ship, .reach = 0.0, .rated_load = 1e6}, "reach = 0"},
           Row{{.name = "j", .body = d.ship, .outboard = Vec3::Zero(), .rated_load = 1e6},

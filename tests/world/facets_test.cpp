@@ -75,9 +75,9 @@ TEST(Facets, OldNamesOfWiresCallTheNewOnes) {
     EXPECT_EQ(f.w.tension(f.wire, 1.0), g.w.wires().tension(g.wire, 1.0));
     EXPECT_EQ(f.w.cut(f.wire, 5.0), g.w.wires().cut(g.wire, 5.0));
     EXPECT_EQ(
-        f.w.attach(f.wire, 1, f.load, Vec3::Zero(), {.gear = Gear::shackle, .reach = 9.0}).held[0],
+        f.w.attach(f.wire, 1, f.post, Vec3::Zero(), {.gear = Gear::shackle, .reach = 9.0}).held[0],
         g.w.wires()
-            .attach(g.wire, 1, g.load, Vec3::Zero(), {.gear = Gear::shackle, .reach = 9.0})
+            .attach(g.wire, 1, g.post, Vec3::Zero(), {.gear = Gear::shackle, .reach = 9.0})
             .held[0]);
     f.w.part(f.wire, 1.0);
     g.w.wires().part(g.wire, 1.0);

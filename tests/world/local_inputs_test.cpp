@@ -127,8 +127,9 @@ TEST(LocalInputs, WhatMakesNoSenseIsRefused) {
     const BodyId g = world.add_body({.kind = BodyKind::fixed});
     const BodyId lump = world.add_body({.kind = BodyKind::lump, .position = {1, 0, 0}, .mass = 1});
     const InteractionId rod = world.add(DistanceDef{.a = g, .b = lump});
-    EXPECT_NE(input_refusal(world, {.name = "a", .body = lump, .local = true}).find("turn"),
-              std::string::npos);
+    EXPECT_NE(
+        input_refusal(world, {.name = "a", .body = lump, .local = true}).find("does not rotate"),
+        std::string::npos);
     EXPECT_NE(
         input_refusal(world, {.name = "a", .interaction = rod, .param = "length", .local = true}),
         "");

@@ -295,7 +295,8 @@ TEST(Outputs, WhatIsNotThereIsRefusedWithTheNearestName) {
     says({.kind = pose, .body = c.load, .component = "roll"}, "does not rotate");
     says({.kind = pose, .body = c.drum, .component = "y"}, "component x");
     says({.kind = pose, .body = c.load, .point = {1, 0, 0}, .component = "x"}, "at 0");
-    says({.kind = distance, .body = c.hull, .body_b = c.drum}, "not a place");
+    says({.kind = distance, .body = c.hull, .body_b = c.drum},
+         "body_b is a scalar body, which has a coordinate but no position");
     says({.kind = distance, .body = c.hull}, "body_b");
     says({.kind = coordinate, .interaction = c.wire[0]}, "a stretch has no coordinate");
     says({.kind = motor_force, .interaction = c.hinge}, "hinge_motor");

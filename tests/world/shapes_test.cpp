@@ -111,7 +111,7 @@ TEST(Shapes, RefusesWhatMakesNoSense) {
                         d.body = lump;
                         d.body_b = drum;
                     }),
-                    "no scalar"));
+                    "a body that is not scalar"));
     b.kind = BodyKind::rigid;
     b.position = {5, 0, 0};
     const BodyId second = w.add_body(b);
@@ -139,7 +139,7 @@ TEST(Shapes, RefusesWhatMakesNoSense) {
                     "3 heights"));
     EXPECT_EQ(w.shape_count(), 0);
     EXPECT_EQ(why([](ShapeDef&) {}), "");
-    EXPECT_TRUE(has(why([](ShapeDef&) {}), "taken"));
+    EXPECT_TRUE(has(why([](ShapeDef&) {}), "name is in use"));
     EXPECT_EQ(w.shape_count(), 1);
     ShapeDef segment;
     segment.kind = ShapeKind::capsule;
@@ -150,7 +150,7 @@ TEST(Shapes, RefusesWhatMakesNoSense) {
     MaterialDef m;
     EXPECT_TRUE(has(refusal([&] { w.add_material(m); }), "name"));
     m.name = "default";
-    EXPECT_TRUE(has(refusal([&] { w.add_material(m); }), "taken"));
+    EXPECT_TRUE(has(refusal([&] { w.add_material(m); }), "name is in use"));
     m.name = "ice";
     m.friction = -0.1;
     EXPECT_TRUE(has(refusal([&] { w.add_material(m); }), "friction"));
