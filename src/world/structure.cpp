@@ -237,8 +237,9 @@ Structure World::structure() const {
 std::uint64_t World::identity() const {
     const world::Using use(impl_->use, "identity");
     const Impl& m = *impl_;
-    const std::uint64_t both[2] = {world::layout_of(m.ctx, m.inputs.size()),
-                                   world::parameters_of(m.ctx, m.inputs, m.shape_defs)};
+    const std::uint64_t both[2] = {
+        world::layout_of(m.ctx, m.inputs.size()),
+        world::parameters_of(m.ctx, m.body_defs, m.inputs, m.shape_defs)};
     return base::checksum(both, sizeof both, base::kFnvStart);
 }
 
