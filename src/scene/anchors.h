@@ -13,7 +13,7 @@ namespace hawser::scene {
 
 template <>
 struct VesselTable<AnchorDef> {
-    static constexpr VesselNumber<AnchorDef> kNumbers[] = {
+    static constexpr FieldInfo<AnchorDef> kNumbers[] = {
         {"mass", &AnchorDef::mass, "kg", "of the body", "Mass of the anchor, for its type.", 1e-3,
          1e9},
         {"uhc", &AnchorDef::uhc, "N", "of the type", "Ultimate holding capacity.", 1e-3, 1e12},
@@ -42,7 +42,7 @@ struct VesselTable<AnchorDef> {
 
 template <>
 struct VesselTable<AnchorClay> {
-    static constexpr VesselNumber<AnchorClay> kNumbers[] = {
+    static constexpr FieldInfo<AnchorClay> kNumbers[] = {
         {"strength", &AnchorClay::strength, "Pa", "0", "Undrained shear strength at the seabed.",
          0.0, 1e9},
         {"gradient", &AnchorClay::gradient, "Pa/m", "0", "Its gradient with depth.", 0.0, 1e9},
@@ -64,7 +64,7 @@ struct VesselTable<AnchorClay> {
 
 template <>
 struct VesselTable<StabilityDef> {
-    static constexpr VesselNumber<StabilityDef> kNumbers[] = {
+    static constexpr FieldInfo<StabilityDef> kNumbers[] = {
         {"thrust_height", &StabilityDef::thrust_height, "m", "half of the draught",
          "z of the thrust line in the frame of the body.", -1e3, 1e3},
         {"stern_x", &StabilityDef::stern_x, "m", "of the pin", "x of the stern.", -kVesselFar,

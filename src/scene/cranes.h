@@ -5,19 +5,9 @@
 /// are degrees here and radians in definitions.
 
 #include <hawser/crane.h>
+#include <hawser/fields.h>
 
 namespace hawser::scene {
-
-template <class T>
-struct CraneNumber {
-    const char* key;
-    double T::* value;
-    const char* unit;
-    const char* fallback;  ///< Default in words; "" if the key is required.
-    const char* doc;
-    double least,
-        most;  ///< Range. `least` is included only if there is a default, or if it is negative.
-};
 
 template <class T>
 struct CranePoint {
@@ -35,7 +25,7 @@ struct CraneTable;
 
 template <>
 struct CraneTable<CraneSlew> {
-    static constexpr CraneNumber<CraneSlew> kNumbers[] = {
+    static constexpr FieldInfo<CraneSlew> kNumbers[] = {
         {"torque", &CraneSlew::torque, "N m", "", "Largest of the motor.", 0.0, kCranePull},
         {"brake", &CraneSlew::brake, "N m", "", "Above which the brake slips.", 0.0, kCranePull},
         {"friction", &CraneSlew::friction, "N m", "0", "Of the bearing while it turns.", 0.0,
@@ -48,7 +38,7 @@ struct CraneTable<CraneSlew> {
 
 template <>
 struct CraneTable<CraneColumn> {
-    static constexpr CraneNumber<CraneColumn> kNumbers[] = {
+    static constexpr FieldInfo<CraneColumn> kNumbers[] = {
         {"mass", &CraneColumn::mass, "kg", "", "Counterweight included.", 0.0, kCraneHeavy}};
     static constexpr CranePoint<CraneColumn> kPoints[] = {
         {"centre", &CraneColumn::centre, "[0, 0, 0]", "Of mass, in the column's frame."},
@@ -58,7 +48,7 @@ struct CraneTable<CraneColumn> {
 
 template <>
 struct CraneTable<CraneLink> {
-    static constexpr CraneNumber<CraneLink> kNumbers[] = {
+    static constexpr FieldInfo<CraneLink> kNumbers[] = {
         {"length", &CraneLink::length, "m", "", "From foot pin to head.", 0.0, kCraneFar},
         {"mass", &CraneLink::mass, "kg", "", "Mass.", 0.0, kCraneHeavy},
         {"centre", &CraneLink::centre, "m", "half the length", "Of mass, from the foot pin.", 0.0,
@@ -72,7 +62,7 @@ struct CraneTable<CraneLink> {
 
 template <>
 struct CraneTable<CraneCylinder> {
-    static constexpr CraneNumber<CraneCylinder> kNumbers[] = {
+    static constexpr FieldInfo<CraneCylinder> kNumbers[] = {
         {"min_length", &CraneCylinder::min_length, "m", "", "Between the pins, rod in.", 0.0,
          kCraneFar},
         {"max_length", &CraneCylinder::max_length, "m", "", "Rod out.", 0.0, kCraneFar},
@@ -89,7 +79,7 @@ struct CraneTable<CraneCylinder> {
 
 template <>
 struct CraneTable<CraneTackle> {
-    static constexpr CraneNumber<CraneTackle> kNumbers[] = {
+    static constexpr FieldInfo<CraneTackle> kNumbers[] = {
         {"EA", &CraneTackle::EA, "N", "", "Of the line.", 0.0, kCranePull},
         {"efficiency", &CraneTackle::efficiency, "1", "1",
          "Of each sheave: lesser tension over greater; above 0.", 0.0, 1.0},
@@ -115,7 +105,7 @@ struct CraneTable<CraneTackle> {
 
 template <>
 struct CraneTable<CraneHook> {
-    static constexpr CraneNumber<CraneHook> kNumbers[] = {
+    static constexpr FieldInfo<CraneHook> kNumbers[] = {
         {"mass", &CraneHook::mass, "kg", "", "With its block.", 0.0, kCraneHeavy},
         {"height", &CraneHook::height, "m", "", "Of its point below the axis of its sheaves.", 0.0,
          kCraneFar},
@@ -132,7 +122,7 @@ struct CraneTable<CraneHook> {
 
 template <>
 struct CraneTable<CraneRating> {
-    static constexpr CraneNumber<CraneRating> kNumbers[] = {
+    static constexpr FieldInfo<CraneRating> kNumbers[] = {
         {"warning", &CraneRating::warning, "1", "0.9", "Utilisation of step 1 of the alarm.", 0.0,
          10.0},
         {"overload", &CraneRating::overload, "1", "1", "Utilisation of step 2.", 0.0, 10.0},
@@ -146,7 +136,7 @@ struct CraneTable<CraneRating> {
 
 template <>
 struct CraneTable<CraneLoad> {
-    static constexpr CraneNumber<CraneLoad> kNumbers[] = {
+    static constexpr FieldInfo<CraneLoad> kNumbers[] = {
         {"sling_length", &CraneLoad::sling_length, "m", "", "From the hook's point to an eye.", 0.0,
          kCraneFar},
         {"sling_EA", &CraneLoad::sling_EA, "N", "", "Of each sling.", 0.0, kCranePull},
@@ -160,7 +150,7 @@ struct CraneTable<CraneLoad> {
 
 template <>
 struct CraneTable<KnuckleCraneDef> {
-    static constexpr CraneNumber<KnuckleCraneDef> kNumbers[] = {
+    static constexpr FieldInfo<KnuckleCraneDef> kNumbers[] = {
         {"boom_angle_deg", &KnuckleCraneDef::boom_angle, "deg", "", "Above the level at the start.",
          -90.0, 90.0},
         {"jib_angle_deg", &KnuckleCraneDef::jib_angle, "deg", "",
@@ -173,7 +163,7 @@ struct CraneTable<KnuckleCraneDef> {
 
 template <>
 struct CraneTable<LatticeCraneDef> {
-    static constexpr CraneNumber<LatticeCraneDef> kNumbers[] = {
+    static constexpr FieldInfo<LatticeCraneDef> kNumbers[] = {
         {"boom_angle_deg", &LatticeCraneDef::boom_angle, "deg", "", "Above the level at the start.",
          -90.0, 90.0},
         {"least_angle_deg", &LatticeCraneDef::least_angle, "deg", "5.73", "Of the boom.", -85.0,

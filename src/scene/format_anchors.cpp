@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Drag-embedment anchors and stability gauges (hawser/anchor.h, hawser/stability.h).
 #include "scene/anchors.h"
+#include "scene/field_shapes.h"
 #include "scene/format.h"
 
 #include <span>
@@ -15,9 +16,7 @@ using namespace make;
 
 template <class T>
 void add_anchor_fields(std::vector<Field>& fields) {
-    for (const VesselNumber<T>& n : VesselTable<T>::kNumbers)
-        fields.push_back(
-            {n.key, number("a number", n.least, n.most), false, n.fallback, n.unit, n.doc});
+    add_fields(fields, VesselTable<T>::kNumbers);
 }
 
 /// Return the words of an enumeration without its first, which stands for none.

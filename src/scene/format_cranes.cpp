@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Cranes on any body.
 #include "scene/cranes.h"
+#include "scene/field_shapes.h"
 #include "scene/format.h"
 
 #include <span>
@@ -17,12 +18,7 @@ template <class T>
 std::vector<Field> crane_fields() {
     using Table = CraneTable<T>;
     std::vector<Field> fields;
-    for (const CraneNumber<T>& n : Table::kNumbers) {
-        const bool required = *n.fallback == '\0';
-        const ShapePtr shape = required && n.least == 0.0 ? positive("a number", n.most)
-                                                          : number("a number", n.least, n.most);
-        fields.push_back({n.key, shape, required, n.fallback, n.unit, n.doc});
-    }
+    add_fields(fields, Table::kNumbers);
     for (const CranePoint<T>& p : std::span(Table::kPoints).first(Table::kPointCount))
         fields.push_back({p.key, vector3("a point"), *p.fallback == '\0', p.fallback, "m", p.doc});
     return fields;

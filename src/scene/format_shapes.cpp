@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <hawser/material_fields.h>
+
+#include "scene/field_shapes.h"
 #include "scene/format.h"
 
 #include <utility>
@@ -31,21 +34,10 @@ std::vector<Field> surface_fields() {
 namespace {
 
 std::vector<Field> values_of_material() {
-    return {
-        {"friction", number("a coefficient", 0.0, 100.0), false, "0.5", "1",
-         "Coulomb coefficient."},
-        {"restitution", number("a fraction", 0.0, 1.0), false, "0", "1",
-         "Of the speed of an impact."},
-        {"stiffness", number("a stiffness", 1.0, 1e12), false, "1e8", "N/m",
-         "Of one contact point, normal to the surface."},
-        {"tangential", number("a ratio", 0.01, 10.0), false, "0.7", "1",
-         "Tangential over normal stiffness while sticking."},
-        {"damping_time", number("a time", 0.0, 1e3), false, "two steps", "s", "Of the contact."},
-        {"rolling", number("a length", 0.0, 10.0), false, "0", "m",
-         "Rolling resistance: moment over normal force."},
-        {"torsional", number("a length", 0.0, 10.0), false, "0", "m",
-         "Resistance to spinning about the normal: moment over normal force."},
-        {"description", text("a text"), false, "", "", "Source and remarks."}};
+    std::vector<Field> fields;
+    add_fields(fields, kMaterialFields);
+    fields.push_back({"description", text("a text"), false, "", "", "Source and remarks."});
+    return fields;
 }
 
 ShapePtr length(const char* what) { return positive(what, kMaxShapeLength); }

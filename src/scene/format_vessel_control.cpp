@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Control of vessels (hawser/vessel_control.h).
+#include "scene/field_shapes.h"
 #include "scene/format.h"
 #include "scene/vessel_control.h"
 
@@ -45,9 +46,7 @@ ShapePtr vessel_control_shape() {
          "Forbidden zones of azimuths."},
         {"failures", list("a list of failures", failure, 1, 100), false, "each propulsor alone", "",
          "For the consequence analysis."}};
-    for (const ControlNumber& n : ControlTable::kNumbers)
-        fields.push_back(
-            {n.key, control_number(n.least, n.most), false, n.fallback, n.unit, n.doc});
+    add_fields(fields, ControlTable::kNumbers);
     return object("vessel_control", "the control of a vessel",
                   "Joystick, autopilot and dynamic positioning: signal VESSEL.mode.",
                   std::move(fields));

@@ -2,6 +2,7 @@
 /// Vessels on bodies (hawser/vessel.h).
 #include <hawser/vessel_ships.h>
 
+#include "scene/field_shapes.h"
 #include "scene/format.h"
 #include "scene/vessels.h"
 
@@ -17,12 +18,7 @@ using namespace make;
 template <class T>
 std::vector<Field> vessel_fields() {
     std::vector<Field> fields;
-    for (const VesselNumber<T>& n : VesselTable<T>::kNumbers) {
-        const bool required = *n.fallback == '\0';
-        const ShapePtr shape = required && n.least == 0.0 ? positive("a number", n.most)
-                                                          : number("a number", n.least, n.most);
-        fields.push_back({n.key, shape, required, n.fallback, n.unit, n.doc});
-    }
+    add_fields(fields, VesselTable<T>::kNumbers);
     return fields;
 }
 

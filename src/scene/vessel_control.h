@@ -3,6 +3,7 @@
 /// @file vessel_control.h
 /// The key `control` of vessels (hawser/vessel_control.h).
 
+#include <hawser/fields.h>
 #include <hawser/vessel.h>
 
 #include "scene/description.h"
@@ -11,17 +12,9 @@
 
 namespace hawser::scene {
 
-/// A number of the control; keys that end in _deg are degrees in scenes.
-struct ControlNumber {
-    const char* key;
-    double VesselControl::* value;
-    const char* unit;
-    const char* fallback;  ///< Default in words.
-    const char* doc;
-    double least, most;
-};
+/// Numbers of the control; keys that end in _deg are degrees in scenes.
 struct ControlTable {
-    static constexpr ControlNumber kNumbers[] = {
+    static constexpr FieldInfo<VesselControl> kNumbers[] = {
         {"damping", &VesselControl::damping, "1", "1", "Damping ratio.", 0.01, 10.0},
         {"integral", &VesselControl::integral, "1", "0.1",
          "Integral gain over bandwidth times proportional gain.", 0.0, 1.0},

@@ -4,22 +4,12 @@
 /// The numbers of a vessel in a scene (hawser/vessel.h). One table serves the format and the
 /// reader. Keys that end in _deg are in degrees here and in radians in definitions.
 
+#include <hawser/fields.h>
 #include <hawser/vessel.h>
 
 #include "scene/description.h"
 
 namespace hawser::scene {
-
-template <class T>
-struct VesselNumber {
-    const char* key;
-    double T::* value;
-    const char* unit;
-    const char* fallback;  ///< Default in words; "" if the value is required.
-    const char* doc;
-    /// Range. `least` is included only if there is a default, or if it is negative.
-    double least, most;
-};
 
 inline constexpr double kVesselFar = 1e4, kVesselStrong = 1e15, kVesselAny = 1e6;
 
@@ -29,7 +19,7 @@ struct VesselTable;
 
 template <>
 struct VesselTable<HullResistance> {
-    static constexpr VesselNumber<HullResistance> kNumbers[] = {
+    static constexpr FieldInfo<HullResistance> kNumbers[] = {
         {"linear", &HullResistance::linear, "N s/m", "0", "-X_u at rest.", 0.0, kVesselStrong},
         {"quadratic", &HullResistance::quadratic, "N s^2/m^2", "0", "-X_uu.", 0.0, kVesselStrong},
         {"blend", &HullResistance::blend, "m/s", "2",
@@ -38,7 +28,7 @@ struct VesselTable<HullResistance> {
 
 template <>
 struct VesselTable<CrossFlow> {
-    static constexpr VesselNumber<CrossFlow> kNumbers[] = {
+    static constexpr FieldInfo<CrossFlow> kNumbers[] = {
         {"length", &CrossFlow::length, "m", "", "Of the waterline.", 0.0, kVesselFar},
         {"beam", &CrossFlow::beam, "m", "", "Beam.", 0.0, kVesselFar},
         {"draught", &CrossFlow::draught, "m", "", "Draught.", 0.0, kVesselFar},
@@ -48,7 +38,7 @@ struct VesselTable<CrossFlow> {
 
 template <>
 struct VesselTable<HullPolynomial> {
-    static constexpr VesselNumber<HullPolynomial> kNumbers[] = {
+    static constexpr FieldInfo<HullPolynomial> kNumbers[] = {
         {"length", &HullPolynomial::length, "m", "", "L of the scales.", 0.0, kVesselFar},
         {"area", &HullPolynomial::area, "m^2", "0", "A of the scale speed, as L d or L^2.", 0.0,
          1e8},
@@ -59,7 +49,7 @@ struct VesselTable<HullPolynomial> {
 
 template <>
 struct VesselTable<MmgStern> {
-    static constexpr VesselNumber<MmgStern> kNumbers[] = {
+    static constexpr FieldInfo<MmgStern> kNumbers[] = {
         {"diameter", &MmgStern::diameter, "m", "", "Of the propeller.", 0.0, 100.0},
         {"length", &MmgStern::length, "m", "", "L of x' and r'.", 0.0, kVesselFar},
         {"k0", &MmgStern::k0, "1", "", "K_T at J = 0.", 0.0, 10.0},
@@ -91,7 +81,7 @@ struct VesselTable<MmgStern> {
 
 template <>
 struct VesselTable<SteeringDef> {
-    static constexpr VesselNumber<SteeringDef> kNumbers[] = {
+    static constexpr FieldInfo<SteeringDef> kNumbers[] = {
         {"most_angle_deg", &SteeringDef::most_angle, "deg", "35", "Of the rudder.", 1.0, 90.0},
         {"rate_deg", &SteeringDef::rate, "deg/s", "2.32", "Of the steering gear; above 0.", 0.0,
          500.0},
@@ -105,7 +95,7 @@ struct VesselTable<SteeringDef> {
 
 template <>
 struct VesselTable<WindLoad> {
-    static constexpr VesselNumber<WindLoad> kNumbers[] = {
+    static constexpr FieldInfo<WindLoad> kNumbers[] = {
         {"frontal_area", &WindLoad::frontal_area, "m^2", "", "A_F above the water.", 0.0, 1e6},
         {"lateral_area", &WindLoad::lateral_area, "m^2", "", "A_L above the water.", 0.0, 1e6},
         {"length", &WindLoad::length, "m", "", "Over all.", 0.0, kVesselFar},
@@ -117,7 +107,7 @@ struct VesselTable<WindLoad> {
 
 template <>
 struct VesselTable<PropellerDef> {
-    static constexpr VesselNumber<PropellerDef> kNumbers[] = {
+    static constexpr FieldInfo<PropellerDef> kNumbers[] = {
         {"diameter", &PropellerDef::diameter, "m", "", "Diameter.", 0.0, 100.0},
         {"pitch", &PropellerDef::pitch, "1", "1", "P/D.", 0.1, 3.0},
         {"area", &PropellerDef::area, "1", "0.7", "A_E/A_0 of the B-series.", 0.1, 2.0},
@@ -126,7 +116,7 @@ struct VesselTable<PropellerDef> {
 
 template <>
 struct VesselTable<PropulsorDef> {
-    static constexpr VesselNumber<PropulsorDef> kNumbers[] = {
+    static constexpr FieldInfo<PropulsorDef> kNumbers[] = {
         {"thrust", &PropulsorDef::thrust, "N", "with a propeller none",
          "At full order, of an ideal propulsor.", 0.0, kVesselStrong},
         {"astern", &PropulsorDef::astern, "1", "1", "Thrust astern over ahead.", 0.0, 1.0},
@@ -158,7 +148,7 @@ struct VesselTable<PropulsorDef> {
 
 template <>
 struct VesselTable<RudderDef> {
-    static constexpr VesselNumber<RudderDef> kNumbers[] = {
+    static constexpr FieldInfo<RudderDef> kNumbers[] = {
         {"area", &RudderDef::area, "m^2", "", "Area.", 0.0, 1e5},
         {"aspect", &RudderDef::aspect, "1", "1.5", "Height over chord; above 0.", 0.0, 100.0},
         {"covered", &RudderDef::covered, "1", "1", "Fraction of its height in the slipstream.", 0.0,
@@ -177,20 +167,20 @@ struct VesselTable<RudderDef> {
 
 template <>
 struct VesselTable<CurrentLoad> {
-    static constexpr VesselNumber<CurrentLoad> kNumbers[] = {
+    static constexpr FieldInfo<CurrentLoad> kNumbers[] = {
         {"length", &CurrentLoad::length, "m", "", "L.", 0.0, kVesselFar},
         {"draught", &CurrentLoad::draught, "m", "", "T.", 0.0, kVesselFar}};
 };
 
 template <>
 struct VesselTable<GeneratorDef> {
-    static constexpr VesselNumber<GeneratorDef> kNumbers[] = {
+    static constexpr FieldInfo<GeneratorDef> kNumbers[] = {
         {"power", &GeneratorDef::power, "W", "", "Rated power.", 0.0, 1e12}};
 };
 
 template <>
 struct VesselTable<ConsumerDef> {
-    static constexpr VesselNumber<ConsumerDef> kNumbers[] = {
+    static constexpr FieldInfo<ConsumerDef> kNumbers[] = {
         {"power", &ConsumerDef::power, "W", "0",
          "Ideal propulsor: at full order; load: at the start.", 0.0, 1e12},
         {"efficiency", &ConsumerDef::efficiency, "1", "0.9",
@@ -199,7 +189,7 @@ struct VesselTable<ConsumerDef> {
 
 template <>
 struct VesselTable<PowerDef> {
-    static constexpr VesselNumber<PowerDef> kNumbers[] = {
+    static constexpr FieldInfo<PowerDef> kNumbers[] = {
         {"share", &PowerDef::share, "1", "0.9",
          "Fraction of the generators' power for consumers; above 0.", 0.0, 1.0}};
 };

@@ -2,6 +2,7 @@
 #include "scene/winches.h"
 
 #include "scene/description.h"
+#include "scene/field_reader.h"
 #include "scene/line_types.h"
 
 #include <fmt/format.h>
@@ -18,7 +19,7 @@ namespace {
 
 constexpr double kFar = 1e4, kPull = 1e15, kHeavy = 1e18;
 
-constexpr WinchNumber kNumbers[] = {
+constexpr FieldInfo<WinchDef> kNumbers[] = {
     {"core_radius", &WinchDef::core_radius, "m", "required of drums", "Of the bare drum.", 0.0,
      kFar},
     {"width", &WinchDef::width, "m", "required of drums", "Between the flanges.", 0.0, kFar},
@@ -74,7 +75,7 @@ constexpr WinchNumber kNumbers[] = {
     {"heave_falls", &WinchDef::heave_falls, "1", "1",
      "Wire paid out per height of the compensated point: falls of a tackle.", 0.0, 100.0}};
 
-constexpr GypsyNumber kGypsyNumbers[] = {
+constexpr FieldInfo<GypsyDef> kGypsyNumbers[] = {
     {"pitch", &GypsyDef::pitch, "m", "4 wire_diameter",
      "Pitch of a link; a pocket holds two links. The radius is pockets × pitch / pi.", 0.0, 100.0},
     {"jump_load", &GypsyDef::jump_load, "N", "it does not jump",
@@ -155,8 +156,7 @@ void read_wheel(WinchDef& def, const Cable& cable, const Json& json, const Place
                                     " has \"EI\" in its line type, but a gypsy takes chain, "
                                     "which does not resist bending");
     def.gypsy.pockets = (*gypsy)["pockets"].get<int>();
-    for (const GypsyNumber& number : kGypsyNumbers)
-        def.gypsy.*number.value = number_or(*gypsy, number.key, def.gypsy.*number.value);
+    read_fields(def.gypsy, *gypsy, kGypsyNumbers);
 }
 
 /// Add the drum, and the chain on a gypsy, as bodies of the scene. @return the body that carries
@@ -186,8 +186,7 @@ void read_winch(Description& out, const Scope& scope, const Json& json, const Pl
     const CableSection& section = section_at(cable, def.end);
     def.wire_diameter = section.diameter;
     def.mass_per_length = section.mass_per_length;
-    for (const WinchNumber& number : kNumbers)
-        def.*number.value = number_or(json, number.key, def.*number.value);
+    read_fields(def, json, kNumbers);
     if (!(def.wire_diameter > 0.0))
         refuse(place, "a winch needs \"wire_diameter\": its cable's line type has no diameter");
     read_wheel(def, cable, json, place);
@@ -241,8 +240,8 @@ void read_winch(Description& out, const Scope& scope, const Json& json, const Pl
 
 }  // namespace
 
-std::span<const WinchNumber> winch_numbers() noexcept { return kNumbers; }
-std::span<const GypsyNumber> gypsy_numbers() noexcept { return kGypsyNumbers; }
+std::span<const FieldInfo<WinchDef>> winch_fields() noexcept { return kNumbers; }
+std::span<const FieldInfo<GypsyDef>> gypsy_fields() noexcept { return kGypsyNumbers; }
 
 void expand_winches(Description& out, const Scope& scope) {
     const auto list = scope.content->find("winches");
