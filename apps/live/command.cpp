@@ -154,10 +154,11 @@ void read_command(const Json& from, Command one, std::vector<Command>& out) {
             break;
         case CommandKind::note:
             if (!from.contains("text")) throw Refused("text is missing");
-            take_name(from["text"], "text", one.name.kMost, one);
+            take_name(from["text"], "text", one.name.kMaximum, one);
             break;
         case CommandKind::report:
-            if (from.contains("people")) take_name(from["people"], "people", one.name.kMost, one);
+            if (from.contains("people"))
+                take_name(from["people"], "people", one.name.kMaximum, one);
             break;
         case CommandKind::seek:
             one.value = number(from, "time", 0.0, kMaxTime);

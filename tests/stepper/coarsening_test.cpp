@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hawser::stepper {
+namespace hawser::budget {
 namespace {
 
 int level_after(Coarsening& c, int steps, double demand, double factor = 1.0) {
@@ -54,4 +54,4 @@ TEST(Coarsening, FallsWhereThereIsRoom) {
 }
 
 }  // namespace
-}  // namespace hawser::stepper
+}  // namespace hawser::budget

@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
-namespace hawser::stepper {
+namespace hawser::monitor {
+using context::MonitorPart;
+using context::MonitorState;
+
 namespace {
 
 /// Make a sample of a body of 50 J and a spring, with the spring's energy by three accounts.
@@ -44,4 +47,4 @@ TEST(MonitorEnergy, TakesTheAccountByWhichSpringsExchangeLeast) {
 }
 
 }  // namespace
-}  // namespace hawser::stepper
+}  // namespace hawser::monitor
