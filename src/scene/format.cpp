@@ -97,21 +97,23 @@ ShapePtr parameter() {
 }  // namespace
 
 ShapePtr instance_shape() {
-    return object(
-        "instance", "an instance", "One use of a template.",
-        {{"template", text("a template name"), true, "", "", "Template to use."},
-         {"name", name("a name"), true, "", "",
-          "Prefix of the names that it makes: name/body, name/interaction."},
-         {"on", body_ref(), false, "the world", "",
-          "Body whose frame the template's frame starts from, velocity included."},
-         {"position", vector3("a position"), false, "[0, 0, 0]", "m", "Of the template's frame."},
-         {"orientation", quaternion(), false, "[1, 0, 0, 0]", "1", "Of the template's frame."},
-         {"euler_deg", angles(), false, "", "deg", "Of the template's frame: [roll, pitch, yaw]."},
-         {"parameters", map("parameters by name", parameter()), false, "of the template", "",
-          "Values in place of the defaults."},
-         {"bind", map("body names by local name", body_ref()), false, "", "",
-          "Local names that stand for bodies outside."}},
-        {{"orientation", "euler_deg"}});
+    return object("instance", "an instance", "One use of a template.",
+                  {{"template", text("a template name"), true, "", "", "Template to use."},
+                   {"name", name("a name"), true, "", "",
+                    "Prefix of the names that it makes: name/body, name/interaction."},
+                   {"on", body_ref(), false, "the world", "",
+                    "Body whose frame the template's frame starts from, velocity included."},
+                   {"position", vector3("a position"), false, "[0, 0, 0]", "m",
+                    "Position of the template's frame."},
+                   {"orientation", quaternion(), false, "[1, 0, 0, 0]", "1",
+                    "Orientation of the template's frame."},
+                   {"euler_deg", angles(), false, "", "deg",
+                    "Angles of the template's frame: [roll, pitch, yaw]."},
+                   {"parameters", map("parameters by name", parameter()), false, "of the template",
+                    "", "Values in place of the defaults."},
+                   {"bind", map("body names by local name", body_ref()), false, "", "",
+                    "Local names that stand for bodies outside."}},
+                  {{"orientation", "euler_deg"}});
 }
 
 namespace {
@@ -141,10 +143,11 @@ std::vector<Field> state_fields() {
          {"q", quaternion(), false, "[1, 0, 0, 0]", "1", "Orientation [w, x, y, z]."},
          {"v", vector3("a velocity"), false, "[0, 0, 0]", "m/s", "Velocity."},
          {"w", vector3("an angular velocity"), false, "[0, 0, 0]", "rad/s", "Angular velocity."}});
-    return {{"bodies", map("body states by name", pose), false, "", "", "Every moving body."},
-            {"time", number("a time", 0.0, 1e12), false, "", "s", "When it was taken."},
-            {"scene", text("a name"), false, "", "", "Scene it belongs to."},
-            {"description", text("a text"), false, "", "", "Remarks."}};
+    return {
+        {"bodies", map("body states by name", pose), false, "", "", "Every moving body."},
+        {"time", number("a time", 0.0, 1e12), false, "", "s", "Time at which the state was taken."},
+        {"scene", text("a name"), false, "", "", "Scene it belongs to."},
+        {"description", text("a text"), false, "", "", "Remarks."}};
 }
 
 /// Return the fields that scenes and included files have in common.
@@ -158,17 +161,18 @@ std::vector<Field> common_fields(const ShapePtr& line, const ShapePtr& group) {
              "Files with line types, materials and templates, relative to this one."},
             {"line_types", map("line types by name", line), false, "", "", "Line types."},
             {"materials", map("materials by name", material()), false, "", "",
-             "What shapes are made of. \"default\" has all the defaults and is always there."},
+             "Materials of shapes. \"default\" has all the defaults and is always there."},
             {"templates", map("templates by name", group), false, "", "", "Templates."}};
 }
 
 /// Return the parts of a scene that no template has.
 std::vector<Field> parts_of_scene(const Format& f) {
     return {{"sea", sea_shape(), false, "air", "", "Water and wind."},
-            {"timeline", f.operations, false, "", "", "What is done to the scene at times."},
+            {"timeline", f.operations, false, "", "", "Operations on the scene at given times."},
             {"repeat",
              object("repeat", "a repetition", "How copies of the scene stand side by side.",
-                    {{"offset", vector3("an offset"), true, "", "m", "From one copy to the next."},
+                    {{"offset", vector3("an offset"), true, "", "m",
+                      "Offset from one copy to the next."},
                      {"joins", f.list("cables"), false, "", "",
                       "Cables between neighbours: \"from\" in one copy, \"to\" in the next."},
                      {"copies", integer("a number of copies", 1, kMaxCopies), false, "1", "",
@@ -185,7 +189,7 @@ std::vector<Field> parts_of_scene(const Format& f) {
                     {{"file", "bodies"}}),
              false, "", "", "Start from a stored state."},
             {"plot",
-             object("plot", "a plot", "What pictures of the scene show.",
+             object("plot", "a plot", "Settings of pictures of the scene.",
                     {{"tensions", list_of("a list of cables", text("a cable name")), false, "", "",
                       "Cables with a curve of tension."},
                      {"motions", list_of("a list of bodies", body_ref()), false, "", "",

@@ -33,7 +33,7 @@ ShapePtr anchor_shape() {
         {"name", name("a name"), true, "", "", "Unique among systems; of its signals, NAME.drag."},
         {"body", body_ref(), true, "", "", "A rigid body, with the line at its shackle."},
         {"point", vector3("a point"), false, "[0, 0, 0]", "m",
-         "At which the soil acts, in the frame of the body."},
+         "Point at which the soil acts, in the frame of the body."},
         {"cable", text("a cable name"), false, "all that end on it", "",
          "The anchor line, if other cables end on the anchor, too."},
         {"soil", word("a soil", words_after_first(anchor_soils())), true, "", "",

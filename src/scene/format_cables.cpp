@@ -78,7 +78,7 @@ ShapePtr line_type_shape() {
     add_fields(fields, kSectionFields);
     add_fields(fields, kLayoutFields);
     fields.push_back(
-        {"color", text("a colour"), false, "", "", "For pictures, such as \"#445566\"."});
+        {"color", text("a colour"), false, "", "", "Colour in pictures, such as \"#445566\"."});
     fields.push_back({"description", text("a text"), false, "", "", "Source and remarks."});
     for (Field& field : line_water_fields()) fields.push_back(std::move(field));
     return object("line_type", "a line type", "Properties of a chain, wire or rope.",
@@ -104,7 +104,7 @@ ShapePtr cable_shape() {
           "one more than the points", "", "Number of elements."},
          {"as", word("a way to model a cable", {"lumps", "links"}), false, "lumps", "",
           "lumps: point masses, stretch and bend; links: rigid cylinders and ball joints."},
-         {"radius", positive("a length", 1e3), false, "half the diameter", "m", "Of links."},
+         {"radius", positive("a length", 1e3), false, "half the diameter", "m", "Radius of links."},
          {"shape",
           choice("the name of a shape or a list of points",
                  {word("a shape", {"straight", "catenary", "hanging", "laid", "path"}),
@@ -119,7 +119,7 @@ ShapePtr cable_shape() {
          {"path", list("a list of points", vector3("a point"), 1, kMaxElements), false, "", "m",
           "Corners between the ends of a cable of the shape path."},
          {"offsets", list("a list of offsets", vector3("an offset"), 0, kMaxElements), false, "",
-          "m", "Added to the interior nodes."},
+          "m", "Offsets added to the positions of the interior nodes."},
          {"weak", weak_of_cable(), false, "", "",
           "Point at which the cable breaks at a lower tension than elsewhere."},
          {"tension_only", boolean("true or false"), false, "true", "", "False: it also pushes."},
@@ -135,9 +135,9 @@ ShapePtr cable_shape() {
           "Contacts of its elements with shapes. Elements that end on a body have contacts only "
           "with \"to_ends\"."},
          {"compliance", number("a compliance", 0.0, 1e12), false, "of a ball joint", "m/N",
-          "Of the ball joints of links."},
+          "Compliance of the ball joints of links."},
          {"damping_time", number("a time", 0.0, 1e12), false, "of a ball joint", "s",
-          "Of the ball joints of links."},
+          "Damping time of the ball joints of links."},
          {"description", text("a text"), false, "", "", "Remarks."}},
         {{"line_type", "sections"}, {"length", "sections"}, {"elements", "sections"}});
 }
@@ -168,7 +168,7 @@ ShapePtr winch_shape() {
         {"heave_point",
          object("heave_point", "a point of a body", "A point that moves with the ship.",
                 {{"body", body_ref(), true, "", "", "Body of the point."},
-                 {"point", vector3("a point"), true, "", "m", "In the frame of the body."}}),
+                 {"point", vector3("a point"), true, "", "m", "Point in the frame of the body."}}),
          false, "the fairlead", "", "Point whose upward motion mode heave compensates."});
     fields.push_back({"gypsy", gypsy_shape(), false, "it is a drum", "",
                       "A wheel with pockets for chain, instead of a drum."});

@@ -59,11 +59,11 @@ std::vector<Field> common_fields_of_cranes(const char* kind) {
          "on."},
         {"on", body_ref(), true, "", "", "Body on which it is mounted."},
         {"point", vector3("a point"), false, "[0, 0, 0]", "m",
-         "Of its slewing bearing, in that body's frame."},
+         "Position of its slewing bearing, in that body's frame."},
         {"euler_deg",
          list("three angles [roll, pitch, yaw] in degrees", number("an angle", -36000, 36000), 3,
               3),
-         false, "[0, 0, 0]", "deg", "Of the crane's frame in that body's."},
+         false, "[0, 0, 0]", "deg", "Angles of the crane's frame in that body's frame."},
         {"slew", crane_part<CraneSlew>("crane_slew", "a slew drive", "Motor and brake."), true, "",
          "", "Slew drive."},
         {"column",
@@ -100,7 +100,7 @@ ShapePtr crane_load_shape() {
         "Load that the hook can attach by slings of equal length.",
         {{"body", body_ref(), true, "", "", "A rigid body or a point mass."},
          {"eyes", list("a list of points", vector3("a point"), 1, 8), false, "[[0, 0, 0]]", "m",
-          "Where slings are made fast, in its frame."}});
+          "Points at which slings are made fast, in its frame."}});
 }
 
 ShapePtr crane_shape() {

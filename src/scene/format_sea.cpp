@@ -50,7 +50,7 @@ ShapePtr water_body_shape() {
                  {ratio, list("three coefficients", ratio, 3, 3)}),
           false, "0", "1", "Along its axes, of the volume's mass of water."},
          {"height", positive("a height", 1e4), false, "of a ball of its volume", "m",
-          "From its lowest to its highest point."}});
+          "Height from its lowest to its highest point."}});
 }
 
 ShapePtr water_rod_shape() {
@@ -58,7 +58,8 @@ ShapePtr water_rod_shape() {
                               {"from", vector3("a point"), true, "", "m",
                                "One end, from the centre of mass, in the body's frame."},
                               {"to", vector3("a point"), true, "", "m", "The other end."},
-                              {"diameter", positive("a diameter", 1e3), true, "", "m", "Of drag."}};
+                              {"diameter", positive("a diameter", 1e3), true, "", "m",
+                               "Diameter to which drag is referred."}};
     add_fields(fields, kLineWaterFields);
     fields.push_back({"segments", integer("a number", 1, kMaxRodSegments), false, "8", "",
                       "Equal ones, each with the water at its middle."});
@@ -74,25 +75,25 @@ ShapePtr water_rod_shape() {
 ShapePtr sea_shape() {
     const ShapePtr level =
         object("sea_level", "a level", "Height of still water at a time; linear between two.",
-               {{"time", number("a time", -1e12, 1e12), true, "", "s", "Ascending."},
-                {"level", number("a level", -1e5, 1e3), true, "", "m", "Above z = 0."}});
+               {{"time", number("a time", -1e12, 1e12), true, "", "s", "Time; the times ascend."},
+                {"level", number("a level", -1e5, 1e3), true, "", "m", "Level above z = 0."}});
     const ShapePtr current =
         object("sea_current", "a current", "At a depth; linear between two.",
                {{"depth", number("a depth", 0.0, 1e5), false, "0", "m",
-                 "Below the surface of still water, ascending."},
-                {"speed", number("a speed", 0.0, 50.0), true, "", "m/s", "Of the water."},
+                 "Depth below the surface of still water; depths ascend."},
+                {"speed", number("a speed", 0.0, 50.0), true, "", "m/s", "Speed of the water."},
                 {"direction_deg", direction(), false, "0", "deg",
-                 "To which it flows, from x towards y."}});
+                 "Direction to which the current flows, from x towards y."}});
     return object(
         "sea", "a sea",
         "Water and wind. Cables of lumps whose line type has \"cd_normal\" are in it. Signals: "
         "sea.waves, sea.current, sea.wind, sea.wind_direction, sea.level, sea.elevation, sea.gust, "
         "sea.tide.",
         {{"depth", positive("a depth", 1e5), true, "", "m", "The bottom is at z = -depth."},
-         {"density", positive("a density", 1e5), false, "1025", "kg/m^3", "Of water."},
+         {"density", positive("a density", 1e5), false, "1025", "kg/m^3", "Density of water."},
          {"level", list("a list of levels", level, 1, 100'000), false, "0", "m", "Tide."},
          {"waves", list("a list of waves", wave_shape(), 0, kMaxWaveComponents), false, "none", "",
-          "They add up."},
+          "Waves; their elevations add up."},
          {"current", list("a list of currents", current, 0, 1000), false, "none", "", "By depth."},
          {"wind", wind_shape(), false, "none", "", "Wind."},
          {"gauge", list("two numbers [x, y]", number("a length", -1e7, 1e7), 2, 2), false, "[0, 0]",

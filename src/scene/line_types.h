@@ -13,15 +13,16 @@ namespace hawser::scene {
 /// Members of a line type that sections of a cable have. The rest of a line type follows in
 /// kLayoutFields.
 inline constexpr auto kSectionFields = std::to_array<FieldInfo<CableSection>>(
-    {{"mass_per_length", &CableSection::mass_per_length, "kg/m", "", "In air.", 0.0, 1e9,
-      "a mass per length"},
+    {{"mass_per_length", &CableSection::mass_per_length, "kg/m", "",
+      "Mass per length; the buoyancy of water is not subtracted.", 0.0, 1e9, "a mass per length"},
      {"EA", &CableSection::EA, "N", "", "Axial stiffness; needed by cables of lumps.", 0.0,
       kMaxForce, "a stiffness", kMayBeMissing | kAboveLeast},
      {"EI", &CableSection::EI, "N m^2", "0",
       "Bending stiffness; 0: perfectly flexible. Cables of links bend freely.", 0.0, kMaxForce,
       "a stiffness"},
-     {"diameter", &CableSection::diameter, "m", "", "For pictures, and in water.", 0.0, 1e3,
-      "a length", kMayBeMissing | kAboveLeast},
+     {"diameter", &CableSection::diameter, "m", "",
+      "Diameter for pictures and for forces of the water.", 0.0, 1e3, "a length",
+      kMayBeMissing | kAboveLeast},
      {"breaking_load", &CableSection::breaking_load, "N", "never",
       "An element breaks above this tension.", 0.0, kMaxForce, "a force", kAboveLeast},
      {"link", &CableSection::link, "m", "it is no chain",

@@ -19,7 +19,7 @@ constexpr FieldInfo<ResolutionDef> kFields[] = {
     {"min_length", &ResolutionDef::min_length, "m", "2.5", "No element gets shorter by a node.",
      0.01, kMaxMetres},
     {"max_length", &ResolutionDef::max_length, "m", "20",
-     "Of the longest element; from twice \"min_length\" on.", 0.01, kMaxMetres},
+     "Length of the longest element; at least twice \"min_length\".", 0.01, kMaxMetres},
     {"sag_error", &ResolutionDef::sag_error, "m", "0.05",
      "Maximum distance of an element from its arc; 0: no limit.", 0.0, kMaxMetres},
     {"max_angle", &ResolutionDef::max_angle, "rad", "0.26",
@@ -39,8 +39,8 @@ constexpr FieldInfo<ResolutionDef> kFields[] = {
      "Elements become one where that would be shorter than it may be by this factor.", 1.0, 100.0},
     {"patience", &ResolutionDef::patience, "s", "2",
      "Time for which a node must be unnecessary before it is removed.", 0.0, kMaxMetres},
-    {"max_nodes", &ResolutionDef::max_nodes, "", "1000", "Of the cable, its ends included.", 3.0,
-     1e5},
+    {"max_nodes", &ResolutionDef::max_nodes, "", "1000",
+     "Largest number of nodes of the cable, its ends included.", 3.0, 1e5},
     {"interval", &ResolutionDef::interval, "", "4",
      "Number of steps between two checks of the cable.", 1.0, 1e4}};
 

@@ -20,7 +20,7 @@ struct ControlTable {
          "Integral gain over bandwidth times proportional gain.", 0.0, 1.0},
         {"filter", &VesselControl::filter, "s", "30", "Time constant of orders.", 0.0, 1e4},
         {"wave_period", &VesselControl::wave_period, "s", "8",
-         "Of the waves that the observer filters out.", 1.0, 60.0},
+         "Period of the waves that the observer filters out.", 1.0, 60.0},
         {"wind_filter", &VesselControl::wind_filter, "s", "5",
          "Time constant of feed-forward of wind and lines.", 0.0, 1e4},
         {"position_alarm", &VesselControl::position_alarm, "m", "5",

@@ -20,8 +20,10 @@ struct VesselTable;
 template <>
 struct VesselTable<HullResistance> {
     static constexpr FieldInfo<HullResistance> kNumbers[] = {
-        {"linear", &HullResistance::linear, "N s/m", "0", "-X_u at rest.", 0.0, kVesselStrong},
-        {"quadratic", &HullResistance::quadratic, "N s^2/m^2", "0", "-X_uu.", 0.0, kVesselStrong},
+        {"linear", &HullResistance::linear, "N s/m", "0",
+         "Linear coefficient of the resistance, -X_u at rest.", 0.0, kVesselStrong},
+        {"quadratic", &HullResistance::quadratic, "N s^2/m^2", "0",
+         "Quadratic coefficient of the resistance, -X_uu.", 0.0, kVesselStrong},
         {"blend", &HullResistance::blend, "m/s", "2",
          "Speed of tanh(u/blend) between both; above 0.", 0.0, 1e3}};
 };
@@ -29,7 +31,7 @@ struct VesselTable<HullResistance> {
 template <>
 struct VesselTable<CrossFlow> {
     static constexpr FieldInfo<CrossFlow> kNumbers[] = {
-        {"length", &CrossFlow::length, "m", "", "Of the waterline.", 0.0, kVesselFar},
+        {"length", &CrossFlow::length, "m", "", "Length of the waterline.", 0.0, kVesselFar},
         {"beam", &CrossFlow::beam, "m", "", "Beam.", 0.0, kVesselFar},
         {"draught", &CrossFlow::draught, "m", "", "Draught.", 0.0, kVesselFar},
         {"drag", &CrossFlow::drag, "1", "Hoerner's curve", "Drag coefficient of a section.", 0.0,
@@ -40,8 +42,8 @@ template <>
 struct VesselTable<HullPolynomial> {
     static constexpr FieldInfo<HullPolynomial> kNumbers[] = {
         {"length", &HullPolynomial::length, "m", "", "L of the scales.", 0.0, kVesselFar},
-        {"area", &HullPolynomial::area, "m^2", "0", "A of the scale speed, as L d or L^2.", 0.0,
-         1e8},
+        {"area", &HullPolynomial::area, "m^2", "0",
+         "Reference area A of the scale, for example L d or L^2.", 0.0, 1e8},
         {"speed", &HullPolynomial::speed, "m/s", "0", "U0 of u' = (u - U0)/U.", 0.0, 1e3},
         {"most_turn", &HullPolynomial::most_turn, "1", "1.5",
          "r' up to which the terms hold; beyond, forces grow with r^2.", 0.1, 100.0}};
@@ -50,10 +52,10 @@ struct VesselTable<HullPolynomial> {
 template <>
 struct VesselTable<MmgStern> {
     static constexpr FieldInfo<MmgStern> kNumbers[] = {
-        {"diameter", &MmgStern::diameter, "m", "", "Of the propeller.", 0.0, 100.0},
+        {"diameter", &MmgStern::diameter, "m", "", "Diameter of the propeller.", 0.0, 100.0},
         {"length", &MmgStern::length, "m", "", "L of x' and r'.", 0.0, kVesselFar},
         {"k0", &MmgStern::k0, "1", "", "K_T at J = 0.", 0.0, 10.0},
-        {"k1", &MmgStern::k1, "1", "0", "Its slope.", -10.0, 10.0},
+        {"k1", &MmgStern::k1, "1", "0", "Coefficient of K_T with J.", -10.0, 10.0},
         {"k2", &MmgStern::k2, "1", "0", "K_T of J^2.", -10.0, 10.0},
         {"thrust_deduction", &MmgStern::thrust_deduction, "1", "0", "t_P.", 0.0, 0.9},
         {"wake", &MmgStern::wake, "1", "0", "w_P0.", 0.0, 0.9},
@@ -82,9 +84,10 @@ struct VesselTable<MmgStern> {
 template <>
 struct VesselTable<SteeringDef> {
     static constexpr FieldInfo<SteeringDef> kNumbers[] = {
-        {"most_angle_deg", &SteeringDef::most_angle, "deg", "35", "Of the rudder.", 1.0, 90.0},
-        {"rate_deg", &SteeringDef::rate, "deg/s", "2.32", "Of the steering gear; above 0.", 0.0,
-         500.0},
+        {"most_angle_deg", &SteeringDef::most_angle, "deg", "35", "Largest angle of the rudder.",
+         1.0, 90.0},
+        {"rate_deg", &SteeringDef::rate, "deg/s", "2.32",
+         "Rate at which the steering gear turns the rudder; above 0.", 0.0, 500.0},
         {"lag", &SteeringDef::lag, "s", "0", "Time constant of the steering gear.", 0.0, 1e4},
         {"rps", &SteeringDef::rps, "1/s", "0", "Revolutions at the start.", 0.0, 1e3},
         {"most_rps", &SteeringDef::most_rps, "1/s", "twice rps", "Range of the input rps.", 0.0,
@@ -98,10 +101,10 @@ struct VesselTable<WindLoad> {
     static constexpr FieldInfo<WindLoad> kNumbers[] = {
         {"frontal_area", &WindLoad::frontal_area, "m^2", "", "A_F above the water.", 0.0, 1e6},
         {"lateral_area", &WindLoad::lateral_area, "m^2", "", "A_L above the water.", 0.0, 1e6},
-        {"length", &WindLoad::length, "m", "", "Over all.", 0.0, kVesselFar},
-        {"centre", &WindLoad::centre, "m", "0", "Of A_L ahead of the origin.", -kVesselFar,
-         kVesselFar},
-        {"height", &WindLoad::height, "m", "0", "Of the centre of A_L above the water.", 0.0,
+        {"length", &WindLoad::length, "m", "", "Length over all.", 0.0, kVesselFar},
+        {"centre", &WindLoad::centre, "m", "0",
+         "Position of the centre of A_L ahead of the origin.", -kVesselFar, kVesselFar},
+        {"height", &WindLoad::height, "m", "0", "Height of the centre of A_L above the water.", 0.0,
          kVesselFar}};
 };
 
@@ -111,32 +114,36 @@ struct VesselTable<PropellerDef> {
         {"diameter", &PropellerDef::diameter, "m", "", "Diameter.", 0.0, 100.0},
         {"pitch", &PropellerDef::pitch, "1", "1", "P/D.", 0.1, 3.0},
         {"area", &PropellerDef::area, "1", "0.7", "A_E/A_0 of the B-series.", 0.1, 2.0},
-        {"blades", &PropellerDef::blades, "1", "4", "Of the B-series.", 2.0, 10.0}};
+        {"blades", &PropellerDef::blades, "1", "4", "Number of blades of the B-series.", 2.0,
+         10.0}};
 };
 
 template <>
 struct VesselTable<PropulsorDef> {
     static constexpr FieldInfo<PropulsorDef> kNumbers[] = {
         {"thrust", &PropulsorDef::thrust, "N", "with a propeller none",
-         "At full order, of an ideal propulsor.", 0.0, kVesselStrong},
+         "Thrust of an ideal propulsor at full order.", 0.0, kVesselStrong},
         {"astern", &PropulsorDef::astern, "1", "1", "Thrust astern over ahead.", 0.0, 1.0},
-        {"ramp", &PropulsorDef::ramp, "s", "0", "From order 0 to 1.", 0.0, 1e4},
+        {"ramp", &PropulsorDef::ramp, "s", "0",
+         "Time in which the output goes from order 0 to order 1.", 0.0, 1e4},
         {"most_rps", &PropulsorDef::most_rps, "1/s", "ideal: none", "Revolutions at full order.",
          0.0, 1e3},
         {"wake", &PropulsorDef::wake, "1", "0", "Wake fraction w.", 0.0, 0.9},
         {"thrust_deduction", &PropulsorDef::thrust_deduction, "1", "0", "t, ahead.", 0.0, 0.9},
         {"shaft_inertia", &PropulsorDef::shaft_inertia, "kg m^2", "0: n follows ramp",
-         "With gear and entrained water.", 0.0, 1e18},
+         "Moment of inertia of the shaft with gear and entrained water.", 0.0, 1e18},
         {"response", &PropulsorDef::response, "s", "1",
          "Time constant of the revolutions within the limits; above 0.", 0.0, 1e4},
-        {"most_torque", &PropulsorDef::most_torque, "N m", "none", "Of the motor at the shaft.",
-         0.0, kVesselStrong},
-        {"most_power", &PropulsorDef::most_power, "W", "none", "Of the motor.", 0.0, kVesselStrong},
-        {"pitch_time", &PropulsorDef::pitch_time, "s", "10", "From full pitch to none.", 0.0, 1e4},
-        {"turn_rate_deg", &PropulsorDef::turn_rate, "deg/s", "11.5", "Of an azimuth; above 0.", 0.0,
-         5000.0},
+        {"most_torque", &PropulsorDef::most_torque, "N m", "none",
+         "Largest torque of the motor at the shaft.", 0.0, kVesselStrong},
+        {"most_power", &PropulsorDef::most_power, "W", "none", "Largest power of the motor.", 0.0,
+         kVesselStrong},
+        {"pitch_time", &PropulsorDef::pitch_time, "s", "10",
+         "Time in which the pitch goes from full to none.", 0.0, 1e4},
+        {"turn_rate_deg", &PropulsorDef::turn_rate, "deg/s", "11.5",
+         "Rate at which an azimuth thruster turns; above 0.", 0.0, 5000.0},
         {"most_angle_deg", &PropulsorDef::most_angle, "deg", "turns freely",
-         "Of an azimuth from ahead, to both sides.", 0.0, 180.0},
+         "Largest angle of an azimuth thruster from ahead, to both sides.", 0.0, 180.0},
         {"lost_at", &PropulsorDef::lost_at, "m/s", "no loss",
          "Speed ahead at which a tunnel has no thrust.", 0.0, 1e3},
         {"diameter", &PropulsorDef::diameter, "m", "that of the propeller",
@@ -160,9 +167,10 @@ struct VesselTable<RudderDef> {
          "Side force on the hull over that of the rudder.", 0.0, 2.0},
         {"stall_deg", &RudderDef::stall, "deg", "35", "Angle of attack at which it stalls.", 1.0,
          85.0},
-        {"most_angle_deg", &RudderDef::most_angle, "deg", "35", "To both sides.", 1.0, 90.0},
-        {"rate_deg", &RudderDef::rate, "deg/s", "2.32", "Of the steering gear; above 0.", 0.0,
-         500.0}};
+        {"most_angle_deg", &RudderDef::most_angle, "deg", "35", "Largest angle to both sides.", 1.0,
+         90.0},
+        {"rate_deg", &RudderDef::rate, "deg/s", "2.32",
+         "Rate at which the steering gear turns the rudder; above 0.", 0.0, 500.0}};
 };
 
 template <>
@@ -184,7 +192,7 @@ struct VesselTable<ConsumerDef> {
         {"power", &ConsumerDef::power, "W", "0",
          "Ideal propulsor: at full order; load: at the start.", 0.0, 1e12},
         {"efficiency", &ConsumerDef::efficiency, "1", "0.9",
-         "From the board to the shaft; above 0.", 0.0, 1.0}};
+         "Efficiency from the switchboard to the shaft; above 0.", 0.0, 1.0}};
 };
 
 template <>
