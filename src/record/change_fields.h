@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file change_fields.h
-/// List the fields of definitions in the order of a recording, once for writing and reading. A new
-/// field goes to the end of its list and needs a new ChangeKind.
+/// List the fields of definitions in the order of a recording, once for writing and reading.
+///
+/// Fields of bodies and materials are rows of tables (hawser/fields.h). A new field of bodies is
+/// recorded by name. A new field of other definitions goes to the end of its list and needs a new
+/// ChangeKind.
 
+#include <hawser/body_fields.h>
 #include <hawser/hawser.h>
+#include <hawser/material_fields.h>
 
 #include <concepts>
 #include <cstdint>
 #include <optional>
 #include <type_traits>
+#include <variant>
 
 namespace hawser::record {
 
@@ -56,23 +62,16 @@ inline constexpr int kChangeKindCount = 35;
 template <class D, class T>
 concept FieldsOf = std::same_as<std::remove_const_t<D>, T>;
 
+/// Visit a member of a row.
+template <class D, class Def, class F>
+void visit_member(D& d, const FieldInfo<Def>& row, F& f) {
+    std::visit([&](auto member) { f(d.*member); }, row.member);
+}
+
 template <class F, FieldsOf<BodyDef> D>
 void visit_fields(D& d, F&& f) {
     f(d.name);
-    f.word(d.kind, 5);
-    f(d.position);
-    f(d.orientation);
-    f(d.velocity);
-    f(d.angular_velocity);
-    f(d.mass);
-    f(d.inertia);
-    f(d.force);
-    f(d.torque);
-    f(d.linear_damping);
-    f(d.angular_damping);
-    f(d.gravity);
-    f(d.half_size);
-    f(d.group);
+    f.table(d, d.kind, 5, kBodyFields, kFirstNamedBodyField);
 }
 
 template <class F, FieldsOf<InteractionDef> D>
@@ -137,13 +136,7 @@ void visit_fields(D& d, F&& f) {
 template <class F, FieldsOf<MaterialDef> D>
 void visit_fields(D& d, F&& f) {
     f(d.name);
-    f(d.friction);
-    f(d.restitution);
-    f(d.stiffness);
-    f(d.tangential);
-    f(d.damping_time);
-    f(d.rolling);
-    f(d.torsional);
+    for (const FieldInfo<MaterialDef>& row : kMaterialFields) visit_member(d, row, f);
 }
 
 template <class F, FieldsOf<JoinDef> D>

@@ -8,13 +8,18 @@
 
 #include <hawser/hawser.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 namespace hawser::record {
+
+/// Bit of a recorded kind: fields with their names follow those of the table.
+inline constexpr unsigned kNamedFields = 0x80;
 
 /// Write the fields of a definition.
 struct PutFields {
@@ -54,6 +59,23 @@ struct PutFields {
     void words(const std::vector<E>& all, int count) {
         out.put(static_cast<std::uint32_t>(all.size()));
         for (const E& each : all) word(each, count);
+    }
+    /// Write a kind and the rows of a table. Rows from index `named` on follow by name, if they
+    /// differ from the default.
+    template <class D, class E, class Rows>
+    void table(const D& d, const E& kind, int, const Rows& rows, std::size_t named) {
+        std::vector<const FieldInfo<D>*> more;
+        for (std::size_t i = named; i < rows.size(); ++i)
+            if (!has_default(d, rows[i])) more.push_back(&rows[i]);
+        const unsigned bits = static_cast<unsigned>(kind) | (more.empty() ? 0U : kNamedFields);
+        out.put(static_cast<std::uint8_t>(bits));
+        for (std::size_t i = 0; i < named; ++i) visit_member(d, rows[i], *this);
+        if (more.empty()) return;
+        out.put(static_cast<std::uint8_t>(more.size()));
+        for (const FieldInfo<D>* row : more) {
+            out.put_text(row->key);
+            visit_member(d, *row, *this);
+        }
     }
     template <class T>
         requires std::is_class_v<T>
@@ -108,6 +130,24 @@ struct GetFields {
     void words(std::vector<E>& all, int count) {
         all.resize(in.get_count(1));
         for (E& each : all) word(each, count);
+    }
+    /// Read a kind and the rows of a table (PutFields::table()).
+    template <class D, class E, class Rows>
+    void table(D& d, E& kind, int count, const Rows& rows, std::size_t named) {
+        const unsigned bits = in.get<std::uint8_t>(), number = bits & ~kNamedFields;
+        if (number >= static_cast<unsigned>(count))
+            throw BadBytes("an enumerated value is out of range");
+        kind = static_cast<E>(number);
+        for (std::size_t i = 0; i < named; ++i) visit_member(d, rows[i], *this);
+        if ((bits & kNamedFields) == 0) return;
+        for (unsigned left = in.get<std::uint8_t>(); left > 0; --left) {
+            const std::string key = in.get_text();
+            const auto row = std::find_if(rows.begin() + static_cast<std::ptrdiff_t>(named),
+                                          rows.end(), [&](const auto& r) { return key == r.key; });
+            if (row == rows.end())
+                throw BadBytes("\"" + key + "\" is a field of a later version of hawser");
+            visit_member(d, *row, *this);
+        }
     }
     template <class T>
         requires std::is_class_v<T>

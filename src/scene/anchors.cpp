@@ -2,9 +2,9 @@
 /// Read drag-embedment anchors and stability gauges (hawser/anchor.h, hawser/stability.h).
 #include "scene/anchors.h"
 
-#include <numbers>
+#include "scene/field_reader.h"
+
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -13,12 +13,7 @@ namespace {
 
 template <class T>
 void read_anchor_part(T& out, const Json& json) {
-    for (const VesselNumber<T>& n : VesselTable<T>::kNumbers) {
-        const auto entry = json.find(n.key);
-        if (entry == json.end()) continue;
-        const bool degrees = std::string_view(n.key).ends_with("_deg");
-        out.*n.value = entry->template get<double>() * (degrees ? std::numbers::pi / 180.0 : 1.0);
-    }
+    read_fields(out, json, VesselTable<T>::kNumbers);
 }
 
 /// Return the index of a word that the format has accepted.

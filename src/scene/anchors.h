@@ -13,7 +13,7 @@ namespace hawser::scene {
 
 template <>
 struct VesselTable<AnchorDef> {
-    static constexpr VesselNumber<AnchorDef> kNumbers[] = {
+    static constexpr FieldInfo<AnchorDef> kNumbers[] = {
         {"mass", &AnchorDef::mass, "kg", "of the body", "Mass of the anchor, for its type.", 1e-3,
          1e9},
         {"uhc", &AnchorDef::uhc, "N", "of the type", "Ultimate holding capacity.", 1e-3, 1e12},
@@ -27,8 +27,8 @@ struct VesselTable<AnchorDef> {
          0.0, 1e3},
         {"breakout", &AnchorDef::breakout, "1", "0.75 in clay, 0.17 in sand",
          "Vertical force that breaks it out, over its capacity.", 1e-6, 10.0},
-        {"friction", &AnchorDef::friction, "1", "0.5", "Of a free anchor on the seabed.", 0.0,
-         10.0},
+        {"friction", &AnchorDef::friction, "1", "0.5",
+         "Friction coefficient of a free anchor on the seabed.", 0.0, 10.0},
         {"weight", &AnchorDef::weight, "N", "of the body in the sea", "Submerged weight.", 0.0,
          1e12},
         {"seabed", &AnchorDef::seabed, "m", "of the sea, or the height at the start",
@@ -42,29 +42,29 @@ struct VesselTable<AnchorDef> {
 
 template <>
 struct VesselTable<AnchorClay> {
-    static constexpr VesselNumber<AnchorClay> kNumbers[] = {
+    static constexpr FieldInfo<AnchorClay> kNumbers[] = {
         {"strength", &AnchorClay::strength, "Pa", "0", "Undrained shear strength at the seabed.",
          0.0, 1e9},
         {"gradient", &AnchorClay::gradient, "Pa/m", "0", "Its gradient with depth.", 0.0, 1e9},
-        {"fluke_area", &AnchorClay::fluke_area, "m^2", "0", "Of the anchor, for the trajectory.",
-         0.0, 1e4},
+        {"fluke_area", &AnchorClay::fluke_area, "m^2", "0",
+         "Fluke area of the anchor, for the trajectory.", 0.0, 1e4},
         {"bearing", &AnchorClay::bearing, "1", "9", "Bearing factor N_e of the anchor.", 1e-3,
          100.0},
-        {"fluke_angle_deg", &AnchorClay::fluke_angle, "degrees", "45", "Of the fluke to the line.",
-         1e-3, 80.0},
+        {"fluke_angle_deg", &AnchorClay::fluke_angle, "degrees", "45",
+         "Angle between the fluke and the line.", 1e-3, 80.0},
         {"first_depth", &AnchorClay::first_depth, "m", "1", "Depth of the point at no drag.", 1e-3,
          1e3},
         {"chain_width", &AnchorClay::chain_width, "m", "0",
          "Bearing width of the line: 2.5 bar diameters of chain, the diameter of wire.", 0.0, 10.0},
         {"chain_bearing", &AnchorClay::chain_bearing, "1", "12", "Bearing factor N_c of the line.",
          1e-3, 1e3},
-        {"chain_friction", &AnchorClay::chain_friction, "1", "0", "Of the line along its curve.",
-         0.0, 2.0}};
+        {"chain_friction", &AnchorClay::chain_friction, "1", "0",
+         "Friction coefficient of the line along its curve in the soil.", 0.0, 2.0}};
 };
 
 template <>
 struct VesselTable<StabilityDef> {
-    static constexpr VesselNumber<StabilityDef> kNumbers[] = {
+    static constexpr FieldInfo<StabilityDef> kNumbers[] = {
         {"thrust_height", &StabilityDef::thrust_height, "m", "half of the draught",
          "z of the thrust line in the frame of the body.", -1e3, 1e3},
         {"stern_x", &StabilityDef::stern_x, "m", "of the pin", "x of the stern.", -kVesselFar,
@@ -83,11 +83,14 @@ struct VesselTable<StabilityDef> {
          0.0, 10.0},
         {"residual_lever", &StabilityDef::residual_lever, "m", "0.2", "Least residual lever.", 0.0,
          100.0},
-        {"freeboard", &StabilityDef::freeboard, "m", "0.005 of the length", "At the stern.", 0.0,
+        {"freeboard", &StabilityDef::freeboard, "m", "0.005 of the length",
+         "Freeboard at the stern.", 0.0, 100.0},
+        {"gravity", &StabilityDef::gravity, "m/s^2", "9.81", "Acceleration of gravity.", 1e-3,
          100.0},
-        {"gravity", &StabilityDef::gravity, "m/s^2", "9.81", "For weights.", 1e-3, 100.0},
         {"warn", &StabilityDef::warn, "1", "0.8", "Utilisation of the warning.", 1e-3, 1.0},
-        {"hysteresis", &StabilityDef::hysteresis, "1", "0.05", "Of alarms.", 0.0, 0.5}};
+        {"hysteresis", &StabilityDef::hysteresis, "1", "0.05",
+         "Amount by which a value must fall below the level of an alarm before the alarm ends.",
+         0.0, 0.5}};
 };
 
 /// Read the anchors and gauges of one scope, when all bodies and cables exist.

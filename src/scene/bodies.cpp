@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/description.h"
+#include <hawser/body_fields.h>
 
 #include "base/dense.h"
+#include "scene/description.h"
+#include "scene/field_reader.h"
 
 #include <array>
 #include <cmath>
+#include <string>
+#include <string_view>
 
 namespace hawser::scene {
 namespace {
@@ -22,14 +26,6 @@ BodyKind kind_of(const std::string& word) {
 
 bool is_moving(BodyKind kind) {
     return kind == BodyKind::rigid || kind == BodyKind::lump || kind == BodyKind::scalar;
-}
-
-Vec3 damping_of(const Json& body, const char* key) {
-    const auto entry = body.find(key);
-    if (entry == body.end()) {
-        return Vec3::Zero();
-    }
-    return entry->is_array() ? vector_of(*entry) : Vec3::Constant(entry->get<double>());
 }
 
 /// Set the moments of a solid cylinder of mass m, and its half sizes for pictures. @param axis
@@ -88,20 +84,15 @@ void set_extent(BodyDef& def, const Json& body, const Place& place) {
 
 /// Reject keys that would have no effect on a body of this kind.
 void refuse_useless(const Json& body, BodyKind kind, const Place& place) {
-    std::vector<const char*> useless;
-    if (kind == BodyKind::lump || kind == BodyKind::scalar) {
-        useless = {"inertia",         "torque",      "angular_velocity",
-                   "angular_damping", "orientation", "euler_deg"};
-    } else if (kind == BodyKind::fixed) {
-        useless = {"velocity", "angular_velocity", "force", "torque"};
-    } else if (kind == BodyKind::kinematic) {
-        useless = {"force", "torque"};
-    }
-    for (const char* key : useless) {
-        if (body.contains(key)) {
+    const auto refuse_key = [&](const char* key) {
+        if (body.contains(key))
             refuse(place / key, std::string("has no meaning for a body of kind ") +
                                     kKindWords[static_cast<std::size_t>(kind)]);
-        }
+    };
+    for (const FieldInfo<BodyDef>& row : kBodyFields) {
+        if ((row.without & bit_of(kind)) == 0) continue;
+        refuse_key(row.key);
+        if (std::string_view(row.key) == "orientation") refuse_key("euler_deg");
     }
 }
 
@@ -138,7 +129,6 @@ void set_motion(BodyDef& def, const Json& body, const Frame& frame, const Place&
     }
     def.force = frame.direction(vector_or(body, "force", Vec3::Zero()));
     def.torque = frame.direction(vector_or(body, "torque", Vec3::Zero()));
-    def.gravity = body.value("gravity", true);
 }
 
 }  // namespace
@@ -153,7 +143,7 @@ BodyDef read_body(const Json& body, const Scope& scope, const Place& place) {
     BodyDef def;
     def.name = scope.prefix + body["name"].get<std::string>();
     def.kind = kind_of(text_or(body, "kind", "rigid"));
-    def.mass = number_or(body, "mass", 0.0);
+    read_fields(def, body, kBodyFields);
     if (body["name"] == "world" || scope.bound.contains(body["name"].get<std::string>())) {
         refuse(place / "name", "the name " + describe(body["name"]) +
                                    " is taken: it stands for "
@@ -173,8 +163,6 @@ BodyDef read_body(const Json& body, const Scope& scope, const Place& place) {
     if (const auto group = body.find("group"); group != body.end()) {
         def.group = group_of(*group);
     }
-    def.linear_damping = damping_of(body, "linear_damping");
-    def.angular_damping = damping_of(body, "angular_damping");
     return def;
 }
 

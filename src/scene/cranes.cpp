@@ -3,11 +3,12 @@
 /// find by name. Their drives are added after the world is built.
 #include "scene/cranes.h"
 
+#include "scene/field_reader.h"
+
 #include "scene/deck.h"
 #include "scene/description.h"
 #include "scene/timeline.h"
 
-#include <numbers>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,17 +18,10 @@
 namespace hawser::scene {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-
 template <class T>
 void read_crane_part(T& out, const Json& json) {
     using Table = CraneTable<T>;
-    for (const CraneNumber<T>& n : Table::kNumbers) {
-        const auto entry = json.find(n.key);
-        if (entry == json.end()) continue;
-        const bool degrees = std::string_view(n.key).ends_with("_deg");
-        out.*n.value = entry->template get<double>() * (degrees ? kDegree : 1.0);
-    }
+    read_fields(out, json, Table::kNumbers);
     for (const CranePoint<T>& p : std::span(Table::kPoints).first(Table::kPointCount))
         out.*p.value = vector_or(json, p.key, out.*p.value);
 }

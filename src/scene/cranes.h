@@ -5,19 +5,9 @@
 /// are degrees here and radians in definitions.
 
 #include <hawser/crane.h>
+#include <hawser/fields.h>
 
 namespace hawser::scene {
-
-template <class T>
-struct CraneNumber {
-    const char* key;
-    double T::* value;
-    const char* unit;
-    const char* fallback;  ///< Default in words; "" if the key is required.
-    const char* doc;
-    double least,
-        most;  ///< Range. `least` is included only if there is a default, or if it is negative.
-};
 
 template <class T>
 struct CranePoint {
@@ -35,34 +25,36 @@ struct CraneTable;
 
 template <>
 struct CraneTable<CraneSlew> {
-    static constexpr CraneNumber<CraneSlew> kNumbers[] = {
+    static constexpr FieldInfo<CraneSlew> kNumbers[] = {
         {"torque", &CraneSlew::torque, "N m", "", "Largest of the motor.", 0.0, kCranePull},
-        {"brake", &CraneSlew::brake, "N m", "", "Above which the brake slips.", 0.0, kCranePull},
-        {"friction", &CraneSlew::friction, "N m", "0", "Of the bearing while it turns.", 0.0,
+        {"brake", &CraneSlew::brake, "N m", "", "Torque above which the brake slips.", 0.0,
          kCranePull},
+        {"friction", &CraneSlew::friction, "N m", "0",
+         "Friction torque of the bearing while it turns.", 0.0, kCranePull},
         {"speed", &CraneSlew::speed, "rad/s", "", "Largest.", 0.0, 10.0},
-        {"angle_deg", &CraneSlew::angle, "deg", "0", "At the start.", -180.0, 180.0}};
+        {"angle_deg", &CraneSlew::angle, "deg", "0", "Angle at the start.", -180.0, 180.0}};
     static constexpr CranePoint<CraneSlew> kPoints[1] = {};
     static constexpr int kPointCount = 0;
 };
 
 template <>
 struct CraneTable<CraneColumn> {
-    static constexpr CraneNumber<CraneColumn> kNumbers[] = {
+    static constexpr FieldInfo<CraneColumn> kNumbers[] = {
         {"mass", &CraneColumn::mass, "kg", "", "Counterweight included.", 0.0, kCraneHeavy}};
     static constexpr CranePoint<CraneColumn> kPoints[] = {
-        {"centre", &CraneColumn::centre, "[0, 0, 0]", "Of mass, in the column's frame."},
+        {"centre", &CraneColumn::centre, "[0, 0, 0]", "Centre of mass, in the column's frame."},
         {"half_size", &CraneColumn::half_size, "", "Of a solid box: inertia and picture."}};
     static constexpr int kPointCount = 2;
 };
 
 template <>
 struct CraneTable<CraneLink> {
-    static constexpr CraneNumber<CraneLink> kNumbers[] = {
-        {"length", &CraneLink::length, "m", "", "From foot pin to head.", 0.0, kCraneFar},
-        {"mass", &CraneLink::mass, "kg", "", "Mass.", 0.0, kCraneHeavy},
-        {"centre", &CraneLink::centre, "m", "half the length", "Of mass, from the foot pin.", 0.0,
+    static constexpr FieldInfo<CraneLink> kNumbers[] = {
+        {"length", &CraneLink::length, "m", "", "Length from the foot pin to the head.", 0.0,
          kCraneFar},
+        {"mass", &CraneLink::mass, "kg", "", "Mass.", 0.0, kCraneHeavy},
+        {"centre", &CraneLink::centre, "m", "half the length",
+         "Distance of the centre of mass from the foot pin.", 0.0, kCraneFar},
         {"width", &CraneLink::width, "m", "", "Of a solid box: inertia and picture.", 0.0,
          kCraneFar},
         {"height", &CraneLink::height, "m", "", "Likewise.", 0.0, kCraneFar}};
@@ -72,15 +64,17 @@ struct CraneTable<CraneLink> {
 
 template <>
 struct CraneTable<CraneCylinder> {
-    static constexpr CraneNumber<CraneCylinder> kNumbers[] = {
+    static constexpr FieldInfo<CraneCylinder> kNumbers[] = {
         {"min_length", &CraneCylinder::min_length, "m", "", "Between the pins, rod in.", 0.0,
          kCraneFar},
         {"max_length", &CraneCylinder::max_length, "m", "", "Rod out.", 0.0, kCraneFar},
         {"push", &CraneCylinder::push, "N", "", "Largest force.", 0.0, kCranePull},
         {"pull", &CraneCylinder::pull, "N", "", "Largest force the other way.", 0.0, kCranePull},
         {"speed", &CraneCylinder::speed, "m/s", "", "Largest.", 0.0, kCraneFast},
-        {"stiffness", &CraneCylinder::stiffness, "N/m", "", "Of oil and pins.", 0.0, kCranePull},
-        {"mass", &CraneCylinder::mass, "kg", "", "Of rod and oil that move.", 0.0, kCraneHeavy}};
+        {"stiffness", &CraneCylinder::stiffness, "N/m", "", "Stiffness of oil and pins.", 0.0,
+         kCranePull},
+        {"mass", &CraneCylinder::mass, "kg", "", "Mass of the rod and the oil that move.", 0.0,
+         kCraneHeavy}};
     static constexpr CranePoint<CraneCylinder> kPoints[] = {
         {"foot", &CraneCylinder::foot, "", "Pin nearer the column, in the frame of that link."},
         {"head", &CraneCylinder::head, "", "Pin on the link that it moves, in its frame."}};
@@ -89,24 +83,25 @@ struct CraneTable<CraneCylinder> {
 
 template <>
 struct CraneTable<CraneTackle> {
-    static constexpr CraneNumber<CraneTackle> kNumbers[] = {
-        {"EA", &CraneTackle::EA, "N", "", "Of the line.", 0.0, kCranePull},
+    static constexpr FieldInfo<CraneTackle> kNumbers[] = {
+        {"EA", &CraneTackle::EA, "N", "", "Axial stiffness EA of the line.", 0.0, kCranePull},
         {"efficiency", &CraneTackle::efficiency, "1", "1",
-         "Of each sheave: lesser tension over greater; above 0.", 0.0, 1.0},
+         "Efficiency of each sheave: lesser tension over greater; above 0.", 0.0, 1.0},
         {"sheave_radius", &CraneTackle::sheave_radius, "m", "0.3",
-         "Of hoists; luffing tackles run over eyes.", 0.0, 1e3},
+         "Radius of the sheaves of hoists; luffing tackles run over eyes.", 0.0, 1e3},
         {"sheave_inertia", &CraneTackle::sheave_inertia, "kg m^2", "0",
-         "Of each at the head of a hoist.", 0.0, kCraneHeavy},
+         "Moment of inertia of each sheave at the head of a hoist.", 0.0, kCraneHeavy},
         {"drum_radius", &CraneTackle::drum_radius, "m", "", "Radius.", 0.0, 1e3},
-        {"drum_inertia", &CraneTackle::drum_inertia, "kg m^2", "", "With motor and gear.", 0.0,
-         kCraneHeavy},
+        {"drum_inertia", &CraneTackle::drum_inertia, "kg m^2", "",
+         "Moment of inertia of the drum with motor and gear.", 0.0, kCraneHeavy},
         {"pull", &CraneTackle::pull, "N", "", "Line pull of the motor.", 0.0, kCranePull},
         {"brake", &CraneTackle::brake, "N", "", "Line pull above which the brake slips.", 0.0,
          kCranePull},
         {"speed", &CraneTackle::speed, "m/s", "", "Largest, of hook or bridle.", 0.0, kCraneFast},
-        {"breaking_load", &CraneTackle::breaking_load, "N", "never", "Of the line.", 0.0,
-         kCranePull},
-        {"damping_time", &CraneTackle::damping_time, "s", "two steps", "Of the line.", 0.0, 1e12}};
+        {"breaking_load", &CraneTackle::breaking_load, "N", "never", "Breaking load of the line.",
+         0.0, kCranePull},
+        {"damping_time", &CraneTackle::damping_time, "s", "two steps", "Damping time of the line.",
+         0.0, 1e12}};
     static constexpr CranePoint<CraneTackle> kPoints[] = {
         {"drum", &CraneTackle::drum, "",
          "Where the line leaves: on the column, of a knuckle boom's hoist on its boom."}};
@@ -115,16 +110,17 @@ struct CraneTable<CraneTackle> {
 
 template <>
 struct CraneTable<CraneHook> {
-    static constexpr CraneNumber<CraneHook> kNumbers[] = {
-        {"mass", &CraneHook::mass, "kg", "", "With its block.", 0.0, kCraneHeavy},
-        {"height", &CraneHook::height, "m", "", "Of its point below the axis of its sheaves.", 0.0,
+    static constexpr FieldInfo<CraneHook> kNumbers[] = {
+        {"mass", &CraneHook::mass, "kg", "", "Mass, its block included.", 0.0, kCraneHeavy},
+        {"height", &CraneHook::height, "m", "",
+         "Height of the hook's point below the axis of its sheaves.", 0.0, kCraneFar},
+        {"hang", &CraneHook::hang, "m", "",
+         "Distance from the sheaves of the boom head to those of the hook at the start.", 0.0,
          kCraneFar},
-        {"hang", &CraneHook::hang, "m", "", "From the head's sheaves to its own at the start.", 0.0,
-         kCraneFar},
-        {"least_hang", &CraneHook::least_hang, "m", "0", "Where hauling is cut out.", 0.0,
-         kCraneFar},
-        {"angular_damping", &CraneHook::angular_damping, "N m s", "0", "Of its turning.", 0.0,
-         kCranePull}};
+        {"least_hang", &CraneHook::least_hang, "m", "0",
+         "Distance of the hook below the head at which hauling is cut out.", 0.0, kCraneFar},
+        {"angular_damping", &CraneHook::angular_damping, "N m s", "0",
+         "Damping coefficient of its rotation.", 0.0, kCranePull}};
     static constexpr CranePoint<CraneHook> kPoints[] = {
         {"half_size", &CraneHook::half_size, "[0.3, 0.3, 0.5]", "Inertia and picture."}};
     static constexpr int kPointCount = 1;
@@ -132,12 +128,12 @@ struct CraneTable<CraneHook> {
 
 template <>
 struct CraneTable<CraneRating> {
-    static constexpr CraneNumber<CraneRating> kNumbers[] = {
+    static constexpr FieldInfo<CraneRating> kNumbers[] = {
         {"warning", &CraneRating::warning, "1", "0.9", "Utilisation of step 1 of the alarm.", 0.0,
          10.0},
         {"overload", &CraneRating::overload, "1", "1", "Utilisation of step 2.", 0.0, 10.0},
-        {"hold", &CraneRating::hold, "s", "0.5", "It lasts so long before the step changes.", 0.0,
-         1e3},
+        {"hold", &CraneRating::hold, "s", "0.5",
+         "Time that the condition lasts before the step changes.", 0.0, 1e3},
         {"filter", &CraneRating::filter, "s", "0.5", "Time constant of the load that is shown.",
          0.0, 1e3}};
     static constexpr CranePoint<CraneRating> kPoints[1] = {};
@@ -146,26 +142,28 @@ struct CraneTable<CraneRating> {
 
 template <>
 struct CraneTable<CraneLoad> {
-    static constexpr CraneNumber<CraneLoad> kNumbers[] = {
-        {"sling_length", &CraneLoad::sling_length, "m", "", "From the hook's point to an eye.", 0.0,
-         kCraneFar},
-        {"sling_EA", &CraneLoad::sling_EA, "N", "", "Of each sling.", 0.0, kCranePull},
+    static constexpr FieldInfo<CraneLoad> kNumbers[] = {
+        {"sling_length", &CraneLoad::sling_length, "m", "",
+         "Length of a sling from the hook's point to an eye.", 0.0, kCraneFar},
+        {"sling_EA", &CraneLoad::sling_EA, "N", "", "Axial stiffness EA of each sling.", 0.0,
+         kCranePull},
         {"reach", &CraneLoad::reach, "m", "0",
          "Additional distance at which the hook can still attach an eye.", 0.0, kCraneFar},
-        {"breaking_load", &CraneLoad::breaking_load, "N", "never", "Of each sling.", 0.0,
-         kCranePull}};
+        {"breaking_load", &CraneLoad::breaking_load, "N", "never", "Breaking load of each sling.",
+         0.0, kCranePull}};
     static constexpr CranePoint<CraneLoad> kPoints[1] = {};
     static constexpr int kPointCount = 0;
 };
 
 template <>
 struct CraneTable<KnuckleCraneDef> {
-    static constexpr CraneNumber<KnuckleCraneDef> kNumbers[] = {
-        {"boom_angle_deg", &KnuckleCraneDef::boom_angle, "deg", "", "Above the level at the start.",
-         -90.0, 90.0},
+    static constexpr FieldInfo<KnuckleCraneDef> kNumbers[] = {
+        {"boom_angle_deg", &KnuckleCraneDef::boom_angle, "deg", "",
+         "Angle of the boom above the horizontal at the start.", -90.0, 90.0},
         {"jib_angle_deg", &KnuckleCraneDef::jib_angle, "deg", "",
-         "Against the boom at the start; below 0: folded down.", -180.0, 180.0},
-        {"ramp", &KnuckleCraneDef::ramp, "s", "2", "From rest to the largest speed.", 0.0, 1e3}};
+         "Angle of the jib against the boom at the start; below 0: folded down.", -180.0, 180.0},
+        {"ramp", &KnuckleCraneDef::ramp, "s", "2", "Time from rest to the largest speed.", 0.0,
+         1e3}};
     static constexpr CranePoint<KnuckleCraneDef> kPoints[] = {
         {"boom_foot", &KnuckleCraneDef::boom_foot, "", "Foot pin, in the column's frame; y = 0."}};
     static constexpr int kPointCount = 1;
@@ -173,22 +171,23 @@ struct CraneTable<KnuckleCraneDef> {
 
 template <>
 struct CraneTable<LatticeCraneDef> {
-    static constexpr CraneNumber<LatticeCraneDef> kNumbers[] = {
-        {"boom_angle_deg", &LatticeCraneDef::boom_angle, "deg", "", "Above the level at the start.",
-         -90.0, 90.0},
-        {"least_angle_deg", &LatticeCraneDef::least_angle, "deg", "5.73", "Of the boom.", -85.0,
-         85.0},
+    static constexpr FieldInfo<LatticeCraneDef> kNumbers[] = {
+        {"boom_angle_deg", &LatticeCraneDef::boom_angle, "deg", "",
+         "Angle of the boom above the horizontal at the start.", -90.0, 90.0},
+        {"least_angle_deg", &LatticeCraneDef::least_angle, "deg", "5.73",
+         "Smallest angle of the boom.", -85.0, 85.0},
         {"most_angle_deg", &LatticeCraneDef::most_angle, "deg", "83.1",
-         "Where the boom meets its back stop.", -85.0, 89.0},
+         "Angle at which the boom meets its back stop.", -85.0, 89.0},
         {"bridle_mass", &LatticeCraneDef::bridle_mass, "kg", "",
          "Mass of the bridle, a point mass.", 0.0, kCraneHeavy},
         {"pendant_length", &LatticeCraneDef::pendant_length, "m", "",
-         "From boom head to bridle at the start.", 0.0, kCraneFar},
-        {"pendant_EA", &LatticeCraneDef::pendant_EA, "N", "", "Of each of the two.", 0.0,
-         kCranePull},
-        {"pendant_breaking_load", &LatticeCraneDef::pendant_breaking_load, "N", "never", "Of each.",
-         0.0, kCranePull},
-        {"ramp", &LatticeCraneDef::ramp, "s", "2", "From rest to the largest speed.", 0.0, 1e3}};
+         "Length of the pendants from boom head to bridle at the start.", 0.0, kCraneFar},
+        {"pendant_EA", &LatticeCraneDef::pendant_EA, "N", "",
+         "Axial stiffness EA of each of the two pendants.", 0.0, kCranePull},
+        {"pendant_breaking_load", &LatticeCraneDef::pendant_breaking_load, "N", "never",
+         "Breaking load of each pendant.", 0.0, kCranePull},
+        {"ramp", &LatticeCraneDef::ramp, "s", "2", "Time from rest to the largest speed.", 0.0,
+         1e3}};
     static constexpr CranePoint<LatticeCraneDef> kPoints[] = {
         {"boom_foot", &LatticeCraneDef::boom_foot, "", "Foot pin, in the column's frame; y = 0."},
         {"gantry", &LatticeCraneDef::gantry, "", "Its head, in the column's frame; y = 0."}};

@@ -3,6 +3,9 @@
 /// Hooks carry loads (hawser/hook.h). Chasers move along cables (hawser/chaser.h).
 #include "scene/deck.h"
 
+#include "scene/deck_fields.h"
+#include "scene/field_reader.h"
+
 #include <string>
 #include <utility>
 
@@ -14,13 +17,7 @@ StopperDef read_stopper(Description& out, const Scope& scope, const Json& json,
     StopperDef def;
     def.name = scope.prefix + json["name"].get<std::string>();
     def.body = resolve_body(out, scope, json["on"].get<std::string>(), place / "on");
-    def.point = vector_of(json["point"]);
-    def.outboard = vector_or(json, "outboard", def.outboard);
-    def.reach = number_or(json, "reach", def.reach);
-    def.rated_load = json["rated_load"].get<double>();
-    def.pitch = number_or(json, "pitch", def.pitch);
-    if (const auto closed = json.find("closed"); closed != json.end())
-        def.closed = closed->get<bool>();
+    read_fields(def, json, kStopperFields);
     return def;
 }
 
@@ -28,16 +25,7 @@ PinDef read_pin(Description& out, const Scope& scope, const Json& json, const Pl
     PinDef def;
     def.name = scope.prefix + json["name"].get<std::string>();
     def.body = resolve_body(out, scope, json["on"].get<std::string>(), place / "on");
-    def.from = vector_of(json["from"]);
-    def.to = vector_of(json["to"]);
-    def.radius = json["radius"].get<double>();
-    def.friction = number_or(json, "friction", def.friction);
-    def.efficiency = number_or(json, "efficiency", def.efficiency);
-    def.speed = number_or(json, "speed", def.speed);
-    def.force = number_or(json, "force", def.force);
-    def.density = number_or(json, "density", def.density);
-    def.margin = number_or(json, "margin", def.margin);
-    if (const auto up = json.find("up"); up != json.end()) def.up = up->get<bool>();
+    read_fields(def, json, kPinFields);
     ShapeDef surface;
     read_surface(surface, out, json, place);
     def.material = surface.material;
@@ -50,9 +38,7 @@ HookDef read_hook(Description& out, const Scope& scope, const Json& json, const 
     HookDef def;
     def.name = scope.prefix + json["name"].get<std::string>();
     def.body = resolve_body(out, scope, json["on"].get<std::string>(), place / "on");
-    def.point = vector_or(json, "point", def.point);
-    def.strength = number_or(json, "strength", def.strength);
-    def.latch = number_or(json, "latch", def.latch);
+    read_fields(def, json, kHookFields);
     read_loads(out, scope, json, place, def.loads, def.take);
     return def;
 }
@@ -61,13 +47,7 @@ ChaserDef read_chaser(Description& out, const Scope& scope, const Json& json, co
     ChaserDef def;
     def.name = scope.prefix + json["name"].get<std::string>();
     def.body = resolve_body(out, scope, json["on"].get<std::string>(), place / "on");
-    def.point = vector_or(json, "point", def.point);
-    def.reach = number_or(json, "reach", def.reach);
-    def.friction = number_or(json, "friction", def.friction);
-    def.arrives = number_or(json, "arrives", def.arrives);
-    def.element = number_or(json, "element", def.element);
-    if (const auto closed = json.find("closed"); closed != json.end())
-        def.closed = closed->get<bool>();
+    read_fields(def, json, kChaserFields);
     return def;
 }
 

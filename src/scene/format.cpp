@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <hawser/body_fields.h>
+
+#include "scene/field_shapes.h"
 #include "scene/format.h"
 
 #include <algorithm>
@@ -20,11 +23,6 @@ ShapePtr angles() {
     return list("three angles [roll, pitch, yaw] in degrees", number("an angle", -36000, 36000), 3,
                 3);
 }
-ShapePtr damping() {
-    const ShapePtr one = number("a damping coefficient", 0.0, kMaxDamping);
-    return choice("a damping coefficient, or [x, y, z] of them",
-                  {one, list("three damping coefficients [x, y, z]", one, 3, 3)});
-}
 ShapePtr half_sizes() {
     return list("three half sizes [x, y, z]", positive("a length", kMostLength), 3, 3);
 }
@@ -43,51 +41,47 @@ ShapePtr cylinder() {
                     "Axis of the body's frame along which it lies."}});
 }
 
+/// Return the shape of a key of bodies that has a reader of its own.
+ShapePtr own_shape(const FieldInfo<BodyDef>& row) {
+    const std::string_view key = row.key;
+    if (key == "orientation") return quaternion();
+    if (key == "inertia") return inertia();
+    if (key == "half_size") return half_sizes();
+    if (key == "group") return group();
+    return vector3(row.what);
+}
+
+/// Return the keys that set the member of a row in another way.
+std::vector<Field> other_keys(std::string_view key) {
+    if (key == "orientation")
+        return {{"euler_deg", angles(), false, "", "deg",
+                 "[roll, pitch, yaw]: about x, then y, then z of the world."}};
+    if (key != "inertia") return {};
+    return {
+        {"box", half_sizes(), false, "", "m", "Half sizes of a solid box: inertia and picture."},
+        {"cylinder", cylinder(), false, "", "", "Solid cylinder: inertia and picture."},
+        {"sphere", positive("a radius", kMostLength), false, "", "m",
+         "Radius of a solid sphere: inertia and picture."}};
+}
+
 }  // namespace
 
 ShapePtr body_shape() {
-    return object(
-        "body", "a body", "One body.",
-        {{"name", name("a name"), true, "", "", "Unique among bodies."},
-         {"kind", word("a kind of body", {"rigid", "lump", "scalar", "fixed", "kinematic"}), false,
-          "rigid", "",
-          "rigid: 6 degrees of freedom; lump: a point mass, 3; scalar: a drum, 1; fixed: part of "
-          "the world; kinematic: moves with its velocity whatever pulls at it."},
-         {"group", group(), false, "\"\"", "",
-          "Group that it belongs to: settings.coupling says how groups couple."},
-         {"position", vector3("a position"), false, "[0, 0, 0]", "m",
-          "Centre of mass; of a scalar body the coordinate is x (m or rad)."},
-         {"orientation", quaternion(), false, "[1, 0, 0, 0]", "1",
-          "Quaternion [w, x, y, z] from the body's frame to the world."},
-         {"euler_deg", angles(), false, "", "deg",
-          "[roll, pitch, yaw]: about x, then y, then z of the world."},
-         {"velocity", vector3("a velocity"), false, "[0, 0, 0]", "m/s",
-          "Of the centre of mass at time 0; of a scalar body x."},
-         {"angular_velocity", vector3("an angular velocity"), false, "[0, 0, 0]", "rad/s",
-          "At time 0, world frame."},
-         {"mass", positive("a mass", kMostMass), false, "", "kg",
-          "Needed by rigid, lump and scalar bodies; of a drum kg or kg m^2."},
-         {"inertia", inertia(), false, "", "kg m^2",
-          "About the centre of mass in the body's frame, symmetric and positive definite. A rigid "
-          "body needs this or box, cylinder or sphere."},
-         {"box", half_sizes(), false, "", "m", "Half sizes of a solid box: inertia and picture."},
-         {"cylinder", cylinder(), false, "", "", "Solid cylinder: inertia and picture."},
-         {"sphere", positive("a radius", kMostLength), false, "", "m",
-          "Radius of a solid sphere: inertia and picture."},
-         {"half_size", half_sizes(), false, "of the box", "m", "Box drawn in pictures."},
-         {"force", vector3("a force"), false, "[0, 0, 0]", "N", "Constant force, world frame."},
-         {"torque", vector3("a torque"), false, "[0, 0, 0]", "N m",
-          "Constant torque, world frame."},
-         {"linear_damping", damping(), false, "0", "N s/m",
-          "Drag along the axes of the body; one number for all three."},
-         {"angular_damping", damping(), false, "0", "N m s",
-          "Drag about the axes of the body; one number for all three."},
-         {"gravity", boolean("true or false"), false, "true (scalar: false)", "",
-          "False: weightless, such as a ship afloat."},
-         {"shapes", list_of("a list of shapes", shape_of_body()), false, "none", "",
-          "What of it touches other things. A lump takes spheres and segments."},
-         {"description", text("a text"), false, "", "", "Remarks."}},
-        {{"orientation", "euler_deg"}, {"inertia", "box", "cylinder", "sphere"}});
+    std::vector<Field> fields{
+        {"name", name("a name"), true, "", "", "Unique among bodies."},
+        {"kind", word("a kind of body", {"rigid", "lump", "scalar", "fixed", "kinematic"}), false,
+         "rigid", "",
+         "rigid: 6 degrees of freedom; lump: a point mass, 3; scalar: a drum, 1; fixed: part of "
+         "the world; kinematic: moves with its velocity whatever pulls at it."}};
+    for (const FieldInfo<BodyDef>& row : kBodyFields) {
+        fields.push_back(field_of(row, row.is(kOwnReader) ? own_shape(row) : shape_of_field(row)));
+        for (Field& other : other_keys(row.key)) fields.push_back(std::move(other));
+    }
+    fields.push_back({"shapes", list_of("a list of shapes", shape_of_body()), false, "none", "",
+                      "What of it touches other things. A lump takes spheres and segments."});
+    fields.push_back({"description", text("a text"), false, "", "", "Remarks."});
+    return object("body", "a body", "One body.", std::move(fields),
+                  {{"orientation", "euler_deg"}, {"inertia", "box", "cylinder", "sphere"}});
 }
 
 namespace {
@@ -103,21 +97,23 @@ ShapePtr parameter() {
 }  // namespace
 
 ShapePtr instance_shape() {
-    return object(
-        "instance", "an instance", "One use of a template.",
-        {{"template", text("a template name"), true, "", "", "Template to use."},
-         {"name", name("a name"), true, "", "",
-          "Prefix of the names that it makes: name/body, name/interaction."},
-         {"on", body_ref(), false, "the world", "",
-          "Body whose frame the template's frame starts from, velocity included."},
-         {"position", vector3("a position"), false, "[0, 0, 0]", "m", "Of the template's frame."},
-         {"orientation", quaternion(), false, "[1, 0, 0, 0]", "1", "Of the template's frame."},
-         {"euler_deg", angles(), false, "", "deg", "Of the template's frame: [roll, pitch, yaw]."},
-         {"parameters", map("parameters by name", parameter()), false, "of the template", "",
-          "Values in place of the defaults."},
-         {"bind", map("body names by local name", body_ref()), false, "", "",
-          "Local names that stand for bodies outside."}},
-        {{"orientation", "euler_deg"}});
+    return object("instance", "an instance", "One use of a template.",
+                  {{"template", text("a template name"), true, "", "", "Template to use."},
+                   {"name", name("a name"), true, "", "",
+                    "Prefix of the names that it makes: name/body, name/interaction."},
+                   {"on", body_ref(), false, "the world", "",
+                    "Body whose frame the template's frame starts from, velocity included."},
+                   {"position", vector3("a position"), false, "[0, 0, 0]", "m",
+                    "Position of the template's frame."},
+                   {"orientation", quaternion(), false, "[1, 0, 0, 0]", "1",
+                    "Orientation of the template's frame."},
+                   {"euler_deg", angles(), false, "", "deg",
+                    "Angles of the template's frame: [roll, pitch, yaw]."},
+                   {"parameters", map("parameters by name", parameter()), false, "of the template",
+                    "", "Values in place of the defaults."},
+                   {"bind", map("body names by local name", body_ref()), false, "", "",
+                    "Local names that stand for bodies outside."}},
+                  {{"orientation", "euler_deg"}});
 }
 
 namespace {
@@ -147,10 +143,11 @@ std::vector<Field> state_fields() {
          {"q", quaternion(), false, "[1, 0, 0, 0]", "1", "Orientation [w, x, y, z]."},
          {"v", vector3("a velocity"), false, "[0, 0, 0]", "m/s", "Velocity."},
          {"w", vector3("an angular velocity"), false, "[0, 0, 0]", "rad/s", "Angular velocity."}});
-    return {{"bodies", map("body states by name", pose), false, "", "", "Every moving body."},
-            {"time", number("a time", 0.0, 1e12), false, "", "s", "When it was taken."},
-            {"scene", text("a name"), false, "", "", "Scene it belongs to."},
-            {"description", text("a text"), false, "", "", "Remarks."}};
+    return {
+        {"bodies", map("body states by name", pose), false, "", "", "Every moving body."},
+        {"time", number("a time", 0.0, 1e12), false, "", "s", "Time at which the state was taken."},
+        {"scene", text("a name"), false, "", "", "Scene it belongs to."},
+        {"description", text("a text"), false, "", "", "Remarks."}};
 }
 
 /// Return the fields that scenes and included files have in common.
@@ -164,17 +161,18 @@ std::vector<Field> common_fields(const ShapePtr& line, const ShapePtr& group) {
              "Files with line types, materials and templates, relative to this one."},
             {"line_types", map("line types by name", line), false, "", "", "Line types."},
             {"materials", map("materials by name", material()), false, "", "",
-             "What shapes are made of. \"default\" has all the defaults and is always there."},
+             "Materials of shapes. \"default\" has all the defaults and is always there."},
             {"templates", map("templates by name", group), false, "", "", "Templates."}};
 }
 
 /// Return the parts of a scene that no template has.
 std::vector<Field> parts_of_scene(const Format& f) {
     return {{"sea", sea_shape(), false, "air", "", "Water and wind."},
-            {"timeline", f.operations, false, "", "", "What is done to the scene at times."},
+            {"timeline", f.operations, false, "", "", "Operations on the scene at given times."},
             {"repeat",
              object("repeat", "a repetition", "How copies of the scene stand side by side.",
-                    {{"offset", vector3("an offset"), true, "", "m", "From one copy to the next."},
+                    {{"offset", vector3("an offset"), true, "", "m",
+                      "Offset from one copy to the next."},
                      {"joins", f.list("cables"), false, "", "",
                       "Cables between neighbours: \"from\" in one copy, \"to\" in the next."},
                      {"copies", integer("a number of copies", 1, kMaxCopies), false, "1", "",
@@ -191,7 +189,7 @@ std::vector<Field> parts_of_scene(const Format& f) {
                     {{"file", "bodies"}}),
              false, "", "", "Start from a stored state."},
             {"plot",
-             object("plot", "a plot", "What pictures of the scene show.",
+             object("plot", "a plot", "Settings of pictures of the scene.",
                     {{"tensions", list_of("a list of cables", text("a cable name")), false, "", "",
                       "Cables with a curve of tension."},
                      {"motions", list_of("a list of bodies", body_ref()), false, "", "",

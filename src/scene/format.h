@@ -6,6 +6,7 @@
 
 #include <hawser/settings.h>
 
+#include "scene/make_shape.h"
 #include "scene/section_list.h"
 #include "scene/shape.h"
 
@@ -20,8 +21,6 @@ namespace hawser::scene {
 /// Latest version of the format. Version 2: the cable key "winch" feeds elements; in version 1 the
 /// cable keeps the one element at its drum.
 inline constexpr int kFormatVersion = 2;
-/// Bodies, cable elements and interactions that one scene may have, copies included.
-inline constexpr std::size_t kMaxElements = 2'000'000;
 inline constexpr int kMaxCopies = 1000;
 inline constexpr std::size_t kMaxGroups = 32;  ///< Collision groups, "default" included.
 inline constexpr int kMaxIncludeDepth = 8;
@@ -100,30 +99,5 @@ HAWSER_SCENE_SECTIONS(HAWSER_LIST_SHAPE)
 ///        Examples are the distance of two points, the height of a ship, and the coordinate of a
 ///        drum.
 [[nodiscard]] bool taken_from_pose(const KindInfo& kind, std::string_view param);
-
-/// Short ways to write shapes.
-namespace make {
-[[nodiscard]] ShapePtr number(std::string what, double min, double max);
-[[nodiscard]] ShapePtr positive(std::string what, double max);
-[[nodiscard]] ShapePtr integer(std::string what, double min, double max);
-[[nodiscard]] ShapePtr boolean(std::string what);
-[[nodiscard]] ShapePtr text(std::string what);
-[[nodiscard]] ShapePtr name(std::string what);
-[[nodiscard]] ShapePtr word(std::string what, std::vector<std::string> words);
-[[nodiscard]] ShapePtr list(std::string what, ShapePtr item, std::size_t min_items,
-                            std::size_t max_items = std::numeric_limits<std::size_t>::max());
-[[nodiscard]] ShapePtr vector3(std::string what);
-[[nodiscard]] ShapePtr map(std::string what, ShapePtr item);
-[[nodiscard]] ShapePtr choice(std::string what, std::vector<ShapePtr> options);
-[[nodiscard]] ShapePtr object(std::string id, std::string what, std::string doc,
-                              std::vector<Field> fields,
-                              std::vector<std::vector<std::string>> alternatives = {});
-/// Return a list of any values, at most kMaxElements.
-[[nodiscard]] ShapePtr list_of(std::string what, ShapePtr item);
-[[nodiscard]] ShapePtr body_ref();
-/// Return the shape of the group of a body, for settings.coupling.
-[[nodiscard]] ShapePtr group();
-[[nodiscard]] ShapePtr literal(const ShapePtr& shape);
-}  // namespace make
 
 }  // namespace hawser::scene

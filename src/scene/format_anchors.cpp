@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Drag-embedment anchors and stability gauges (hawser/anchor.h, hawser/stability.h).
 #include "scene/anchors.h"
+#include "scene/field_shapes.h"
 #include "scene/format.h"
 
 #include <span>
@@ -15,9 +16,7 @@ using namespace make;
 
 template <class T>
 void add_anchor_fields(std::vector<Field>& fields) {
-    for (const VesselNumber<T>& n : VesselTable<T>::kNumbers)
-        fields.push_back(
-            {n.key, number("a number", n.least, n.most), false, n.fallback, n.unit, n.doc});
+    add_fields(fields, VesselTable<T>::kNumbers);
 }
 
 /// Return the words of an enumeration without its first, which stands for none.
@@ -34,7 +33,7 @@ ShapePtr anchor_shape() {
         {"name", name("a name"), true, "", "", "Unique among systems; of its signals, NAME.drag."},
         {"body", body_ref(), true, "", "", "A rigid body, with the line at its shackle."},
         {"point", vector3("a point"), false, "[0, 0, 0]", "m",
-         "At which the soil acts, in the frame of the body."},
+         "Point at which the soil acts, in the frame of the body."},
         {"cable", text("a cable name"), false, "all that end on it", "",
          "The anchor line, if other cables end on the anchor, too."},
         {"soil", word("a soil", words_after_first(anchor_soils())), true, "", "",

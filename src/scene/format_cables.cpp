@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "scene/field_shapes.h"
 #include "scene/format.h"
+#include "scene/line_types.h"
 #include "scene/resolutions.h"
 #include "scene/winches.h"
 
@@ -60,12 +62,7 @@ ShapePtr section_of_cable(const ShapePtr& line) {
 
 ShapePtr resolution_shape() {
     std::vector<Field> fields;
-    for (const ResolutionNumber& n : resolution_numbers())
-        fields.push_back(
-            {n.key, number("a number", n.least, n.most), false, n.fallback, n.unit, n.doc});
-    for (const ResolutionCount& n : resolution_counts())
-        fields.push_back(
-            {n.key, integer("a number", n.least, n.most), false, n.fallback, "", n.doc});
+    add_fields(fields, resolution_fields());
     fields.push_back({"description", text("a text"), false, "", "", "Remarks."});
     return object(
         "cable_resolution", "a resolution",
@@ -77,26 +74,12 @@ ShapePtr resolution_shape() {
 }  // namespace
 
 ShapePtr line_type_shape() {
-    std::vector<Field> fields{
-        {"mass_per_length", positive("a mass per length", 1e9), true, "", "kg/m", "In air."},
-        {"EA", positive("a stiffness", kMaxForce), false, "", "N",
-         "Axial stiffness; needed by cables of lumps."},
-        {"EI", number("a stiffness", 0.0, kMaxForce), false, "0", "N m^2",
-         "Bending stiffness; 0: perfectly flexible. Cables of links bend freely."},
-        {"diameter", positive("a length", 1e3), false, "", "m", "For pictures, and in water."},
-        {"breaking_load", positive("a force", kMaxForce), false, "never", "N",
-         "An element breaks above this tension."},
-        {"axial_damping", number("a fraction", 0.0, 10.0), false, "two steps of damping time", "1",
-         "Fraction of critical of the highest axial mode of an element."},
-        {"drag", number("a damping per length", 0.0, kMaxDamping), false, "0", "N s/m^2",
-         "Linear drag per length."},
-        {"submerged_factor", number("a factor", -1.0, 1.0), false, "1", "1",
-         "Weight in water divided by weight in air."},
-        {"link", positive("a length", 100.0), false, "it is no chain", "m",
-         "Pitch of a link of chain: elements of lumps have a whole number of links each, and no "
-         "EI."},
-        {"color", text("a colour"), false, "", "", "For pictures, such as \"#445566\"."},
-        {"description", text("a text"), false, "", "", "Source and remarks."}};
+    std::vector<Field> fields;
+    add_fields(fields, kSectionFields);
+    add_fields(fields, kLayoutFields);
+    fields.push_back(
+        {"color", text("a colour"), false, "", "", "Colour in pictures, such as \"#445566\"."});
+    fields.push_back({"description", text("a text"), false, "", "", "Source and remarks."});
     for (Field& field : line_water_fields()) fields.push_back(std::move(field));
     return object("line_type", "a line type", "Properties of a chain, wire or rope.",
                   std::move(fields));
@@ -121,7 +104,7 @@ ShapePtr cable_shape() {
           "one more than the points", "", "Number of elements."},
          {"as", word("a way to model a cable", {"lumps", "links"}), false, "lumps", "",
           "lumps: point masses, stretch and bend; links: rigid cylinders and ball joints."},
-         {"radius", positive("a length", 1e3), false, "half the diameter", "m", "Of links."},
+         {"radius", positive("a length", 1e3), false, "half the diameter", "m", "Radius of links."},
          {"shape",
           choice("the name of a shape or a list of points",
                  {word("a shape", {"straight", "catenary", "hanging", "laid", "path"}),
@@ -136,7 +119,7 @@ ShapePtr cable_shape() {
          {"path", list("a list of points", vector3("a point"), 1, kMaxElements), false, "", "m",
           "Corners between the ends of a cable of the shape path."},
          {"offsets", list("a list of offsets", vector3("an offset"), 0, kMaxElements), false, "",
-          "m", "Added to the interior nodes."},
+          "m", "Offsets added to the positions of the interior nodes."},
          {"weak", weak_of_cable(), false, "", "",
           "Point at which the cable breaks at a lower tension than elsewhere."},
          {"tension_only", boolean("true or false"), false, "true", "", "False: it also pushes."},
@@ -152,9 +135,9 @@ ShapePtr cable_shape() {
           "Contacts of its elements with shapes. Elements that end on a body have contacts only "
           "with \"to_ends\"."},
          {"compliance", number("a compliance", 0.0, 1e12), false, "of a ball joint", "m/N",
-          "Of the ball joints of links."},
+          "Compliance of the ball joints of links."},
          {"damping_time", number("a time", 0.0, 1e12), false, "of a ball joint", "s",
-          "Of the ball joints of links."},
+          "Damping time of the ball joints of links."},
          {"description", text("a text"), false, "", "", "Remarks."}},
         {{"line_type", "sections"}, {"length", "sections"}, {"elements", "sections"}});
 }
@@ -164,9 +147,7 @@ namespace {
 ShapePtr gypsy_shape() {
     std::vector<Field> fields{{"pockets", integer("a number of pockets", kMinPockets, kMaxPockets),
                                true, "", "1", "Each holds a link that lies flat; 5 are usual."}};
-    for (const GypsyNumber& n : gypsy_numbers())
-        fields.push_back(
-            {n.key, number("a number", n.least, n.most), false, n.fallback, n.unit, n.doc});
+    add_fields(fields, gypsy_fields());
     return object("gypsy", "a gypsy", "A wheel with pockets for the links of a chain.",
                   std::move(fields));
 }
@@ -182,17 +163,12 @@ ShapePtr winch_shape() {
          "End of the cable that is on the drum."},
         {"mode", word("a mode", {modes.begin(), modes.end()}), false, "brake", "",
          "Mode at the start."}};
-    for (const WinchNumber& n : winch_numbers()) {
-        const bool required = *n.fallback == '\0';
-        fields.push_back(
-            {n.key, required ? positive("a number", n.most) : number("a number", n.least, n.most),
-             required, n.fallback, n.unit, n.doc});
-    }
+    add_fields(fields, winch_fields());
     fields.push_back(
         {"heave_point",
          object("heave_point", "a point of a body", "A point that moves with the ship.",
                 {{"body", body_ref(), true, "", "", "Body of the point."},
-                 {"point", vector3("a point"), true, "", "m", "In the frame of the body."}}),
+                 {"point", vector3("a point"), true, "", "m", "Point in the frame of the body."}}),
          false, "the fairlead", "", "Point whose upward motion mode heave compensates."});
     fields.push_back({"gypsy", gypsy_shape(), false, "it is a drum", "",
                       "A wheel with pockets for chain, instead of a drum."});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Cranes on any body.
 #include "scene/cranes.h"
+#include "scene/field_shapes.h"
 #include "scene/format.h"
 
 #include <span>
@@ -17,12 +18,7 @@ template <class T>
 std::vector<Field> crane_fields() {
     using Table = CraneTable<T>;
     std::vector<Field> fields;
-    for (const CraneNumber<T>& n : Table::kNumbers) {
-        const bool required = *n.fallback == '\0';
-        const ShapePtr shape = required && n.least == 0.0 ? positive("a number", n.most)
-                                                          : number("a number", n.least, n.most);
-        fields.push_back({n.key, shape, required, n.fallback, n.unit, n.doc});
-    }
+    add_fields(fields, Table::kNumbers);
     for (const CranePoint<T>& p : std::span(Table::kPoints).first(Table::kPointCount))
         fields.push_back({p.key, vector3("a point"), *p.fallback == '\0', p.fallback, "m", p.doc});
     return fields;
@@ -63,11 +59,11 @@ std::vector<Field> common_fields_of_cranes(const char* kind) {
          "on."},
         {"on", body_ref(), true, "", "", "Body on which it is mounted."},
         {"point", vector3("a point"), false, "[0, 0, 0]", "m",
-         "Of its slewing bearing, in that body's frame."},
+         "Position of its slewing bearing, in that body's frame."},
         {"euler_deg",
          list("three angles [roll, pitch, yaw] in degrees", number("an angle", -36000, 36000), 3,
               3),
-         false, "[0, 0, 0]", "deg", "Of the crane's frame in that body's."},
+         false, "[0, 0, 0]", "deg", "Angles of the crane's frame in that body's frame."},
         {"slew", crane_part<CraneSlew>("crane_slew", "a slew drive", "Motor and brake."), true, "",
          "", "Slew drive."},
         {"column",
@@ -104,7 +100,7 @@ ShapePtr crane_load_shape() {
         "Load that the hook can attach by slings of equal length.",
         {{"body", body_ref(), true, "", "", "A rigid body or a point mass."},
          {"eyes", list("a list of points", vector3("a point"), 1, 8), false, "[[0, 0, 0]]", "m",
-          "Where slings are made fast, in its frame."}});
+          "Points at which slings are made fast, in its frame."}});
 }
 
 ShapePtr crane_shape() {

@@ -26,10 +26,10 @@ ShapePtr strip_shape() {
         {{"from", vector3("a point"), true, "", "m",
           "Begin of the row, from the centre of mass, in the body's frame."},
          {"to", vector3("a point"), true, "", "m", "End of it."},
-         {"axis", vector3("a direction"), false, "[0, 1, 0]", "", "Along which they resist."},
+         {"axis", vector3("a direction"), false, "[0, 1, 0]", "", "Axis along which they resist."},
          {"drag_area", number("an area", 0.0, 1e9), true, "", "m^2",
           "Drag coefficient times area of all of them, at the hull's design draught."},
-         {"count", integer("a number", 1, 1000), false, "10", "", "Of strips."}});
+         {"count", integer("a number", 1, 1000), false, "10", "", "Number of strips."}});
 }
 
 ShapePtr coefficients_shape() {
@@ -75,7 +75,7 @@ ShapePtr coefficients_shape() {
                 "Further files of the set are in the same folder.",
                 {{"file", text("a file name"), true, "", "", "Relative to this one."},
                  {"density", positive("a density", 1e5), false, "1025", "kg/m^3",
-                  "Of files without dimensions."},
+                  "Density of water for files without dimensions."},
                  {"gravity", positive("a gravity", 1e3), false, "9.81", "m/s^2", "Likewise."},
                  {"length", positive("a length", 1e6), false, "of the .gdf, or 1", "m",
                   "ULEN of WAMIT."},
@@ -84,14 +84,14 @@ ShapePtr coefficients_shape() {
          object(
              "wave_coefficients", "coefficients", "Written out, in SI units.",
              {{"frequencies", list("frequencies", positive("a frequency", 1e4), 1, kMaxFrequencies),
-               true, "", "rad/s", "Ascending."},
+               true, "", "rad/s", "Frequencies, ascending."},
               {"radiation", list("a list of coefficients", radiation, 0, 36), false, "none", "",
                "Added mass and damping; pairs that are not there are 0."},
               {"headings_deg",
                list("directions", number("a direction", -400.0, 400.0), 1, kMaxColumns), false,
-               "none", "deg", "To which waves run, ascending."},
+               "none", "deg", "Headings to which waves run, ascending."},
               {"excitation", list("a list of forces", force, 0, kMaxColumns), false, "none", "",
-               "Of all that waves do."},
+               "Forces of waves."},
               {"scattering", list("a list of forces", force, 0, kMaxColumns), false, "none", "",
                "Diffraction force only."},
               {"drift_forces", list("a list of forces", drift, 0, kMaxColumns), false, "none", "",
@@ -115,7 +115,7 @@ ShapePtr mesh_shape() {
                 {{"box", half, true, "", "m", "Half sizes."},
                  {"pieces", pieces, false, "[1, 1, 1]", "", "Into which its sides are cut."}}),
          object("hull_mesh", "a mesh", "Triangles, counterclockwise seen from outside.",
-                {{"vertices", points, true, "", "m", "In the frame of the mesh."},
+                {{"vertices", points, true, "", "m", "Vertices in the frame of the mesh."},
                  {"triangles", triangles, true, "", "", "Corners by number, from 0."}})});
 }
 
@@ -165,7 +165,8 @@ ShapePtr water_hull_shape() {
           "frame."},
          {"radiation", word("a kind", {"convolution", "state_space", "constant", "none"}), false,
           "convolution", "", "Method for the memory of radiated waves, with coefficients."},
-         {"memory", positive("a time", 1e5), false, "60", "s", "After which it has forgotten."},
+         {"memory", positive("a time", 1e5), false, "60", "s",
+          "Time after which past motion has no effect any more."},
          {"order", integer("a number", 1, 200), false, "8", "", "Most states of a state space."},
          {"constant_period", positive("a period", 1e4), false, "none", "s",
           "Of the added mass and damping of \"constant\"."},
@@ -184,7 +185,7 @@ ShapePtr water_hull_shape() {
                  {{"height", number("a height", -1e4, 1e4), true, "", "m",
                    "z of the centre of mass at rest, above still water."},
                   {"weight", positive("a weight", 1e15), false, "of the body", "N",
-                   "Of the displaced water at rest."}}),
+                   "Weight of the displaced water at rest."}}),
           false, "none", "", "Small motions about rest."}});
 }
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <hawser/material_fields.h>
+
+#include "scene/field_shapes.h"
 #include "scene/format.h"
 
 #include <utility>
@@ -31,21 +34,10 @@ std::vector<Field> surface_fields() {
 namespace {
 
 std::vector<Field> values_of_material() {
-    return {
-        {"friction", number("a coefficient", 0.0, 100.0), false, "0.5", "1",
-         "Coulomb coefficient."},
-        {"restitution", number("a fraction", 0.0, 1.0), false, "0", "1",
-         "Of the speed of an impact."},
-        {"stiffness", number("a stiffness", 1.0, 1e12), false, "1e8", "N/m",
-         "Of one contact point, normal to the surface."},
-        {"tangential", number("a ratio", 0.01, 10.0), false, "0.7", "1",
-         "Tangential over normal stiffness while sticking."},
-        {"damping_time", number("a time", 0.0, 1e3), false, "two steps", "s", "Of the contact."},
-        {"rolling", number("a length", 0.0, 10.0), false, "0", "m",
-         "Rolling resistance: moment over normal force."},
-        {"torsional", number("a length", 0.0, 10.0), false, "0", "m",
-         "Resistance to spinning about the normal: moment over normal force."},
-        {"description", text("a text"), false, "", "", "Source and remarks."}};
+    std::vector<Field> fields;
+    add_fields(fields, kMaterialFields);
+    fields.push_back({"description", text("a text"), false, "", "", "Source and remarks."});
+    return fields;
 }
 
 ShapePtr length(const char* what) { return positive(what, kMaxShapeLength); }
@@ -62,12 +54,13 @@ std::pair<std::string, ShapePtr> shape_kind(const std::string& kind, const std::
          "Unique among the shapes of its body; NAME of body B is the shape B/NAME."}};
     if (placed) {
         all.push_back({"position", vector3("a position"), false, "[0, 0, 0]", "m",
-                       "Of the shape's frame in the body's frame."});
+                       "Position of the shape's frame in the body's frame."});
     }
     if (turns) {
         all.push_back({"orientation",
                        list("an orientation [w, x, y, z]", number("a number", -1e6, 1e6), 4, 4),
-                       false, "[1, 0, 0, 0]", "1", "Of the shape's frame in the body's frame."});
+                       false, "[1, 0, 0, 0]", "1",
+                       "Orientation of the shape's frame in the body's frame."});
         all.push_back({"euler_deg",
                        list("three angles [roll, pitch, yaw] in degrees",
                             number("an angle", -36000, 36000), 3, 3),
@@ -93,7 +86,7 @@ ShapePtr ground() {
         "ground", "a ground", "Heights as a function of x and y in the shape's frame.",
         {{"slope", list("two slopes", number("a slope", -100.0, 100.0), 2, 2), false, "[0, 0]", "1",
           "Rise along x and along y."},
-         {"height", number("a height", -1e5, 1e5), false, "0", "m", "Of the waves …"},
+         {"height", number("a height", -1e5, 1e5), false, "0", "m", "Height of the waves …"},
          {"length", list("two wave lengths", length("a length"), 2, 2), false, "", "m",
           "… of these lengths along x and y: height cos(2 pi x/Lx) cos(2 pi y/Ly) is added."}});
 }
@@ -110,7 +103,7 @@ std::vector<Field> heightfield() {
 
 std::vector<Field> vertices(const char* what, std::size_t least, std::size_t most) {
     return {{"vertices", list(what, vector3("a point"), least, most), true, "", "m",
-             "In the shape's frame."}};
+             "Vertices in the shape's frame."}};
 }
 
 std::vector<Field> mesh() {
@@ -135,7 +128,7 @@ ShapePtr material() {
 
 ShapePtr material_pair() {
     std::vector<Field> fields{{"between", list("two material names", text("a material name"), 2, 2),
-                               true, "", "", "The two; they may be the same one."}};
+                               true, "", "", "The two bodies; they may be the same one."}};
     const auto values = values_of_material();
     fields.insert(fields.end(), values.begin(), values.end());
     return object("material_pair", "a material pair",
@@ -147,7 +140,7 @@ ShapePtr material_pair() {
 ShapePtr cable_contact() {
     std::vector<Field> fields{
         {"radius", positive("a length", 1e3), false, "half the diameter; of links their radius",
-         "m", "Of the capsules along its elements."},
+         "m", "Radius of the capsules along its elements."},
         {"to_ends", boolean("true or false"), false, "false", "",
          "Also of elements that end on a body: up to its point, drum or "
          "fairlead, and up to guides and posts. Not of links."}};
@@ -216,9 +209,9 @@ ShapePtr post_shape() {
         {"name", name("a name"), true, "", "", "Unique among posts; of its signals, name.held."},
         {"on", body_ref(), true, "", "", "Body that it belongs to."},
         {"from", vector3("a point"), false, "", "m",
-         "Of its axis, in the frame of the body; required without `edge` and `edge_of`."},
+         "Start of its axis, in the frame of the body; required without `edge` and `edge_of`."},
         {"to", vector3("a point"), false, "", "m",
-         "Where its axis ends, in that frame; required without `edge` and `edge_of`."},
+         "End of its axis, in that frame; required without `edge` and `edge_of`."},
         {"edge", vector3("an edge"), false, "", "1",
          "Edge of the body's box, given by its two faces: [1, 0, 1] is the edge of +x and +z. The "
          "cylinder touches both faces from inside, as if the edge were rounded."},
@@ -227,13 +220,13 @@ ShapePtr post_shape() {
         {"slides", boolean("true or false"), false, "false", "",
          "True: cables slide along the axis if their pull exceeds friction. False: they keep their "
          "position along it."},
-        {"radius", positive("a radius", 1e3), true, "", "m", "Of the cylinder."},
+        {"radius", positive("a radius", 1e3), true, "", "m", "Radius of the cylinder."},
         {"friction", number("a coefficient", 0.0, 10.0), false, "0", "1",
          "Of cables that lie on it; while they only touch it, that of its material."},
         {"efficiency", number("an efficiency", 0.0, 1.0), false, "1", "1",
-         "Of a roller: lesser tension over greater; above 0."},
+         "Efficiency of a roller: lesser tension over greater; above 0."},
         {"inertia", number("an inertia", 0.0, 1e12), false, "0", "kg m^2",
-         "Of a roller that turns with the cable."},
+         "Moment of inertia of a roller that turns with the cable."},
         {"wires", integer("a number", 1, 16), false, "2", "1", "Cables that lie on it at once."},
         {"element", number("a length", 0.0, 1e6), false, "that of the cable", "m",
          "Of elements that come behind it; 0: no node runs through."},

@@ -38,7 +38,8 @@ void add_target(std::vector<Field>& fields, std::vector<std::vector<std::string>
             fields.push_back({"bodies", list("2 body names", text("a body name"), 2, 2), true, "",
                               "", "From and to."});
             fields.push_back({"points", list("2 points, one a body", vector3("a point"), 2, 2),
-                              false, "the centres of mass", "m", "Of each body, in its frame."});
+                              false, "the centres of mass", "m",
+                              "Points, one on each body, in its frame."});
             break;
         case OutputTarget::interaction:
             fields.push_back({"interaction", text("an interaction name"), !drum, "", "",

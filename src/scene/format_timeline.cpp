@@ -28,16 +28,16 @@ void add_gear(std::vector<Field>& fields, bool plate) {
     fields.push_back({"name", name("a name"), false, "of the wire and /gear", "",
                       "Of the gear, unique among interactions; \"release\" finds it by it."});
     fields.push_back({"mass", number("a mass", 0.0, 1e12), false, "0", "kg",
-                      "Of the gear; a triplate needs it."});
+                      "Mass of the gear; required for a triplate."});
     fields.push_back(
-        {"length", positive("a length", kMostLength), false, "0.3", "m", "Of a link."});
-    fields.push_back(
-        {"EA", positive("a stiffness", kMaxForce), false, "of the wire", "N", "Of a link."});
+        {"length", positive("a length", kMostLength), false, "0.3", "m", "Length of a link."});
+    fields.push_back({"EA", positive("a stiffness", kMaxForce), false, "of the wire", "N",
+                      "Axial stiffness EA of a link."});
     fields.push_back({"breaking_load", positive("a force", kMaxForce), false, "never", "N",
                       "A link breaks above this tension."});
     if (plate)
         fields.push_back({"radius", positive("a length", kMostLength), false, "0.3", "m",
-                          "Of the circle of a triplate's holes."});
+                          "Radius of the circle on which a triplate's holes lie."});
     fields.push_back(
         {"reach", number("a length", 0.0, kMostLength), false, "0.1", "m",
          "Distance of the ends that is allowed in addition to the length of the gear."});
@@ -51,7 +51,8 @@ ShapePtr operation_shape() {
     std::vector<Field> detach{{"wire", wire, true, "", "", which}, end_field("end", "Which end.")};
     std::vector<Field> attach = detach;
     attach.push_back({"body", body_ref(), true, "", "", "Body that is to hold it."});
-    attach.push_back({"point", vector3("a point"), false, "[0, 0, 0]", "m", "Of its frame."});
+    attach.push_back(
+        {"point", vector3("a point"), false, "[0, 0, 0]", "m", "Origin of its frame."});
     add_gear(attach, false);
     std::vector<Field> join = detach;
     join.push_back(
@@ -64,7 +65,7 @@ ShapePtr operation_shape() {
     return object(
         "operation", "an operation",
         "Something that is done before the first step that begins at its time or later.",
-        {{"at", number("a time", 0.0, 1e12), true, "", "s", "When."},
+        {{"at", number("a time", 0.0, 1e12), true, "", "s", "Time of the operation."},
          {"set", map("values by input", value), false, "", "",
           "Inputs and signals of winches (name.mode, name.speed) and cranes (name.hoist, "
           "name.take) "

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Control of vessels (hawser/vessel_control.h).
+#include "scene/field_shapes.h"
 #include "scene/format.h"
 #include "scene/vessel_control.h"
 
@@ -24,17 +25,18 @@ ShapePtr vessel_control_shape() {
         object("control_zone", "a forbidden zone", "Thrust directions that an azimuth avoids.",
                {{"propulsor", name("a propulsor"), true, "", "", "An azimuth."},
                 {"from_deg", control_number(-720.0, 720.0), true, "", "deg",
-                 "From ahead, clockwise seen from above."},
-                {"to_deg", control_number(-720.0, 720.0), true, "", "deg", "Above from_deg."}});
+                 "First angle of the sector, from ahead, clockwise seen from above."},
+                {"to_deg", control_number(-720.0, 720.0), true, "", "deg",
+                 "Last angle of the sector; above from_deg."}});
     const ShapePtr failure =
         object("control_failure", "a failure of propulsors", "Propulsors that it stops.",
                {{"name", name("a name"), true, "", "", "Its name."},
                 {"propulsors", list("a list of propulsors", name("a propulsor"), 1, 100), true, "",
                  "", "Propulsors that stop."}});
     std::vector<Field> fields{
-        {"mode", word("a mode", modes), false, "off", "", "At the start."},
+        {"mode", word("a mode", modes), false, "off", "", "Mode at the start."},
         {"bandwidth", vector3("three frequencies"), false, "[0.1, 0.1, 0.1]", "rad/s",
-         "Of surge, sway and yaw in closed loop; above 0."},
+         "Bandwidths of surge, sway and yaw in closed loop; above 0."},
         {"observer", boolean("true or false"), false, "true", "",
          "Wave filter and estimate of velocities."},
         {"wind", boolean("true or false"), false, "true", "", "Wind feed-forward."},
@@ -44,10 +46,8 @@ ShapePtr vessel_control_shape() {
         {"zones", list("a list of zones", zone, 1, 100), false, "none", "",
          "Forbidden zones of azimuths."},
         {"failures", list("a list of failures", failure, 1, 100), false, "each propulsor alone", "",
-         "For the consequence analysis."}};
-    for (const ControlNumber& n : ControlTable::kNumbers)
-        fields.push_back(
-            {n.key, control_number(n.least, n.most), false, n.fallback, n.unit, n.doc});
+         "Failures that the consequence analysis assumes."}};
+    add_fields(fields, ControlTable::kNumbers);
     return object("vessel_control", "the control of a vessel",
                   "Joystick, autopilot and dynamic positioning: signal VESSEL.mode.",
                   std::move(fields));

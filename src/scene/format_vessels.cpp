@@ -2,6 +2,7 @@
 /// Vessels on bodies (hawser/vessel.h).
 #include <hawser/vessel_ships.h>
 
+#include "scene/field_shapes.h"
 #include "scene/format.h"
 #include "scene/vessels.h"
 
@@ -17,12 +18,7 @@ using namespace make;
 template <class T>
 std::vector<Field> vessel_fields() {
     std::vector<Field> fields;
-    for (const VesselNumber<T>& n : VesselTable<T>::kNumbers) {
-        const bool required = *n.fallback == '\0';
-        const ShapePtr shape = required && n.least == 0.0 ? positive("a number", n.most)
-                                                          : number("a number", n.least, n.most);
-        fields.push_back({n.key, shape, required, n.fallback, n.unit, n.doc});
-    }
+    add_fields(fields, VesselTable<T>::kNumbers);
     return fields;
 }
 
@@ -53,15 +49,15 @@ ShapePtr polynomial_shape() {
           "speed: 1/2 density area U^2 (moments times length), variables over U; mass: the mass "
           "(moments times length^2), variables in SI."},
          {"factor", number("a number", -1e12, 1e12), false, "1", "1",
-          "Of all terms: 1e-5 for tables in units of 1e-5."},
+          "Factor that multiplies all terms: 1e-5 for tables in units of 1e-5."},
          {"rudder_to_port", boolean("true or false"), false, "false", "",
           "The source counts rudder angles to port as positive."},
          {"own_coriolis", boolean("true or false"), false, "false", "",
           "The terms hold the Coriolis forces of the body's own mass, too."},
-         {"x", terms, false, "none", "", "Of the force ahead."},
-         {"y", terms, false, "none", "", "Of the force to starboard."},
-         {"k", terms, false, "none", "", "Of the heeling moment, starboard down."},
-         {"n", terms, false, "none", "", "Of the yawing moment, to starboard."}});
+         {"x", terms, false, "none", "", "Terms of the force ahead."},
+         {"y", terms, false, "none", "", "Terms of the force to starboard."},
+         {"k", terms, false, "none", "", "Terms of the heeling moment, starboard down."},
+         {"n", terms, false, "none", "", "Terms of the yawing moment, to starboard."}});
 }
 
 ShapePtr resistance_shape() {
@@ -105,7 +101,7 @@ ShapePtr power_shape() {
     const ShapePtr consumer = vessel_part<ConsumerDef>(
         "consumer", "a consumer", "A propulsor, a load, or the power of another system.",
         {{"name", name("a name"), true, "", "", "Name of a propulsor or of a load."},
-         {"board", name("a switchboard"), true, "", "", "That feeds it."},
+         {"board", name("a switchboard"), true, "", "", "Switchboard that feeds it."},
          {"priority", integer("a number", 1, 1000), false, "1", "", "1 is served first."},
          {"signal", text("SYSTEM.SIGNAL"), false, "none", "W",
           "Demand of another system, which is served and not limited."}});
@@ -129,7 +125,7 @@ ShapePtr propulsor_shape() {
          {"kind", word("a kind", {"shaft", "azimuth", "tunnel", "cycloidal"}), false, "shaft", "",
           "Its kind."},
          {"point", vector3("a point"), false, "[0, 0, 0]", "m",
-          "From the centre of mass, in the body's frame."},
+          "Point relative to the centre of mass, in the body's frame."},
          {"propeller", propeller, false, "none: ideal", "", "Its propeller."},
          {"controllable", boolean("true or false"), false, "false", "",
           "Pitch by the signal VESSEL.NAME_pitch."},
@@ -143,7 +139,7 @@ ShapePtr rudder_shape() {
         {{"name", name("a name"), false, "rudder", "",
           "Of its order: the signal VESSEL.NAME, positive turns to starboard."},
          {"point", vector3("a point"), true, "", "m",
-          "From the centre of mass, in the body's frame."},
+          "Point relative to the centre of mass, in the body's frame."},
          {"behind", name("a propulsor"), false, "none", "",
           "Propulsor whose slipstream reaches it."}});
 }
@@ -160,20 +156,21 @@ ShapePtr vessel_shape() {
          {"ship", word("a ship", ships), false, "none", "",
           "Published coefficients; other keys replace theirs. The body has the mass of the "
           "source."},
-         {"depth", positive("a depth", 1e5), false, "1000", "m", "Of the water, for esso_190k."},
+         {"depth", positive("a depth", 1e5), false, "1000", "m",
+          "Depth of the water, for esso_190k."},
          {"origin", vector3("a point"), false, "[0, 0, 0]", "m",
           "O of the coefficients from the centre of mass, in the body's frame."},
          {"draught", number("a number", 0.0, kVesselFar), false, "0", "m",
-          "The current is that of half of it."},
+          "Draught; the current is taken at half of it."},
          {"density", positive("a density", 1e5), false, "1025", "kg/m^3",
-          "Of water, without a sea."},
+          "Density of water where the scene has no sea."},
          {"added_mass", matrix_shape(0.0), false, "0", "kg, kg m, kg m^2",
           "At O: x ahead, y to starboard, z down."},
          {"coriolis", word("a kind", {"none", "planar", "full"}), false, "full", "",
           "Of the added mass: planar without the Munk moment (MMG)."},
          {"damping", matrix_shape(0.0), false, "0", "N s/m, N s, N m s", "Linear, at O."},
          {"restoring", matrix_shape(0.0), false, "0", "N/m, N, N m",
-          "Of heave, roll and pitch at O; symmetric."},
+          "Restoring coefficients of heave, roll and pitch at O; symmetric."},
          {"resistance", resistance_shape(), false, "none", "", "Ahead and astern."},
          {"cross_flow",
           vessel_part<CrossFlow>("cross_flow", "a cross-flow drag", "By 20 strips along the hull."),

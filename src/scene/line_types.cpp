@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/line_types.h"
 
+#include "scene/field_reader.h"
+#include "scene/sea_fields.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -48,15 +51,8 @@ LayoutSection read_section(const Json& of, bool links, const Document& document,
     if (of["line_type"].is_string()) {
         s.line.line_type = of["line_type"].get<std::string>();
     }
-    s.line.mass_per_length = line["mass_per_length"].get<double>();
-    s.line.EA = number_or(line, "EA", 0.0);
-    s.line.EI = number_or(line, "EI", 0.0);
-    s.line.breaking_load = number_or(line, "breaking_load", 0.0);
-    s.line.diameter = number_or(line, "diameter", 0.0);
-    s.axial_damping = number_or(line, "axial_damping", kDefault);
-    s.drag = number_or(line, "drag", 0.0);
-    s.submerged_factor = number_or(line, "submerged_factor", 1.0);
-    s.line.link = number_or(line, "link", 0.0);
+    read_fields(s.line, line, kSectionFields);
+    read_fields(s, line, kLayoutFields);
     s.color = text_or(line, "color", "");
     s.water = water_of(line, place);
     if (!links && !(s.line.EA > 0.0)) {
@@ -118,13 +114,7 @@ void read_line_types(CableLayout& c, const Json& cable, const Document& document
     }
 }
 
-void read_line_water(const Json& json, LineWater& w) {
-    w.volume = number_or(json, "displaced_area", w.volume);
-    w.cd_normal = number_or(json, "cd_normal", w.cd_normal);
-    w.cd_tangential = number_or(json, "cd_tangential", w.cd_tangential);
-    w.ca_normal = number_or(json, "ca_normal", w.ca_normal);
-    w.ca_tangential = number_or(json, "ca_tangential", w.ca_tangential);
-}
+void read_line_water(const Json& json, LineWater& w) { read_fields(w, json, kLineWaterFields); }
 
 void measure_elements(CableLayout& c) noexcept {
     if (c.sections.size() == 1) c.sections.front().line.length = c.length;

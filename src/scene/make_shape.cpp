@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/format.h"
+#include "scene/make_shape.h"
+
+#include <memory>
+#include <utility>
 
 namespace hawser::scene::make {
 namespace {

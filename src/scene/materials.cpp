@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <hawser/material_fields.h>
+
 #include "scene/description.h"
+#include "scene/field_reader.h"
 
 #include <algorithm>
 
 namespace hawser::scene {
 namespace {
-
-void read_values(MaterialDef& def, const Json& json) {
-    def.friction = number_or(json, "friction", def.friction);
-    def.restitution = number_or(json, "restitution", def.restitution);
-    def.stiffness = number_or(json, "stiffness", def.stiffness);
-    def.tangential = number_or(json, "tangential", def.tangential);
-    def.damping_time = number_or(json, "damping_time", def.damping_time);
-    def.rolling = number_or(json, "rolling", def.rolling);
-    def.torsional = number_or(json, "torsional", def.torsional);
-}
 
 MaterialId find_material(const Description& out, const std::string& name, const Place& place) {
     if (name == "default") {
@@ -57,7 +50,7 @@ void expand_pair(Description& out, const Json& json, MaterialPairs& seen, const 
         refuse(place, "these two materials have a pair already");
     }
     seen.push_back(key);
-    read_values(pair.values, json);
+    read_fields(pair.values, json, kMaterialFields);
     out.material_pairs.push_back(pair);
 }
 
@@ -84,7 +77,7 @@ void expand_materials(Description& out, const Document& document) {
             }
             MaterialDef def;
             def.name = name;
-            read_values(def, value);
+            read_fields(def, value, kMaterialFields);
             out.materials.push_back(std::move(def));
         }
     }

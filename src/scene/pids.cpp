@@ -14,7 +14,7 @@ namespace hawser::scene {
 namespace {
 
 constexpr double kPidAny = 1e30;
-constexpr SectionNumber<PidDef> kPidNumbers[] = {
+constexpr FieldInfo<PidDef> kPidNumbers[] = {
     {"sign", &PidDef::sign, "1", "-1", "Sign of the force; -1: the tension of a line is positive.",
      -1.0, 1.0},
     {"target", &PidDef::target, "N or N m", "0", "Set value of the force.", -kPidAny, kPidAny},
@@ -40,7 +40,7 @@ ShapePtr pid_shape() {
          "Interaction with the measured force."},
         {"row", make::integer("a row", 0, 5), false, "0", "", "Index of its measured row."},
         {"input", make::text("an input name"), true, "", "", "Input that the controller drives."}};
-    for (Field& field : number_fields<PidDef>(kPidNumbers)) fields.push_back(std::move(field));
+    add_fields(fields, kPidNumbers);
     fields.push_back({"description", make::text("a text"), false, "", "", "Remarks."});
     return make::object("pid", "a PID controller",
                         "Controller from the force of an interaction to an input: u = bias + gain "
@@ -51,7 +51,7 @@ ShapePtr pid_shape() {
 SectionItem read_pid(const Description& out, const Scope& scope, const Json& json,
                      const Place& place) {
     PidDef def;
-    read_numbers<PidDef>(def, json, kPidNumbers);
+    read_fields(def, json, kPidNumbers);
     def.row = static_cast<int>(number_or(json, "row", 0.0));
     if (!(def.low < def.high)) refuse(place / "low", "must be less than \"high\"");
     const std::string measured = interaction_name(out, scope, json, "measured", place);

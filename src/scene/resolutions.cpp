@@ -2,6 +2,7 @@
 #include "scene/resolutions.h"
 
 #include "scene/cable_parts.h"
+#include "scene/field_reader.h"
 
 #include <fmt/format.h>
 
@@ -14,11 +15,11 @@ namespace {
 
 constexpr double kMaxMetres = 1e6, kHalfTurn = 3.14159265358979323846;
 
-constexpr ResolutionNumber kLengths[] = {
+constexpr FieldInfo<ResolutionDef> kFields[] = {
     {"min_length", &ResolutionDef::min_length, "m", "2.5", "No element gets shorter by a node.",
      0.01, kMaxMetres},
     {"max_length", &ResolutionDef::max_length, "m", "20",
-     "Of the longest element; from twice \"min_length\" on.", 0.01, kMaxMetres},
+     "Length of the longest element; at least twice \"min_length\".", 0.01, kMaxMetres},
     {"sag_error", &ResolutionDef::sag_error, "m", "0.05",
      "Maximum distance of an element from its arc; 0: no limit.", 0.0, kMaxMetres},
     {"max_angle", &ResolutionDef::max_angle, "rad", "0.26",
@@ -37,12 +38,11 @@ constexpr ResolutionNumber kLengths[] = {
     {"hysteresis", &ResolutionDef::hysteresis, "1", "1.5",
      "Elements become one where that would be shorter than it may be by this factor.", 1.0, 100.0},
     {"patience", &ResolutionDef::patience, "s", "2",
-     "Time for which a node must be unnecessary before it is removed.", 0.0, kMaxMetres}};
-
-constexpr ResolutionCount kWholes[] = {
-    {"max_nodes", &ResolutionDef::max_nodes, "1000", "Of the cable, its ends included.", 3.0, 1e5},
-    {"interval", &ResolutionDef::interval, "4", "Number of steps between two checks of the cable.",
-     1.0, 1e4}};
+     "Time for which a node must be unnecessary before it is removed.", 0.0, kMaxMetres},
+    {"max_nodes", &ResolutionDef::max_nodes, "", "1000",
+     "Largest number of nodes of the cable, its ends included.", 3.0, 1e5},
+    {"interval", &ResolutionDef::interval, "", "4",
+     "Number of steps between two checks of the cable.", 1.0, 1e4}};
 
 /// Check the limits. Inconsistent limits are reported at the key that is too small or too large.
 void check_limits(const ResolutionDef& def, const Place& place) {
@@ -61,8 +61,7 @@ void check_limits(const ResolutionDef& def, const Place& place) {
 
 }  // namespace
 
-std::span<const ResolutionNumber> resolution_numbers() noexcept { return kLengths; }
-std::span<const ResolutionCount> resolution_counts() noexcept { return kWholes; }
+std::span<const FieldInfo<ResolutionDef>> resolution_fields() noexcept { return kFields; }
 
 void read_resolution(Description& out, const CableLayout& cable, const Json& json,
                      const Place& cable_place) {
@@ -75,10 +74,7 @@ void read_resolution(Description& out, const CableLayout& cable, const Json& jso
     Resolution one;
     one.def.name = cable.name + "/resolution";
     one.cable = cable.name;
-    for (const ResolutionNumber& number : kLengths)
-        one.def.*number.value = number_or(*given, number.key, one.def.*number.value);
-    for (const ResolutionCount& count : kWholes)
-        one.def.*count.value = given->value(count.key, one.def.*count.value);
+    read_fields(one.def, *given, kFields);
     check_limits(one.def, place);
     if (cable.elements + 1 > static_cast<std::size_t>(one.def.max_nodes))
         refuse(place / "max_nodes",

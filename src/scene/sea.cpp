@@ -3,7 +3,9 @@
 #include <hawser/sea.h>
 
 #include "scene/description.h"
+#include "scene/field_reader.h"
 #include "scene/line_types.h"
+#include "scene/sea_fields.h"
 #include "scene/water_hulls.h"
 
 #include <algorithm>
@@ -31,27 +33,16 @@ WaveDef wave_of(const Json& json) {
     wave.kind = kind == "regular"   ? WaveKind::regular
                 : kind == "jonswap" ? WaveKind::jonswap
                                     : WaveKind::pierson_moskowitz;
-    wave.height = json["height"].get<double>();
-    wave.period = json["period"].get<double>();
+    read_fields(wave, json, kWaveFields);
     wave.direction = radians(json, "direction_deg");
     wave.phase = radians(json, "phase_deg");
-    wave.gamma = number_or(json, "gamma", wave.gamma);
-    wave.spreading = number_or(json, "spreading", wave.spreading);
-    wave.components = json.value("components", wave.components);
-    wave.seed = json.value("seed", wave.seed);
-    wave.lowest = number_or(json, "lowest", wave.lowest);
-    wave.highest = number_or(json, "highest", wave.highest);
     return wave;
 }
 
 WindDef wind_of(const Json& json) {
     WindDef wind;
-    wind.speed = json["speed"].get<double>();
+    read_fields(wind, json, kWindFields);
     wind.direction = radians(json, "direction_deg");
-    wind.gusts = json.value("gusts", wind.gusts);
-    wind.components = json.value("components", wind.components);
-    wind.seed = json.value("seed", wind.seed);
-    wind.density = number_or(json, "density", wind.density);
     return wind;
 }
 

@@ -17,45 +17,18 @@
 #include <hawser/world.h>
 
 #include "scene/description.h"
+#include "scene/field_reader.h"
+#include "scene/field_shapes.h"
 #include "scene/format.h"
 #include "scene/section_list.h"
 
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace hawser::scene {
 
 /// Add the items to a world in which all other parts exist.
 void add_sections(World& world, const Description& from);
-
-/// Number of a definition: key, member, unit, default and range.
-template <class Def>
-struct SectionNumber {
-    const char* key;
-    double Def::* value;
-    const char* unit;
-    const char* fallback;  ///< Default in words; "" if the value is required.
-    const char* doc;
-    double least, most;
-};
-
-/// Return the fields of numbers for a shape.
-template <class Def>
-[[nodiscard]] std::vector<Field> number_fields(std::span<const SectionNumber<Def>> numbers) {
-    std::vector<Field> out;
-    for (const SectionNumber<Def>& n : numbers)
-        out.push_back({n.key, make::number("a number", n.least, n.most),
-                       std::string_view(n.fallback).empty(), n.fallback, n.unit, n.doc});
-    return out;
-}
-
-/// Read the numbers that are given.
-template <class Def>
-void read_numbers(Def& def, const Json& json, std::span<const SectionNumber<Def>> numbers) {
-    for (const SectionNumber<Def>& n : numbers) def.*n.value = number_or(json, n.key, def.*n.value);
-}
 
 /// Return the full name of an interaction of the scope. @throws SceneError with the nearest name.
 [[nodiscard]] std::string interaction_name(const Description& out, const Scope& scope,

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/vessel_control.h"
 
+#include "scene/field_reader.h"
+
 #include <numbers>
 #include <string>
-#include <string_view>
 
 namespace hawser::scene {
 namespace {
@@ -42,12 +43,7 @@ VesselControl read_vessel_control(Description& out, const Scope& scope, const Js
                                   const Place& place) {
     VesselControl c;
     c.active = true;
-    for (const ControlNumber& n : ControlTable::kNumbers) {
-        const auto entry = json.find(n.key);
-        if (entry == json.end()) continue;
-        const bool degrees = std::string_view(n.key).ends_with("_deg");
-        c.*n.value = entry->get<double>() * (degrees ? kControlDegree : 1.0);
-    }
+    read_fields(c, json, ControlTable::kNumbers);
     if (const auto mode = json.find("mode"); mode != json.end())
         for (int i = 0; i < kControlModes; ++i)
             if (mode->get<std::string>() == to_string(static_cast<ControlMode>(i)))

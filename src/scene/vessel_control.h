@@ -3,6 +3,7 @@
 /// @file vessel_control.h
 /// The key `control` of vessels (hawser/vessel_control.h).
 
+#include <hawser/fields.h>
 #include <hawser/vessel.h>
 
 #include "scene/description.h"
@@ -11,23 +12,15 @@
 
 namespace hawser::scene {
 
-/// A number of the control; keys that end in _deg are degrees in scenes.
-struct ControlNumber {
-    const char* key;
-    double VesselControl::* value;
-    const char* unit;
-    const char* fallback;  ///< Default in words.
-    const char* doc;
-    double least, most;
-};
+/// Numbers of the control; keys that end in _deg are degrees in scenes.
 struct ControlTable {
-    static constexpr ControlNumber kNumbers[] = {
+    static constexpr FieldInfo<VesselControl> kNumbers[] = {
         {"damping", &VesselControl::damping, "1", "1", "Damping ratio.", 0.01, 10.0},
         {"integral", &VesselControl::integral, "1", "0.1",
          "Integral gain over bandwidth times proportional gain.", 0.0, 1.0},
         {"filter", &VesselControl::filter, "s", "30", "Time constant of orders.", 0.0, 1e4},
         {"wave_period", &VesselControl::wave_period, "s", "8",
-         "Of the waves that the observer filters out.", 1.0, 60.0},
+         "Period of the waves that the observer filters out.", 1.0, 60.0},
         {"wind_filter", &VesselControl::wind_filter, "s", "5",
          "Time constant of feed-forward of wind and lines.", 0.0, 1e4},
         {"position_alarm", &VesselControl::position_alarm, "m", "5",

@@ -5,6 +5,7 @@
 #include <hawser/vessel_ships.h>
 
 #include "scene/dp_ship.h"
+#include "scene/field_reader.h"
 #include "scene/vessel_control.h"
 
 #include <fmt/format.h>
@@ -25,12 +26,7 @@ constexpr double kMassOff = 0.05;
 
 template <class T>
 void read_vessel_part(T& out, const Json& json) {
-    for (const VesselNumber<T>& n : VesselTable<T>::kNumbers) {
-        const auto entry = json.find(n.key);
-        if (entry == json.end()) continue;
-        const bool degrees = std::string_view(n.key).ends_with("_deg");
-        out.*n.value = entry->template get<double>() * (degrees ? kVesselDegree : 1.0);
-    }
+    read_fields(out, json, VesselTable<T>::kNumbers);
 }
 
 void read_matrix(Matrix6& out, const Json& json, const char* key) {

@@ -4,22 +4,12 @@
 /// The numbers of a vessel in a scene (hawser/vessel.h). One table serves the format and the
 /// reader. Keys that end in _deg are in degrees here and in radians in definitions.
 
+#include <hawser/fields.h>
 #include <hawser/vessel.h>
 
 #include "scene/description.h"
 
 namespace hawser::scene {
-
-template <class T>
-struct VesselNumber {
-    const char* key;
-    double T::* value;
-    const char* unit;
-    const char* fallback;  ///< Default in words; "" if the value is required.
-    const char* doc;
-    /// Range. `least` is included only if there is a default, or if it is negative.
-    double least, most;
-};
 
 inline constexpr double kVesselFar = 1e4, kVesselStrong = 1e15, kVesselAny = 1e6;
 
@@ -29,17 +19,19 @@ struct VesselTable;
 
 template <>
 struct VesselTable<HullResistance> {
-    static constexpr VesselNumber<HullResistance> kNumbers[] = {
-        {"linear", &HullResistance::linear, "N s/m", "0", "-X_u at rest.", 0.0, kVesselStrong},
-        {"quadratic", &HullResistance::quadratic, "N s^2/m^2", "0", "-X_uu.", 0.0, kVesselStrong},
+    static constexpr FieldInfo<HullResistance> kNumbers[] = {
+        {"linear", &HullResistance::linear, "N s/m", "0",
+         "Linear coefficient of the resistance, -X_u at rest.", 0.0, kVesselStrong},
+        {"quadratic", &HullResistance::quadratic, "N s^2/m^2", "0",
+         "Quadratic coefficient of the resistance, -X_uu.", 0.0, kVesselStrong},
         {"blend", &HullResistance::blend, "m/s", "2",
          "Speed of tanh(u/blend) between both; above 0.", 0.0, 1e3}};
 };
 
 template <>
 struct VesselTable<CrossFlow> {
-    static constexpr VesselNumber<CrossFlow> kNumbers[] = {
-        {"length", &CrossFlow::length, "m", "", "Of the waterline.", 0.0, kVesselFar},
+    static constexpr FieldInfo<CrossFlow> kNumbers[] = {
+        {"length", &CrossFlow::length, "m", "", "Length of the waterline.", 0.0, kVesselFar},
         {"beam", &CrossFlow::beam, "m", "", "Beam.", 0.0, kVesselFar},
         {"draught", &CrossFlow::draught, "m", "", "Draught.", 0.0, kVesselFar},
         {"drag", &CrossFlow::drag, "1", "Hoerner's curve", "Drag coefficient of a section.", 0.0,
@@ -48,10 +40,10 @@ struct VesselTable<CrossFlow> {
 
 template <>
 struct VesselTable<HullPolynomial> {
-    static constexpr VesselNumber<HullPolynomial> kNumbers[] = {
+    static constexpr FieldInfo<HullPolynomial> kNumbers[] = {
         {"length", &HullPolynomial::length, "m", "", "L of the scales.", 0.0, kVesselFar},
-        {"area", &HullPolynomial::area, "m^2", "0", "A of the scale speed, as L d or L^2.", 0.0,
-         1e8},
+        {"area", &HullPolynomial::area, "m^2", "0",
+         "Reference area A of the scale, for example L d or L^2.", 0.0, 1e8},
         {"speed", &HullPolynomial::speed, "m/s", "0", "U0 of u' = (u - U0)/U.", 0.0, 1e3},
         {"most_turn", &HullPolynomial::most_turn, "1", "1.5",
          "r' up to which the terms hold; beyond, forces grow with r^2.", 0.1, 100.0}};
@@ -59,11 +51,11 @@ struct VesselTable<HullPolynomial> {
 
 template <>
 struct VesselTable<MmgStern> {
-    static constexpr VesselNumber<MmgStern> kNumbers[] = {
-        {"diameter", &MmgStern::diameter, "m", "", "Of the propeller.", 0.0, 100.0},
+    static constexpr FieldInfo<MmgStern> kNumbers[] = {
+        {"diameter", &MmgStern::diameter, "m", "", "Diameter of the propeller.", 0.0, 100.0},
         {"length", &MmgStern::length, "m", "", "L of x' and r'.", 0.0, kVesselFar},
         {"k0", &MmgStern::k0, "1", "", "K_T at J = 0.", 0.0, 10.0},
-        {"k1", &MmgStern::k1, "1", "0", "Its slope.", -10.0, 10.0},
+        {"k1", &MmgStern::k1, "1", "0", "Coefficient of K_T with J.", -10.0, 10.0},
         {"k2", &MmgStern::k2, "1", "0", "K_T of J^2.", -10.0, 10.0},
         {"thrust_deduction", &MmgStern::thrust_deduction, "1", "0", "t_P.", 0.0, 0.9},
         {"wake", &MmgStern::wake, "1", "0", "w_P0.", 0.0, 0.9},
@@ -91,10 +83,11 @@ struct VesselTable<MmgStern> {
 
 template <>
 struct VesselTable<SteeringDef> {
-    static constexpr VesselNumber<SteeringDef> kNumbers[] = {
-        {"most_angle_deg", &SteeringDef::most_angle, "deg", "35", "Of the rudder.", 1.0, 90.0},
-        {"rate_deg", &SteeringDef::rate, "deg/s", "2.32", "Of the steering gear; above 0.", 0.0,
-         500.0},
+    static constexpr FieldInfo<SteeringDef> kNumbers[] = {
+        {"most_angle_deg", &SteeringDef::most_angle, "deg", "35", "Largest angle of the rudder.",
+         1.0, 90.0},
+        {"rate_deg", &SteeringDef::rate, "deg/s", "2.32",
+         "Rate at which the steering gear turns the rudder; above 0.", 0.0, 500.0},
         {"lag", &SteeringDef::lag, "s", "0", "Time constant of the steering gear.", 0.0, 1e4},
         {"rps", &SteeringDef::rps, "1/s", "0", "Revolutions at the start.", 0.0, 1e3},
         {"most_rps", &SteeringDef::most_rps, "1/s", "twice rps", "Range of the input rps.", 0.0,
@@ -105,48 +98,52 @@ struct VesselTable<SteeringDef> {
 
 template <>
 struct VesselTable<WindLoad> {
-    static constexpr VesselNumber<WindLoad> kNumbers[] = {
+    static constexpr FieldInfo<WindLoad> kNumbers[] = {
         {"frontal_area", &WindLoad::frontal_area, "m^2", "", "A_F above the water.", 0.0, 1e6},
         {"lateral_area", &WindLoad::lateral_area, "m^2", "", "A_L above the water.", 0.0, 1e6},
-        {"length", &WindLoad::length, "m", "", "Over all.", 0.0, kVesselFar},
-        {"centre", &WindLoad::centre, "m", "0", "Of A_L ahead of the origin.", -kVesselFar,
-         kVesselFar},
-        {"height", &WindLoad::height, "m", "0", "Of the centre of A_L above the water.", 0.0,
+        {"length", &WindLoad::length, "m", "", "Length over all.", 0.0, kVesselFar},
+        {"centre", &WindLoad::centre, "m", "0",
+         "Position of the centre of A_L ahead of the origin.", -kVesselFar, kVesselFar},
+        {"height", &WindLoad::height, "m", "0", "Height of the centre of A_L above the water.", 0.0,
          kVesselFar}};
 };
 
 template <>
 struct VesselTable<PropellerDef> {
-    static constexpr VesselNumber<PropellerDef> kNumbers[] = {
+    static constexpr FieldInfo<PropellerDef> kNumbers[] = {
         {"diameter", &PropellerDef::diameter, "m", "", "Diameter.", 0.0, 100.0},
         {"pitch", &PropellerDef::pitch, "1", "1", "P/D.", 0.1, 3.0},
         {"area", &PropellerDef::area, "1", "0.7", "A_E/A_0 of the B-series.", 0.1, 2.0},
-        {"blades", &PropellerDef::blades, "1", "4", "Of the B-series.", 2.0, 10.0}};
+        {"blades", &PropellerDef::blades, "1", "4", "Number of blades of the B-series.", 2.0,
+         10.0}};
 };
 
 template <>
 struct VesselTable<PropulsorDef> {
-    static constexpr VesselNumber<PropulsorDef> kNumbers[] = {
+    static constexpr FieldInfo<PropulsorDef> kNumbers[] = {
         {"thrust", &PropulsorDef::thrust, "N", "with a propeller none",
-         "At full order, of an ideal propulsor.", 0.0, kVesselStrong},
+         "Thrust of an ideal propulsor at full order.", 0.0, kVesselStrong},
         {"astern", &PropulsorDef::astern, "1", "1", "Thrust astern over ahead.", 0.0, 1.0},
-        {"ramp", &PropulsorDef::ramp, "s", "0", "From order 0 to 1.", 0.0, 1e4},
+        {"ramp", &PropulsorDef::ramp, "s", "0",
+         "Time in which the output goes from order 0 to order 1.", 0.0, 1e4},
         {"most_rps", &PropulsorDef::most_rps, "1/s", "ideal: none", "Revolutions at full order.",
          0.0, 1e3},
         {"wake", &PropulsorDef::wake, "1", "0", "Wake fraction w.", 0.0, 0.9},
         {"thrust_deduction", &PropulsorDef::thrust_deduction, "1", "0", "t, ahead.", 0.0, 0.9},
         {"shaft_inertia", &PropulsorDef::shaft_inertia, "kg m^2", "0: n follows ramp",
-         "With gear and entrained water.", 0.0, 1e18},
+         "Moment of inertia of the shaft with gear and entrained water.", 0.0, 1e18},
         {"response", &PropulsorDef::response, "s", "1",
          "Time constant of the revolutions within the limits; above 0.", 0.0, 1e4},
-        {"most_torque", &PropulsorDef::most_torque, "N m", "none", "Of the motor at the shaft.",
-         0.0, kVesselStrong},
-        {"most_power", &PropulsorDef::most_power, "W", "none", "Of the motor.", 0.0, kVesselStrong},
-        {"pitch_time", &PropulsorDef::pitch_time, "s", "10", "From full pitch to none.", 0.0, 1e4},
-        {"turn_rate_deg", &PropulsorDef::turn_rate, "deg/s", "11.5", "Of an azimuth; above 0.", 0.0,
-         5000.0},
+        {"most_torque", &PropulsorDef::most_torque, "N m", "none",
+         "Largest torque of the motor at the shaft.", 0.0, kVesselStrong},
+        {"most_power", &PropulsorDef::most_power, "W", "none", "Largest power of the motor.", 0.0,
+         kVesselStrong},
+        {"pitch_time", &PropulsorDef::pitch_time, "s", "10",
+         "Time in which the pitch goes from full to none.", 0.0, 1e4},
+        {"turn_rate_deg", &PropulsorDef::turn_rate, "deg/s", "11.5",
+         "Rate at which an azimuth thruster turns; above 0.", 0.0, 5000.0},
         {"most_angle_deg", &PropulsorDef::most_angle, "deg", "turns freely",
-         "Of an azimuth from ahead, to both sides.", 0.0, 180.0},
+         "Largest angle of an azimuth thruster from ahead, to both sides.", 0.0, 180.0},
         {"lost_at", &PropulsorDef::lost_at, "m/s", "no loss",
          "Speed ahead at which a tunnel has no thrust.", 0.0, 1e3},
         {"diameter", &PropulsorDef::diameter, "m", "that of the propeller",
@@ -158,7 +155,7 @@ struct VesselTable<PropulsorDef> {
 
 template <>
 struct VesselTable<RudderDef> {
-    static constexpr VesselNumber<RudderDef> kNumbers[] = {
+    static constexpr FieldInfo<RudderDef> kNumbers[] = {
         {"area", &RudderDef::area, "m^2", "", "Area.", 0.0, 1e5},
         {"aspect", &RudderDef::aspect, "1", "1.5", "Height over chord; above 0.", 0.0, 100.0},
         {"covered", &RudderDef::covered, "1", "1", "Fraction of its height in the slipstream.", 0.0,
@@ -170,36 +167,37 @@ struct VesselTable<RudderDef> {
          "Side force on the hull over that of the rudder.", 0.0, 2.0},
         {"stall_deg", &RudderDef::stall, "deg", "35", "Angle of attack at which it stalls.", 1.0,
          85.0},
-        {"most_angle_deg", &RudderDef::most_angle, "deg", "35", "To both sides.", 1.0, 90.0},
-        {"rate_deg", &RudderDef::rate, "deg/s", "2.32", "Of the steering gear; above 0.", 0.0,
-         500.0}};
+        {"most_angle_deg", &RudderDef::most_angle, "deg", "35", "Largest angle to both sides.", 1.0,
+         90.0},
+        {"rate_deg", &RudderDef::rate, "deg/s", "2.32",
+         "Rate at which the steering gear turns the rudder; above 0.", 0.0, 500.0}};
 };
 
 template <>
 struct VesselTable<CurrentLoad> {
-    static constexpr VesselNumber<CurrentLoad> kNumbers[] = {
+    static constexpr FieldInfo<CurrentLoad> kNumbers[] = {
         {"length", &CurrentLoad::length, "m", "", "L.", 0.0, kVesselFar},
         {"draught", &CurrentLoad::draught, "m", "", "T.", 0.0, kVesselFar}};
 };
 
 template <>
 struct VesselTable<GeneratorDef> {
-    static constexpr VesselNumber<GeneratorDef> kNumbers[] = {
+    static constexpr FieldInfo<GeneratorDef> kNumbers[] = {
         {"power", &GeneratorDef::power, "W", "", "Rated power.", 0.0, 1e12}};
 };
 
 template <>
 struct VesselTable<ConsumerDef> {
-    static constexpr VesselNumber<ConsumerDef> kNumbers[] = {
+    static constexpr FieldInfo<ConsumerDef> kNumbers[] = {
         {"power", &ConsumerDef::power, "W", "0",
          "Ideal propulsor: at full order; load: at the start.", 0.0, 1e12},
         {"efficiency", &ConsumerDef::efficiency, "1", "0.9",
-         "From the board to the shaft; above 0.", 0.0, 1.0}};
+         "Efficiency from the switchboard to the shaft; above 0.", 0.0, 1.0}};
 };
 
 template <>
 struct VesselTable<PowerDef> {
-    static constexpr VesselNumber<PowerDef> kNumbers[] = {
+    static constexpr FieldInfo<PowerDef> kNumbers[] = {
         {"share", &PowerDef::share, "1", "0.9",
          "Fraction of the generators' power for consumers; above 0.", 0.0, 1.0}};
 };

@@ -2,6 +2,7 @@
 #include "scene/winches.h"
 
 #include "scene/description.h"
+#include "scene/field_reader.h"
 #include "scene/line_types.h"
 
 #include <fmt/format.h>
@@ -18,15 +19,16 @@ namespace {
 
 constexpr double kFar = 1e4, kPull = 1e15, kHeavy = 1e18;
 
-constexpr WinchNumber kNumbers[] = {
-    {"core_radius", &WinchDef::core_radius, "m", "required of drums", "Of the bare drum.", 0.0,
-     kFar},
+constexpr FieldInfo<WinchDef> kNumbers[] = {
+    {"core_radius", &WinchDef::core_radius, "m", "required of drums", "Radius of the bare drum.",
+     0.0, kFar},
     {"width", &WinchDef::width, "m", "required of drums", "Between the flanges.", 0.0, kFar},
     {"flange_radius", &WinchDef::flange_radius, "m", "as far as \"stored\" needs",
      "Radius of the flanges; wire does not extend beyond it.", 0.0, kFar},
-    {"wire_diameter", &WinchDef::wire_diameter, "m", "of the line type", "Of the wire.", 0.0, kFar},
+    {"wire_diameter", &WinchDef::wire_diameter, "m", "of the line type", "Diameter of the wire.",
+     0.0, kFar},
     {"layer_pitch", &WinchDef::layer_pitch, "m", "the wire's diameter",
-     "Of one layer above the last.", 0.0, kFar},
+     "Height of one layer above the one below it.", 0.0, kFar},
     {"element", &WinchDef::element, "m", "of the cable",
      "Length of the elements that it pays out; 0: the element at the drum grows and shrinks.", 0.0,
      1e6},
@@ -36,31 +38,37 @@ constexpr WinchNumber kNumbers[] = {
      "Moment of inertia of the bare drum or the gypsy, and of the parts that rotate with it.", 0.0,
      kHeavy},
     {"motor_inertia", &WinchDef::motor_inertia, "kg m^2", "0",
-     "Of motor and gear at the drum, by the clutch.", 0.0, kHeavy},
-    {"torque_haul", &WinchDef::torque_haul, "N m", "no limit", "Of the motor.", 0.0, kPull},
-    {"torque_pay", &WinchDef::torque_pay, "N m", "no limit", "Of the motor, the other way.", 0.0,
-     kPull},
-    {"power", &WinchDef::power, "W", "no limit", "Of the motor.", 0.0, kPull},
+     "Moment of inertia of motor and gear, referred to the drum, that the clutch connects.", 0.0,
+     kHeavy},
+    {"torque_haul", &WinchDef::torque_haul, "N m", "no limit",
+     "Largest torque of the motor when it hauls.", 0.0, kPull},
+    {"torque_pay", &WinchDef::torque_pay, "N m", "no limit",
+     "Largest torque of the motor when it pays out.", 0.0, kPull},
+    {"power", &WinchDef::power, "W", "no limit", "Largest power of the motor.", 0.0, kPull},
     {"max_speed", &WinchDef::max_speed, "m/s", "2",
      "Largest speed at which the modes tension and render haul in wire.", 0.0, 100.0},
     {"speed", &WinchDef::speed, "m/s", "0", "Wanted in mode speed; below 0 it hauls.", -100.0,
      100.0},
     {"tension", &WinchDef::tension, "N", "0", "Wanted in modes tension and render.", 0.0, kPull},
-    {"deadband", &WinchDef::deadband, "N", "0", "Of mode render, to each side.", 0.0, kPull},
+    {"deadband", &WinchDef::deadband, "N", "0", "Deadband of mode render, to each side.", 0.0,
+     kPull},
     {"brake_static", &WinchDef::brake_static, "N m", "0",
      "Torque at which the band begins to slip as wire runs out.", 0.0, kPull},
     {"brake_dynamic", &WinchDef::brake_dynamic, "N m", "brake_static",
      "Torque with which it slips.", 0.0, kPull},
-    {"band_friction", &WinchDef::band_friction, "1", "0", "Of the band.", 0.0, 10.0},
+    {"band_friction", &WinchDef::band_friction, "1", "0", "Friction coefficient of the band.", 0.0,
+     10.0},
     {"band_angle", &WinchDef::band_angle, "rad", "0",
      "Angle that the band covers. While wire is hauled in, its torque is reduced to e^(-friction × "
      "angle).",
      0.0, 100.0},
-    {"release_delay", &WinchDef::release_delay, "s", "0", "Of an emergency release.", 0.0, 1e6},
+    {"release_delay", &WinchDef::release_delay, "s", "0", "Delay of an emergency release.", 0.0,
+     1e6},
     {"release_load", &WinchDef::release_load, "N", "0", "Tension that is left after it.", 0.0,
      kPull},
     {"dead_wraps", &WinchDef::dead_wraps, "1", "5", "The motor pays out no further.", 0.0, 1e6},
-    {"wrap_friction", &WinchDef::wrap_friction, "1", "0.1", "Of wire on the drum.", 0.0, 10.0},
+    {"wrap_friction", &WinchDef::wrap_friction, "1", "0.1",
+     "Friction coefficient of wire on the drum.", 0.0, 10.0},
     {"weak_link", &WinchDef::weak_link, "N", "0",
      "Load of the wire's fastening; 0: it lets go when the drum is empty.", 0.0, kPull},
     {"overload_limit", &WinchDef::overload_limit, "N", "0, no protection",
@@ -74,14 +82,14 @@ constexpr WinchNumber kNumbers[] = {
     {"heave_falls", &WinchDef::heave_falls, "1", "1",
      "Wire paid out per height of the compensated point: falls of a tackle.", 0.0, 100.0}};
 
-constexpr GypsyNumber kGypsyNumbers[] = {
+constexpr FieldInfo<GypsyDef> kGypsyNumbers[] = {
     {"pitch", &GypsyDef::pitch, "m", "4 wire_diameter",
      "Pitch of a link; a pocket holds two links. The radius is pockets × pitch / pi.", 0.0, 100.0},
     {"jump_load", &GypsyDef::jump_load, "N", "it does not jump",
      "Difference of the tensions outboard and inboard above which chain jumps by a pocket.", 0.0,
      kPull},
     {"jump_friction", &GypsyDef::jump_friction, "N", "half of jump_load",
-     "Of links on the wheel while they jump.", 0.0, kPull},
+     "Friction force of links on the wheel while they jump.", 0.0, kPull},
     {"locker_fall", &GypsyDef::locker_fall, "m", "0",
      "Length of chain that hangs from the wheel into the locker; its weight adds back tension.",
      0.0, kFar},
@@ -155,8 +163,7 @@ void read_wheel(WinchDef& def, const Cable& cable, const Json& json, const Place
                                     " has \"EI\" in its line type, but a gypsy takes chain, "
                                     "which does not resist bending");
     def.gypsy.pockets = (*gypsy)["pockets"].get<int>();
-    for (const GypsyNumber& number : kGypsyNumbers)
-        def.gypsy.*number.value = number_or(*gypsy, number.key, def.gypsy.*number.value);
+    read_fields(def.gypsy, *gypsy, kGypsyNumbers);
 }
 
 /// Add the drum, and the chain on a gypsy, as bodies of the scene. @return the body that carries
@@ -186,8 +193,7 @@ void read_winch(Description& out, const Scope& scope, const Json& json, const Pl
     const CableSection& section = section_at(cable, def.end);
     def.wire_diameter = section.diameter;
     def.mass_per_length = section.mass_per_length;
-    for (const WinchNumber& number : kNumbers)
-        def.*number.value = number_or(json, number.key, def.*number.value);
+    read_fields(def, json, kNumbers);
     if (!(def.wire_diameter > 0.0))
         refuse(place, "a winch needs \"wire_diameter\": its cable's line type has no diameter");
     read_wheel(def, cable, json, place);
@@ -241,8 +247,8 @@ void read_winch(Description& out, const Scope& scope, const Json& json, const Pl
 
 }  // namespace
 
-std::span<const WinchNumber> winch_numbers() noexcept { return kNumbers; }
-std::span<const GypsyNumber> gypsy_numbers() noexcept { return kGypsyNumbers; }
+std::span<const FieldInfo<WinchDef>> winch_fields() noexcept { return kNumbers; }
+std::span<const FieldInfo<GypsyDef>> gypsy_fields() noexcept { return kGypsyNumbers; }
 
 void expand_winches(Description& out, const Scope& scope) {
     const auto list = scope.content->find("winches");

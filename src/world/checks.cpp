@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/checks.h"
 
+#include <hawser/body_fields.h>
 #include <hawser/settings.h>
 
 #include "base/dense.h"
@@ -12,12 +13,11 @@
 #include <cstdio>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <variant>
 
 namespace hawser::world {
 namespace {
-
-// Beyond these limits, products of entries overflow or lose all digits.
-constexpr double kMaxLength = 1e7, kMaxSpeed = 1e5, kMaxMass = 1e15;
 
 void finite(const Where& where, const char* field, double value, double limit = 1e300) {
     if (!std::isfinite(value))
@@ -102,13 +102,13 @@ void check(const WorldDef& def) {
 }
 
 void check_pose(const Where& where, const Vec3& position, const Quat& orientation) {
-    finite(where, "position", position, kMaxLength);
+    finite(where, "position", position, kMaxBodyLength);
     unit_quaternion(where, "orientation", orientation);
 }
 
 void check_velocity(const Where& where, const Vec3& linear, const Vec3& angular) {
-    finite(where, "velocity", linear, kMaxSpeed);
-    finite(where, "angular_velocity", angular, kMaxSpeed);
+    finite(where, "velocity", linear, kMaxBodySpeed);
+    finite(where, "angular_velocity", angular, kMaxBodySpeed);
 }
 
 void check_force(const Where& where, const Vec3& force, const Vec3& torque) {
@@ -116,21 +116,44 @@ void check_force(const Where& where, const Vec3& force, const Vec3& torque) {
     finite(where, "torque", torque);
 }
 
+namespace {
+
+void in_range(const Where& where, const FieldInfo<BodyDef>& row, double value) {
+    finite(where, row.key, value, row.most);
+    if (value >= row.least) return;
+    const std::string key = row.key;
+    refuse(where, row.least == 0.0 ? key + " is negative"
+                                   : key + " = " + number(value) + " is out of range; give " +
+                                         number(row.least) + " or more");
+}
+
+/// Check the members of the table, except those that only some kinds need.
+void check_fields(const Where& where, const BodyDef& def) {
+    for (const FieldInfo<BodyDef>& row : kBodyFields) {
+        if (row.is(kMayBeMissing)) continue;
+        std::visit(
+            [&]<class T>(T BodyDef::* member) {
+                if constexpr (std::is_same_v<T, Vec3>)
+                    for (int i = 0; i < 3; ++i) in_range(where, row, (def.*member)[i]);
+                else if constexpr (std::is_same_v<T, Quat>)
+                    unit_quaternion(where, row.key, def.*member);
+                else if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>)
+                    in_range(where, row, static_cast<double>(def.*member));
+            },
+            row.member);
+    }
+}
+
+}  // namespace
+
 void check(const BodyDef& def) {
     const Where where("body", def.name);
     if (def.kind > BodyKind::kinematic) refuse(where, "unknown kind");
-    check_pose(where, def.position, def.orientation);
-    check_velocity(where, def.velocity, def.angular_velocity);
-    check_force(where, def.force, def.torque);
-    finite(where, "half_size", def.half_size, kMaxLength);
-    finite(where, "linear_damping", def.linear_damping);
-    finite(where, "angular_damping", def.angular_damping);
-    if (def.linear_damping.minCoeff() < 0.0) refuse(where, "linear_damping is negative");
-    if (def.angular_damping.minCoeff() < 0.0) refuse(where, "angular_damping is negative");
+    check_fields(where, def);
     const bool moves =
         def.kind == BodyKind::rigid || def.kind == BodyKind::lump || def.kind == BodyKind::scalar;
     if (!moves) return;
-    finite(where, "mass", def.mass, kMaxMass);
+    finite(where, "mass", def.mass, kMaxBodyMass);
     if (!(def.mass > 0.0))
         refuse(where, "mass = " + number(def.mass) +
                           " kg; a moving body needs a positive mass (a body that does not move "
@@ -189,7 +212,7 @@ void check(const InteractionDef& def, const model::Bodies& bodies, int count,
         if (info.is(kRigidOnly) && kind != BodyKind::rigid)
             refuse(where, "hydrostatics act on a rigid body");
         moves = moves || model::dof_of(kind) > 0;
-        finite(where, "point", def.point[slot], kMaxLength);
+        finite(where, "point", def.point[slot], kMaxBodyLength);
         if (info.uses_frames) unit_quaternion(where, "frame", def.frame[slot]);
     }
     if (!moves) refuse(where, "couples no body that moves");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/identity.h"
 
+#include <hawser/body_fields.h>
+#include <hawser/material_fields.h>
 #include <hawser/settings.h>
 
 #include "base/hash.h"
@@ -10,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <variant>
 
 namespace hawser::world {
 namespace {
@@ -56,9 +59,31 @@ class Digest {
 };
 
 void add(const MaterialDef& m, Digest& to) {
-    const double values[] = {m.friction,     m.restitution, m.stiffness, m.tangential,
-                             m.damping_time, m.rolling,     m.torsional};
+    std::array<double, kMaterialFields.size()> values{};
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = m.*std::get<double MaterialDef::*>(kMaterialFields[i].member);
     to.value(values);
+}
+
+/// Add the members of a body that its table marks, if they differ from the default. The arrays of
+/// bodies have the other ones.
+void add(std::size_t body, const BodyDef& def, Digest& to) {
+    for (const FieldInfo<BodyDef>& row : kBodyFields) {
+        if (!row.is(kInIdentity) || has_default(def, row)) continue;
+        to.value(body);
+        std::visit(
+            [&]<class T>(T BodyDef::* member) {
+                if constexpr (std::is_arithmetic_v<T>)
+                    to.value(def.*member);
+                else if constexpr (std::is_same_v<T, Quat>)
+                    to.bytes((def.*member).coeffs().data(), sizeof(Quat::Coefficients));
+                else if constexpr (std::is_same_v<T, std::string>)
+                    to.array(def.*member);
+                else
+                    to.bytes((def.*member).data(), sizeof(T));
+            },
+            row.member);
+    }
 }
 
 /// Add the data of all shapes and materials, except names.
@@ -119,7 +144,8 @@ std::uint64_t layout_of(const context::StepContext& ctx, std::size_t inputs) {
     return to.result();
 }
 
-std::uint64_t parameters_of(const context::StepContext& ctx, const std::vector<InputDef>& inputs,
+std::uint64_t parameters_of(const context::StepContext& ctx, const std::vector<BodyDef>& defs,
+                            const std::vector<InputDef>& inputs,
                             const std::vector<ShapeDef>& shapes) {
     Digest to;
     add(shapes, ctx.model.collider, to);
@@ -129,6 +155,8 @@ std::uint64_t parameters_of(const context::StepContext& ctx, const std::vector<I
     to.front(ctx.model.bodies.inertia, 9 * bodies);
     to.front(ctx.model.bodies.damping, 6 * bodies);
     to.front(ctx.model.bodies.weight, bodies);
+    for (std::size_t b = 0; b < std::min(bodies, defs.size()); ++b)
+        if (ctx.model.bodies.slots.holds(static_cast<int>(b))) add(b, defs[b], to);
     for (const SettingInfo& s : setting_infos())
         for (int c = 0; s.identity && c < (s.type == SettingType::vector ? 3 : 1); ++c)
             to.value(s.get(ctx.model.def, c));

@@ -20,6 +20,7 @@ namespace hawser::world {
 /// A run continues bit for bit only with equal parameters. Excluded are parameters driven by
 /// inputs, applied forces, the number of threads, and the form, whose results agree to rounding.
 [[nodiscard]] std::uint64_t parameters_of(const context::StepContext& ctx,
+                                          const std::vector<BodyDef>& defs,
                                           const std::vector<InputDef>& inputs,
                                           const std::vector<ShapeDef>& shapes);
 

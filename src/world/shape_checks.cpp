@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Checks of shapes and materials.
+#include <hawser/material_fields.h>
+
 #include "world/checks.h"
 
 #include <cmath>
 #include <string>
+#include <variant>
 
 namespace hawser::world {
 namespace {
@@ -37,13 +40,10 @@ void points(const Where& where, const std::vector<Vec3>& vertices) {
 }
 
 void check_values(const Where& where, const MaterialDef& m, Nonsmooth method) {
-    within(where, "friction", m.friction, 0.0, 100.0);
-    within(where, "restitution", m.restitution, 0.0, 1.0);
-    within(where, "stiffness", m.stiffness, 1.0, 1e12);
-    within(where, "tangential", m.tangential, 0.01, 10.0);
-    if (!std::isnan(m.damping_time)) within(where, "damping_time", m.damping_time, 0.0, 1e3);
-    within(where, "rolling", m.rolling, 0.0, 10.0);
-    within(where, "torsional", m.torsional, 0.0, 10.0);
+    for (const FieldInfo<MaterialDef>& row : kMaterialFields)
+        if (!has_default(m, row))
+            within(where, row.key, m.*std::get<double MaterialDef::*>(row.member), row.least,
+                   row.most);
     if (method != Nonsmooth::newton && (m.rolling > 0.0 || m.torsional > 0.0))
         reject(where, "rolling and torsional resistance need the method newton");
 }

@@ -167,7 +167,7 @@ void WorldImpl::write_saved(std::vector<std::byte>& out, bool with_systems) {
     step::ready(m.ctx);
     Header header;
     header.layout = layout_of(m.ctx, m.inputs.size());
-    header.parameters = parameters_of(m.ctx, m.inputs, m.shape_defs);
+    header.parameters = parameters_of(m.ctx, m.body_defs, m.inputs, m.shape_defs);
     header.contacts = m.ctx.model.collider.kept().size();
     header.resistances = m.ctx.model.system.contacts.resistances.memory.size();
     header.links = m.ctx.model.system.contacts.links.size();
@@ -213,7 +213,7 @@ void WorldImpl::take_saved(World& self, std::span<const std::byte> bytes, bool v
         throw DefError(
             "snapshot: it belongs to a world with other bodies, interactions, inputs "
             "or another step");
-    if (!variant && header.parameters != parameters_of(m.ctx, m.inputs, m.shape_defs))
+    if (!variant && header.parameters != parameters_of(m.ctx, m.body_defs, m.inputs, m.shape_defs))
         throw DefError(
             "snapshot: it belongs to a world with other parameters (masses, inertias, points, "
             "lengths, stiffnesses, damping, gravity, ranges of inputs, method, coupling, sleep)");

@@ -237,8 +237,9 @@ Structure WorldStateView::structure() const {
 std::uint64_t WorldStateView::identity() const {
     const world::Using use(impl().use, "identity");
     const WorldImpl& m = impl();
-    const std::uint64_t both[2] = {world::layout_of(m.ctx, m.inputs.size()),
-                                   world::parameters_of(m.ctx, m.inputs, m.shape_defs)};
+    const std::uint64_t both[2] = {
+        world::layout_of(m.ctx, m.inputs.size()),
+        world::parameters_of(m.ctx, m.body_defs, m.inputs, m.shape_defs)};
     return base::checksum(both, sizeof both, base::kFnvStart);
 }
 

@@ -9,8 +9,10 @@ namespace hawser::HAWSER_ISA::kinds {
 
 inline constexpr ParamInfo kHydrostaticParams[] = {
     {"heave_stiffness", "N/m", kDefault, 1e-6, 1e15, "ρ g × waterplane area."},
-    {"roll_stiffness", "N m/rad", kDefault, 1e-6, 1e18, "About the body's x axis."},
-    {"pitch_stiffness", "N m/rad", kDefault, 1e-6, 1e18, "About the body's y axis."},
+    {"roll_stiffness", "N m/rad", kDefault, 1e-6, 1e18,
+     "Restoring stiffness about the body's x axis."},
+    {"pitch_stiffness", "N m/rad", kDefault, 1e-6, 1e18,
+     "Restoring stiffness about the body's y axis."},
     {"heave_damping", "N s/m", 0.0, 0.0, 1e15, "Linear damping in heave."},
     {"roll_damping", "N m s/rad", 0.0, 0.0, 1e18, "Linear damping in roll."},
     {"pitch_damping", "N m s/rad", 0.0, 0.0, 1e18, "Linear damping in pitch."},

@@ -247,7 +247,7 @@ inline constexpr ParamInfo kEndSpanParams[] = {
     {"length", "m", kDefault, 1e-9, 1e6, "Unstretched length at `drum_zero`.", true},
     {"EA", "N", kDefault, 1e-3, 1e15, "Axial stiffness of the line."},
     {"tension_only", "1", 1.0, 0.0, 1.0, "1: goes slack instead of pushing."},
-    {"breaking_load", "N", 1e30, 0.0, 1e30, "It breaks above this tension."},
+    {"breaking_load", "N", 1e30, 0.0, 1e30, "Tension above which it breaks."},
     {"radius", "m", kDefault, -1e3, 1e3,
      "Length that enters per unit of the slide. Above 0: the turning point is on the first body; "
      "below 0: on the second body.",
