@@ -3,6 +3,7 @@
 /// each role, and messages to each. Page, headless run and replay give the same score.
 #include "exercise/small_exercise.h"
 #include "live/client.h"
+#include "live/debriefing.h"
 #include "live/driver.h"
 #include "live/server.h"
 
@@ -187,6 +188,64 @@ TEST(LiveExercise, each_role_does_and_hears_what_is_its_own) {
     EXPECT_EQ(instructor.refused({{"type", "end"}}), "the exercise has ended already");
 }
 
+/// Return a message of each kind with all keys that it needs. @param load  Id of a body.
+json message_of(live::CommandKind kind, int load) {
+    using live::CommandKind;
+    json out{{"type", live::to_string(kind)}};
+    if (kind == CommandKind::set) out.update({{"input", "push"}, {"value", 1.0}});
+    if (kind == CommandKind::rate) out["value"] = 2.0;
+    if (kind == CommandKind::drag) out.update({{"body", load}, {"target", {0, 0, 5}}});
+    if (kind == CommandKind::part) out.update({{"wire", "tow"}, {"s", 0.5}});
+    if (kind == CommandKind::save) out["name"] = "mine";
+    if (kind == CommandKind::restore) out["name"] = "start";
+    if (kind == CommandKind::pick) out["body"] = load;
+    if (kind == CommandKind::seek) out["time"] = 0.0;
+    if (kind == CommandKind::fault) out.update({{"name", "stuck"}, {"active", true}});
+    if (kind == CommandKind::note) out["text"] = "a remark";
+    return out;
+}
+
+/// Each message of the table in docs/live.md that only the instructor may send is refused for a
+/// station and for a watcher. The table of this test is written from that page.
+TEST(LiveExercise, a_trainee_may_send_no_message_of_the_instructor) {
+    const std::map<std::string, bool> for_trainees{
+        {"set", false},   {"pause", false},   {"resume", false},  {"step", false},
+        {"rate", false},  {"drag", false},    {"release", false}, {"part", false},
+        {"save", false},  {"restore", false}, {"pick", true},     {"seek", true},
+        {"fault", false}, {"end", false},     {"note", false},    {"report", false}};
+    const Yard yard;
+    ShownExercise shown(yard, long_exercise(), "");
+    Hearer instructor(shown, "instructor"), winch(shown, "winch");
+    int load = -1;
+    for (const auto& body : instructor.last["scene"]["bodies"])
+        if (body["name"] == "load") load = body["id"].get<int>();
+    const std::uint64_t before = shown.own.session->world().state().motion_hash();
+    std::size_t seen = 0;
+    for (const live::CommandKind kind : live::message_kinds()) {
+        const json message = message_of(kind, load);
+        const std::string type = message["type"];
+        ASSERT_TRUE(for_trainees.contains(type)) << "add " << type << " to the table";
+        ++seen;
+        // A connection closes at the third refusal: each message has one of its own.
+        for (const char* role : {"winch", "watcher"}) {
+            if (for_trainees.at(type)) continue;
+            Hearer trainee(shown, role);
+            EXPECT_NE(trainee.refused(message).find("the role "), std::string::npos) << type;
+        }
+    }
+    EXPECT_EQ(seen, for_trainees.size());
+    // Nothing has happened: no step, no event, no fault, no restore point, and the same state.
+    EXPECT_EQ(instructor.frame.step, 0);
+    EXPECT_TRUE(instructor.events.empty());
+    EXPECT_EQ(instructor.last["state"]["restore_points"].size(), 1U);
+    EXPECT_EQ(instructor.last["exercise"]["outcome"], "running");
+    EXPECT_EQ(shown.own.session->world().state().motion_hash(), before);
+    winch.tell(set("hoist.speed", 0.1));
+    instructor.tell({{"type", "note"}, {"text", "hauls too fast"}});
+    winch.hear([&] { return winch.heard("command") == 1; });
+    EXPECT_EQ(winch.events.back()["words"], "instructor note: hauls too fast");
+}
+
 TEST(LiveExercise, a_scene_has_no_faults) {
     Session session({.scene = "scenes/pendulum.json"});
     live::Hub hub;
@@ -287,6 +346,32 @@ class Headless {
     std::map<std::string, Point> points_;
 };
 
+/// Compare the debriefing of a recording with the last message of the live exercise.
+void expect_same_debriefing(const exercise::Rescored& again, const json& live) {
+    const json told =
+        live::debriefing_json(again.exercise, again.result, again.curves, again.requests, 500);
+    for (const char* key : {"points", "possible", "pass", "outcome", "end"})
+        EXPECT_EQ(told[key], live[key]) << key;
+    ASSERT_EQ(told["goals"].size(), live["goals"].size());
+    for (std::size_t k = 0; k < live["goals"].size(); ++k)
+        for (const char* key : {"name", "points", "reached", "possible"})
+            EXPECT_EQ(told["goals"][k][key], live["goals"][k][key]) << key;
+    for (std::size_t k = 0; k < live["penalties"].size(); ++k)
+        for (const char* key : {"name", "points", "times"})
+            EXPECT_EQ(told["penalties"][k][key], live["penalties"][k][key]) << key;
+    EXPECT_EQ(told["entries"].size(), again.result.entries.size());
+    ASSERT_EQ(told["values"].size(), told["displays"].size());
+    for (const json& curve : told["values"]) EXPECT_EQ(curve.size(), told["times"].size());
+    EXPECT_GE(told["times"].size(), 250U);
+    EXPECT_LE(told["times"].size(), 1000U);
+    // The run lasts 30 s; its last sample is kept.
+    EXPECT_EQ(told["times"].back().get<double>(), again.curves.time.back());
+    std::map<std::string, int> asked;
+    for (const json& request : told["controls"])
+        ++asked[request[1].get<std::string>() + " " + request[2].get<std::string>()];
+    EXPECT_EQ(asked, (std::map<std::string, int>{{"winch hoist.speed", 3}, {"deck push", 2}}));
+}
+
 /// Controls of two stations, a drag, a broken line, faults and a restore.
 TEST(LiveExercise, page_headless_run_and_replay_have_the_same_score) {
     constexpr std::int64_t kEnd = 1500;  // steps of 0.02 s: half a minute
@@ -357,6 +442,7 @@ TEST(LiveExercise, page_headless_run_and_replay_have_the_same_score) {
         const exercise::Rescored again = exercise::rescore(recording, threads);
         EXPECT_TRUE(again.same) << again.difference;  // hash of every frame, and of the end
         EXPECT_EQ(exercise::to_json(again.result), page);
+        expect_same_debriefing(again, json::parse(by_page));
     }
     const json score = json::parse(page);
     std::printf("page, headless run and replay with 1 and 2 threads: %.6g points, %zu entries\n",
