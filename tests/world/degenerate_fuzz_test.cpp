@@ -175,7 +175,7 @@ TEST(DegenerateFuzz, AStartThatFailsTellsNumbers) {
 /// A fault: the stiffness of joints under 1e10 N and more on bodies of a millimetre made pivots
 /// negative by rounding (assembly/geo.h, bound of s).
 TEST(DegenerateFuzz, JointsOfHugeForcesKeepTheirPivots) {
-    for (const int round : {2000975, 6001115, 11000141, 27000026}) {
+    for (const int round : {2000975, 11000141, 27000026}) {
         Count count;
         try_round(round, count);
         EXPECT_EQ(count.steps, 10);
