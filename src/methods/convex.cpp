@@ -5,6 +5,7 @@
 #include "contact/iterate.h"
 #include "contact/krylov.h"
 #include "context/context.h"
+#include "methods/nonsmooth.h"
 #include "nonsmooth/associated.h"
 #include "solve/active_set.h"
 #include "solve/solve.h"

@@ -98,7 +98,7 @@ WaveCoefficients read_nemoh_tec(const Path& file, const HydroUnits& units) {
     WaveCoefficients out;
     const std::vector<Zone> zones = zones_of(radiation);
     for (const NumberLine& row : zones[0].rows) out.frequency.push_back(row.value[0]);
-    const auto first = static_cast<std::size_t>(6 * units.body);
+    const auto first = 6 * static_cast<std::size_t>(units.body);
     if (zones.size() < first + 6)
         refuse_hydro(radiation, std::to_string(zones.size()) + " zones; body " +
                                     std::to_string(units.body) + " needs all six motions");

@@ -111,8 +111,11 @@ class Page {
         if (shape.type == Type::switched && shape.id != "interaction") {
             std::string title = shape.id;
             title.front() = static_cast<char>(std::toupper(title.front()));
+            title += ": ";
             for (const auto& [kind, option] : shape.cases) {
-                object(*option, title + ": " + kind, "##");
+                std::string heading = title;
+                heading += kind;
+                object(*option, heading, "##");
             }
         }
         if (shape.item) {
