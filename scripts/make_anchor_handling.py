@@ -28,6 +28,8 @@ import math
 import pathlib
 import shutil
 
+from make_anchor_run import along as equal_elements
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SCENES, EXERCISES = ROOT / "scenes", ROOT / "exercises"
 NAME = "anchor_handling"
@@ -148,7 +150,7 @@ def semi(template):
     path = bed_path([0.0, fore[2] + RIG_Z], [way, end[2] + RIG_Z], SLACK_PULL)
     full = sum(math.dist(p, q) for p, q in zip(path, path[1:]))
     shape = [[fore[0] + (end[0] - fore[0]) * x / way, fore[1] + (end[1] - fore[1]) * x / way,
-              z - RIG_Z] for x, z in resampled(path, MOORING_ELEMENTS)]
+              z - RIG_Z] for x, z in equal_elements(path, MOORING_ELEMENTS)[0]]
     slack |= {"length": round(full * (1 - SLACK_PULL / 5.83e8), 3), "shape": rounded(shape),
               "contact": {"material": "chain", "groups": "moorings", "touches": "bed"}}
     del t["vessels"][0]["wind"]  # the wind with its gusts acts through the hull in the sea
@@ -372,7 +374,7 @@ def deck_lines(distance):
     full = sum(math.dist(a, b) for a, b in zip(path, path[1:]))
     count = round(full / CHAIN_ELEMENT)
     chain |= {"length": round(full * (1 - RUN_PULL / 5.83e8), 3), "elements": count,
-              "shape": [rounded(along(p[0], p[1])) for p in resampled(path, count)]}
+              "shape": [rounded(along(p[0], p[1])) for p in equal_elements(path, count)[0]]}
     return [work, pennant, chain], anchor, socket
 
 
@@ -593,21 +595,6 @@ def turned(q, v):
     return [b + 2.0 * a for a, b in zip(cross(u, c), v)]
 
 
-def resampled(nodes, count):
-    """Return the inner nodes of a line of straight pieces at equal lengths."""
-    ways = [0.0]
-    for a, b in zip(nodes, nodes[1:]):
-        ways.append(ways[-1] + math.dist(a, b))
-    out, k = [], 0
-    for i in range(1, count):
-        at = ways[-1] * i / count
-        while ways[k + 1] < at:
-            k += 1
-        f = (at - ways[k]) / (ways[k + 1] - ways[k])
-        out.append([a + f * (b - a) for a, b in zip(nodes[k], nodes[k + 1])])
-    return out
-
-
 def refined(bodies, scene):
     """Return the state of the scene from one of its coarse form: lines are divided anew."""
     out = {name: {"p": b["p"]} | ({"q": b["q"]} if "q" in b else {}) for name, b in bodies.items()}
@@ -632,7 +619,7 @@ def refined(bodies, scene):
         lift = lambda i: 0.06 * min(1.0, i / 10, (n - i) / 10) if front == "tug/" else 0.0
         low = -DEPTH + 0.01 if cable["name"] == "mooring5" else -2 * DEPTH
         out |= {f"{name}/{i}": {"p": rounded([p[0], p[1], max(p[2] + lift(i), low)], 6)}
-                for i, p in enumerate(resampled(nodes, n), 1)}
+                for i, p in enumerate(equal_elements(nodes, n)[0], 1)}
     return {"version": 1, "scene": NAME, "bodies": out}
 
 
