@@ -58,10 +58,11 @@ def from_the_rig():
          luff=0, knuckle=0, hoist=0, slew=0, heading_order=round(-HEADING, 4), port_pin=0,
          starboard_pin=0)
     p.place(0, 56.5)
-    # Boom down, jib up and to starboard: the socket comes over the stern. The hook takes it.
+    # Boom down, jib up and to starboard: the socket comes over the centre of the stern roller. The
+    # hook takes it.
     p.at(3, luff=-0.06, knuckle=0.06, hoist=0.1, slew=-0.012)
+    p.at(5, slew=0)
     p.at(8, hook=1)
-    p.at(9, slew=0)
     p.at(15, luff=0, knuckle=0, hoist=0)
     # The crane holds the socket until the winch has hauled it over the deck: legs of hooks do not
     # touch the roller.
@@ -74,9 +75,9 @@ def from_the_rig():
     p.at(45, windlass_mode=SPEED, windlass_speed=0.6)
     t = p.sail(36, 56.5, 136.5, 0.7)
     p.at(t, windlass_speed=0, windlass_pull=200000, windlass_mode=TENSION)
-    # Haul; pins down before the anchor comes to the roller.
+    # Haul. The pins guide the pennant until the anchor is at the roller; they need 18 s to go down.
     p.at(t + 2, work_speed=-0.6)
-    p.at(t + 22, port_pin=0, starboard_pin=0)
+    p.at(t + 32, port_pin=0, starboard_pin=0)
     p.at(t + 38, work_speed=-0.3)
     p.at(243, work_speed=0)
     p.at(247, jaw_close=1)
@@ -85,8 +86,9 @@ def from_the_rig():
     return p
 
 
-def lower(p, t):
-    """Add the phases from the anchor on deck on, from a time [s]."""
+def lower(p, t, hold=0):
+    """Add the phases from the anchor on deck on, from a time [s]. The hook lets go `hold` seconds
+    later, because the chain of a ship that drops back takes longer to tighten."""
     p.at(t + 8, work_mode=TENSION, work_pull=300000)
     p.at(t + 20, jaw_close=0)
     p.at(t + 28, work_mode=SPEED, work_speed=0.4)
@@ -99,9 +101,9 @@ def lower(p, t):
     p.at(t + 235, windlass_pull=1400000)
     p.at(t + 245, windlass_pull=1700000)
     p.at(t + 250, work_speed=0)
-    p.at(t + 300, hook=0)
-    p.at(t + 304, work_speed=-1)
-    p.at(t + 330, work_speed=0)
+    p.at(t + hold + 300, hook=0)
+    p.at(t + hold + 304, work_speed=-1)
+    p.at(t + hold + 330, work_speed=0)
 
 
 def first_minute(plan):
@@ -124,7 +126,7 @@ def main():
     whole = from_the_rig()
     whole.at(258, windlass_pull=300000)
     t = whole.sail(260, 136.5, 1052.0, 1.2)
-    lower(whole, t + 60)
+    lower(whole, t + 60, hold=30)
     whole.write("anchor_handling", "Modes of winches: 0 speed, 1 tension, 3 brake; of the ship: 3 DP.")
     first_minute(whole)
     part = Plan()
