@@ -66,7 +66,7 @@ ShapePtr resolution_shape() {
     fields.push_back({"description", text("a text"), false, "", "", "Remarks."});
     return object(
         "cable_resolution", "a resolution",
-        "Nodes of a cable come and go as tension, curvature and contact ask for them. Its "
+        "Inserts and removes nodes of a cable by tension, curvature and contact. Its "
         "signals are CABLE/resolution.nodes and so on.",
         std::move(fields));
 }

@@ -49,7 +49,7 @@ ShapePtr coefficients_shape() {
          {"damping", values, false, "none", "N s/m, N s, N m s", "At each frequency."}});
     const ShapePtr force =
         object("wave_force", "a force of waves",
-               "Of one motion and direction, in waves of amplitude 1 m: F = Re X e^(-iwt) where "
+               "Force of one motion and direction, waves of amplitude 1 m: F = Re X e^(-iwt) if "
                "elevation at the reference is cos wt.",
                {{"of", mode, true, "", "", "Motion."},
                 {"heading", integer("a direction", 0, 100'000), true, "", "",

@@ -86,7 +86,7 @@ ShapePtr sea_shape() {
                  "Direction to which the current flows, from x towards y."}});
     return object(
         "sea", "a sea",
-        "Water and wind. Cables of lumps whose line type has \"cd_normal\" are in it. Signals: "
+        "Water and wind. They act on cables of nodes whose line type has \"cd_normal\". Signals: "
         "sea.waves, sea.current, sea.wind, sea.wind_direction, sea.level, sea.elevation, sea.gust, "
         "sea.tide.",
         {{"depth", positive("a depth", 1e5), true, "", "m", "The bottom is at z = -depth."},

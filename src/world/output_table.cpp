@@ -78,7 +78,7 @@ static_assert(std::size(kPose) == world::kQuaternion + 4);
 
 constexpr OutputKindInfo kKinds[] = {
     {OutputKind::pose, "pose", OutputTarget::body, kPose,
-     "Where a point of a body is, and how the body is turned: about x, then y, then z of the world "
+     "Position of a point of a body and rotation of the body: about x, then y, then z of the world "
      "by roll, pitch and yaw."},
     {OutputKind::velocity, "velocity", OutputTarget::body, kVelocity,
      "How fast a point of a body moves and the body turns, half a step before the state."},

@@ -29,7 +29,7 @@ struct ScalarClutch {
         .traits = kMotorKind,
         .params = kMotorParams,
         .doc =
-            "Turns a scalar body against another one at a speed, at 0 with it: a clutch that "
+            "Sets the relative speed of two scalar bodies, 0 to couple them: a clutch that "
             "slips beyond its largest force. Its coordinate is that of the second body less "
             "that of the first."};
     using Data = TargetData;
