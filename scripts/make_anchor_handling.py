@@ -572,7 +572,8 @@ def made(start, distance=None):
         "anchors": [{"name": "ground", "body": "anchor1", "cable": "chain1", "soil": "medium_clay",
                      "type": "stevpris_mk6", "touch": 3.0}],
         "stability": [
-            {"name": "gauge1", "body": "ahts1/hull", "cable": "work1", "pin": [PIN_X, 0.3, WIRE_Z],
+            {"name": "gauge1", "body": "ahts1/hull", "cable": "work1",
+             "other_cables": ["pennant", "chain1"], "pin": [PIN_X, 0.3, WIRE_Z],
              "stern": [-37, 0, DECK_Z], "bollard_pull": 1.2e6},
             {"name": "gauge2", "body": "ahts2/hull", "cable": "ahts2/tow", "pin": [-36, 0.5, 3.3],
              "stern": [-37, 0, DECK_Z], "bollard_pull": 1.2e6}],

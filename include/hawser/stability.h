@@ -31,6 +31,10 @@
 /// 3. largest GZ − HL ≥ `residual_lever`;
 /// 4. freeboard at the stern ≥ `freeboard` (if `stern` is given).
 ///
+/// *Several wires.* F and its direction are those of the sum of all wires: of `wire` the first
+/// element beyond the pin, of each of `others` the element that crosses the plane of the pin across
+/// the ship. Without `others` this is the tension of `wire`.
+///
 /// Outputs, as "name.signal":
 /// - `tension` [N], `alpha`, `beta` [rad], `moment` [N m];
 /// - `lever` HM/Δ [m] with Δ the weight of the ship alone;
@@ -63,8 +67,11 @@ class System;
 /// Definition of a gauge; World::add() copies it.
 struct StabilityDef {
     std::string name = "stability";  ///< Unique name among systems.
-    BodyId body{};            ///< Ship, a rigid body; its x axis points to the bow. Required.
-    WireId wire{};            ///< Towline; its end on the ship's side is found. Required.
+    BodyId body{};  ///< Ship, a rigid body; its x axis points to the bow. Required.
+    WireId wire{};  ///< Towline; its end on the ship's side is found. Required.
+    /// Further wires that may pass the stern, such as a pennant on a hook or a chain in a shark
+    /// jaw. Their ends need not be on the ship.
+    std::vector<WireId> others{};
     Vec3 pin{0.0, 0.0, 0.0};  ///< Inner side of the towing pin at the highest support of the
                               ///< wire, in the body's frame [m]. Required.
     /// Height z of the thrust line in the body's frame [m]. Default: half of the mesh's draught.

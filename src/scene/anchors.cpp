@@ -28,21 +28,21 @@ Enum word_of(const Json& json, const char* key, std::span<const char* const> nam
 
 /// Return the full name of a cable of this scope. @throws SceneError with the nearest name
 std::string cable_name(Description& out, const Scope& scope, const Json& json, const Place& place) {
-    const std::string cable = json["cable"].get<std::string>();
+    const std::string cable = json.get<std::string>();
     std::string full = scope.prefix + cable;
     if (out.has_cable(full)) return full;
     std::vector<std::string> known;
     for (const Cable& one : out.cables)
         if (one.name.starts_with(scope.prefix))
             known.push_back(one.name.substr(scope.prefix.size()));
-    refuse_missing(out.mistakes, Lost::cable, full, place / "cable",
+    refuse_missing(out.mistakes, Lost::cable, full, place,
                    "there is no cable " + in_quotes(cable) + suggestion(cable, known));
 }
 
 AnchorItem read_anchor(Description& out, const Scope& scope, const Json& json, const Place& place) {
     AnchorItem item{.def = {}, .cable = {}, .place = place};
     AnchorDef& def = item.def;
-    if (json.contains("cable")) item.cable = cable_name(out, scope, json, place);
+    if (json.contains("cable")) item.cable = cable_name(out, scope, json["cable"], place / "cable");
     def.name = scope.prefix + json["name"].get<std::string>();
     def.body = resolve_body(out, scope, json["body"].get<std::string>(), place / "body");
     def.point = vector_or(json, "point", def.point);
@@ -57,11 +57,14 @@ AnchorItem read_anchor(Description& out, const Scope& scope, const Json& json, c
 
 StabilityItem read_gauge(Description& out, const Scope& scope, const Json& json,
                          const Place& place) {
-    StabilityItem item{.def = {}, .cable = {}, .place = place};
+    StabilityItem item{.def = {}, .cable = {}, .others = {}, .place = place};
     StabilityDef& def = item.def;
     def.name = scope.prefix + json["name"].get<std::string>();
     def.body = resolve_body(out, scope, json["body"].get<std::string>(), place / "body");
-    item.cable = cable_name(out, scope, json, place);
+    item.cable = cable_name(out, scope, json["cable"], place / "cable");
+    if (const auto others = json.find("other_cables"); others != json.end())
+        for (std::size_t i = 0; i < others->size(); ++i)
+            item.others.push_back(cable_name(out, scope, (*others)[i], place / "other_cables" / i));
     def.pin = vector_of(json["pin"]);
     def.stern = vector_or(json, "stern", def.stern);
     read_anchor_part(def, json);
@@ -74,6 +77,7 @@ StabilityItem read_gauge(Description& out, const Scope& scope, const Json& json,
     for (const char* angle : {"clay/fluke_angle", "most_heel", "deck_edge", "flooding"})
         if (said.path == angle) said.path += "_deg";
     if (said.path == "wire") said.path = "cable";
+    if (said.path == "others") said.path = "other_cables";
     refuse_field(place, said);
 }
 
@@ -114,6 +118,9 @@ void add_anchors(World& world, const Description& from) {
             try {
                 auto def = item.def;
                 if (!item.cable.empty()) def.wire = world.wires().find(item.cable);
+                if constexpr (requires { item.others; })
+                    for (const std::string& other : item.others)
+                        def.others.push_back(world.wires().find(other));
                 world.add(def);
             } catch (const DefError& error) {
                 refuse_anchor_field(item.place, error);

@@ -87,10 +87,11 @@ struct AnchorItem {
     Place place;
 };
 
-/// A stability gauge of the description. Its wire is given by the name of a cable.
+/// A stability gauge of the description. Its wires are given by the names of cables.
 struct StabilityItem {
     StabilityDef def;
     std::string cable;
+    std::vector<std::string> others;
     Place place;
 };
 

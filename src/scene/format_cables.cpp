@@ -64,11 +64,10 @@ ShapePtr resolution_shape() {
     std::vector<Field> fields;
     add_fields(fields, resolution_fields());
     fields.push_back({"description", text("a text"), false, "", "", "Remarks."});
-    return object(
-        "cable_resolution", "a resolution",
-        "Inserts and removes nodes of a cable by tension, curvature and contact. Its "
-        "signals are CABLE/resolution.nodes and so on.",
-        std::move(fields));
+    return object("cable_resolution", "a resolution",
+                  "Inserts and removes nodes of a cable by tension, curvature and contact. Its "
+                  "signals are CABLE/resolution.nodes and so on.",
+                  std::move(fields));
 }
 
 }  // namespace

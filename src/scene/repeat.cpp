@@ -224,6 +224,8 @@ class Copier {
             if constexpr (requires { item.def.loads; })
                 for (CraneLoad& load : item.def.loads) load.body = mapped(load.body);
             if constexpr (requires { item.cable; }) rename(item.cable, prefix);  // empty: none
+            if constexpr (requires { item.others; })
+                for (std::string& other : item.others) rename(other, prefix);
             items.push_back(std::move(item));
         }
     }

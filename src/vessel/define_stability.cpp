@@ -48,6 +48,9 @@ void check_gauge_parts(World& world, const StabilityDef& def) {
         refuse_gauge(def, "wire",
                      "no end of it is on the body '" + world.body_def(def.body).name +
                          "'; give the towline of this ship");
+    for (const WireId other : def.others)
+        if (!world.alive(other) || other == def.wire)
+            refuse_gauge(def, "others", "give wires that exist, other than the towline");
     if (!def.pin.allFinite() || def.pin.norm() > 1e4)
         refuse_gauge(def, "pin", "give a point within 10 km");
 }

@@ -18,6 +18,16 @@ int end_on(const World& world, WireId wire, BodyId body) noexcept {
     return nodes.front() == body ? 0 : (nodes.back() == body ? 1 : -1);
 }
 
+double tension(const World& world, InteractionId element) noexcept {
+    return std::max(0.0, -world.force(element)[0]);
+}
+
+/// Return a vector of a given length in a direction; 0 if the direction is 0.
+Vec3 scaled(const Vec3& direction, double length) noexcept {
+    const double norm = direction.norm();
+    return norm > 0.0 ? Vec3(direction * (length / norm)) : Vec3::Zero();
+}
+
 }  // namespace
 
 StabilitySystem::StabilitySystem(std::shared_ptr<const StabilityCurve> curve)
@@ -62,36 +72,68 @@ void StabilitySystem::signals(SignalTable& table) {
     table.output("alarm", "1", alarm_);
 }
 
-/// Read the tension and direction of the first element beyond the pin.
-void StabilitySystem::read_wire(const World& world) noexcept {
+/// Return the tension of the first element of the towline beyond the pin [N]; 0 if the towline is
+/// slack, broken or aboard. @param along  Vector from the pin to the outer end of the element.
+double StabilitySystem::read_towline(const World& world, Vec3& along) const noexcept {
     const StabilityDef& def = curve_->def();
-    tension_ = 0.0;
     const int end = world.alive(def.wire) ? end_on(world, def.wire, def.body) : -1;
-    if (end < 0) return;
+    if (end < 0) return 0.0;
     const std::span<const InteractionId> elements = world.wires().elements(def.wire);
     const Vec3 pin = world.world_point(def.body, def.pin);
     Vec3 aboard = pin;
     for (std::size_t k = 0; k < elements.size(); ++k) {
         const InteractionId id = elements[end == 0 ? k : elements.size() - 1 - k];
-        if (!world.alive(id) || !world.intact(id)) return;
+        if (!world.alive(id) || !world.intact(id)) return 0.0;
         const auto at = world.wires().ends(id);
         if (k == 0) aboard = at[static_cast<std::size_t>(end)];
         const Vec3& outer = at[static_cast<std::size_t>(1 - end)];
         if ((outer - aboard).norm() <= (pin - aboard).norm()) continue;
-        tension_ = std::max(0.0, -world.force(id)[0]);
-        const Vec3 along = outer - pin;
-        if (!(along.norm() > 0.0)) return;
-        const Quat turn = world.pose(def.body).orientation;
-        const Vec3 ahead = turn * Vec3::UnitX();
-        const double heading = std::atan2(ahead.y(), ahead.x());
-        const double c = std::cos(heading), s = std::sin(heading);
-        // Aft and to starboard: the body's x points to the bow, its y to port.
-        const double aft = -(c * along.x() + s * along.y());
-        const double starboard = s * along.x() - c * along.y();
-        alpha_ = std::atan2(starboard, aft);
-        beta_ = std::atan2(-along.z(), std::hypot(aft, starboard));
-        return;
+        along = outer - pin;
+        return tension(world, id);
     }
+    return 0.0;
+}
+
+/// Return the forces of the other wires on the ship, where they cross the plane of the pin [N].
+Vec3 StabilitySystem::other_forces(const World& world) const noexcept {
+    const StabilityDef& def = curve_->def();
+    const Vec3 pin = world.world_point(def.body, def.pin);
+    const Vec3 ahead = world.pose(def.body).orientation * Vec3::UnitX();
+    Vec3 sum = Vec3::Zero();
+    for (const WireId wire : def.others) {
+        if (!world.alive(wire)) continue;
+        for (const InteractionId id : world.wires().elements(wire)) {
+            if (!world.alive(id) || !world.intact(id)) continue;
+            const auto at = world.wires().ends(id);
+            const double first = ahead.dot(at[0] - pin), last = ahead.dot(at[1] - pin);
+            if (first >= 0.0 && last < 0.0) sum += scaled(at[1] - at[0], tension(world, id));
+            if (first < 0.0 && last >= 0.0) sum += scaled(at[0] - at[1], tension(world, id));
+        }
+    }
+    return sum;
+}
+
+/// Compute tension and direction of the sum of the wires' forces. A slack towline has the direction
+/// of its element; without any wire over the stern the last direction remains.
+void StabilitySystem::read_wires(const World& world) noexcept {
+    const StabilityDef& def = curve_->def();
+    Vec3 along = Vec3::Zero();
+    tension_ = read_towline(world, along);
+    const Vec3 others = other_forces(world);
+    if (others != Vec3::Zero()) {
+        const Vec3 force = others + scaled(along, tension_);
+        tension_ = force.norm();
+        along = force;
+    }
+    if (!(along.norm() > 0.0)) return;
+    const Vec3 ahead = world.pose(def.body).orientation * Vec3::UnitX();
+    const double heading = std::atan2(ahead.y(), ahead.x());
+    const double c = std::cos(heading), s = std::sin(heading);
+    // Aft and to starboard: the body's x points to the bow, its y to port.
+    const double aft = -(c * along.x() + s * along.y());
+    const double starboard = s * along.x() - c * along.y();
+    alpha_ = std::atan2(starboard, aft);
+    beta_ = std::atan2(-along.z(), std::hypot(aft, starboard));
 }
 
 void StabilitySystem::read_ship(const World& world) noexcept {
@@ -120,7 +162,7 @@ void StabilitySystem::alert(Prestep& now) noexcept {
 }
 
 void StabilitySystem::prestep(Prestep& now, Loads&) noexcept {
-    read_wire(now.world);
+    read_wires(now.world);
     read_ship(now.world);
     if (begun_ == 0 || now.count % kRenew == 0) {
         constexpr int kHalvings = 24;  // bisections of the weight, to 1e-7 of it

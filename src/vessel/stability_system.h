@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file stability_system.h
-/// Gauge that reads the wire and the ship in each step (hawser/stability.h). It puts no load on
+/// Gauge that reads the wires and the ship in each step (hawser/stability.h). It puts no load on
 /// anything. The permissible tension is renewed every kRenew steps.
 
 #include <hawser/stability.h>
@@ -34,7 +34,9 @@ class StabilitySystem final : public System {
     [[nodiscard]] const StabilityCurve& curve() const noexcept { return *curve_; }
 
   private:
-    void read_wire(const World& world) noexcept;
+    [[nodiscard]] double read_towline(const World& world, Vec3& along) const noexcept;
+    [[nodiscard]] Vec3 other_forces(const World& world) const noexcept;
+    void read_wires(const World& world) noexcept;
     void read_ship(const World& world) noexcept;
     void alert(Prestep& now) noexcept;
 

@@ -20,7 +20,7 @@ struct GaugedShip {
     BodyId ship{};
     double alpha = 20.0 * kGaugeDegree, beta = 10.0 * kGaugeDegree;
 
-    explicit GaugedShip(double tension, StabilityDef def = {}) {
+    explicit GaugedShip(double tension, StabilityDef def = {}, bool mirrored = false) {
         const Vec3 pin(-30, -2, 4);
         const Vec3 along(-std::cos(beta) * std::cos(alpha), -std::cos(beta) * std::sin(alpha),
                          -std::sin(beta));
@@ -41,6 +41,23 @@ struct GaugedShip {
                                   .length = 800.0 / (1.0 + tension / 1e8),
                                   .EA = 1e8,
                                   .mass_per_length = 1.0});
+        if (mirrored) {
+            // From a fixed point aboard, 2 m inside the pin, to the other side.
+            const Vec3 mirror(along.x(), -along.y(), along.z());
+            const BodyId aboard = w.add_body({.name = "aboard",
+                                              .kind = BodyKind::fixed,
+                                              .position = turn * (pin - 2.0 * mirror)});
+            const BodyId beyond = w.add_body({.name = "beyond",
+                                              .kind = BodyKind::fixed,
+                                              .position = turn * (pin + 798.0 * mirror)});
+            def.others = {w.wires().add({.name = "chain",
+                                         .from = beyond,
+                                         .to = aboard,
+                                         .elements = 4,
+                                         .length = 800.0 / (1.0 + tension / 1e8),
+                                         .EA = 1e8,
+                                         .mass_per_length = 1e-3})};
+        }
         def.name = "gauge";
         def.body = ship;
         def.pin = pin;
@@ -67,6 +84,20 @@ TEST(Stability, ReadsTheWireInTheFrameOfTheShip) {
     EXPECT_NEAR(g.signal("moment"), moment, 2e-4 * moment);
     EXPECT_NEAR(g.signal("lever"), moment / (5e6 * 9.81), 1e-5);
     EXPECT_NEAR(std::tan(g.signal("worst_beta")), 2.0 / (6.0 * std::sin(g.alpha)), 1e-3);
+}
+
+TEST(Stability, AddsOtherWiresThatPassTheStern) {
+    GaugedShip g(5e5, {}, true);
+    g.run(2);
+    // Two equal tensions at 20 degrees to both sides: the sum points aft.
+    const double aft = 2.0 * 5e5 * std::cos(g.alpha) * std::cos(g.beta);
+    const double down = 2.0 * 5e5 * std::sin(g.beta);
+    EXPECT_NEAR(g.signal("tension"), std::hypot(aft, down), 200.0);
+    EXPECT_NEAR(g.signal("alpha"), 0.0, 2e-4);
+    EXPECT_NEAR(g.signal("beta"), std::atan2(down, aft), 2e-4);
+    StabilityDef twice;
+    twice.others = {WireId{}};
+    EXPECT_THROW(GaugedShip(5e5, twice), DefError);
 }
 
 TEST(Stability, HeelsAtTheLimitByTheFormula) {
