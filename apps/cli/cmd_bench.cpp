@@ -19,8 +19,8 @@ constexpr const char* kBenchFooter = R"(Examples:
   hawser bench peers --json peers.json
   hawser bench --help-bench        # the help of hawser-bench
 
-Hands the rest of the line to the program hawser-bench, which stands beside this one and links
-the engines that are compared. The exit code is that of hawser-bench.)";
+Passes its arguments to the program hawser-bench in the folder of this program, which links
+the other engines. The exit code is that of hawser-bench.)";
 
 int bench(std::vector<std::string> arguments) {
     std::error_code error;
@@ -45,7 +45,8 @@ int bench(std::vector<std::string> arguments) {
 }  // namespace
 
 void add_bench(CLI::App& app, Command& chosen) {
-    CLI::App* command = app.add_subcommand("bench", "Measure against libraries and engines");
+    CLI::App* command =
+        app.add_subcommand("bench", "Measure speed compared with libraries and engines");
     command->footer(kBenchFooter);
     command->prefix_command();
     command->callback([&chosen, command] {

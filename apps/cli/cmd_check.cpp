@@ -26,13 +26,18 @@ constexpr const char* kCheckFooter = R"(Examples:
   hawser check scenes/*.json
   hawser check scene.json --step 0.1 --json
 
-Reads each scene completely and lists every mistake: file, position in the document, expected value.
-Then checks the start: inconsistent or redundant joints, overlapping shapes, gaps, lines beyond their
-breaking load, implausible masses and inertias, motors against fixed coordinates, wires and joints
-that the step does not resolve, inconsistent numbers of the sea. An exercise is read with its scene.
-Inconsistent joints and bodies that overlap by more than half are errors; other findings are
-warnings. For a single scene, or with --cables, it prints the tension with which each cable starts.
-Exit codes: 0 all scenes are good, with or without warnings, 1 at least one is not.)";
+Reports all mistakes of a scene with file, position in the document and expected value. Then checks
+the start:
+- inconsistent or redundant joints, overlapping shapes, gaps
+- lines above their breaking load, implausible masses and inertias
+- motors against fixed coordinates
+- wires and joints that the step does not resolve
+- inconsistent numbers of the sea
+Inconsistent joints, and bodies that overlap by more than half, are errors; other findings are
+warnings. For a single scene, or with --cables, prints the start tension of each cable. Checks an
+exercise together with its scene.
+
+Exit codes: 0 no error (warnings permitted), 1 at least one error.)";
 
 /// Largest number of cables of a scene that are listed line by line.
 constexpr std::size_t kMaxCables = 40;

@@ -25,14 +25,16 @@ namespace hawser::cli {
 namespace {
 
 constexpr const char* kControlsFooter = R"(Examples:
-  hawser controls scenes/tackle.json --seed 7 --duration 60 -o levers.csv
-  hawser run scenes/tackle.json --duration 60 --control levers.csv
-  hawser controls scenes/tow_payout.json --signals --range winch.speed=-2:2 -o levers.csv
-  hawser controls exercises/tow_out.json --seed 3 -o levers.csv     # its stations' inputs
+  hawser controls scenes/tackle.json --seed 7 --duration 60 -o inputs.csv
+  hawser run scenes/tackle.json --duration 60 --control inputs.csv
+  hawser controls scenes/tow_payout.json --signals --range winch.speed=-2:2 -o inputs.csv
+  hawser controls exercises/tow_out.json --seed 3 -o inputs.csv     # its stations' inputs
 
-Values stay within the ranges that the scene declares. An input without a range is left out, with a
-message, unless it has a nominal value or --range gives it one. The same seed, scene and options
-give the same file. Exit codes: 0 written, 1 wrong option or file, or no input.)";
+Values stay within the declared ranges of the scene. An input without a range is omitted with a
+message, unless it has a nominal value or --range sets one. Equal seed, scene and options give equal
+files.
+
+Exit codes: 0 written, 1 wrong option or file, or no input.)";
 
 constexpr double kNoLimit = 1e29;  // InputDef::max is 1e30 by default, SystemSignal::max 1e300.
 
@@ -235,25 +237,22 @@ void add_controls(CLI::App& app, Command& chosen) {
         ->capture_default_str();
     command
         ->add_option("--duration", options->duration,
-                     "Changes happen before this time [s]; by default the scene's duration")
+                     "End of the changes [s]; default: duration of the scene")
         ->check(positive());
     command
-        ->add_option("--period", options->def.period,
-                     "Mean time from one change of an input to the next [s]")
+        ->add_option("--period", options->def.period, "Mean time between changes of an input [s]")
         ->check(positive())
         ->capture_default_str();
-    command
-        ->add_option("--interval", options->def.interval,
-                     "Time from one line of a ramp to the next [s]")
+    command->add_option("--interval", options->def.interval, "Time between lines of a ramp [s]")
         ->check(positive())
         ->capture_default_str();
     command
         ->add_option("--range", options->ranges,
-                     "NAME=MIN:MAX: a narrower range; may be given several times")
+                     "NAME=MIN:MAX: narrower range of an input; repeatable")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command->add_flag("--signals", options->signals,
-                      "Also set signals of systems, such as winch.speed, that no input sets");
+                      "Include signals of systems, such as winch.speed, that no input sets");
     command->add_option("-o,--output", options->out, "File to write (CSV)")->required();
     command->callback(
         [&chosen, options] { chosen = [options] { return write_controls(*options); }; });

@@ -26,12 +26,19 @@ namespace {
 
 constexpr const char* kExerciseFooter = R"(Examples:
   hawser exercise exercises/tow_out.json --control exercises/tow_out.control.csv
-  hawser exercise exercises/tow_out.json --control levers.csv --record run.hwr --report report.html
+  hawser exercise exercises/tow_out.json --control inputs.csv --record run.hwr --report report.html
   hawser exercise exercises/tow_out.json --replay run.hwr     # the same score from the recording
 
-A CONTROL file has the line "time,<input>,…": inputs that stations have, and fault.NAME, which
-triggers the fault NAME where it is not 0 and ends it where it is. Exit codes: 0 passed, 1 wrong
-option or file, 2 a step failed, 3 the replay came out differently, 4 not passed, 130 interrupted.)";
+The first line of a CONTROL file is "time,<input>,…" with inputs of stations. A column fault.NAME
+starts the fault NAME at a value other than 0 and ends it at 0.
+
+Exit codes:
+    0    passed
+    1    wrong option or file
+    2    a step failed
+    3    the replay differs
+    4    not passed
+    130  interrupted (Ctrl-C))";
 
 constexpr int kNotPassed = 4;
 
@@ -234,28 +241,26 @@ int perform(const ExerciseOptions& options) {
 void add_exercise(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<ExerciseOptions>();
     CLI::App* command =
-        app.add_subcommand("exercise", "Run an exercise without a page, and tell its score");
+        app.add_subcommand("exercise", "Run an exercise without a page and print its score");
     command->footer(kExerciseFooter);
     command->add_option("EXERCISE", options->file, "Exercise file (JSON)")->required();
-    CLI::Option* control =
-        command->add_option("--control", options->control, "Levers and faults over time (CSV)");
+    CLI::Option* control = command->add_option("--control", options->control,
+                                               "Input values and faults over time (CSV)");
     CLI::Option* record = command->add_option("--record", options->record,
                                               "Write a recording (for --replay, replay, plot)");
-    command
-        ->add_option("--record-every", options->stride,
-                     "Steps from one frame of the recording to the next")
+    command->add_option("--record-every", options->stride, "Steps between frames of the recording")
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
     command->add_option("--csv", options->csv, "Write a table of tensions, motions and outputs");
     command->add_option("--restore", options->restore,
-                        "Start from a saved state; goals then do not wait for earlier ones");
-    command->add_option("--save-at", options->saves, "Save the state at a time [s] to a file")
+                        "Start from a saved state; goals do not wait for earlier goals");
+    command->add_option("--save-at", options->saves, "Save the state at TIME [s] to FILE")
         ->allow_extra_args(false);
     command->add_option("--report", options->report, "Write a report for the debriefing (HTML)");
     command->add_option("--summary", options->summary, "Write the score as JSON");
     command
         ->add_option("--replay", options->replay,
-                     "Score a recording of this exercise by repeating its motion")
+                     "Score a recording of this exercise; repeats its motion")
         ->excludes(control)
         ->excludes(record);
     command
@@ -264,8 +269,8 @@ void add_exercise(CLI::App& app, Command& chosen) {
         ->capture_default_str();
     command
         ->add_flag("--verify", options->verify,
-                   "Check contacts, momentum and bounds of every step by separate code, and fail "
-                   "if they disagree")
+                   "Check contacts, momentum and bounds of each step by separate code; a deviation "
+                   "ends the run as failed")
         ->excludes("--replay");
     command->add_flag("--quiet", options->quiet, "No progress and no score on the terminal");
     command->callback([&chosen, options] { chosen = [options] { return perform(*options); }; });

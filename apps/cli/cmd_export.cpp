@@ -25,8 +25,8 @@ constexpr const char* kExportFooter = R"(Examples:
   hawser export run.hwr --to vtk -o out/run.pvd      # for ParaView: run.pvd and out/run/*.vtp
   hawser export run.hwr --to vtk --contacts          # with contact forces: repeats the run
 
-Exit codes: 0 written, 1 unreadable recording, no frame in the time asked for, or a file that
-cannot be written.)";
+Exit codes: 0 written, 1 unreadable recording, no frame between --from and --to-time, or a file could
+not be written.)";
 
 struct ExportOptions {
     std::string file, format, output;
@@ -119,16 +119,17 @@ void add_export(CLI::App& app, Command& chosen) {
     command->add_option("--to", options->format, "gltf (animated .glb) or vtk (.pvd and .vtp)")
         ->required()
         ->check(CLI::IsMember({"gltf", "vtk"}));
-    command->add_option("-o,--output", options->output,
-                        "File; by default that of the recording with .glb or .pvd, here");
-    command->add_option("--every", options->every, "Take every so many frames of the recording")
+    command->add_option(
+        "-o,--output", options->output,
+        "File; default: name of the recording with .glb or .pvd, in the current folder");
+    command->add_option("--every", options->every, "Export each N-th frame")
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
-    command->add_option("--from", options->from, "From this time on [s]")->check(finite());
-    command->add_option("--to-time", options->to, "Up to this time [s]")->check(finite());
+    command->add_option("--from", options->from, "Start time [s]")->check(finite());
+    command->add_option("--to-time", options->to, "End time [s]")->check(finite());
     command->add_flag("--contacts", options->contacts,
-                      "Of vtk: contact forces too; repeats the run, as hawser replay does");
-    command->add_option("--threads", options->threads, "Worker threads of --contacts")
+                      "With vtk: write contact forces; repeats the run like hawser replay");
+    command->add_option("--threads", options->threads, "Worker threads for --contacts")
         ->check(CLI::Range(1, kMostThreads))
         ->capture_default_str();
     command->add_flag("--quiet", options->quiet, "No progress and no report");

@@ -28,7 +28,9 @@ constexpr const char* kFiguresFooter = R"(Examples:
   hawser figures bench/scenes/frozen/anchor_contact.json -o out --at 2
 
 Writes each panel of the two figures of the paper as .svg and .png with its data as .json, and each
-figure on one page. Exit codes: 0 written, 1 wrong option, scene or file, 2 a step failed.)";
+figure on one page.
+
+Exit codes: 0 written, 1 wrong option, scene or file, 2 a step failed.)";
 
 constexpr const char* kDefaultScene = "bench/scenes/frozen/anchor_lines.json";
 
@@ -257,20 +259,22 @@ void add_figures(CLI::App& app, Command& chosen) {
     options->scene.add_to(*command, false);
     command->add_option("-o,--output", options->folder, "Folder for the figures")
         ->capture_default_str();
-    command->add_option("--at", options->at, "Time of the step that is drawn [s]")
+    command->add_option("--at", options->at, "Time of the drawn step [s]")
         ->check(not_negative())
         ->capture_default_str();
-    command->add_option("--simulated", options->simulated, "Threads that a timeline simulates")
+    command
+        ->add_option("--simulated", options->simulated,
+                     "Number of simulated threads in the timelines")
         ->check(CLI::Range(1, kMostThreads))
         ->capture_default_str();
     command
         ->add_option("--most-gflop", options->max_gflop,
-                     "Orders of elimination that need more are drawn but not timed")
+                     "Work [Gflop] above which an elimination order is drawn but not timed")
         ->check(not_negative())
         ->capture_default_str();
     command
         ->add_option("--samples", options->samples,
-                     "Factorisations timed of each matrix, fewer where one takes long")
+                     "Largest number of timed factorisations of each matrix")
         ->check(CLI::Range(1, 10000))
         ->capture_default_str();
     command->callback([&chosen, options] { chosen = [options] { return figures(*options); }; });

@@ -149,18 +149,17 @@ void add_inspect(CLI::App& app, Command& chosen) {
     options->scene.add_to(*command);
     command->add_option("-o,--output", options->folder,
                         "Folder for spy plots; SVG file of the polar plot");
-    command->add_option("--steps", options->steps, "Steps before the system is shown")
+    command->add_option("--steps", options->steps, "Number of steps before the output")
         ->check(CLI::Range(1, 1'000'000))
         ->capture_default_str();
-    command->add_flag(
-        "--hydrostatics", options->hydrostatics,
-        "Show displacement, KB, BM, GM and the curve of levers GZ of its hulls instead");
+    command->add_flag("--hydrostatics", options->hydrostatics,
+                      "Print displacement, KB, BM, GM and the GZ curve of the hulls instead");
     command->add_flag("--dp-capability", options->capability,
-                      "Show the DP capability of its vessels (DNV-ST-0111 Level 1) instead; FILE "
-                      "may be the data of one ship");
+                      "Print the DP capability of the vessels (DNV-ST-0111 Level 1) instead; SCENE "
+                      "may be the data file of one ship");
     command
         ->add_option("--heading-step", options->dp.step_deg,
-                     "Between headings of --dp-capability, a divisor of 30 [deg]")
+                     "Step of the headings of --dp-capability, a divisor of 30 [deg]")
         ->check(CLI::Range(0.1, 30.0))
         ->capture_default_str();
     command->add_flag("--numbers", options->dp.numbers,

@@ -32,8 +32,9 @@ constexpr const char* kPlotFooter = R"(Examples:
   hawser plot run.hwr --only scene --view side --frames 100 --size 1280x720 -o film
   hawser plot run.hwr --only scene --view 3d --axes 0,-20,-10,60,20,30
 
-Writes tensions, wires, motions, scene, space and details, each as .svg and .png. Exit codes: 0 written, 1 unreadable
-recording, an unknown picture, or a file that cannot be written.)";
+Writes tensions, wires, motions, scene, space and details, each as .svg and .png.
+
+Exit codes: 0 written, 1 unreadable recording, unknown picture, or a file could not be written.)";
 
 constexpr const char* kPictures[] = {"tensions", "wires", "motions", "scene", "space", "details"};
 
@@ -204,21 +205,20 @@ void add_plot(CLI::App& app, Command& chosen) {
     command->add_option("-o,--output", options->folder, "Folder for the pictures")
         ->capture_default_str();
     command
-        ->add_option(
-            "--at", options->at,
-            "Time of the views of the scene, and of tensions along wires [s]; else the end")
+        ->add_option("--at", options->at,
+                     "Time of the views, and of tensions along wires [s]; default: the end")
         ->check(finite());
     command
         ->add_option("--only", options->only,
-                     "Pictures to write, by name, with commas between them: tensions, wires, "
-                     "motions, scene, space, details")
+                     "Names of pictures, separated by commas: tensions, wires, motions, scene, "
+                     "space, details")
         ->delimiter(',');
     command
         ->add_option("--view", options->view,
                      "Views of `scene`: side, top or 3d; by default side and top")
         ->check(CLI::IsMember({"side", "top", "3d"}));
     command->add_option("--size", options->size,
-                        "Of the pictures of the scene, WIDTHxHEIGHT in pixels");
+                        "Size of the pictures of the scene, WIDTHxHEIGHT in pixels");
     command
         ->add_option("--axes", options->axes,
                      "Visible box: lower corner x,y,z and upper corner x,y,z [m]")
@@ -226,17 +226,16 @@ void add_plot(CLI::App& app, Command& chosen) {
         ->expected(6);
     command
         ->add_option("--frames", options->frames,
-                     "Draw this number of pictures of the scene from start to end, with the same "
-                     "axes, as frame_0000.png and on; nothing else")
+                     "Number of pictures from start to end with equal axes, frame_0000.png and so "
+                     "on, instead of other pictures")
         ->check(CLI::Range(1, 100000));
     command
         ->add_option("--azimuth", options->scene.azimuth,
-                     "Of the viewer of 3d, from x towards y [deg]")
+                     "Azimuth of the 3-D camera, from x towards y [deg]")
         ->check(CLI::Range(-360.0, 360.0))
         ->capture_default_str();
     command
-        ->add_option("--elevation", options->scene.elevation,
-                     "Of the viewer of 3d above the level [deg]")
+        ->add_option("--elevation", options->scene.elevation, "Elevation of the 3-D camera [deg]")
         ->check(CLI::Range(5.0, 85.0))
         ->capture_default_str();
     command->callback([&chosen, options] { chosen = [options] { return plot(*options); }; });

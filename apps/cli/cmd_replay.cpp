@@ -23,10 +23,15 @@ constexpr const char* kReplayFooter = R"(Examples:
   hawser replay run.hwr
   HAWSER_ISA=avx2 hawser replay run.hwr     # recorded on a machine without avx512
 
-Builds the scene from the text in the recording, restores the state it began with, applies the
-recorded inputs, steps, and compares the state hash of every recorded frame and of the end. Exit
-codes: 0 the same, 1 unreadable, or not complete and the same as far as it goes, 2 a step failed,
-3 different, 130 interrupted.)";
+Builds the scene from the text in the recording and restores its start state. Applies the recorded
+inputs, and compares the state hash of each recorded frame and of the end.
+
+Exit codes:
+    0    equal
+    1    unreadable, or incomplete (equal up to its end)
+    2    a step failed
+    3    different
+    130  interrupted (Ctrl-C))";
 
 struct ReplayOptions {
     std::string file;
@@ -185,7 +190,7 @@ int replay(const ReplayOptions& options) {
 void add_replay(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<ReplayOptions>();
     CLI::App* command =
-        app.add_subcommand("replay", "Repeat a recording and prove that it comes out the same");
+        app.add_subcommand("replay", "Repeat a recorded run and compare it bit by bit");
     command->footer(kReplayFooter);
     command->add_option("RECORDING", options->file, "File written by hawser run --record")
         ->required();

@@ -22,12 +22,15 @@ namespace {
 constexpr const char* kSettleFooter = R"(Examples:
   hawser settle scenes/anchor_lines.json -o scenes/anchor_lines.settled.json
 
-Integrates the scene with strong added damping until nothing moves, and writes the place of
-every body as a state file, which a scene names under "state". Its sea has mean current and wind,
-but no waves and gusts; winches hold, those that a motor drives by their motors at no speed,
-others by their brakes. Exit codes: 0 settled, 1 wrong option, scene or file, 2 a step failed or
-nothing settled within --max-time (the state reached is written all the same), 130 interrupted (the
-state reached is written, too).)";
+Simulates the scene with strong added damping until all bodies rest. Writes their poses as a state
+file, which a scene names under "state". The sea has its mean current and wind without waves and
+gusts. Winches hold: by their motors at zero speed if they are driven, else by their brakes.
+
+Exit codes (1: no file is written):
+    0    at rest
+    1    wrong option, scene or file
+    2    a step failed, or not at rest within --max-time
+    130  interrupted (Ctrl-C))";
 
 struct SettleOptions {
     SceneOptions scene;
@@ -211,17 +214,15 @@ int settle(const SettleOptions& options) {
 
 void add_settle(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<SettleOptions>();
-    CLI::App* command = app.add_subcommand("settle", "Find the pose in which a scene rests");
+    CLI::App* command = app.add_subcommand("settle", "Compute the pose of a scene at rest");
     command->footer(kSettleFooter);
     options->scene.add_to(*command);
     command->add_option("-o,--output", options->output,
                         "State file; by default SCENE with the ending .settled.json");
-    command->add_option("--max-time", options->max_time, "Give up after this simulated time [s]")
+    command->add_option("--max-time", options->max_time, "Longest simulated time [s]")
         ->check(positive())
         ->capture_default_str();
-    command
-        ->add_option("--tolerance", options->tolerance,
-                     "Settled when no body is faster than this [m/s]")
+    command->add_option("--tolerance", options->tolerance, "Largest speed of a body at rest [m/s]")
         ->check(positive())
         ->capture_default_str();
     command->add_flag("--quiet", options->quiet, "No progress");

@@ -19,8 +19,10 @@ constexpr const char* kValidateFooter = R"(Examples:
   hawser validate rao --data FOLDER
   hawser validate pendulum catenary --json validation.json
 
-Runs cases with a known answer and prints case, quantity, reference, ours, error and observed
-order. Exit codes: 0 all within tolerance, 1 unknown case, 3 at least one is not.)";
+Runs cases with a known solution. Prints case, quantity, reference, result, error and observed
+order.
+
+Exit codes: 0 all within tolerance, 1 unknown case, 3 at least one outside.)";
 
 struct ValidateOptions {
     std::vector<std::string> cases;
@@ -32,7 +34,8 @@ struct ValidateOptions {
 
 void add_validate(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<ValidateOptions>();
-    CLI::App* command = app.add_subcommand("validate", "Compare with known answers of physics");
+    CLI::App* command =
+        app.add_subcommand("validate", "Compare with analytic and published solutions");
     command->footer(kValidateFooter);
     command->add_option("CASE", options->cases,
                         "Names of cases. Without a name: all except the sets `robust`, `wires`, "

@@ -13,14 +13,15 @@
 namespace hawser::cli {
 
 void SceneOptions::add_changes_to(CLI::App& command) {
-    command.add_option("--step", step, "Time step [s] instead of the scene's")->check(positive());
-    command.add_option("--scale", scale, "Repeat the scene this many times, joined into one")
+    command.add_option("--step", step, "Time step [s]; default: settings.step of the scene")
+        ->check(positive());
+    command.add_option("--scale", scale, "Number of copies of the scene in one world")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     command
-        .add_option("--set", set,
-                    "Change a value of the scene: path=value, e.g. bodies.rig.mass=2e7; "
-                    "may be given several times")
+        .add_option(
+            "--set", set,
+            "Change a value of the scene: path=value, such as bodies.rig.mass=2e7; repeatable")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
@@ -32,29 +33,29 @@ void SceneOptions::add_to(CLI::App& command, bool required) {
         ->check(CLI::IsMember({"auto", "saddle", "condensed"}));
     command
         .add_option("--nonsmooth", nonsmooth,
-                    "How contacts with friction are solved: newton, pivoting, split, pgs or convex")
+                    "Solver of contacts with friction: newton, pivoting, split, pgs or convex")
         ->check(CLI::IsMember({"newton", "pivoting", "split", "pgs", "convex"}));
     command
-        .add_option("--coupling", coupling,
-                    "How groups of bodies couple: exact, kinematic, compliant, or deadline (exact, "
-                    "compliant where --budget needs it); bodies without "
-                    "a group of their own are shared out to --parts")
+        .add_option(
+            "--coupling", coupling,
+            "Coupling of groups of bodies: exact, kinematic, compliant, or deadline (exact; "
+            "compliant if --budget requires it). --parts sets the groups of bodies without a group")
         ->check(CLI::IsMember({"exact", "kinematic", "compliant", "deadline"}));
     command
         .add_option("--predictor", predictor,
-                    "Prediction of the velocity on the other side of a cut: hold, forces or clique")
+                    "Prediction of velocities across a cut: hold, forces or clique")
         ->check(CLI::IsMember({"hold", "forces", "clique"}));
     command
         .add_option("--parts", parts,
-                    "Parts to show a scene in (4), or to cut it into where coupling is not exact: "
-                    "the cuts follow the state, see settings.regroup_every")
+                    "Number of parts for display (4), or for the cuts of a coupling that is not "
+                    "exact; settings.regroup_every renews the cuts")
         ->check(CLI::Range(1, 4096));
-    command.add_option("--sweeps", sweeps, "Sweeps a step of --nonsmooth split and pgs")
+    command
+        .add_option("--sweeps", sweeps, "Number of sweeps in a step of --nonsmooth split and pgs")
         ->check(CLI::Range(1, 100000));
     command
-        .add_option(
-            "--sleep", sleep,
-            "Islands at rest for this long [s] sleep until something disturbs them; 0: never")
+        .add_option("--sleep", sleep,
+                    "Time at rest [s] after which an island sleeps until it is disturbed; 0: never")
         ->check(CLI::Range(0.0, 1e6));
     command.add_option("--threads", threads, "Worker threads; results do not depend on it")
         ->check(CLI::Range(1, kMostThreads))
@@ -101,8 +102,8 @@ std::string only(const std::vector<std::string>& files, bool json) {
 void SceneOptions::add_control_to(CLI::App& command) {
     command
         .add_option("--control", controls,
-                    "Input values over time (FILE.csv), operations as a timeline lists them "
-                    "(FILE.json); may be given once for each")
+                    "Input values over time (FILE.csv), or operations in the format of "
+                    "\"timeline\" (FILE.json); at most one of each")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }

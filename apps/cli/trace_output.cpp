@@ -51,12 +51,12 @@ void TraceOptions::add_to(CLI::App& command) {
                        ? std::string()
                        : fmt::format("{}: a trace is written as .json or .svg", file);
         });
-    command.add_option("--trace-steps", steps, "Last steps that FILE.json holds")
+    command.add_option("--trace-steps", steps, "Number of last steps in FILE.json")
         ->check(CLI::Range(1, 1'000'000))
         ->capture_default_str();
     command
         .add_option("--trace-step", step,
-                    "Number of the step in FILE.svg; by default one of median length")
+                    "Number of the step in FILE.svg; default: a step of median duration")
         ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40));
 }
 

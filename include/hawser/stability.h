@@ -31,9 +31,9 @@
 /// 3. largest GZ − HL ≥ `residual_lever`;
 /// 4. freeboard at the stern ≥ `freeboard` (if `stern` is given).
 ///
-/// *Several wires.* F and its direction are those of the sum of all wires: of `wire` the first
-/// element beyond the pin, of each of `others` the element that crosses the plane of the pin across
-/// the ship. Without `others` this is the tension of `wire`.
+/// *Several wires.* F and its direction are those of the summed forces of all wires. A towline acts
+/// by its first element beyond the pin. A wire of `others` acts by the element that crosses the
+/// plane of the pin, across the ship.
 ///
 /// Outputs, as "name.signal":
 /// - `tension` [N], `alpha`, `beta` [rad], `moment` [N m];

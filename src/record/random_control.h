@@ -24,7 +24,7 @@ struct RandomInput {
 struct RandomControlDef {
     std::uint64_t seed = 1;
     double duration = 0.0;  ///< Changes happen before this time [s].
-    double period = 5.0;    ///< Mean time from one change of an input to the next [s].
+    double period = 5.0;    ///< Mean time between changes of an input [s].
     double interval = 0.1;  ///< Time between the lines of a ramp, and unit of all times [s].
 };
 
