@@ -43,5 +43,7 @@ void add_figures(CLI::App& app, Command& chosen);
 void add_validate(CLI::App& app, Command& chosen);
 void add_view(CLI::App& app, Command& chosen);
 void add_bench(CLI::App& app, Command& chosen);
+void add_study(CLI::App& app, Command& chosen);
+void add_stats(CLI::App& app, Command& chosen);
 
 }  // namespace hawser::cli

@@ -56,6 +56,8 @@ int run_main(int argc, char** argv) {
     add_validate(app, chosen);
     add_view(app, chosen);
     add_bench(app, chosen);
+    add_study(app, chosen);
+    add_stats(app, chosen);
     // CLI11 would only report that a command is required.
     const auto named = [&](const CLI::App* c) { return c->get_name() == argv[1]; };
     if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(named).empty()) {

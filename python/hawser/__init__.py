@@ -6,7 +6,7 @@
 >>> session.step(60)
 
 `load` runs scenes, `World` builds a world, `System` adds a controller, `Recording` reads
-recordings, `stats` computes statistics of results. Statistics and tables work without the compiled
+recordings, `Study` runs many cases, `stats` computes statistics of results. Statistics and tables work without the compiled
 part.
 """
 from __future__ import annotations
@@ -27,6 +27,8 @@ _LAZY = {
     "Interaction": "_core", "Wire": "_core", "Shape": "_core", "Material": "_core",
     "Input": "_core", "Output": "_core", "Step": "_core", "Loads": "_core",
     "instruction_set": "_core", "Recording": "recording", "Batch": "batch",
+    "Study": "study", "Case": "cases", "grid": "cases", "latin_hypercube": "cases",
+    "seeds": "cases", "scatter": "cases", "product": "cases",
 }
 
 __all__ = ["stats", "table", "Error", "DefError", "RemovedError", "SceneError", "LimitError",
@@ -36,8 +38,10 @@ if TYPE_CHECKING:
     from ._core import (Body, Input, Interaction, Loads, Material, Output, Shape, State, Step,
                         System, Wire, World, instruction_set)
     from .batch import Batch
+    from .cases import Case, grid, latin_hypercube, product, scatter, seeds
     from .recording import Recording
     from .session import Event, Session, load
+    from .study import Study
 
 
 def __getattr__(name: str) -> Any:

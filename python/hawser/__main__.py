@@ -1,12 +1,23 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Print the statistics of each column of a table that `hawser run --csv` wrote."""
+"""Statistics of a run, and studies.
+
+python3 -m hawser stats RUN.csv        statistics of each column of a table of `hawser run --csv`
+python3 -m hawser stats RUN.hwr        statistics of the tension of each cable of a recording
+python3 -m hawser study STUDY.json -o FOLDER [--jobs N | --dask ADDRESS | --mpi]
+
+Exit codes: 0 done; 1 wrong option or file; 2 a run of a study is not good; 130 interrupted.
+"""
+from __future__ import annotations
+
 import argparse
 import math
+import pathlib
 import sys
 
 import numpy as np
 
 from . import stats, table
+from .errors import Error
 
 
 def line(column: table.Column, step: float, duration: float) -> str:
@@ -26,17 +37,29 @@ def line(column: table.Column, step: float, duration: float) -> str:
             f"{shown}{largest}")
 
 
-def main(arguments: list[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(prog="python3 -m hawser", description=__doc__)
-    parser.add_argument("file", help="table of `hawser run --csv`")
-    parser.add_argument("--from", dest="begin", type=float, default=0.0, metavar="S",
-                        help="leave out rows before this time [s]")
-    parser.add_argument("--hours", type=float, default=3.0,
-                        help="duration of the most probable maximum (default 3 h)")
-    options = parser.parse_args(arguments)
+def of_recording(file: str) -> table.Table:
+    """Return the tensions of a recording: first, last and largest element of each cable."""
+    from .recording import Recording
+    run = Recording(file)
+    if len(run) < 2:
+        raise ValueError(f"{file}: fewer than two frames")
+    columns = []
+    for cable in run.cables:
+        x = run.tension(cable["name"])
+        if x.shape[1] == 0:
+            continue
+        for label, values in (("first end", x[:, 0]), ("last end", x[:, -1]),
+                              ("largest", x.max(axis=1))):
+            columns.append(table.Column(f"{cable['name']} tension, {label}", "N",
+                                        values.astype(float)))
+    return table.Table(run.time, tuple(columns))
+
+
+def print_stats(options: argparse.Namespace) -> int:
     try:
-        data = table.read(options.file).after(options.begin)
-    except (OSError, ValueError) as error:
+        read = of_recording if options.file.endswith(".hwr") else table.read
+        data = read(options.file).after(options.begin)
+    except (Error, OSError, ValueError) as error:
         print(f"hawser: {error}", file=sys.stderr)
         return 1
     print(f"{options.file}: {data.time.size} rows, {data.time[0]:g} to {data.time[-1]:g} s, "
@@ -46,6 +69,85 @@ def main(arguments: list[str] | None = None) -> int:
     for column in data.columns:
         print(line(column, data.step, 3600.0 * options.hours))
     return 0
+
+
+def _executor(options: argparse.Namespace):
+    """Return the executor that the options name; None: a pool of processes."""
+    if options.dask:
+        from dask.distributed import Client
+        return Client(options.dask).get_executor()
+    if options.mpi:
+        from mpi4py.futures import MPIPoolExecutor
+        return MPIPoolExecutor()
+    return None
+
+
+def run_study(options: argparse.Namespace) -> int:
+    from .study import OUTCOMES
+    from .study_file import from_json
+    folder = pathlib.Path(options.folder)
+
+    def report(done: int, total: int) -> None:
+        if not options.quiet:
+            print(f"\r{done} of {total} runs", end="", file=sys.stderr, flush=True)
+
+    try:
+        todo = from_json(options.file, folder)
+        executor = _executor(options)
+        results = todo.run(executor, jobs=options.jobs, progress=report)
+    except (Error, OSError, ImportError) as error:
+        print(f"\nhawser: {error}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print(f"\ninterrupted; start again to continue from {folder}", file=sys.stderr)
+        return 130
+    if not options.quiet:
+        print(file=sys.stderr)
+    todo.write_csv(folder / "table.csv")
+    for name, write in (("h5py", lambda: todo.write_hdf5(folder / "table.h5")),
+                        ("matplotlib", lambda: todo.plot(folder))):
+        try:
+            write()
+        except ImportError:
+            print(f"hawser: {name} is missing: no {'table.h5' if name == 'h5py' else 'plots'}",
+                  file=sys.stderr)
+    counts = {o: sum(r.outcome == o for r in results) for o in OUTCOMES}
+    print(f"{len(results)} runs: " + ", ".join(f"{n} {o}" for o, n in counts.items() if n)
+          + f"; {folder / 'table.csv'}")
+    for result in [r for r in results if r.outcome != "good"][:10]:
+        print(f"  run {result.index} {dict(result.case.set)}: {result.outcome}: {result.reason}")
+    return todo.exit_code
+
+
+def main(arguments: list[str] | None = None) -> int:
+    given = list(sys.argv[1:] if arguments is None else arguments)
+    if given and given[0].endswith((".csv", ".hwr")):
+        given.insert(0, "stats")
+    parser = argparse.ArgumentParser(prog="python3 -m hawser", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+    one = commands.add_parser("stats", help="print statistics of a run")
+    one.add_argument("file", help="table of `hawser run --csv`, or a recording (.hwr)")
+    one.add_argument("--from", dest="begin", type=float, default=0.0, metavar="S",
+                     help="omit rows before this time [s]")
+    one.add_argument("--hours", type=float, default=3.0,
+                     help="duration of the most probable maximum (default 3 h)")
+    one.set_defaults(call=print_stats)
+    many = commands.add_parser("study", help="run a study file")
+    many.add_argument("file", help="study (JSON)")
+    many.add_argument("-o", "--output", dest="folder", required=True,
+                      help="folder of results; an interrupted study continues from it")
+    where = many.add_mutually_exclusive_group()
+    where.add_argument("--jobs", type=int, help="number of processes (default: all processors)")
+    where.add_argument("--dask", metavar="ADDRESS", help="scheduler of a Dask cluster")
+    where.add_argument("--mpi", action="store_true",
+                       help="workers of `mpiexec -n N python3 -m mpi4py.futures -m hawser …`")
+    many.add_argument("--quiet", action="store_true", help="no progress")
+    many.set_defaults(call=run_study)
+    options = parser.parse_args(given)
+    if getattr(options, "jobs", None) is not None and options.jobs < 1:
+        parser.error("--jobs: give a number >= 1")
+    return options.call(options)
 
 
 if __name__ == "__main__":

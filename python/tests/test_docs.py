@@ -9,7 +9,7 @@ import pytest
 
 from conftest import ROOT
 
-PAGES = ["README.md", "docs/python.md"]
+PAGES = ["README.md", "docs/python.md", "docs/studies.md"]
 
 
 def blocks(page):

@@ -30,8 +30,8 @@ std::string tug_scene() {
 TEST(Program, HelpAndVersion) {
     const Outcome help = run_program({"--help"});
     EXPECT_EQ(help.code, 0);
-    for (const char* command :
-         {"run", "check", "settle", "replay", "plot", "inspect", "figures", "validate", "bench"}) {
+    for (const char* command : {"run", "check", "settle", "replay", "plot", "inspect", "figures",
+                                "validate", "bench", "study", "stats"}) {
         EXPECT_NE(help.out.find(command), std::string::npos) << command;
         const Outcome own = run_program({command, "--help"});
         EXPECT_EQ(own.code, 0) << command;
