@@ -134,6 +134,15 @@ class Recording(_core.Recording):
                 attrs={"units": "N", "long_name": f"tension of {name}"})
         return out
 
+    def _repr_html_(self) -> str:
+        """Show tensions and events in a notebook."""
+        from html import escape
+        from . import plot
+        rows = "".join(f"<tr><td>{e.time:.3f} s</td><td>{escape(str(e.kind))}</td>"
+                       f"<td>{escape(str(e.where))}</td></tr>" for e in self.events[:20])
+        picture = plot.png(plot.tensions(self)) if self.cables and len(self) else ""
+        return f"<p>{escape(repr(self))}</p>{picture}<table>{rows}</table>"
+
     def __repr__(self) -> str:
         last = f", to {self.time[-1]:g} s" if len(self) else ""
         return f"<hawser.Recording \"{self.file}\": {len(self)} frames{last}, {self.ending}>"

@@ -243,6 +243,13 @@ class Session(_core.Session):
             data = pathlib.Path(file).read_bytes()
         return _unpickle, (self.scene_text, self.path, self._kept_options(), data)
 
+    def _repr_html_(self) -> str:
+        """Show the outputs in a notebook."""
+        from html import escape
+        rows = "".join(f"<tr><td>{escape(o.name)}</td><td>{o.value:.5g}</td>"
+                       f"<td>{escape(o.unit)}</td></tr>" for o in self.world.outputs[:60])
+        return f"<p>{escape(repr(self))}</p><table>{rows}</table>"
+
     def __repr__(self) -> str:
         return f"<hawser.Session \"{self.name or self.path}\", t = {self.time:g} s>"
 
