@@ -26,8 +26,8 @@ from .session import Session, load
 __all__ = ["SceneEnv", "TowTension", "AntiSway", "StationKeeping", "Box"]
 
 try:
-    from gymnasium import Env as _Env
-    from gymnasium.spaces import Box
+    from gymnasium import Env as _Env  # type: ignore
+    from gymnasium.spaces import Box  # type: ignore
 except ImportError:
     class _Env:  # type: ignore[no-redef]
         """Base class without gymnasium."""
@@ -46,9 +46,8 @@ except ImportError:
         def __enter__(self) -> Any:
             return self
 
-        def __exit__(self, *args: object) -> bool:
+        def __exit__(self, *args: object) -> None:
             self.close()
-            return False
 
     class Box:  # type: ignore[no-redef]
         """Box of numbers between low and high, as in gymnasium.spaces."""
@@ -154,7 +153,8 @@ class SceneEnv(_Env):  # type: ignore[misc]
         """
         if seed is not None:
             self.random = np.random.default_rng(seed)
-        self.session.restore(self._start)
+        if self._start is not None:
+            self.session.restore(self._start)
         self._begun = self.session.time
         self.begin(options or {})
         return self.observe(), self.info()

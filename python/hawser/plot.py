@@ -21,7 +21,7 @@ __all__ = ["series", "tensions", "range_graph", "spectrum", "rainflow", "png"]
 def _axes(axes: Any) -> Any:
     if axes is not None:
         return axes
-    from matplotlib import pyplot
+    from matplotlib import pyplot  # type: ignore
     return pyplot.subplots(figsize=(7.0, 3.5), layout="constrained")[1]
 
 

@@ -279,7 +279,7 @@ class _Progress:
 
     def _open(self) -> None:
         try:
-            import tqdm
+            import tqdm  # type: ignore
         except ImportError:
             self._wanted = False
             return
@@ -357,7 +357,7 @@ def load(scene: str | os.PathLike[str] | _core.World | None = None, *, text: str
         options["set"] = [f"{path}={_assigned(value)}" for path, value in set.items()]
     files = {"restore": restore, "control": control, "record": record, "csv": csv}
     given = {key: os.fspath(file) for key, file in files.items() if file is not None}
-    return Session("scene" if scene is None else os.fspath(scene), scene_text=text,
+    return Session("scene" if scene is None else os.fspath(scene), scene_text=text,  # type: ignore
                    options=options, every=every, verify=verify, **given)
 
 

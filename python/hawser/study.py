@@ -307,7 +307,8 @@ class Study:
         """
         self.folder.mkdir(parents=True, exist_ok=True)
         if executor is not None:
-            return self._run(lambda: executor, False, progress)
+            given = executor
+            return self._run(lambda: given, False, progress)
         count = jobs or os.cpu_count() or 1
         pools: list[ProcessPoolExecutor] = []
 
@@ -411,7 +412,7 @@ class Study:
 
     def frame(self) -> Any:
         """Table as a pandas frame."""
-        import pandas
+        import pandas  # type: ignore
         return pandas.DataFrame(self.rows(), columns=self.columns())
 
     def write_csv(self, file: str | os.PathLike[str]) -> None:
@@ -423,7 +424,7 @@ class Study:
 
     def write_hdf5(self, file: str | os.PathLike[str]) -> None:
         """Write the table with a data set for each column (needs h5py)."""
-        import h5py
+        import h5py  # type: ignore
         rows = self.rows()
         with h5py.File(file, "w") as out:
             for name in self.columns():
@@ -452,7 +453,7 @@ class Study:
         list of path
             One picture for each response.
         """
-        import matplotlib
+        import matplotlib  # type: ignore
         matplotlib.use("Agg")
         from matplotlib import pyplot
         out = []

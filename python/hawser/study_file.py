@@ -34,7 +34,8 @@ def _cases_of(data: Any, folder: pathlib.Path) -> list[Case]:
             elif key == "grid":
                 parts.append(grid(value))
             elif key == "latin_hypercube":
-                parts.append(latin_hypercube({p: tuple(r) for p, r in value["ranges"].items()},
+                parts.append(latin_hypercube({p: (r[0], r[1])
+                                              for p, r in value["ranges"].items()},
                                              int(value["count"]), int(value.get("seed", 1))))
             elif key == "seeds":
                 parts.append(seeds(value["path"], int(value["count"]), int(value.get("first", 1))))

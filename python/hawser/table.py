@@ -73,5 +73,5 @@ def read(path: str | os.PathLike) -> Table:
     data = np.array(values)
     names = [re.fullmatch(r"(.*?)(?: \[([^\]]*)\])?", h) for h in header]
     columns = tuple(Column(n.group(1), n.group(2) or "", data[:, i])
-                    for i, n in enumerate(names) if i > 0)
+                    for i, n in enumerate(names) if i > 0 and n)
     return Table(data[:, 0], columns)
