@@ -106,9 +106,13 @@ void RunSession::choose_times() {
 
 std::int32_t RunSession::stride() const {
     if (options_.stride > 0) return options_.stride;
-    const double all = static_cast<double>(record::frame_bytes(session_.world(), info_)) *
-                       static_cast<double>(steps_ + 1);
-    return static_cast<std::int32_t>(std::clamp(std::ceil(all / kRecordingBytes), 1.0, 1e6));
+    const World& world = session_.world();
+    const auto steps = static_cast<double>(steps_ + 1);
+    const double frames = static_cast<double>(record::frame_bytes(world, info_)) * steps;
+    // Loads are stored in every step. Frames get at least half of the file.
+    const double loads = static_cast<double>(record::sea_load_bytes(world)) * steps;
+    const double left = std::max(kRecordingBytes - loads, 0.5 * kRecordingBytes);
+    return static_cast<std::int32_t>(std::clamp(std::ceil(frames / left), 1.0, 1e6));
 }
 
 void RunSession::open_outputs() {

@@ -25,6 +25,7 @@
 #include <hawser/interactions.h>
 #include <hawser/joints.h>
 #include <hawser/limits.h>
+#include <hawser/line_sea.h>
 #include <hawser/lines.h>
 #include <hawser/math.h>
 #include <hawser/outputs.h>

@@ -8,6 +8,7 @@
 /// (session.h).
 
 #include <hawser/def.h>
+#include <hawser/line_sea.h>
 #include <hawser/math.h>
 #include <hawser/stats.h>
 
@@ -194,6 +195,7 @@ class Recording {
     [[nodiscard]] static Recording read(std::vector<std::byte> bytes, const std::string& name);
 
     std::string file;
+    std::uint32_t format = 0;  ///< Version of the format.
     std::string scene_name, scene_path, scene_text;
     std::uint64_t scene_hash = 0;
     RecordingSettings settings;
@@ -214,6 +216,7 @@ class Recording {
     std::vector<RecordedInput> inputs;
     std::vector<RecordedChanges> changes;
     std::vector<RecordedLoads> loads;
+    std::vector<LineSea> seas;  ///< Seas whose loads on nodes of wires a replay computes again.
     std::vector<RecordedNote> notes;
     std::vector<RecordedCut> cuts;
     std::vector<RecordedTake> takes;  ///< Steps of the entries above ascend only within a branch.

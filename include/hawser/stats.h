@@ -190,7 +190,8 @@ struct Energy {
     double system = 0.0;
     /// Work since the start of water on all bodies: all loads of the sea (hawser/sea.h) with
     /// damping and added mass. Energy absorbed by water is negative. It is a part of `system`,
-    /// `dissipated` and the change of `added`. 0 in a replay, whose loads have no names.
+    /// `dissipated` and the change of `added`. 0 in the replay of a recording of format 2, whose
+    /// loads have no sources (docs/recording.md).
     double water = 0.0;
     /// Energy of edits since the start, negative if removed. Edits are: bodies and interactions
     /// added or removed, masses changed, nodes of wires inserted or removed, cuts and joins.

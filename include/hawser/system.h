@@ -51,6 +51,9 @@ struct GuideDef;
 namespace assembly {
 class LoadStore;
 }
+namespace marine {
+class SeaSystem;
+}
 
 /// Sums of the loads of one body. A body's velocity is (v, ω) of its centre of mass in the world
 /// frame. Matrices are symmetric and stored as lower triangles row by row: (0,0), (1,0), (1,1),
@@ -117,6 +120,11 @@ class Loads {
     }
 
   private:
+    friend class marine::SeaSystem;
+    /// Mark the following loads of the present system: true if a replay can compute them again from
+    /// state, time and definition (LoadRecord).
+    void repeat(bool repeatable) noexcept;
+
     template <class M>
     static void add(const BodyLoad& load, const M& from, double* BodyLoad::* to) noexcept {
         const int n = load.freedom < from.rows() ? load.freedom : static_cast<int>(from.rows());
@@ -131,6 +139,19 @@ struct LoadView {
     BodyId body{};
     std::span<const double> force, mass, damping, stiffness;  ///< As in BodyLoad.
     double late = 0.5;  ///< θ: weight of the velocity after the step in D.
+    /// Part of water (System::is_water()): force, mass, damping, stiffness in sequence. It is the
+    /// whole load if only water loads the body. Empty: none.
+    std::span<const double> water{};
+};
+
+/// Loads of the last step that a replay needs. It computes the other ones again.
+struct LoadRecord {
+    /// Loads by body. An entry with empty spans has no load in the step; a replay must not compute
+    /// one for it.
+    std::vector<LoadView> loads;
+    /// True: loads of the sea on nodes of wires are left out (line_sea.h), unless another load acts
+    /// on the node, or an input of one of its elements was set after the sea had acted.
+    bool repeats = false;
 };
 
 /// A value of a system that others set or read by name.

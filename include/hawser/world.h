@@ -158,6 +158,8 @@ class World : public OldWorld {
     void set_system_signal(std::string_view name, double value);
     /// Return the loads of systems in the last or failed step, by body; valid until the next step.
     [[nodiscard]] std::vector<LoadView> loads() const;
+    /// Return the loads of the last step for a recording; valid until the next step.
+    [[nodiscard]] LoadRecord load_record() const;
     /// Return the reason of the last Status::bad_load or bad_edit.
     [[nodiscard]] const BadLoad& bad_load() const noexcept;
 

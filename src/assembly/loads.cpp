@@ -13,6 +13,7 @@ namespace hawser {
 
 BodyLoad Loads::of(BodyId body) noexcept { return store_.of(body); }
 void Loads::reserve(std::span<const BodyId> bodies) noexcept { store_.reserve(bodies); }
+void Loads::repeat(bool repeatable) noexcept { store_.repeat(repeatable); }
 
 void Loads::add_force(BodyId body, const Vec3& force, const Vec3& torque) noexcept {
     const BodyLoad load = of(body);
@@ -69,6 +70,7 @@ void LoadStore::prepare(const model::Bodies& bodies) {
     last_water_.clear();
     shared_of_.clear();
     shared_.clear();
+    repeatable_.clear();
     data_.clear();
     coupled_count_ = 0;
     any_ = false;
@@ -80,6 +82,8 @@ void LoadStore::clear() noexcept {
     unreserved_.store(false, std::memory_order_relaxed);
     no_body_.store(false, std::memory_order_relaxed);
     touched_.store(false, std::memory_order_relaxed);
+    repeat_now_ = repeats_ = false;
+    altered_.clear();
     accept();
     if (!dirty) return;
     for (std::size_t e = 0; e < entries_.size(); ++e) {
@@ -109,6 +113,7 @@ bool LoadStore::add_entry(std::int32_t body, int freedom) noexcept {
         base::reserve_more(sources_, 1);
         base::reserve_more(last_water_, 1);
         base::reserve_more(shared_of_, 1);
+        base::reserve_more(repeatable_, 1);
         base::reserve_more(data_, at(size_of(freedom)));
         base::reserve_more(woken_, entries_.size() + 1);
         base::reserve_more(woken_quiet_, entries_.size() + 1);
@@ -124,6 +129,7 @@ bool LoadStore::add_entry(std::int32_t body, int freedom) noexcept {
     sources_.push_back(kNobody);
     last_water_.push_back(0);
     shared_of_.push_back(-1);
+    repeatable_.push_back(0);
     data_.resize(data_.size() + at(size_of(freedom)), 0.0);
     return true;
 }
@@ -150,9 +156,21 @@ BodyLoad LoadStore::of(BodyId id) noexcept {
             if (parallel_ || !make_shared(e)) return nowhere;
         }
         note_source(e);
+        if (used_[e] == 0) repeatable_[e] = 1;
         used_[e] = system_;
     }
+    if (!repeat_now_) repeatable_[e] = 0;
     return at_slot(entries_[e].place, freedom);
+}
+
+void LoadStore::alter(std::int32_t body) noexcept {
+    // Before the repeatable loads, they see the change. Only nodes have such loads.
+    if (!repeats_ || at(body) >= freedom_.size() || freedom_[at(body)] != 3) return;
+    try {
+        altered_.push_back(body);
+    } catch (const std::bad_alloc&) {
+        out_of_memory_ = true;
+    }
 }
 
 void LoadStore::reserve(std::span<const BodyId> bodies) noexcept {
@@ -321,12 +339,31 @@ std::vector<LoadView> LoadStore::view() const {
     std::vector<LoadView> out;
     if (!any_) return out;
     for (std::size_t b = 0; b < entry_of_.size(); ++b) {
-        if (!used(entry_of_[b])) continue;
-        const auto e = at(entry_of_[b]);
-        const auto n = at(entries_[e].freedom), size = at(entries_of(entries_[e].freedom));
-        const double *f = &data_[at(entries_[e].place)], *a = f + n;
-        out.push_back(
-            {id_of(b), {f, n}, {a, size}, {a + size, size}, {a + 2 * size, size}, late_[e]});
+        if (used(entry_of_[b])) out.push_back(view_of(b));
+    }
+    return out;
+}
+
+LoadView LoadStore::view_of(std::size_t body) const {
+    const auto e = at(entry_of_[body]);
+    const auto n = at(entries_[e].freedom), size = at(entries_of(entries_[e].freedom));
+    const double *f = &data_[at(entries_[e].place)], *a = f + n;
+    LoadView out{id_of(body), {f, n}, {a, size}, {a + size, size}, {a + 2 * size, size}, late_[e]};
+    if (const double* part = water_of(e); part != nullptr) out.water = {part, n + 3 * size};
+    return out;
+}
+
+LoadRecord LoadStore::record() const {
+    LoadRecord out;
+    out.repeats = repeats_;
+    std::vector<bool> altered(entry_of_.size());
+    for (const std::int32_t body : altered_) altered[at(body)] = true;
+    for (std::size_t b = 0; b < entry_of_.size(); ++b) {
+        const bool loaded = any_ && used(entry_of_[b]);
+        if (loaded && (altered[b] || repeatable_[at(entry_of_[b])] == 0))
+            out.loads.push_back(view_of(b));
+        else if (!loaded && altered[b])
+            out.loads.emplace_back().body = id_of(b);
     }
     return out;
 }
@@ -334,7 +371,7 @@ std::vector<LoadView> LoadStore::view() const {
 std::size_t LoadStore::bytes() const noexcept {
     return base::bytes(entry_of_) + base::bytes(freedom_) + base::bytes(coupled_) +
            base::bytes(entries_) + base::bytes(used_) + base::bytes(late_) + base::bytes(data_) +
-           base::bytes(shared_);
+           base::bytes(shared_) + base::bytes(repeatable_) + base::bytes(altered_);
 }
 
 void LoadStore::accept() noexcept {

@@ -65,8 +65,17 @@ class LoadStore {
     void begin_system(int number, bool of_water = false) noexcept {
         system_ = number + 1;
         water_now_ = of_water;
+        repeat_now_ = false;
         touched_.store(false, std::memory_order_relaxed);
     }
+    /// Mark the following loads of the present system as repeatable or not (LoadRecord).
+    void repeat(bool repeatable) noexcept {
+        repeat_now_ = repeatable;
+        repeats_ = repeats_ || repeatable;
+    }
+    /// Note that an input of an element of this body has changed: repeatable loads that it has in
+    /// this step differ from loads in the state after the change.
+    void alter(std::int32_t body) noexcept;
     void share(bool parallel) noexcept { parallel_ = parallel; }
     /// True if the system has loaded a body.
     [[nodiscard]] bool touched() const noexcept { return touched_.load(std::memory_order_relaxed); }
@@ -124,6 +133,8 @@ class LoadStore {
 
     /// Return the bodies with loads, ascending. @throws std::bad_alloc.
     [[nodiscard]] std::vector<LoadView> view() const;
+    /// Return the loads that are not repeatable. @throws std::bad_alloc.
+    [[nodiscard]] LoadRecord record() const;
     [[nodiscard]] std::size_t bytes() const noexcept;
 
     // State:
@@ -174,6 +185,7 @@ class LoadStore {
     [[nodiscard]] bool used(std::int32_t entry) const noexcept {
         return entry >= 0 && used_[static_cast<std::size_t>(entry)] != 0;
     }
+    [[nodiscard]] LoadView view_of(std::size_t body) const;
     [[nodiscard]] BodyLoad at_slot(std::int32_t place, int freedom) noexcept;
     bool add_entry(std::int32_t body, int freedom) noexcept;
 
@@ -192,15 +204,19 @@ class LoadStore {
     std::vector<std::uint8_t> last_water_;  ///< By entry: 1 if the last system was water.
     std::vector<std::int32_t> shared_of_;   ///< By entry: index in `shared_`, −1: none.
     std::vector<Shared> shared_;
-    std::vector<std::int32_t> fault_;  ///< Scratch, one per chunk of entries.
-    base::Array<double> data_;         ///< f, A, D, K, B of each entry.
-    double scratch_[96] = {};          ///< Target for loads of bodies that cannot be loaded.
-    Works taken_;                      ///< Energies of the solved step, if `measured_`.
+    std::vector<std::uint8_t> repeatable_;  ///< By entry: 1 if all its loads are repeatable.
+    std::vector<std::int32_t> altered_;     ///< Bodies of alter() in this step.
+    std::vector<std::int32_t> fault_;       ///< Scratch, one per chunk of entries.
+    base::Array<double> data_;              ///< f, A, D, K, B of each entry.
+    double scratch_[96] = {};               ///< Target for loads of bodies that cannot be loaded.
+    Works taken_;                           ///< Energies of the solved step, if `measured_`.
     double change_ = 0.0;  ///< Change of `added` by the change of A in the present step [J].
     int system_ = 0;
     std::int32_t coupled_count_ = 0;
     bool any_ = false, parallel_ = false, out_of_memory_ = false, measured_ = false;
-    bool water_now_ = false;  ///< True if the present system is water.
+    bool water_now_ = false;   ///< True if the present system is water.
+    bool repeat_now_ = false;  ///< True if the present loads are repeatable.
+    bool repeats_ = false;     ///< True if a system had repeatable loads in this step.
     std::atomic<bool> touched_{false};
     std::atomic<bool> unreserved_{
         false};  ///< True if a thread requested a body that reserve() did not name.

@@ -55,13 +55,19 @@ bool LineTable::holds(BodyId id) const noexcept {
     return std::binary_search(holders.begin(), holders.end(), id);
 }
 
-LineTable line_table(const World& world, const SeaDef& def) {
-    LineTable out;
-    out.length_param.fill(-1);
+std::array<int, 64> length_params() {
+    std::array<int, 64> out{};
+    out.fill(-1);
     for (const KindInfo& kind : interaction_kinds())
         for (std::size_t p = 0; p < kind.params.size(); ++p)
             if (kind.is(kWireElement) && std::string_view(kind.params[p].name) == "length")
-                out.length_param[static_cast<std::size_t>(kind.kind)] = static_cast<int>(p);
+                out[static_cast<std::size_t>(kind.kind)] = static_cast<int>(p);
+    return out;
+}
+
+LineTable line_table(const World& world, const SeaDef& def) {
+    LineTable out;
+    out.length_param = length_params();
     for (std::size_t i = 0; i < def.lines.size(); ++i)
         add_line(world, def.lines[i], entry("lines", i), out);
     std::sort(out.holders.begin(), out.holders.end());

@@ -14,8 +14,7 @@
 namespace hawser::marine {
 namespace {
 
-constexpr int kNodeChunk = LineNodes::kChunk;
-static_assert(kNodeChunk <= WaterField::kMostPoints &&
+static_assert(LineNodes::kChunk <= WaterField::kMostPoints &&
               HullWater::kChunk <= WaterField::kMostPoints);
 
 std::size_t slot(int i) noexcept { return static_cast<std::size_t>(i); }
@@ -24,14 +23,6 @@ std::size_t slot(int i) noexcept { return static_cast<std::size_t>(i); }
 template <class To>
 void add_sym(const Sym3& from, To& to) noexcept {
     for (int n = 0; n < 6; ++n) to[n] += from.m[n];
-}
-
-void add_point(const PointLoad& from, const BodyLoad& to) noexcept {
-    for (int k = 0; k < 3 && k < to.freedom; ++k) to.force[k] += from.force[k];
-    if (to.freedom < 3) return;
-    add_sym(from.mass, to.mass);
-    add_sym(from.damping, to.damping);
-    add_sym(from.stiffness, to.stiffness);
 }
 
 /// Add the loads of a hull or a rod.
@@ -48,6 +39,14 @@ void add_hull(const Water& from, const BodyLoad& to) noexcept {
 
 }  // namespace
 
+void add_point(const PointLoad& from, const BodyLoad& to) noexcept {
+    for (int k = 0; k < 3 && k < to.freedom; ++k) to.force[k] += from.force[k];
+    if (to.freedom < 3) return;
+    add_sym(from.mass, to.mass);
+    add_sym(from.damping, to.damping);
+    add_sym(from.stiffness, to.stiffness);
+}
+
 SeaSystem::SeaSystem(const SeaDef& def, double gravity, LineTable lines, Start start)
     : def_(def),
       start_(std::move(start)),
@@ -56,6 +55,7 @@ SeaSystem::SeaSystem(const SeaDef& def, double gravity, LineTable lines, Start s
       moment_(sea_.at(0.0)),
       field_(sea_, def_.current),
       lines_(std::move(lines)),
+      line_part_(marine::line_part(def_, gravity, lines_.table())),
       bodies_(def_.bodies.size()) {
     hulls_.reserve(def_.hulls.size());
     for (std::size_t i = 0; i < def_.hulls.size(); ++i) {
@@ -150,6 +150,7 @@ void SeaSystem::holds(HoldTable& table) const {
 
 void SeaSystem::prestep(Prestep& now, Loads& loads) noexcept {
     acted_ = false;
+    acting_ = in_;
     try {
         sea_.at(now.time, in_, moment_);
         field_.begin(moment_);
@@ -197,12 +198,11 @@ bool SeaSystem::compute(Prestep& now) noexcept {
     // Threads synchronise four times, for any number of hulls.
     now.for_each(lines_.wires(), [&](int i) noexcept { lines_.find(now.world, i); });
     const int works = static_cast<int>(points_.size());
-    const int lumps = lines_.count(), chunks = (lumps + kNodeChunk - 1) / kNodeChunk;
+    const int chunks = lines_.chunks();
     now.for_each(works + chunks + static_cast<int>(bodies_.size()), [&](int i) noexcept {
         if (i < works) return do_work(points_[slot(i)]);
         if (i >= works + chunks) return load_body(now.world, i - works - chunks);
-        const int first = (i - works) * kNodeChunk, end = std::min(first + kNodeChunk, lumps);
-        lines_.load(field_, def_.convective, first, end);
+        lines_.load_chunk(field_, def_.convective, i - works);
     });
     for (const HullWater& hull : hulls_)
         if (hull.lost()) return false;
@@ -219,8 +219,10 @@ bool SeaSystem::compute(Prestep& now) noexcept {
 
 /// Add all loads in the order of nodes, bodies, hulls and rods, independent of threads.
 void SeaSystem::give(Loads& loads) const noexcept {
+    if (line_part_) loads.repeat(true);
     for (int i = 0; i < lines_.count(); ++i)
         if (lines_.of(i).any) add_point(lines_.of(i), loads.of(lines_.body(i)));
+    loads.repeat(false);
     for (std::size_t i = 0; i < bodies_.size(); ++i)
         if (bodies_[i].any) add_point(bodies_[i], loads.of(def_.bodies[i].body));
     for (const HullWater& hull : hulls_)

@@ -12,6 +12,7 @@
 /// at the beginning of a wire. A wire that was cut off keeps its own elements. If a body held an
 /// end of the line at the definition, the half element at the body has no water.
 
+#include <hawser/line_sea.h>
 #include <hawser/sea.h>
 #include <hawser/sea_accuracy.h>
 
@@ -23,6 +24,7 @@
 #include "marine/rods.h"
 #include "marine/wave_force.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -46,6 +48,13 @@ struct LineTable {
     [[nodiscard]] int sort_of(InteractionId id) const noexcept;
     [[nodiscard]] bool holds(BodyId id) const noexcept;
 };
+/// Return the index of the parameter `length` by kind of element, −1: none.
+[[nodiscard]] std::array<int, 64> length_params();
+/// Return the definition of the lines' part of a sea; null: no line.
+[[nodiscard]] std::shared_ptr<const LineSea> line_part(const SeaDef& def, double gravity,
+                                                       const LineTable& table);
+/// Add the load of a point to that of a body.
+void add_point(const PointLoad& from, const BodyLoad& to) noexcept;
 /// List the sorts of the lines of a sea. @throws SeaError
 [[nodiscard]] LineTable line_table(const World& world, const SeaDef& def);
 
@@ -67,6 +76,11 @@ class LineNodes {
     static constexpr int kChunk = 16;  ///< Number of nodes of one task.
     /// Compute the loads on the nodes [begin, end), at most kChunk.
     void load(const WaterField& field, bool convective, int begin, int end) noexcept;
+    /// Return the number of tasks load_chunk(). The bits of a load depend on the nodes of its task.
+    [[nodiscard]] int chunks() const noexcept { return (count() + kChunk - 1) / kChunk; }
+    void load_chunk(const WaterField& field, bool convective, int chunk) noexcept {
+        load(field, convective, chunk * kChunk, std::min((chunk + 1) * kChunk, count()));
+    }
     /// Return the largest error of a velocity of the last load() [m/s]. @param points  Increased by
     /// the number of nodes.
     [[nodiscard]] double velocity_error(const WaterField& field, std::int64_t& points) const;
@@ -212,6 +226,11 @@ class SeaSystem final : public System {
     }
     /// Return the sums of loads by body, for readers. @throws std::bad_alloc
     [[nodiscard]] std::vector<LoadView> loads() const;
+    [[nodiscard]] const std::shared_ptr<const LineSea>& line_part() const noexcept {
+        return line_part_;
+    }
+    /// Return the inputs in the last step.
+    [[nodiscard]] const SeaInputs& acting_inputs() const noexcept { return acting_; }
     [[nodiscard]] HullMemory memory(std::size_t hull) const;
     [[nodiscard]] SeaAccuracy accuracy() const;
 
@@ -234,10 +253,11 @@ class SeaSystem final : public System {
     SeaDef def_;
     Start start_;
     Sea sea_;
-    SeaInputs in_;
+    SeaInputs in_, acting_;
     SeaMoment moment_;
     WaterField field_;
     LineNodes lines_;
+    std::shared_ptr<const LineSea> line_part_;
     std::vector<PointLoad> bodies_;
     std::vector<HullWater> hulls_;
     std::vector<RodWater> rods_;

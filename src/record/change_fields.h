@@ -158,6 +158,57 @@ void visit_fields(D& d, F&& f) {
     visit_fields(d.values, f);
 }
 
+template <class F, FieldsOf<SeaLevel> D>
+void visit_fields(D& d, F&& f) {
+    f(d.time);
+    f(d.level);
+}
+
+template <class F, FieldsOf<SeaCurrent> D>
+void visit_fields(D& d, F&& f) {
+    f(d.depth);
+    f(d.speed);
+    f(d.direction);
+}
+
+template <class F, FieldsOf<WaveDef> D>
+void visit_fields(D& d, F&& f) {
+    f.word(d.kind, 3);
+    for (auto* value : {&d.height, &d.period, &d.direction, &d.phase, &d.gamma, &d.spreading})
+        f(*value);
+    f(d.components);
+    f(d.seed);
+    f(d.lowest);
+    f(d.highest);
+}
+
+template <class F, FieldsOf<LineWater> D>
+void visit_fields(D& d, F&& f) {
+    for (auto* value :
+         {&d.diameter, &d.volume, &d.cd_normal, &d.cd_tangential, &d.ca_normal, &d.ca_tangential})
+        f(*value);
+}
+
+template <class F, FieldsOf<LineSea::Element> D>
+void visit_fields(D& d, F&& f) {
+    f(d.id);
+    f(d.sort);
+}
+
+template <class F, FieldsOf<LineSea> D>
+void visit_fields(D& d, F&& f) {
+    f(d.gravity);
+    f(d.sea.depth);
+    f(d.sea.density);
+    f(d.sea.convective);
+    f.list(d.sea.level);
+    f.list(d.sea.waves);
+    f.list(d.sea.current);
+    f.list(d.sorts);
+    f.list(d.elements);
+    f.list(d.holders);
+}
+
 template <class F, FieldsOf<WirePieces> D>
 void visit_fields(D& d, F&& f) {
     f(d.name);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <hawser/recording.h>
 #include "base/file_kind.h"
+#include "record/field_bytes.h"
 #include "record/files.h"
 #include "record/outlines.h"
 #include "record/recording_bytes.h"
@@ -65,9 +66,10 @@ Recording Recording::read(std::vector<std::byte> bytes, const std::string& name)
             name + ": " +
             base::wrong_kind_or(as_text(r.bytes_), "a recording", name, "not a Hawser recording"));
     const auto version = in.get<std::uint32_t>();
-    if (version != kFormatVersion)
-        throw RecordingError(fmt::format("{}: recording format {}, this program reads {}", name,
-                                         version, kFormatVersion));
+    if (version != kFormatVersion && version != kAllLoadsVersion)
+        throw RecordingError(fmt::format("{}: recording format {}, this program reads {} and {}",
+                                         name, version, kAllLoadsVersion, kFormatVersion));
+    r.format = version;
     int stage = 0;
     try {
         while (in.left() > 0) {
@@ -128,6 +130,9 @@ void Recording::read_chunk(std::string_view kind, std::span<const std::byte> pay
         read_changes(in);
     } else if (kind == kLoadsChunk) {
         read_loads(in);
+    } else if (kind == kLineSeaChunk) {
+        seas.push_back(GetFields{in}.definition<LineSea>());
+        in.expect_end();
     } else if (kind == kNoteChunk) {
         read_note(in);
     } else if (kind == kBodiesChunk) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/recording_writer.h"
 #include "record/event_input.h"
+#include "record/field_bytes.h"
 
 #include "record/files.h"
 #include "record/layout_writer.h"
@@ -24,6 +25,22 @@ std::size_t frame_bytes(const World& world, const SceneInfo& scene) {
         floats += static_cast<std::size_t>(pose_floats(world.body_def(id).kind));
     for (const CableInfo& cable : scene.cables) floats += cable.elements.size();
     return kChunkOverhead + kFrameHeadBytes + 4 * floats;
+}
+
+std::size_t sea_load_bytes(const World& world) {
+    const SeaDef* sea = find_sea(world);
+    if (sea == nullptr) return 0;
+    std::vector<BodyId> bodies;
+    for (const auto& body : sea->bodies) bodies.push_back(body.body);
+    for (const auto& hull : sea->hulls) bodies.push_back(hull.body);
+    for (const auto& rod : sea->rods) bodies.push_back(rod.body);
+    std::sort(bodies.begin(), bodies.end());
+    bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+    std::size_t bytes = kChunkOverhead + kLoadHeadBytes;
+    for (const BodyId id : bodies)
+        if (const std::size_t n = freedom_of(world.body_def(id).kind); n > 0)
+            bytes += kLoadBodyBytes + 8 * load_numbers(n);
+    return bytes;
 }
 
 namespace {
@@ -53,8 +70,9 @@ void put_pose(ByteWriter& out, const Pose& pose, const Pose& start, BodyKind kin
 }  // namespace
 
 RecordingWriter::RecordingWriter(const std::filesystem::path& file, const SceneInfo& scene,
-                                 const World& world, const RecordingSettings& settings)
-    : file_(file), wires_(world), lines_(world, joints_of(scene, world)) {
+                                 const World& world, const RecordingSettings& settings,
+                                 LoadStorage loads)
+    : file_(file), loads_(loads), wires_(world), lines_(world, joints_of(scene, world)) {
     // A pipe would be waited for.
     if (const std::string fault = output_fault(file); !fault.empty())
         throw RecordingError(
@@ -72,8 +90,9 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& file, const SceneI
     for (const BodyId id : world.bodies())
         bodies_.push_back({id, world.body_def(id).kind, world.pose(id)});
 
+    const std::uint32_t format = loads == LoadStorage::all ? kAllLoadsVersion : kFormatVersion;
     if (std::fwrite(kMagic, 1, sizeof kMagic, out_.get()) != sizeof kMagic ||
-        std::fwrite(&kFormatVersion, 1, sizeof kFormatVersion, out_.get()) != sizeof kFormatVersion)
+        std::fwrite(&format, 1, sizeof format, out_.get()) != sizeof format)
         fail();
 
     payload_.put(scene.hash);
@@ -233,7 +252,47 @@ void RecordingWriter::add_inputs(std::span<const RecordedInput> changes) {
     write_chunk(kInputsChunk);
 }
 
+/// Write the sea whose loads on nodes of wires are left out, unless it is that of the last chunk.
+void RecordingWriter::follow_sea(const World& world) {
+    std::shared_ptr<const LineSea> sea = line_sea(world);
+    if (sea == sea_) return;
+    PutFields{payload_}(*sea);
+    write_chunk(kLineSeaChunk);
+    sea_ = std::move(sea);
+    ++seas_;
+}
+
 void RecordingWriter::add_loads(const World& world) {
+    if (loads_ == LoadStorage::all) return add_all_loads(world);
+    LoadRecord record = world.load_record();
+    if (record.repeats && line_sea(world) == nullptr) record = {world.loads(), false};
+    if (record.loads.empty() && !record.repeats) return;
+    if (record.repeats) follow_sea(world);
+    payload_.put(world.step_count() - 1);
+    payload_.put(record.repeats ? seas_ - 1 : -1);
+    if (record.repeats) {
+        const SeaInputs inputs = acting_inputs(world);
+        for (const double input : {inputs.waves, inputs.current, inputs.level}) payload_.put(input);
+    }
+    payload_.put(static_cast<std::uint32_t>(record.loads.size()));
+    for (const LoadView& load : record.loads) {
+        const bool shared = !load.water.empty() && load.water.data() != load.force.data();
+        const unsigned source = load.force.empty()   ? kNoSource
+                                : load.water.empty() ? kOtherSource
+                                : shared             ? kOtherSource | kWaterSource
+                                                     : kWaterSource;
+        payload_.put(load.body.index);
+        payload_.put(load.body.generation);
+        payload_.put(static_cast<std::uint8_t>(load.force.size()));
+        payload_.put(static_cast<std::uint8_t>(source));
+        for (const auto& numbers : {load.force, load.mass, load.damping, load.stiffness})
+            payload_.put_bytes(std::as_bytes(numbers));
+        if (shared) payload_.put_bytes(std::as_bytes(load.water));
+    }
+    write_chunk(kLoadsChunk);
+}
+
+void RecordingWriter::add_all_loads(const World& world) {
     const std::vector<LoadView> loads = world.loads();
     if (loads.empty()) return;
     payload_.put(world.step_count() - 1);

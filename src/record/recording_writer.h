@@ -21,19 +21,25 @@
 
 namespace hawser::record {
 
+/// Loads of systems in a recording.
+enum class LoadStorage : std::uint8_t {
+    needed,  ///< Loads that a replay cannot compute again.
+    all,     ///< Loads of all bodies, in the format of earlier versions.
+};
+
 /// Writes a recording. Functions throw RecordingError when the disk is full.
 class RecordingWriter {
   public:
     /// Starts the file with the scene, the settings, the layout and the state of the world.
     RecordingWriter(const std::filesystem::path& file, const SceneInfo& scene, const World& world,
-                    const RecordingSettings& settings);
+                    const RecordingSettings& settings, LoadStorage loads = LoadStorage::needed);
     void add_frame(const World& world);
     void add_inputs(std::span<const RecordedInput> changes);
     /// Check that no change is missing. @throws RecordingError if memory was insufficient for one.
     void check_complete(const ChangeBytes& changes) const;
     /// Write changes of the world since the last call (changes.h), before the next step.
     void add_changes(std::int64_t step, std::span<const std::byte> changes, bool other_bodies);
-    /// Write the loads of systems in the last step, if any.
+    /// Write the loads of systems in the last step that a replay needs, if any.
     void add_loads(const World& world);
     void add_note(std::int64_t step, std::string_view kind, std::span<const std::byte> bytes);
     void add_cut(const RecordedCut& cut);
@@ -57,12 +63,17 @@ class RecordingWriter {
         BodyKind kind;
         Pose start;
     };
+    void add_all_loads(const World& world);
+    void follow_sea(const World& world);
     void follow_bodies(const World& world);
     void follow_wires(const World& world);
     void follow_lines(const World& world);
     void follow_water(const World& world);
     [[nodiscard]] std::vector<BodyId> bodies_of_frame() const;
 
+    LoadStorage loads_;
+    std::shared_ptr<const LineSea> sea_;  ///< Sea of the last LSEA chunk.
+    std::int32_t seas_ = 0;               ///< Number of LSEA chunks.
     std::vector<InteractionId> elements_;
     std::vector<FramedBody> bodies_;  ///< Bodies of a frame, in its order.
     WireFollower wires_;
@@ -76,5 +87,8 @@ class RecordingWriter {
 
 /// Return the number of bytes of one frame in the file.
 [[nodiscard]] std::size_t frame_bytes(const World& world, const SceneInfo& scene);
+/// Return the number of bytes of the loads that the sea adds to one step of the file. Loads of
+/// other systems are not counted.
+[[nodiscard]] std::size_t sea_load_bytes(const World& world);
 
 }  // namespace hawser::record

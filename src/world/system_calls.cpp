@@ -76,6 +76,7 @@ void World::set_system_signal(std::string_view name, double value) {
     ++impl_->ctx.work.stats.event_count[static_cast<std::size_t>(EventKind::input_clamped)];
 }
 std::vector<LoadView> World::loads() const { return impl_->ctx.state.loads.view(); }
+LoadRecord World::load_record() const { return impl_->ctx.state.loads.record(); }
 const BadLoad& World::bad_load() const noexcept { return impl_->systems.bad; }
 
 bool WorldImpl::set(InputId id, double value, Before& before) noexcept {
@@ -103,7 +104,8 @@ bool WorldImpl::set(InputId id, double value, Before& before) noexcept {
                    : 0.0;
     };
     const double held = elastic();
-    if (within != before.applied || within != before.value) disturb(def);
+    before.moved = within != before.applied;
+    if (before.moved || within != before.value) disturb(def);
     apply_input(at(id.index), within);
     ctx.state.ledger.drive += elastic() - held;
     // Reported as if set before the step, which is equivalent: a recording needs no systems.

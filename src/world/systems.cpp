@@ -87,6 +87,8 @@ class Systems::Hands final : public Prestep::Hands {
                                  : "it is not finite; give a finite value";
             return;
         }
+        for (const std::int32_t body : before.body)
+            if (before.moved && body >= 0) ctx_.state.loads.alter(body);
         for (InputDoor::Before& earlier : of_.set_) {
             if (earlier.input != before.input) continue;
             earlier.asked = before.asked;

@@ -33,6 +33,7 @@ class InputDoor {
         std::int32_t quiet[3] = {0, 0, 0};
         double asked = 0.0;
         bool clamped = false;
+        bool moved = false;  ///< True if the value in force changed.
     };
     /// Set an input.
     /// @return false if it does not exist or the value is not finite.
