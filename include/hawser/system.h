@@ -149,8 +149,9 @@ struct LoadRecord {
     /// Loads by body. An entry with empty spans has no load in the step; a replay must not compute
     /// one for it.
     std::vector<LoadView> loads;
-    /// True: loads of the sea on nodes of wires are left out (line_sea.h), unless another load acts
-    /// on the node, or an input of one of its elements was set after the sea had acted.
+    /// True: loads of the sea on nodes of wires are omitted (line_sea.h). A node is listed if
+    /// another load acts on it, or if an input of one of its elements was set after the sea had
+    /// acted.
     bool repeats = false;
 };
 
