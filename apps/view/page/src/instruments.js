@@ -176,7 +176,7 @@ export class Instruments {
         card.bar.title = breaking > 0 ? `${t('Breaking load')} ${shown(breaking, 'N')}, ${t('working load')} ${shown(kWorkingShare * breaking, 'N')}` : '';
         card.limits = el('div', {className: 'limits'}, el('span', {textContent: '0'}), el('span', {textContent: `WLL ${shown(kWorkingShare * breaking, 'N', 'tension')}`}), el('span', {textContent: `MBL ${shown(breaking, 'N', 'tension')}`}));
         card.bar.hidden = card.limits.hidden = !(breaking > 0);
-        parts.push(el('section', {className: 'instrument winch', 'aria-label': `${t('Winch')} ${readable(w.name)}`}, el('h3', {textContent: t(readable(w.system || w.name))}), card.bar, card.limits,
+        parts.push(el('section', {className: 'instrument winch', 'aria-label': `${t('Winch')} ${t(readable(w.system || w.name))}`}, el('h3', {textContent: t(readable(w.system || w.name))}), card.bar, card.limits,
             el('div', {className: 'facts2 one'}, ...Object.values(card.facts).map(f => f.box))));
         return card;
     }
