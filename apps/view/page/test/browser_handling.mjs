@@ -204,6 +204,8 @@ async function sail(kit, stations, instructor) {
 async function byKeyboard(kit, station) {
     await kit.check(`${station.name}: each control is reached and moved by keyboard alone`, async () => {
         const {page} = station, names = await page.evaluate(() => hawser.levers.levers.map(l => l.def.name));
+        await page.evaluate(() => window.fakePads[0].axes.fill(0));   // a stick that is held would move its control back
+        await kit.until(page, () => hawser.levers.levers.every(l => l.def.spring !== 0 || Math.abs(l.value) < 1e-9));
         for (const name of names) {
             await station.select(name);
             const before = await page.evaluate(n => hawser.levers.levers.find(l => l.def.name === n).value, name), up = await page.evaluate(n => { const l = hawser.levers.levers.find(x => x.def.name === n); return l.value < l.range[1] - 1e-9; }, name);
