@@ -255,6 +255,7 @@ Json scene_json(const scene::Scene& scene, const FramePlan& plan, const SceneNot
     out["joints"] = joints_of(world, plan);
     out["systems"] = systems_of(world);
     out["vessels"] = vessels_json(world);
+    out["gauges"] = gauges_json(world);
     out["inputs"] = inputs_of(world, plan);
     out["outputs"] = outputs_of(world, plan);
     add_sea(world, out);

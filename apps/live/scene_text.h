@@ -40,6 +40,8 @@ struct SceneNotes {
 [[nodiscard]] Json shape_json(const World& world, ShapeId id);
 /// Return an entry for each vessel: propulsors, rudders, switchboards, alarms of its control.
 [[nodiscard]] Json vessels_json(const World& world);
+/// Return an entry for each stability gauge: its name and the body of its ship.
+[[nodiscard]] Json gauges_json(const World& world);
 /// Add waves, depth and wetted hulls of the world's sea, if there is one.
 void add_sea(const World& world, Json& out);
 /// Return the text to send: compact, without its first brace; invalid UTF-8 is replaced.

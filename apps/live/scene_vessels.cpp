@@ -2,6 +2,7 @@
 /// Positions and ranges that displays of vessels need.
 #include "live/scene_text.h"
 
+#include <hawser/system.h>
 #include <hawser/vessel.h>
 
 #include <nlohmann/json.hpp>
@@ -73,6 +74,18 @@ Json vessels_json(const World& world) {
                        {"boards", boards_json(*def)},
                        {"position_alarm", def->control.position_alarm},
                        {"heading_alarm", shorter(def->control.heading_alarm, 1e-6)}});
+    return out;
+}
+
+Json gauges_json(const World& world) {
+    Json out = Json::array();
+    for (const SystemSignal& s : world.system_signals()) {
+        if (s.input || s.name != "permissible") continue;
+        HoldTable held;
+        if (const System* gauge = world.find_system(s.system)) gauge->holds(held);
+        if (!held.bodies.empty())
+            out.push_back({{"name", s.system}, {"body", held.bodies.front().index}});
+    }
     return out;
 }
 

@@ -16,6 +16,17 @@ const kTo = {   // a part about z laid along an axis
 };
 export const toQuaternion = ([w, x, y, z], out = new Quaternion()) => out.set(x, y, z, w);
 
+/// Return the box of a ship along its wetted hull: half sizes, and the middle of its length in the
+/// frame of the body, whose origin is the centre of mass.
+export function shipBox(half, wetted) {
+    let low = Infinity, high = -Infinity;
+    for (let i = 0; i < (wetted.vertices?.length ?? 0); i += 3) {
+        low = Math.min(low, wetted.vertices[i]);
+        high = Math.max(high, wetted.vertices[i]);
+    }
+    return high > low && high - low > half[0] ? {half: [(high - low) / 2, half[1], half[2]], x: (high + low) / 2} : {half, x: 0};
+}
+
 export class Bodies {
     /// @param paint  Material of all bodies; null: one that is lit at each pixel.
     constructor(scene, paint = null) {
@@ -102,13 +113,14 @@ export class Bodies {
     }
 
     dressHull(body, wetted) {
-        const {half, water} = body, deck = workingDeck(body.shapes, half);
+        const {water} = body, ship = body.role === 'ship' && wetted ? shipBox(body.half, wetted) : {half: body.half, x: 0}, {half} = ship, found = workingDeck(body.shapes, body.half);
+        const deck = body.deck = found && {...found, front: (found.front * body.half[0] - ship.x) / half[0]};
         const paint = body.paint ?? ships.HULLS[0];
         const made = body.role === 'semi' ? ships.semi({half, water}) : body.role === 'barge' ? ships.barge({half, water})
             : ships.ship({half, water, paint, deck: deck?.z ?? null, break: deck ? deck.front + 0.14 : null});
-        body.bridge = new Vector3(...made.bridge);
-        body.eye = made.eye ? new Vector3(...made.eye) : null;
-        this.part(body, `hull ${body.role} ${half} ${paint} ${water.toFixed(2)} ${deck?.z}`, () => made.build);
+        body.bridge = new Vector3(...made.bridge).setX(made.bridge[0] + ship.x);
+        body.eye = made.eye ? new Vector3(...made.eye).setX(made.eye[0] + ship.x) : null;
+        this.part(body, `hull ${body.role} ${half} ${paint} ${water.toFixed(2)} ${deck?.z}`, () => made.build, new Matrix4().makeTranslation(ship.x, 0, 0));
         body.wetted = wetted;
     }
 
@@ -139,16 +151,18 @@ export class Bodies {
         else if (s.kind === 'points') this.part(body, `points ${body.id} ${s.vertices?.length} ${s.vertices?.[0]}`, () => pointsBuild(s, fit.PAINT.steel), local);
     }
 
-    /// Drums of winches and sheaves; they turn with the coordinate of a scalar body.
+    /// Drums of winches and sheaves, without hydraulic cylinders; they turn with the coordinate of a scalar body.
     dressMachines(scene) {
         for (const d of scene.drums ?? []) {
             const body = this.byId.get(d.body), r = d.radius;
-            if (!body || !(r > 0) || body.role === 'none' && body.def.kind !== 'fixed') continue;
-            const local = this.laid('y', [d.point[0], d.point[1], d.point[2] - r]);
+            if (!body || !(r > 0) || /\/cylinder$/.test(d.name) || body.role === 'none' && body.def.kind !== 'fixed') continue;
+            // A wire that leaves less than a diameter above the deck leaves from below its drum.
+            const above = body.deck ? d.point[2] - body.deck.z : Infinity, under = above > -r && above < 2 * r;
+            const local = this.laid('y', [d.point[0], d.point[1], d.point[2] + (under ? r : -r)]), foot = under ? Math.max(1.1 * r, above + r) : 1.5 * r;
             const scalar = this.byId.get(d.drum);
             const head = body.role === 'boom';   // a hoist's wire comes over the head
             const long = Math.min(4 * r, 2.4);
-            if (!head) this.part(body, `bearings ${r}`, () => fit.bearings(r, long), local);
+            if (!head) this.part(body, `bearings ${r} ${foot}`, () => fit.bearings(r, long, foot), local);
             this.turning.push(head ? this.part(body, `sheave ${r}`, () => fit.sheave(r), local, {scalar, ratio: 1, far: () => fit.farSheave(r)})
                 : this.part(body, `drum ${r}`, () => fit.drum(r, long), local, {scalar, ratio: 1, far: () => fit.farDrum(r, long)}));
         }

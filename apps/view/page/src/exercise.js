@@ -4,6 +4,7 @@
 import {$, clock, el, memory} from './dom.js';
 import {readable} from './roles.js';
 import {shown} from './units.js';
+import {stateWord} from './vessel.js';
 import {t} from './words.js';
 
 const points = v => `${v > 0 ? '+' : v < 0 ? '−' : ''}${+Math.abs(v).toFixed(1)}`;
@@ -75,6 +76,7 @@ export class ExercisePanel {
         panel.hidden = false;
         $('debrief').hidden = false;
         this.app.inset();
+        this.names = new Set(this.app.scene?.outputs.map(o => o.name));
         this.displays = e.displays.map(name => {
             const value = el('dd', {});
             this.shown.append(el('dt', {textContent: t(readable(name)), title: name}), value);
@@ -162,7 +164,8 @@ export class ExercisePanel {
         const {scene} = this.app, e = this.exercise;
         for (const d of this.displays) {
             const k = scene.outputs.findIndex(o => o.name === d.name), value = k < 0 ? NaN : frame.outputs[k];
-            const words = Number.isFinite(value) ? shown(value, scene.outputs[k].unit, d.name) : '–';
+            const unit = k < 0 || scene.outputs[k].unit === '1' ? '' : scene.outputs[k].unit, state = Number.isFinite(value) ? stateWord(d.name, value, this.names) : '';
+            const share = unit === '' && /\.utilisation$/.test(d.name), words = state ? t(state) : !Number.isFinite(value) ? '–' : share ? `${Math.round(100 * value)} %` : shown(value, unit, d.name);
             if (d.value.textContent !== words) d.value.textContent = words;
         }
         this.left.textContent = e.ended !== null ? t('ended') : e.duration === null ? '' : `${clock(Math.max(0, e.duration - frame.time))} ${t('left')}`;

@@ -109,9 +109,9 @@ export function farDrum(radius, length) {
 }
 
 /// Supports of a drum at both ends of its shaft: bearings on feet down to the deck (+y of the part,
-/// which points down if the drum lies athwart).
-export function bearings(radius, length) {
-    const b = new Build(), steel = PAINT.dark, foot = 1.5 * radius;
+/// which points down if the drum lies athwart), `foot` below the shaft.
+export function bearings(radius, length, foot = 1.5 * radius) {
+    const b = new Build(), steel = PAINT.dark;
     for (const s of [1, -1]) {
         const z = s * (length / 2 + 0.32 * radius), t = 0.1 * radius;
         b.cylinder([0, 0, z - t], [0, 0, z + t], 0.3 * radius, 12, steel);

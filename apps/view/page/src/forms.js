@@ -13,12 +13,13 @@ const lastOf = signal => signal.slice(signal.lastIndexOf('.') + 1);
 /// Controls of a crane by stick: [to the right, away from the driver]. A hoist stick moved away lowers.
 export const kCraneSticks = [['slew', 'luff'], ['knuckle', 'hoist'], ['fold', 'hoist']];
 
-/// Return the form of an input: 'heading', 'helm', 'telegraph', 'side', 'winch', 'share', 'azimuth',
+/// Return the form of an input: 'heading', 'position', 'helm', 'telegraph', 'side', 'winch', 'share', 'azimuth',
 /// 'joystick', 'crane' or '' for a plain slider. @param scene  For vessels and winches.
 export function formOf(input, scene) {
     const signal = signalOf(input), name = lastOf(signal), vessel = scene.vessels?.find(v => v.name === systemOf(signal));
     if (vessel) {
         if (name === 'heading_order') return 'heading';
+        if (name === 'x_order' || name === 'y_order') return 'position';
         if (/^joystick_[xyn]$/.test(name)) return 'joystick';
         if (name === 'rudder' || vessel.rudders.some(r => r.name === name)) return 'helm';
         const p = vessel.propulsors.find(q => q.name === name || `${q.name}_angle` === name);
@@ -45,9 +46,24 @@ export function endsOf(form, name = '') {
 /// Values shown in per cent: orders from −1 to 1 and fractions from 0 to 1.
 export const inPercent = (form, unit, [min, max]) => (unit === '1' || unit === '') && form !== '' && (min === -1 || min === 0) && max === 1;
 
-/// Smallest step by a key [rad]: a degree of a heading or of the helm; otherwise a twentieth of the
-/// range.
-export const keyStep = form => form === 'heading' ? Math.PI / 180 : form === 'helm' ? Math.PI / 36 : 0;
+/// Smallest step by a key: a degree of a heading, 5° of the helm [rad], 1 m of a position; 0: a
+/// twentieth of the range.
+export const keyStep = form => form === 'heading' ? Math.PI / 180 : form === 'helm' ? Math.PI / 36 : form === 'position' ? 1 : 0;
+
+/// Rate at which a stick moves a control that stays, by form: 10°/s of a heading, 2 m/s of a position;
+/// otherwise the whole range in four seconds.
+export const driftRate = (form, [min, max]) => form === 'heading' ? Math.PI / 18 : form === 'position' ? 2 : (max - min) / 4;
+
+export const kMove = 5;  // metres of a press of the buttons that move the ordered position
+/// Unit vectors of the buttons in axes of the ship, x ahead, y to port.
+export const kMoves = {Ahead: [1, 0], Astern: [-1, 0], Port: [0, 1], Starboard: [0, -1]};
+
+/// Buttons that move the ordered position by 5 m ahead, astern, to port, to starboard.
+/// @param by  Called with the move in axes of the ship [m].
+export function moveButtons(by) {
+    const button = ([name, way]) => el('button', {type: 'button', textContent: `${t(name)} ${kMove} m`, 'data-move': name, onclick: () => by(...way.map(v => v * kMove))});
+    return el('div', {className: 'move-form', role: 'group', 'aria-label': t('Move the ordered position')}, ...Object.entries(kMoves).map(button));
+}
 
 const deg = 180 / Math.PI;
 

@@ -3,7 +3,7 @@
 /// Buttons act like keys. The mapping is stored for each scene.
 import {deadZone} from './lever_logic.js';
 
-export const kButtons = {0: 'play', 1: 'neutral', 2: 'step', 3: 'camera', 4: 'previous', 5: 'next', 9: 'play'};
+export const kButtons = {0: 'play', 1: 'neutral', 2: 'step', 3: 'camera', 4: 'previous', 5: 'next', 9: 'play', 12: 'Ahead', 13: 'Astern', 14: 'Port', 15: 'Starboard'};
 
 /// Return the default mapping: the first controls in their order, upward sticks positive.
 export const defaultMapping = levers => ({

@@ -23,10 +23,13 @@ export function prefixOf(inputs) {
     return [...count].sort((a, b) => b[1] - a[1])[0]?.[0] ?? '';
 }
 
+/// True if the wire of a drum stands for a hydraulic cylinder.
+export const isCylinder = drum => /\/cylinder$/.test(drum.name);
+
 /// Return the winches to show: wires with a drum on the body, or systems with outputs `pull`.
 /// @return [{name, wire: index or −1, system: name or ''}]
 export function winchesOf(scene, body) {
-    const found = scene.drums.filter(d => d.body === body).map(d => ({name: scene.wires[d.wire].name, wire: d.wire, system: winchOfDrum(scene, d)}));
+    const found = scene.drums.filter(d => d.body === body && !isCylinder(d)).map(d => ({name: scene.wires[d.wire].name, wire: d.wire, system: winchOfDrum(scene, d)}));
     const pulls = scene.outputs.filter(o => /\.pull$/.test(o.name)).map(o => o.name.slice(0, -5));
     for (const system of pulls) {
         if (found.some(w => w.system === system)) continue;
@@ -42,8 +45,21 @@ export function winchesOf(scene, body) {
 
 /// Return the cranes to show: systems with load and utilisation, of the ship if the prefix names one.
 export function cranesOf(outputs, prefix) {
-    const names = new Set(outputs.map(o => o.name)), all = outputs.filter(o => /\.utilisation$/.test(o.name)).map(o => o.name.slice(0, -12)).filter(n => !names.has(`${n}.permissible`)), own = all.filter(n => prefix && (n === prefix || n.startsWith(`${prefix}/`)));
+    const names = new Set(outputs.map(o => o.name)), all = outputs.filter(o => /\.utilisation$/.test(o.name)).map(o => o.name.slice(0, -12)).filter(n => !names.has(`${n}.permissible`) && !names.has(`${n}.capacity`)), own = all.filter(n => prefix && (n === prefix || n.startsWith(`${prefix}/`)));
     return (own.length ? own : all).slice(0, 2);
+}
+
+/// Return the stability gauges to show: those of the ship, or all of a scene that does not name their ships.
+export function gaugesOf(scene, body) {
+    const all = scene.outputs.filter(o => o.name.endsWith('.permissible')).map(o => o.name.slice(0, -12));
+    return all.filter(name => (scene.gauges?.find(g => g.name === name)?.body ?? body) === body);
+}
+
+/// Return the body that carries a crane: its bodies are jointed to it; undefined: not known.
+export function craneHost(scene, name) {
+    const own = new Set(scene.bodies.filter(b => b.name.startsWith(`${name}/`)).map(b => b.id));
+    const joint = (scene.joints ?? []).find(j => own.has(j.bodies[0]) !== own.has(j.bodies[1]));
+    return joint?.bodies.find(b => !own.has(b));
 }
 
 /// Fractions of a tension bar: value and working load of the breaking load; null without one.
@@ -117,12 +133,13 @@ export class Instruments {
         if (this.vessel?.propulsors.length) add('propulsion', new PropulsionCard(this.vessel, half));
         if (this.vessel && this.at(`${this.vessel.name}.mode_now`) >= 0) add('dp', this.dp = new DpCard(this.vessel));
         else this.dp = null;
-        for (const o of scene.outputs) if (o.name.endsWith('.permissible')) add('stability', new StabilityCard(o.name.slice(0, -12)));
+        for (const name of gaugesOf(scene, this.body)) add('stability', new StabilityCard(name));
         if (this.vessel?.boards.length) add('power', new PowerCard(this.vessel));
         cards.winch = [];
         cards.crane = [];
         this.winches = ship ? winchesOf(scene, ship.id).map(w => this.winchCard(w, cards.winch)) : [];
-        this.cranes = cranesOf(scene.outputs, this.prefix).map(n => this.craneCard(n, cards.crane));
+        const aboard = name => !['bridge', 'winch', 'engine_room'].includes(this.layout) || (craneHost(scene, name) ?? this.body) === this.body;
+        this.cranes = cranesOf(scene.outputs, this.prefix).filter(aboard).map(n => this.craneCard(n, cards.crane));
         this.laid = this.layout;
         const parts = (kOrder[this.laid] ?? kOrder['']).flatMap(key => cards[key] ?? []);
         this.box.className = this.laid ? `console ${this.laid}` : 'console';
@@ -159,7 +176,7 @@ export class Instruments {
         card.bar.title = breaking > 0 ? `${t('Breaking load')} ${shown(breaking, 'N')}, ${t('working load')} ${shown(kWorkingShare * breaking, 'N')}` : '';
         card.limits = el('div', {className: 'limits'}, el('span', {textContent: '0'}), el('span', {textContent: `WLL ${shown(kWorkingShare * breaking, 'N', 'tension')}`}), el('span', {textContent: `MBL ${shown(breaking, 'N', 'tension')}`}));
         card.bar.hidden = card.limits.hidden = !(breaking > 0);
-        parts.push(el('section', {className: 'instrument winch', 'aria-label': `${t('Winch')} ${readable(w.name)}`}, el('h3', {textContent: t(readable(w.system || w.name))}), card.bar, card.limits,
+        parts.push(el('section', {className: 'instrument winch', 'aria-label': `${t('Winch')} ${t(readable(w.system || w.name))}`}, el('h3', {textContent: t(readable(w.system || w.name))}), card.bar, card.limits,
             el('div', {className: 'facts2 one'}, ...Object.values(card.facts).map(f => f.box))));
         return card;
     }
@@ -227,9 +244,9 @@ export class Instruments {
         facts.water?.set(shown(read(scene.outputs[this.water()].name), 'm/s', 'through'));
     }
 
-    /// Wind in force, gusts included, and the direction from which it comes.
+    /// Wind in force, the mean and its gust, and the direction from which it comes.
     wind(read) {
-        const gust = read('sea.gust'), speed = Number.isFinite(gust) && gust > 0 ? gust : read('sea.wind'), to = read('sea.wind_direction');
+        const gust = read('sea.gust'), speed = Math.max(0, read('sea.wind') + (Number.isFinite(gust) ? gust : 0)), to = read('sea.wind_direction');
         return `${shown(speed, 'm/s', 'wind')}${Number.isFinite(to) ? ` ${bearing(270 - to * 180 / Math.PI)}` : ''}`;
     }
 
@@ -250,7 +267,7 @@ export class Instruments {
         w.before = {out, time: frame.time};
         facts.layer?.set(Number.isFinite(of('layer')) ? String(of('layer')) : '–');
         facts.left?.set(shown(of('wire_left'), 'm'));
-        facts.mode?.set(t(`winch ${kWinchModes[Math.round(of('mode'))] ?? '–'}`));
+        facts.mode?.set(kWinchModes[Math.round(of('mode'))] ? t(`winch ${kWinchModes[Math.round(of('mode'))]}`) : '–');
         facts.brake?.set(Number.isFinite(of('brake')) ? Math.round(of('mode')) === 3 ? `${t('on')} ${Math.round(100 * of('brake'))} %` : t('off') : '–');
     }
 

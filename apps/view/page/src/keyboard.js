@@ -11,13 +11,14 @@ export function bindKeys(app) {
         ' ': e => { if (!e.target.closest?.('button, summary, input')) return app.play(), true; },
         '.': () => app.step(), '[': () => app.levers.next(-1), ']': () => app.levers.next(1), 0: () => app.levers.neutral(),
         c: () => app.command('camera'), b: () => app.nextSubject(), p: () => app.mayControl && app.drag.mode(!app.drag.on),
-        s: () => app.save(`at ${$('time').textContent}`), r: () => app.restoreLast(), g: () => app.panel('plots'), i: () => app.dials(), a: () => app.alarms.all(), k: () => app.screenshot(), m: () => app.menu(), d: () => app.debriefing.toggle(),
+        s: () => app.save(`at ${$('time').textContent}`), r: () => app.restoreLast(), g: () => app.panel('plots'), i: () => app.dials(), a: () => app.alarms.all(), k: () => app.screenshot(), m: () => app.menu(), d: () => app.debriefing.toggle(), h: () => app.clean(),
         '?': () => app.panel('keys'),
         n: () => {
             app.stage.show.names = app.boxes.names.checked = !app.stage.show.names;
             memory.set('show', app.stage.show);
         },
         Escape: () => {
+            app.clean(false);
             app.menu(false);
             app.drag.end();
             app.drag.mode(false);

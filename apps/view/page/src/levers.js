@@ -3,8 +3,8 @@
 /// range and unit, with the form of the thing that it operates (forms.js). A control with a spring returns to neutral after its release by pointer, touch, keys
 /// or gamepad. A control shows the request; a line below it shows another value in force.
 import {el, memory} from './dom.js';
-import {azimuthLever, endsOf, kCraneSticks, formOf, headingDial, helmWheel, inPercent, keyStep, stickPad} from './forms.js';
-import {groupLevers, leverRange, neutral, nudge, springHome, toDeflection, fromDeflection, Throttle} from './lever_logic.js';
+import {azimuthLever, driftRate, endsOf, kCraneSticks, formOf, headingDial, helmWheel, inPercent, keyStep, moveButtons, stickPad} from './forms.js';
+import {clampTo, groupLevers, leverRange, neutral, nudge, springHome, toDeflection, fromDeflection, Throttle} from './lever_logic.js';
 import {readable} from './roles.js';
 import {shown} from './units.js';
 import {choicesOf, signalOf} from './vessel.js';
@@ -32,6 +32,7 @@ export class Levers {
         this.scene = scene;
         this.panel.replaceChildren(el('h2', {textContent: t('Controls')}));
         this.levers = [];
+        this.place = null;
         const may = scene.role.inputs, mine = i => i.mine ?? (may === 'all' || may.includes(i.name));
         const shown = scene.inputs.map((def, index) => ({...def, index, words: choicesOf(def, scene.vessels)})).filter(i => i.kind !== 'inner' && mine(i));
         document.body.classList.toggle('levers-none', !shown.length || !live);
@@ -69,6 +70,8 @@ export class Levers {
         if (form === 'heading') ends.hidden = true;
         const lever = {def, unit, range, rest, slider, output, value: Number(slider.value), held: new Set(), sent: null, until: 0, text, form, step: keyStep(form)};
         const picture = form === 'heading' ? headingDial(lever, v => { this.activate(at); this.move(at, v); }) : form === 'helm' ? helmWheel(lever) : null;
+        // Orders of a vessel are taken over from its state until a station sets them.
+        lever.order = form === 'position' || form === 'heading' ? this.scene.outputs.findIndex(o => o.name === signalOf(def)) : -1;
         const element = lever.element = el('div', {className: `lever ${form}`}, el('div', {className: 'head'}, el('label', {for: id, textContent: t(readable(own)), title: def.name}), output), picture, slider, ends, el('small', {className: 'force', hidden: true}));
         lever.force = element.lastElementChild;
         this.levers.push(lever);
@@ -135,6 +138,11 @@ export class Levers {
             (index(across) < index(along) ? across : along).element.before(pad.box);
         };
         join(y, x);
+        const east = levers.find(l => l.form === 'position' && signalOf(l.def).endsWith('.x_order')), north = levers.find(l => l.form === 'position' && signalOf(l.def).endsWith('.y_order'));
+        if (east && north) {
+            this.place = {east: index(east), north: index(north)};
+            east.element.before(moveButtons((ahead, port) => this.movePosition(ahead, port)));
+        }
         const crane = name => levers.find(l => l.form === 'crane' && signalOf(l.def).endsWith(`.${name}`));
         for (const [across, along] of kCraneSticks) join(crane(across), crane(along));
         for (const angle of levers.filter(l => l.form === 'azimuth' && signalOf(l.def).endsWith('_angle'))) {
@@ -161,6 +169,16 @@ export class Levers {
         if (steps) this.hold(at, e.key);
         this.move(at, to);
         if (lever.buttons?.length > 1) lever.buttons[Math.round(lever.value)]?.focus();
+    }
+
+    /// Move the ordered position of the vessel along its own axes [m].
+    movePosition(ahead, port) {
+        if (!this.place || !this.frame) return;
+        const {east, north} = this.place, x = this.levers[east], y = this.levers[north], name = signalOf(x.def).replace(/x_order$/, 'heading');
+        const clockwise = this.frame.outputs[this.scene.outputs.findIndex(o => o.name === name)], c = Math.cos(clockwise), s = -Math.sin(clockwise);
+        if (!Number.isFinite(c)) return;
+        this.move(east, clampTo(x.range, x.value + c * ahead - s * port));
+        this.move(north, clampTo(y.range, y.value + s * ahead + c * port));
     }
 
     /// Return the value after presses of a key. Dangerous choices are skipped: they need two presses.
@@ -204,7 +222,7 @@ export class Levers {
     }
 
     /// Move a control by a stick: deflection −1 to 1. A control with a spring follows the stick. Another
-    /// one moves while the stick is held, over its whole range in four seconds, and stays.
+    /// one moves while the stick is held, at the rate of its form, and stays.
     deflect(at, d, holding) {
         const lever = this.levers[at];
         if (!lever) return;
@@ -227,14 +245,15 @@ export class Levers {
 
     /// Update for each picture: springs, values that others have set, values to send.
     update(now, dt, frame) {
+        this.frame = frame;
         for (const [at, lever] of this.levers.entries()) {
-            if (lever.drift) this.move(at, Math.min(lever.range[1], Math.max(lever.range[0], lever.value + lever.drift * dt * (lever.range[1] - lever.range[0]) / 4)));
+            if (lever.drift) this.move(at, clampTo(lever.range, lever.value + lever.drift * dt * driftRate(lever.form, lever.range)));
             const springs = lever.def.spring !== null && lever.def.spring !== undefined;
             if (springs && !lever.held.size && lever.until && lever.value !== lever.rest) {
                 const about = lever.range.map(v => v - lever.rest);
                 this.move(at, lever.rest + springHome(about, lever.value - lever.rest, dt));
             } else if (frame && now > lever.until) {
-                const value = frame.inputs[lever.def.index], span = lever.range[1] - lever.range[0];
+                const value = lever.order >= 0 && !lever.asked ? frame.outputs[lever.order] : frame.inputs[lever.def.index], span = lever.range[1] - lever.range[0];
                 const differs = Number.isFinite(value) && Math.abs(value - lever.value) > 1e-6 * span;
                 // In an exercise a fault may change the value in force; it never moves the control.
                 const keeps = this.keepsRequests && lever.asked;

@@ -10,6 +10,7 @@ import {Drag} from './drag.js';
 import {defaultMapping, Gamepads} from './gamepad.js';
 import {ExercisePanel} from './exercise.js';
 import {Instruments} from './instruments.js';
+import {kMove, kMoves} from './forms.js';
 import {bindKeys} from './keyboard.js';
 import {quantity} from './lever_logic.js';
 import {Levers} from './levers.js';
@@ -48,6 +49,7 @@ class App {
         this.paintKeys = keysPanel($('keys'), this);
         this.bind();
         this.connect();
+        if (new URLSearchParams(location.search).has('clean')) this.clean(true);
         new ResizeObserver(() => this.resize()).observe($('view'));
         this.resize();
         requestAnimationFrame(t => this.tick(t));
@@ -105,8 +107,10 @@ class App {
         this.instruments.setScene(scene);
         this.plots.setScene(scene);
         if (first) this.inspector.clear();
-        // Sticks move continuous controls, those that spring back like a stick first.
-        const sprung = l => l.def.spring !== null && l.def.spring !== undefined, names = this.levers.levers.filter(l => !l.buttons).sort((a, b) => sprung(b) - sprung(a)).map(l => l.def.name);
+        // Sticks move continuous controls: those that spring back like a stick first, a joystick as it
+        // stands (sideways before ahead), ordered positions last.
+        const rank = l => l.form === 'position' ? 3 : l.def.spring === null || l.def.spring === undefined ? 2 : /\.joystick_x$/.test(l.def.drives) ? 0.5 : 0;
+        const names = this.levers.levers.filter(l => !l.buttons).map(l => ({name: l.def.name, rank: /\.joystick_n$/.test(l.def.drives) ? 1 : rank(l)})).sort((a, b) => a.rank - b.rank).map(l => l.name);
         this.pads.setMapping(memory.get(`pad.${scene.name}`, defaultMapping(names)));
         $('subject').replaceChildren(...this.stage.subjects().map(b => el('option', {value: b.id, textContent: readable(b.name.replace(/\/hull$/, ''))})));
         if (this.stage.subjectBody) $('subject').value = this.stage.subjectBody.id;
@@ -170,6 +174,7 @@ class App {
     command(name) {
         const run = {play: () => this.play(), step: () => this.step(), neutral: () => this.levers.neutral(), next: () => this.levers.next(1),
             previous: () => this.levers.next(-1), camera: () => this.camera(kModes[(kModes.indexOf(this.stage.rig.mode) + 1) % kModes.length])};
+        if (kMoves[name]) this.levers.movePosition(...kMoves[name].map(v => v * kMove));
         run[name]?.();
     }
 
@@ -216,6 +221,12 @@ class App {
     menu(on = !document.body.classList.contains('menu-open')) {
         document.body.classList.toggle('menu-open', on);
         $('menu').setAttribute('aria-expanded', String(on));
+    }
+
+    /// Show the picture alone, without panels, or all again.
+    clean(on = !document.body.classList.contains('clean')) {
+        document.body.classList.toggle('clean', on);
+        this.resize();
     }
 
     dials() {

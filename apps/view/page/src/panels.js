@@ -145,7 +145,7 @@ export function restorePanel(panel, app) {
 
 const kKeys = [['space', 'pause, go on'], ['.', 'one step'], ['[ and ]', 'lever before, next'], ['↑ ↓', 'move the lever'], ['0', 'lever to neutral'],
     ['1 to 7', 'camera'], ['C', 'next camera'], ['B', 'next body for the camera'], ['P', 'pull bodies'], ['S', 'save a restore point'], ['R', 'restore the last one'],
-    ['N', 'names'], ['G', 'plots'], ['I', 'instruments'], ['A', 'acknowledge all alarms'], ['K', 'picture'], ['← →', 'recording: event before, next'], ['?', 'this panel'], ['Esc', 'close, let go']];
+    ['N', 'names'], ['G', 'plots'], ['I', 'instruments'], ['A', 'acknowledge all alarms'], ['K', 'picture'], ['H', 'hide all panels'], ['← →', 'recording: event before, next'], ['?', 'this panel'], ['Esc', 'close, let go']];
 
 /// Keys, and the mapping of a gamepad.
 export function keysPanel(panel, app) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The picture: renderer, surroundings, bodies, wires, forces, and the actions of the pointer.
 import {
-    ACESFilmicToneMapping, BasicShadowMap, BufferAttribute, BufferGeometry, Fog, Line, LineBasicMaterial, NoToneMapping, PCFShadowMap,
-    PerspectiveCamera, Plane, Raycaster, Scene, Sphere, Vector2, Vector3, WebGLRenderer,
+    ACESFilmicToneMapping, BasicShadowMap, BufferAttribute, BufferGeometry, Color, Fog, Line, LineBasicMaterial, NoToneMapping, PCFShadowMap,
+    PerspectiveCamera, Plane, Raycaster, Scene, Sphere, SRGBColorSpace, Vector2, Vector3, WebGLRenderer,
 } from 'three';
 import {arrowLength, Arrows} from './arrows.js';
 import {Bodies} from './bodies.js';
@@ -65,7 +65,8 @@ export class Stage {
         this.labels = new Labels(labelLayer);
         this.quality = new Quality();
         this.show = {names: true, contacts: true, joints: false, water: true, clear: true, seabed: true, shadows: true, tubes: 'auto'};
-        this.scene.add(this.low ? makePlainSky() : makeSky(), this.light, this.water.mesh, this.seabed.mesh, this.wires.tubes, this.wires.lines);
+        this.sky = this.low ? makePlainSky() : makeSky();
+        this.scene.add(this.sky, this.light, this.water.mesh, this.seabed.mesh, this.wires.tubes, this.wires.lines);
         this.spring = this.makeSpring();
         this.full = 0.5;
         this.scratch = {ray: new Raycaster(), v: new Vector3(), p: new Vector2(), plane: new Plane(), lit: new Sphere()};
@@ -228,6 +229,10 @@ export class Stage {
         if (under === this.under) return;
         this.under = under;
         fog.color.set(under ? 0x1c5266 : HORIZON);
+        // Under water no sky shows between the surface and the bottom.
+        this.sky.visible = !under;
+        const rgb = [0x1c, 0x52, 0x66].map(v => this.low ? Math.sqrt(v / 255) : v / 255);   // as shaders show the haze
+        this.scene.background = under ? new Color().setRGB(...rgb, SRGBColorSpace) : null;
         fog.near = under ? 5 : 500;
         fog.far = under ? 700 : 9000;
     }

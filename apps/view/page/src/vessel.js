@@ -9,13 +9,29 @@ const systemOf = signal => signal.includes('.') ? signal.slice(0, signal.lastInd
 /// Return the name of the signal that an input sets: "ahts/ship.mode" for the input "mode".
 export const signalOf = input => input.drives || input.name;
 
+/// Words for 0 and 1 of a switch, by the last part of its signal: hooks, shark jaw, guide pins.
+const kSwitches = {take: ['hook open', 'hook takes'], close: ['jaw open', 'jaw closed'], up: ['pin down', 'pin up']};
+
 /// Return the words for the values of an input; [] if it is no choice. A mode of a vessel has those of
-/// docs/vessels.md, within the range of the input.
+/// docs/vessels.md, within the range of the input. Hooks, jaws and pins are switches.
 export function choicesOf(input, vessels = []) {
     if (input.words?.length) return input.words;
-    const signal = signalOf(input);
+    const signal = signalOf(input), between = input.min === 0 && input.max === 1 && signal.includes('.');
+    if (between && kSwitches[signal.slice(signal.lastIndexOf('.') + 1)]) return kSwitches[signal.slice(signal.lastIndexOf('.') + 1)];
     if (!signal.endsWith('.mode') || !vessels.some(v => v.name === systemOf(signal))) return [];
     return kVesselModes.slice(0, Math.min(kVesselModes.length, (input.max ?? 4) + 1));
+}
+
+const kJawStates = ['open', 'closing', 'holds', 'opening', 'closed, empty', 'opened by overload'], kHookStates = ['empty', 'waits', 'holds', 'load too high', 'opened by overload'];
+
+/// Return the words of an output that counts states: of a shark jaw or hook; '' for other outputs.
+/// @param names  Set of the names of all outputs.
+export function stateWord(name, value, names) {
+    const cut = name.lastIndexOf('.'), system = name.slice(0, cut), last = name.slice(cut + 1);
+    const jaw = names.has(`${system}.close`), hook = names.has(`${system}.take`);
+    if (last === 'state' && (jaw || hook)) return (jaw ? kJawStates : kHookStates)[Math.round(value)] ?? '';
+    if (last === 'held' && (jaw || hook)) return value > 0.5 ? 'yes' : 'no';
+    return '';
 }
 
 /// Return the system of a drum's wire: its drum is the scalar body "SYSTEM/drum"; '' without one.
@@ -27,15 +43,15 @@ export function winchOfDrum(scene, drum) {
 }
 
 /// Return the id of the body that a station works on: that of the vessel or winch of most of its
-/// inputs; null: none.
+/// inputs; null: none. Cylinders and hoists of a crane do not count: they are on the crane.
 export function stationBody(scene, names) {
-    const count = new Map(), add = body => count.set(body, (count.get(body) ?? 0) + 1);
+    const count = new Map(), add = body => count.set(body, (count.get(body) ?? 0) + 1), winch = system => scene.outputs.some(o => o.name === `${system}.pull`);
     for (const input of scene.inputs) {
         if (!names.includes(input.name)) continue;
         const system = systemOf(signalOf(input)), vessel = scene.vessels?.find(v => v.name === system);
         const drum = scene.drums.find(d => winchOfDrum(scene, d) === system);
         if (vessel) add(vessel.body);
-        else if (system && drum) add(drum.body);
+        else if (system && drum && winch(system)) add(drum.body);
     }
     return [...count].sort((a, b) => b[1] - a[1])[0]?.[0] ?? null;
 }

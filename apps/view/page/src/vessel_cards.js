@@ -151,10 +151,10 @@ export class StabilityCard {
     }
 
     paint(read) {
-        const of = s => read(`${this.name}.${s}`), tension = of('tension'), permissible = of('permissible'), g = gaugeState(tension, permissible);
+        const of = s => read(`${this.name}.${s}`), tension = of('tension'), permissible = of('permissible'), begun = permissible > 0 || of('criterion') > 0, g = gaugeState(tension, permissible);
         this.needle.setAttribute('transform', `rotate(${(g.share / 1.2 * 180 - 90).toFixed(1)})`);
         put(this.percent, Number.isFinite(g.percent) ? `${g.percent} %` : '–');
-        this.box.dataset.state = of('alarm') >= 2 ? 'danger' : of('alarm') >= 1 ? 'warn' : g.state;
+        this.box.dataset.state = of('alarm') >= 2 ? 'danger' : of('alarm') >= 1 ? 'warn' : begun ? g.state : 'good';   // before the first step all is 0
         this.rows.tension.set(shown(tension, 'N', 'tension'));
         this.rows.permissible.set(shown(permissible, 'N', 'tension'));
         this.rows.limit.set(t(kCriteria[Math.round(of('criterion'))] || '–'));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drives the page in a browser against the real program: node test/browser.mjs HAWSER [PART …]
 // Parts: act (levers to restore), exercise (roles, faults, score), station (instruments, keys), record
-// (scrubbing), look (pictures, rates). All by default.
+// (scrubbing), look (pictures, rates), handling (anchor handling by three stations). All by default. On request: phases
+// (pictures of the phases of anchor handling).
 // HAWSER_PAGE=build/page/files serves the page's files from that folder instead of the program's.
 // Debian's chromium without a graphics card: software GL. CHROMIUM names another one.
 import assert from 'node:assert/strict';
@@ -14,12 +15,14 @@ import {chromium} from 'playwright-core';
 import {actPart} from './browser_act.mjs';
 import {exercisePart} from './browser_exercise.mjs';
 import {lookPart} from './browser_look.mjs';
+import {handlingPart} from './browser_handling.mjs';
 import {stationPart} from './browser_station.mjs';
+import {phasesPart} from './browser_phases.mjs';
 import {recordPart} from './browser_record.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url)), root = resolve(here, '../../../..');
 const hawser = resolve(process.argv[2] ?? join(root, 'build/release/bin/hawser'));
-const parts = process.argv.length > 3 ? process.argv.slice(3) : ['act', 'exercise', 'station', 'record', 'look'];
+const parts = process.argv.length > 3 ? process.argv.slice(3) : ['act', 'exercise', 'station', 'record', 'look', 'handling'];
 const kArguments = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', '--disable-features=LocalNetworkAccessChecks'];
 
 let passed = 0, failed = 0;
@@ -80,7 +83,7 @@ async function open(browser, address, {query = '', ...options} = {}) {
     const folder = process.env.HAWSER_PAGE && resolve(root, process.env.HAWSER_PAGE);
     for (const name of folder ? ['', 'view.js', 'view.css'] : []) await page.route(u => u.pathname === `/${name}`, r => r.fulfill({path: join(folder, name || 'index.html')}));
     await page.goto(address.replace('/#', `/${query}#`), {timeout: 90000});
-    await page.waitForFunction(() => window.hawser?.frame, null, {timeout: 60000});
+    await until(page, () => window.hawser?.frame !== undefined, null, 240000);   // drawing may hold up the page's own clock
     return page;
 }
 
@@ -117,6 +120,8 @@ try {
     if (parts.includes('station')) await stationPart(kit);
     if (parts.includes('record')) await recordPart(kit);
     if (parts.includes('look')) await lookPart(kit);
+    if (parts.includes('handling')) await handlingPart(kit);
+    if (parts.includes('phases')) await phasesPart(kit);
 } catch (e) {
     ++failed;
     problems.push(e.message);

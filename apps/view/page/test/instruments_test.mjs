@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 import {AlarmBook} from '../src/alarms.js';
-import {cranesOf, prefixOf, tensionBar, winchesOf} from '../src/instruments.js';
+import {craneHost, cranesOf, gaugesOf, prefixOf, tensionBar, winchesOf} from '../src/instruments.js';
 import {attitude, Motion} from '../src/motion.js';
 import {readable} from '../src/roles.js';
 import {bearing, convert, shown, sided} from '../src/units.js';
@@ -82,10 +82,19 @@ test('winches of a ship: by drum, joined with their system, others left out', ()
 });
 
 test('cranes from the names of outputs', () => {
-    const outputs = ['osv.port', 'osv.port_thrust', 'osv.port_turned', 'osv.bow1_thrust', 'other.x_thrust', 'ahts1/crane.utilisation', 'rig.utilisation'].map(name => ({name}));
+    const outputs = ['osv.port', 'osv.port_thrust', 'osv.port_turned', 'osv.bow1_thrust', 'other.x_thrust', 'ahts1/crane.utilisation', 'rig.utilisation', 'ground.utilisation', 'ground.capacity', 'gauge.utilisation', 'gauge.permissible'].map(name => ({name}));
     assert.deepEqual(cranesOf(outputs, 'ahts1'), ['ahts1/crane']);
     assert.deepEqual(cranesOf(outputs, ''), ['ahts1/crane', 'rig']);
     assert.deepEqual(cranesOf([], 'rig'), []);
+});
+
+test('a crane has the host of its joint, a gauge the ship that the scene names', () => {
+    const scene = {bodies: [{id: 1, name: 'rig/hull'}, {id: 2, name: 'crane/column'}, {id: 3, name: 'crane/boom'}], joints: [{bodies: [2, 3]}, {bodies: [1, 2]}],
+        outputs: ['a.permissible', 'b.permissible'].map(name => ({name})), gauges: [{name: 'a', body: 1}, {name: 'b', body: 7}]};
+    assert.equal(craneHost(scene, 'crane'), 1);
+    assert.equal(craneHost(scene, 'other'), undefined);
+    assert.deepEqual(gaugesOf(scene, 1), ['a']);
+    assert.deepEqual(gaugesOf({...scene, gauges: undefined}, 1), ['a', 'b']);
 });
 
 test('tension against working and breaking load', () => {

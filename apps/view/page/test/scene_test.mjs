@@ -7,6 +7,7 @@ import {convexFaces, heightfieldBuild} from '../src/meshes.js';
 import {toSegment} from '../src/picking.js';
 import {Quality} from '../src/quality.js';
 import {longAxis, readable, roleOf, workingDeck} from '../src/roles.js';
+import {shipBox} from '../src/bodies.js';
 import {barge, deckLine, keelLine, semi, ship} from '../src/ship.js';
 import {arrowLength} from '../src/arrows.js';
 import {shared} from '../src/geometry.js';
@@ -150,4 +151,10 @@ test('the sector of rings covers what the corners of the picture see, all where 
         for (const b of bearings) assert.ok(first * step <= b + 1e-9 && (first + count) * step >= b - 1e-9, `${middle} ${b}`);
     }
     assert.deepEqual(sector(1, [0.5, 3, -2, -0.4], 56), {first: 0, count: 56});
+});
+
+test('a ship is drawn along its wetted hull, whose middle is not the centre of mass', () => {
+    const at = (...x) => ({vertices: x.flatMap(v => [v, 1, -2])});
+    assert.deepEqual(shipBox([41.5, 9, 4], at(-37, 0, 46)), {half: [41.5, 9, 4], x: 4.5});
+    assert.deepEqual(shipBox([41.5, 9, 4], at()), {half: [41.5, 9, 4], x: 0});
 });

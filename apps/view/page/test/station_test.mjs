@@ -4,8 +4,8 @@
 import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import {test} from 'node:test';
-import {formOf, inPercent, keyStep} from '../src/forms.js';
-import {choicesOf, gaugeState, plotRadius, stationBody, thrustDirection, Trail, winchOfDrum} from '../src/vessel.js';
+import {driftRate, formOf, inPercent, keyStep} from '../src/forms.js';
+import {choicesOf, gaugeState, plotRadius, stateWord, stationBody, thrustDirection, Trail, winchOfDrum} from '../src/vessel.js';
 import {chooseLanguage, t} from '../src/words.js';
 import {kWords} from '../src/word_table.js';
 import {shown} from '../src/units.js';
@@ -24,6 +24,33 @@ test('a station works on the ship of its vessel or of its winch', () => {
     assert.equal(stationBody(scene, ['haul']), 4);
     assert.equal(stationBody(scene, ['push']), null);
     assert.equal(stationBody(scene, []), null);
+});
+
+test('a crane station on a rig works on the rig, not on the cylinders of its crane', () => {
+    const rig = {vessels: [], systems: ['crane', 'windlass'].map(name => ({name})), bodies: [{id: 1, name: 'rig/hull'}, {id: 8, name: 'crane/luff/stroke'}, {id: 9, name: 'windlass/drum'}],
+        drums: [{name: 'crane/luff/cylinder', wire: 0, body: 5, drum: 8}, {name: 'chain/s0', wire: 1, body: 1, drum: 9}], outputs: [{name: 'windlass.pull'}],
+        inputs: [{name: 'slew', drives: 'crane.slew'}, {name: 'luff', drives: 'crane.luff'}, {name: 'lever', drives: 'windlass.speed'}]};
+    assert.equal(stationBody(rig, ['slew', 'luff', 'lever']), 1);
+});
+
+test('hooks, jaws and pins are switches; their states have words', () => {
+    const input = drives => ({name: 'x', drives, min: 0, max: 1});
+    assert.deepEqual(choicesOf(input('jaw.close')), ['jaw open', 'jaw closed']);
+    assert.deepEqual(choicesOf(input('pin_port.up')), ['pin down', 'pin up']);
+    assert.deepEqual(choicesOf(input('crane.take')), ['hook open', 'hook takes']);
+    assert.deepEqual(choicesOf(input('winch.brake')), []);
+    const names = new Set(['jaw.close', 'hook.take']);
+    assert.equal(stateWord('jaw.state', 2, names), 'holds');
+    assert.equal(stateWord('hook.held', 1, names), 'yes');
+    assert.equal(stateWord('winch.state', 1, names), '');
+});
+
+test('an ordered position moves in metres, by keys and by stick', () => {
+    const form = formOf({name: 'x', drives: 'ahts/ship.x_order', unit: 'm', min: -500, max: 2000}, scene);
+    assert.equal(form, 'position');
+    assert.equal(keyStep(form), 1);
+    assert.equal(driftRate(form, [-500, 2000]), 2);
+    assert.equal(driftRate('', [-1, 1]), 0.5);
 });
 
 test('modes of a vessel have words within the range of their control', () => {
