@@ -188,8 +188,8 @@ TEST(AnchorHandling, LowerBeginsInTheJaw) {
 }
 
 TEST(AnchorHandling, SetBeginsOnTheSeabed) {
-    expect_good(sail(
-        {.name = "anchor_handling_lower", .state = kStates + "set.hws.gz", .seconds = kMinute}));
+    expect_good(
+        sail({.name = "anchor_handling", .state = kStates + "set.hws.gz", .seconds = kMinute}));
 }
 
 TEST(AnchorHandling, DisconnectBeginsWithTheAnchorSet) {
