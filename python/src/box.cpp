@@ -207,7 +207,7 @@ void WorldBox::step(std::int64_t count) {
 void WorldBox::refresh_arrays() {
     if (memories_.empty()) return;
     std::erase_if(memories_, [](const auto& memory) { return memory.expired(); });
-    const StateView state = world_->state();
+    const StateView state = world_->state().arrays();
     for (const auto& weak : memories_) {
         const auto memory = weak.lock();
         if (!memory) continue;
@@ -222,7 +222,7 @@ void WorldBox::refresh_arrays() {
 }
 
 py::object WorldBox::array(StateArray which) {
-    const auto now = state_span(read().state(), which);
+    const auto now = state_span(read().state().arrays(), which);
     const auto i = static_cast<std::size_t>(which);
     if (const auto memory = present_[i].lock();
         memory && arrays_[i] && memory->data == now.data() && memory->count == now.size())

@@ -246,24 +246,24 @@ void bind_wire(py::module_& module) {
          "tension", tensions,
          "Tension of each element in the last step, from the first end [N]; 0: slack or broken.")
         .def(
-            "tension_at", [](const W& w, double s) { return w.checked()->read().tension(w.id, s); },
+            "tension_at", [](const W& w, double s) { return w.checked()->read().wires().tension(w.id, s); },
             py::arg("s"),
             "Return the tension at the material coordinate s [m] in the last step [N].")
         .def_property_readonly(
-            "length", [](const W& w) { return w.checked()->read().length(w.id); },
+            "length", [](const W& w) { return w.checked()->read().wires().length(w.id); },
             "Unstretched length [m].")
         .def_property_readonly(
             "nodes",
             [](const W& w) {
                 const auto box = w.checked();
-                return handles_of(box, box->read().nodes(w.id));
+                return handles_of(box, box->read().wires().nodes(w.id));
             },
             "Bodies from end to end, with those that hold the ends.")
         .def_property_readonly(
             "elements",
             [](const W& w) {
                 const auto box = w.checked();
-                return handles_of(box, box->read().elements(w.id));
+                return handles_of(box, box->read().wires().elements(w.id));
             },
             "Elements in order.")
         .def(

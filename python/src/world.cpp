@@ -240,7 +240,7 @@ void bind_state(WorldClass& c) {
         .def_property_readonly(
             "velocity_begin",
             [](const Box& b) {
-                const auto at = b->read().state().velocity_begin;
+                const auto at = b->read().state().arrays().velocity_begin;
                 return py::array_t<std::int32_t>(static_cast<py::ssize_t>(at.size()), at.data());
             },
             "Index in `velocity` of the first entry of each body; undefined without freedom.")
@@ -272,10 +272,10 @@ void bind_state(WorldClass& c) {
             "motion_hash", [](const Box& b) { return b->read().state().motion_hash(); },
             "Hash of the state without states of systems.")
         .def_property_readonly(
-            "identity", [](const Box& b) { return b->read().identity(); },
+            "identity", [](const Box& b) { return b->read().state().identity(); },
             "Equal for worlds whose states fit each other.")
         .def_property_readonly(
-            "memory_bytes", [](const Box& b) { return b->read().memory_bytes(); },
+            "memory_bytes", [](const Box& b) { return b->read().solver().memory_bytes(); },
             "Memory of state and solver [bytes].");
 }
 
