@@ -246,7 +246,8 @@ void bind_wire(py::module_& module) {
          "tension", tensions,
          "Tension of each element in the last step, from the first end [N]; 0: slack or broken.")
         .def(
-            "tension_at", [](const W& w, double s) { return w.checked()->read().wires().tension(w.id, s); },
+            "tension_at",
+            [](const W& w, double s) { return w.checked()->read().wires().tension(w.id, s); },
             py::arg("s"),
             "Return the tension at the material coordinate s [m] in the last step [N].")
         .def_property_readonly(

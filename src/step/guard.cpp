@@ -14,6 +14,7 @@
 #include "step/contact.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace hawser::step {
 namespace {
@@ -46,6 +47,18 @@ void restore_start(context::Model& model, context::Before& kept, bool warm) noex
     }
 }
 
+/// Exchange the states of bounded rows with those at the start of the step, except on rejected
+/// wires.
+void exchange_states(context::Model& model, context::Before& kept) noexcept {
+    const context::Wires& w = model.wires;
+    for (std::size_t i = 0; i < kept.active.size(); ++i) {
+        const std::int32_t id = model.system.bounded[i];
+        const std::int32_t wire = id < context::interaction_count(model) ? w.wire_of[at(id)] : -1;
+        if (wire < 0 || w.level[at(wire)] == 0)
+            std::swap(model.interactions.active[at(id)], kept.active[i]);
+    }
+}
+
 /// Mark the rows of wires that are to be bounded.
 void replace(context::Model& model) noexcept {
     context::Wires& w = model.wires;
@@ -71,7 +84,11 @@ Status solve_again(context::StepContext& ctx) noexcept {
     if (ctx.model.collider.count() > 0) status = start_contacts(ctx, Phase::regular);
     if (status == Status::ok) {
         if (warm) contact::begin_newton_again(ctx);
+        // Stiffness and right-hand side belong to the start of the step, as in the first solve: a
+        // line that became slack in the rejected solution still has the stiffness of its tension.
+        if (warm) exchange_states(ctx.model, ctx.work.before);
         assemble_rows(ctx);
+        if (warm) exchange_states(ctx.model, ctx.work.before);
         status = solve_assembled(ctx);
     }
     ctx.model.wires.again = false;
