@@ -143,7 +143,8 @@ void HullWater::flow_past(const WaterField& field, int chunk) noexcept {
     WaterPoint water[kChunk];
     for (int i = 0; i < count; ++i) {
         const Vec3 place =
-            pose_.position + axes_ * def_->strips[static_cast<std::size_t>(first + i)].at;
+            pose_.position +
+            axes_ * def_->strips[static_cast<std::size_t>(first) + static_cast<std::size_t>(i)].at;
         points[i] = {place, place.z()};
     }
     field.water(points, count, water);

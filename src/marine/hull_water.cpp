@@ -206,7 +206,7 @@ void HullWater::add_pressure(const Sea& sea, const HullSums& all) noexcept {
 }
 
 void HullWater::flow_over(const WaterField& field, int chunk) noexcept {
-    const auto first = static_cast<std::size_t>(chunk * kChunk);
+    const auto first = static_cast<std::size_t>(chunk) * kChunk;
     flow_.sample(field, convective_, def_->excitation == ExcitationKind::full, pose_, axes_, first,
                  std::min(first + kChunk, flow_.count()));
 }
