@@ -217,8 +217,11 @@ TEST(Files, ThatMayNotGrowFurtherEndTheRunWithAMessage) {
         const std::string line =
             "$H run " + std::string(kSwing) + " --duration 30 --quiet " + option;
         // A block of the shell is 512 bytes: less than each of the three files.
-        EXPECT_EQ(shell("ulimit -f 1; " + line + (folder / "out").string() + " 2>" + err), 1)
-            << option;
+        std::string limited = "ulimit -f 1; " + line;
+        limited += (folder / "out").string();
+        limited += " 2>";
+        limited += err;
+        EXPECT_EQ(shell(limited), 1) << option;
         EXPECT_NE(read_text(err).find("File too large"), std::string::npos) << read_text(err);
     }
 }

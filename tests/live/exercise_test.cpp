@@ -254,7 +254,7 @@ TEST(LiveExercise, a_scene_has_no_faults) {
     command.kind = live::CommandKind::fault;
     command.client = 7;
     (void)command.name.assign("blackout");
-    (void)hub.commands.push(std::move(command));
+    (void)hub.commands.push(live::Command(command));
     driver.advance();
     std::string reason;
     live::Message message;
