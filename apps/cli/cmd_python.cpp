@@ -49,7 +49,7 @@ void add_package_path() {
     (void)setenv("PYTHONPATH", paths.c_str(), 1);
 }
 
-int run_python(const char* name, std::vector<std::string> arguments) {
+int run_python(const char* name, const std::vector<std::string>& arguments) {
     add_package_path();
     const char* given = std::getenv("HAWSER_PYTHON");
     std::string python = given != nullptr && *given != '\0' ? given : "/usr/bin/python3";
