@@ -151,4 +151,8 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    except BrokenPipeError:  # A reader such as head has closed the output.
+        sys.stderr.close()
+        sys.exit(1)
