@@ -195,7 +195,10 @@ def _simulate(plan: _Plan, index: int, case: Case) -> Result:
         if len(rows) > 1:
             values |= {f"{name}.{key}": v for key, v in _figures(data[:, k], plan).items()}
     if plan.function is not None and outcome != "failed":
-        values |= {str(k): float(v) for k, v in plan.function(session).items()}
+        try:
+            values |= {str(k): float(v) for k, v in plan.function(session).items()}
+        except Exception as error:  # Code of the user: a row of its own, others go on.
+            outcome, reason = "failed", f"{type(error).__name__}: {error}"
     result = Result(index, identity, case, outcome, reason, float(session.time), values,
                     f"{session.world.state_hash:016x}")
     _store(plan.folder, result)
@@ -259,8 +262,9 @@ class Study:
         if threads < 1:
             raise StudyError(f"threads: give a number >= 1, not {threads}")
         self.folder = pathlib.Path(folder)
-        self._plan = _Plan(os.path.abspath(scene), tuple((set or {}).items()), duration, begin, every, tuple(responses), hours,
-                           function, os.path.abspath(control) if control else "", threads, verify,
+        self._plan = _Plan(os.path.abspath(scene), tuple((set or {}).items()), duration, begin,
+                           every, tuple(responses), hours, function,
+                           os.path.abspath(control) if control else "", threads, verify,
                            str(self.folder.absolute()))
         self.results: list[Result] = []
 
@@ -384,7 +388,7 @@ class Study:
                     report(len(found), len(self.cases))
                 except BrokenProcessPool:
                     lost += futures[future]
-                except Exception as error:  # Raised by `function`, or by a cluster.
+                except Exception as error:  # Raised by a cluster, or by files that vanished.
                     for index, case in futures[future]:
                         found[index] = Result(index, "", case, "failed",
                                               f"{type(error).__name__}: {error}", 0.0, {})

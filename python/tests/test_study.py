@@ -149,6 +149,11 @@ def test_failures_are_rows(tmp_path):
     assert [r.outcome for r in one.results] == ["good", "refused", "failed"]
     assert "mass" in one.results[1].reason and "too heavy" in one.results[2].reason
     assert one.exit_code == 2
+    # A block has several cases: a failure in it is that of one case.
+    many = made(tmp_path / "many", masses(*[1.0 + 0.01 * k for k in range(23)], 3.0),
+                function=study_functions.fail_if_heavy)
+    many.run(jobs=1)
+    assert [r.outcome for r in many.results] == ["good"] * 23 + ["failed"]
     with pytest.raises(hawser.StudyError, match="all 1 cases are refused"):
         made(tmp_path, masses(-1.0)).run(jobs=1)
 

@@ -29,12 +29,18 @@ bool accepted(const context::Wires& w, std::size_t wire) noexcept {
     return !w.fast[wire] || g.gain <= kMayGain * g.exchanged + g.noise + w.energy_allowance[wire];
 }
 
+/// True if a bounded row belongs to a wire that was rejected in this step.
+bool on_rejected_wire(const context::Model& model, std::int32_t id) noexcept {
+    const context::Wires& w = model.wires;
+    const std::int32_t wire = id < context::interaction_count(model) ? w.wire_of[at(id)] : -1;
+    return wire >= 0 && w.level[at(wire)] != 0;
+}
+
 /// Restore the initial multipliers, on which the geometric stiffness depends, and the state of
 /// lines. Lines of rejected wires keep their latest state.
 /// @param warm  The repeated solve starts from the rejected solution: lines keep their state.
 void restore_start(context::Model& model, context::Before& kept, bool warm) noexcept {
     model::Interactions& in = model.interactions;
-    context::Wires& w = model.wires;
     std::copy(kept.lambda.begin(), kept.lambda.end(), in.lambda.begin());
     // Joints whose force has grown within the step keep the stiffness of the larger force.
     for (const std::int32_t id : model.completion.joints)
@@ -42,19 +48,16 @@ void restore_start(context::Model& model, context::Before& kept, bool warm) noex
                     &in.lambda[at(in.row_begin[at(id)])]);
     for (std::size_t i = 0; i < kept.active.size() && !warm; ++i) {
         const std::int32_t id = model.system.bounded[i];
-        const std::int32_t wire = id < context::interaction_count(model) ? w.wire_of[at(id)] : -1;
-        if (wire < 0 || w.level[at(wire)] == 0) in.active[at(id)] = kept.active[i];
+        if (!on_rejected_wire(model, id)) in.active[at(id)] = kept.active[i];
     }
 }
 
 /// Exchange the states of bounded rows with those at the start of the step, except on rejected
 /// wires.
 void exchange_states(context::Model& model, context::Before& kept) noexcept {
-    const context::Wires& w = model.wires;
     for (std::size_t i = 0; i < kept.active.size(); ++i) {
         const std::int32_t id = model.system.bounded[i];
-        const std::int32_t wire = id < context::interaction_count(model) ? w.wire_of[at(id)] : -1;
-        if (wire < 0 || w.level[at(wire)] == 0)
+        if (!on_rejected_wire(model, id))
             std::swap(model.interactions.active[at(id)], kept.active[i]);
     }
 }
