@@ -36,7 +36,7 @@ set(HAWSER_OPTIMISED_TESTS assembly bench collide factor marine nonsmooth)
 # Tests that run several threads: the thread sanitizer runs these.
 set(HAWSER_THREAD_TESTS runtime threads)
 # Folders whose quick tests take longest: they start first, so that all processors end together.
-set(HAWSER_FIRST_TESTS validate wire world stepper machine scene cli)
+set(HAWSER_FIRST_TESTS exercise validate wire world stepper machine scene cli)
 add_custom_target(hawser_quick_tests)
 add_custom_target(hawser_full_tests)
 add_dependencies(hawser_full_tests hawser_quick_tests)

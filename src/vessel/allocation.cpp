@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vessel/allocation.h"
 
-#include <Eigen/SVD>
+#include "base/dense.h"
 
 #include <algorithm>
 #include <cmath>
@@ -243,10 +243,10 @@ Vec3 Allocation::largest() const noexcept {
 int Allocation::authority() const {
     if (variables_ == 0) return 0;
     const Eigen::Matrix3d square = force_ * force_ * Eigen::Matrix3d(effect_ * effect_.transpose());
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(square);
+    const Vec3 eigenvalues = base::symmetric_eigenvalues(square);
     int rank = 0;
     for (int i = 0; i < 3; ++i)
-        if (svd.singularValues()[i] > 1e-8 * svd.singularValues()[0]) ++rank;
+        if (eigenvalues[i] > 1e-8 * eigenvalues[2]) ++rank;
     return rank;
 }
 

@@ -4,9 +4,7 @@
 #include <hawser/sea.h>
 #include <hawser/world.h>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-
+#include "base/dense.h"
 #include "vessel/control_lines.h"
 
 #include <algorithm>
@@ -41,11 +39,10 @@ Matrix6 part_for_loads(const Matrix6& a, double radius) {
     Matrix6 symmetric = 0.5 * (a + a.transpose());
     const Matrix6 scaled =
         scale.cwiseInverse().asDiagonal() * symmetric * scale.cwiseInverse().asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Matrix6> solver(scaled);
-    if (solver.eigenvalues().minCoeff() >= 0.0) return symmetric;
-    const Wrench kept = solver.eigenvalues().cwiseMax(0.0);
-    const Matrix6 out =
-        solver.eigenvectors() * kept.asDiagonal() * solver.eigenvectors().transpose();
+    const base::SymmetricEigen<6> eigen = base::symmetric_eigen(scaled);
+    if (eigen.values.minCoeff() >= 0.0) return symmetric;
+    const Wrench kept = eigen.values.cwiseMax(0.0);
+    const Matrix6 out = eigen.vectors * kept.asDiagonal() * eigen.vectors.transpose();
     // Rounding must not make it indefinite again.
     Matrix6 back = scale.asDiagonal() * out * scale.asDiagonal();
     back = (0.5 * (back + back.transpose())).eval();
@@ -138,7 +135,7 @@ VesselSystem::VesselSystem(VesselDef def, double mass, Mat3 inertia, Surface sur
     }
     if (added_ == def_.added_mass) return;
     const Matrix6 rigid = rigid_mass(mass_, inertia_, def_.origin);
-    balance_ = (rigid + added_) * Matrix6(rigid + def_.added_mass).inverse();
+    balance_ = (rigid + added_) * base::inverse(rigid + def_.added_mass);
     balanced_ = false;
 }
 

@@ -6,6 +6,8 @@
 
 #include "record/control.h"
 
+#include "support/sanitizer.h"
+
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -60,6 +62,7 @@ TEST(Exercises, TowOut) {
 }
 
 TEST(Exercises, CraneLift) {
+    HAWSER_SKIP_IF_SAMPLED();
     expect_passed(perform("crane_lift", 1e9));
     // The hoist is not stopped.
     const exercise::Result bad = perform("crane_lift", 8.0, 60.0);
@@ -68,6 +71,7 @@ TEST(Exercises, CraneLift) {
 }
 
 TEST(Exercises, AnchorOverRoller) {
+    HAWSER_SKIP_IF_SAMPLED();
     expect_passed(perform("anchor_over_roller", 1e9));
     // The winch is not stopped: the anchor hits the seabed at 0.9 m/s.
     const exercise::Result bad = perform("anchor_over_roller", 10.0, 80.0);
@@ -77,6 +81,7 @@ TEST(Exercises, AnchorOverRoller) {
 }
 
 TEST(Exercises, TowToSeaBeginsUnderAutopilot) {
+    HAWSER_SKIP_IF_SAMPLED();
     const exercise::Result begun = perform("tow_to_sea", 1e9, 95.0);
     ASSERT_FALSE(begun.goals.empty());
     EXPECT_EQ(begun.points, 20.0) << exercise::to_json(begun);

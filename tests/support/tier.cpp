@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/tier.h"
 
+#include "support/sanitizer.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <numeric>
@@ -20,8 +23,11 @@ Tier tier() {
     std::exit(2);
 }
 
+bool sampled() { return kSanitized && std::getenv("HAWSER_SANITIZER_SAMPLE") != nullptr; }
+
 int by_tier(int quick, int full, int long_runs) {
     const Tier now = tier();
+    if (now == Tier::quick && sampled()) return std::max(1, quick / 4);
     return now == Tier::quick ? quick : now == Tier::full ? full : long_runs;
 }
 
