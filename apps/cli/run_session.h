@@ -49,7 +49,7 @@ class RunSession {
     [[nodiscard]] std::int32_t stride() const;
     void open_outputs();
     void add_observers();
-    [[nodiscard]] Status take_step(Progress& progress);
+    [[nodiscard]] Status run_step(Progress& progress);
     void save_if_due();
     int finish(bool interrupted, double wall_seconds);
 

@@ -176,7 +176,7 @@ void Repeater::drop_loader(std::span<const std::byte> change, World& world) {
 
 /// Enter the next branch. The last change of a branch restores the state at which the next one
 /// starts.
-void Repeater::enter_take(World& world) {
+void Repeater::enter_branch(World& world) {
     const RecordedTake& take = recording_.takes[take_];
     if (world.step_count() != take.to)
         throw std::runtime_error("a branch of the recording does not begin at its stated step");
@@ -200,7 +200,7 @@ void Repeater::before_step(World& world) {
             drop_loader(changes[change_].bytes, world);
             apply_changes(changes[change_++].bytes, world);
             if (change_ == end && take_ < recording_.takes.size()) {
-                enter_take(world);
+                enter_branch(world);
                 now = world.step_count();
             }
         } else if (input_ < end_of(inputs.size(), &RecordedTake::inputs) &&

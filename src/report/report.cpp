@@ -15,7 +15,7 @@ namespace {
 
 using Out = std::back_insert_iterator<std::string>;
 
-void simulated(Out out, const Summary& s) {
+void print_simulated(Out out, const Summary& s) {
     const double time = s.last.time - s.start_time;
     fmt::format_to(out, "  simulated    {:.6g} s in {} steps of {:.6g} ms", time, s.steps,
                    1e3 * s.step);
@@ -110,7 +110,7 @@ void degradations(Out out, const Summary& s) {
     fmt::format_to(out, "\n");
 }
 
-void coupling(Out out, const Summary& s) {
+void print_coupling(Out out, const Summary& s) {
     const verify::CouplingFigures& c = s.coupling;
     fmt::format_to(out,
                    "  split        {}, predictor {}: {} cuts, {} islands; interface residual "
@@ -182,11 +182,11 @@ void quality(Out out, const Summary& s) {
     fmt::format_to(out, "\n");
 }
 
-void cables(Out out, const Summary& s) {
+void print_cables(Out out, const Summary& s) {
     // Pieces of cables that were cut have lines of their own: that of the cable is of all of them.
     std::vector<CableFigures> all = s.cables;
     for (const WireFigures& w : s.wires)
-        if (w.came)
+        if (w.is_cut_piece)
             all.push_back(
                 {w.name, w.tension.least, w.tension.mean, w.tension.greatest, w.breaking_load});
     if (all.empty()) return;
@@ -207,7 +207,7 @@ void cables(Out out, const Summary& s) {
         fmt::format_to(out, "  … and {} more (see --summary)\n", all.size() - kShown);
 }
 
-void bodies(Out out, const Summary& s) {
+void print_bodies(Out out, const Summary& s) {
     if (s.bodies.empty()) return;
     constexpr std::size_t kShown = 12;
     std::size_t width = 5;
@@ -254,8 +254,9 @@ std::string to_text(const Summary& s) {
         fmt::format_to(out, "  not verified the step to {:.6g} s is wrong: {}\n", s.last.time,
                        s.objection);
     if (doubtful)
-        fmt::format_to(out, "  {:<11}  {}\n", to_string(s.verdict.verdict.grade), s.verdict.said);
-    simulated(out, s);
+        fmt::format_to(out, "  {:<11}  {}\n", to_string(s.verdict.verdict.grade),
+                       s.verdict.description);
+    print_simulated(out, s);
     constexpr std::size_t kWarnings = 5;
     for (std::size_t i = 0; i < std::min(kWarnings, s.warnings.size()); ++i)
         fmt::format_to(out, "  warning      {}\n", s.warnings[i]);

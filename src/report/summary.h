@@ -126,7 +126,7 @@ struct Summary {
     std::vector<std::string> warnings;   ///< Warnings of the start, in words.
     std::vector<CableFigures> cables;
     std::vector<WireFigures> wires;
-    std::vector<BrokenWire> parted;  ///< The first ones, in order.
+    std::vector<BrokenWire> broken_wires;  ///< The first ones, in order.
     std::vector<BodyFigures> bodies;
     std::uint64_t state_hash = 0;
     int threads = 1;
@@ -199,6 +199,6 @@ class SummaryCollector : public Observer {
 /// Return the first and worst event of each kind in the world (event_figures.cpp).
 [[nodiscard]] std::vector<EventFigures> event_figures(const World& world);
 /// Return the lines of a report about them.
-[[nodiscard]] std::string events_in_words(const Summary& summary);
+[[nodiscard]] std::string event_lines(const Summary& summary);
 
 }  // namespace hawser::report

@@ -24,7 +24,7 @@ report::Summary run_with_events(SmallScene& scene) {
 TEST(ReportedEvents, FirstAndWorstInWords) {
     SmallScene scene;
     const report::Summary summary = run_with_events(scene);
-    const std::string text = report::events_in_words(summary);
+    const std::string text = report::event_lines(summary);
     EXPECT_NE(text.find("inputs were limited to their range 120 times: first at 0 s, the input "
                         "\"box.push\", 100"),
               std::string::npos)
@@ -53,9 +53,9 @@ TEST(ReportedEvents, SignalsByTheirNames) {
     ASSERT_EQ(scene.world.step(), Status::ok);
     collector.after_step(scene.world, scene.world.events().take());
     const report::Summary summary = collector.result(scene.world);
-    EXPECT_NE(report::events_in_words(summary).find("the input \"sea.waves\", 1e+06"),
+    EXPECT_NE(report::event_lines(summary).find("the input \"sea.waves\", 1e+06"),
               std::string::npos)
-        << report::events_in_words(summary);
+        << report::event_lines(summary);
     ASSERT_EQ(summary.events.size(), 1U);
     EXPECT_EQ(summary.events[0].where, "sea.waves");
 }

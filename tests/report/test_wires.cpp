@@ -52,8 +52,8 @@ TEST(ReportedWires, ListThePiecesOfWiresThatAreCut) {
     }
     const report::Summary s = collector.result(h.w);
     ASSERT_EQ(s.wires.size(), 2U);
-    EXPECT_FALSE(s.wires[0].came);
-    EXPECT_TRUE(s.wires[1].came);
+    EXPECT_FALSE(s.wires[0].is_cut_piece);
+    EXPECT_TRUE(s.wires[1].is_cut_piece);
     EXPECT_EQ(s.wires[1].name, "rope/2");
     // The cut is in the thirteenth step and sampled after it.
     EXPECT_NEAR(s.wires[1].since, 13.0 / 60.0, 1e-12);
@@ -79,14 +79,14 @@ TEST(ReportedWires, TellWhereTheyPart) {
         collector.after_step(h.w, h.w.events().take());
     }
     const report::Summary s = collector.result(h.w);
-    ASSERT_EQ(s.parted.size(), 1U);
-    EXPECT_EQ(s.parted[0].wire, "rope");
-    EXPECT_EQ(s.parted[0].element, "rope/s3");
-    EXPECT_DOUBLE_EQ(s.parted[0].s, 35.0);
-    EXPECT_DOUBLE_EQ(s.parted[0].length, 50.0);
-    EXPECT_NEAR(s.parted[0].time, 12.0 / 60.0, 1e-12);
+    ASSERT_EQ(s.broken_wires.size(), 1U);
+    EXPECT_EQ(s.broken_wires[0].wire, "rope");
+    EXPECT_EQ(s.broken_wires[0].element, "rope/s3");
+    EXPECT_DOUBLE_EQ(s.broken_wires[0].s, 35.0);
+    EXPECT_DOUBLE_EQ(s.broken_wires[0].length, 50.0);
+    EXPECT_NEAR(s.broken_wires[0].time, 12.0 / 60.0, 1e-12);
     // One and a half nodes of 40 kg hang below it.
-    EXPECT_NEAR(s.parted[0].tension, 60.0 * 9.81, 0.02 * 60.0 * 9.81);
+    EXPECT_NEAR(s.broken_wires[0].tension, 60.0 * 9.81, 0.02 * 60.0 * 9.81);
     ASSERT_EQ(s.wires.size(), 1U);
     EXPECT_EQ(s.wires[0].parted.size(), 1U);
     const std::string text = report::to_text(s);
@@ -164,7 +164,7 @@ TEST(ReportedWires, AreNoneWhereThereIsNone) {
     (void)w.add_body({.kind = BodyKind::fixed});
     const report::WireWatch watch(w);
     EXPECT_TRUE(watch.result(w).empty());
-    EXPECT_EQ(report::wires_in_words({}, {}), "");
+    EXPECT_EQ(report::wire_lines({}, {}), "");
 }
 
 /// docs/cli.md has a row for each key of a summary of wires.

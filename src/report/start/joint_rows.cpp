@@ -44,7 +44,7 @@ double mobility(const World& world, const InteractionDef& def, const RowsView& v
     return sum;
 }
 
-double arm_of(const InteractionDef& def, const RowsView& view) {
+double row_arm(const InteractionDef& def, const RowsView& view) {
     double arm = 0.0;
     for (std::size_t b = 0; b < index(view.bodies); ++b) arm = std::max(arm, def.point[b].norm());
     return arm;
@@ -77,7 +77,7 @@ JointRows::JointRows(const World& world) {
             joint.motor |= view.velocity[r];
         }
         if (joint.rows == 0) continue;
-        joint.size = arm_of(def, view);
+        joint.size = row_arm(def, view);
         rows_ += index(joint.rows);
         joints_.push_back(joint);
     }
@@ -215,7 +215,7 @@ std::vector<double> JointRows::out_of_reach(std::span<const double> b) {
     return rest;
 }
 
-Eigen::MatrixXd JointRows::repetitions(std::span<const std::int32_t> rows) const {
+Eigen::MatrixXd JointRows::repetition_kernel(std::span<const std::int32_t> rows) const {
     // Columns of G D^-1/2, by the index of each body among the bodies of these rows.
     std::vector<std::int32_t> column(bodies_.size(), -1);
     std::int32_t columns = 0;

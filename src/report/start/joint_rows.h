@@ -59,7 +59,7 @@ class JointRows {
     void close(World& world);
     /// Return the kernel of Wᵀ of these rows, in the scale of scale(): a matrix with one column for
     /// each repetition. Call update() first.
-    [[nodiscard]] Eigen::MatrixXd repetitions(std::span<const std::int32_t> rows) const;
+    [[nodiscard]] Eigen::MatrixXd repetition_kernel(std::span<const std::int32_t> rows) const;
 
   private:
     void find_bodies(const World& world);
