@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/recording_writer.h"
+#include "base/body_dof.h"
 #include "record/event_input.h"
 #include "record/field_bytes.h"
 
@@ -38,7 +39,7 @@ std::size_t sea_load_bytes(const World& world) {
     bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
     std::size_t bytes = kChunkOverhead + kLoadHeadBytes;
     for (const BodyId id : bodies)
-        if (const std::size_t n = freedom_of(world.body_def(id).kind); n > 0)
+        if (const auto n = static_cast<std::size_t>(base::dof_of(world.body_def(id).kind)); n > 0)
             bytes += kLoadBodyBytes + 8 * load_numbers(n);
     return bytes;
 }

@@ -2,6 +2,7 @@
 #include <hawser/hawser.h>
 #include <hawser/repeater.h>
 
+#include "base/body_dof.h"
 #include "record/bytes.h"
 #include "record/change_fields.h"
 #include "record/changes.h"
@@ -124,8 +125,8 @@ void Repeater::read_load(ByteReader& in, const World& world, Load& load) const {
     load.freedom = in.get<std::uint8_t>();
     load.sources = all ? unsigned{kOtherSource} : in.get<std::uint8_t>();
     const bool none = !all && load.freedom == 0 && load.sources == kNoSource;
-    if (!world.alive(load.body) ||
-        (!none && load.freedom != freedom_of(world.body_def(load.body).kind)))
+    if (!world.alive(load.body) || (!none && load.freedom != static_cast<std::size_t>(base::dof_of(
+                                                                 world.body_def(load.body).kind))))
         throw BadBytes("a load is on no body that has it");
     if (load.sources > kBothSources || (!none && load.sources == kNoSource))
         throw BadBytes("a load has no source");

@@ -88,7 +88,4 @@ class JointRows {
     static constexpr double kSmall = 1e-9;
 };
 
-/// Return the number of degrees of freedom of a body of this kind.
-[[nodiscard]] int freedoms(BodyKind kind) noexcept;
-
 }  // namespace hawser::report::start

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "base/body_dof.h"
 #include "record/units.h"
 #include "report/start/parts.h"
 
@@ -141,7 +142,7 @@ class Overlaps {
         const ShapeDef& def = world_.shape_def(shape);
         double mass = 0.0, pull = 0.0;
         for (const BodyId body : {def.body, def.body_b}) {
-            if (!body.valid() || freedoms(world_.body_def(body).kind) == 0) continue;
+            if (!body.valid() || base::dof_of(world_.body_def(body).kind) == 0) continue;
             mass += world_.body_def(body).mass;
             pull = std::max(pull, pull_[static_cast<std::size_t>(body.index)]);
         }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/start/repeating.h"
 
+#include "base/body_dof.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -84,7 +86,7 @@ class GroupFinder {
             const std::size_t j = joint_of_row_[static_cast<std::size_t>(row)];
             const InteractionDef& def = world_.interaction_def(rows_.joints()[j].id);
             for (std::size_t b = 0; b < static_cast<std::size_t>(kind_info(def.kind).bodies); ++b) {
-                if (freedoms(world_.body_def(def.body[b]).kind) == 0) continue;
+                if (base::dof_of(world_.body_def(def.body[b]).kind) == 0) continue;
                 std::int64_t& other = first[static_cast<std::size_t>(def.body[b].index)];
                 if (other < 0) other = static_cast<std::int64_t>(j);
                 body_sets_.unite_sets(j, static_cast<std::size_t>(other));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/start/start_forces.h"
 
+#include "base/body_dof.h"
 #include "report/start/joint_rows.h"
 
 #include <hawser/factor.h>
@@ -29,7 +30,7 @@ class Statics {
     explicit Statics(const World& world) : world_(world), h_(world.settings().step) {
         node_of_body_.assign(index_of(world.body_count()), -1);
         for (const BodyId id : world.bodies()) {
-            const int size = freedoms(world.body_def(id).kind);
+            const int size = base::dof_of(world.body_def(id).kind);
             if (size == 0) continue;
             node_of_body_[index_of(id.index)] = static_cast<std::int32_t>(pattern_.size.size());
             bodies_.push_back(id);

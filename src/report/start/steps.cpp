@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "base/body_dof.h"
 #include "base/dense.h"
 #include "record/units.h"
 #include "report/start/parts.h"
@@ -83,7 +84,7 @@ void check_other_joints(const World& world, const std::vector<Fastest>& fast, Fi
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(fast.size()); ++i) {
         const InteractionDef& def = world.interaction_def(fast[static_cast<std::size_t>(i)].joint);
         for (std::size_t b = 0; b < 2; ++b) {
-            if (freedoms(world.body_def(def.body[b]).kind) == 0) continue;
+            if (base::dof_of(world.body_def(def.body[b]).kind) == 0) continue;
             const std::int32_t other = find(first.emplace(def.body[b].index, i).first->second);
             const std::int32_t own = find(i);
             set[static_cast<std::size_t>(std::max(own, other))] = std::min(own, other);
