@@ -231,7 +231,8 @@ int run_command(const ExerciseOptions& options) {
     const int end = run_exercise(run, session, controls, progress, options);
     progress.close();
     (void)session.finish(end == kInterrupted);
-    if (verifier && !options.quiet) fmt::print("{}", report::to_text(verifier->result()));
+    if (verifier && !options.quiet)
+        fmt::print("{}", report::to_text(verifier->result(), report::Detail::user));
     const int code = conclude(options, loaded.exercise, run.result(), run.curves(), recording);
     return end == kOk ? code : end;
 }

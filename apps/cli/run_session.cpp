@@ -225,7 +225,10 @@ int RunSession::finish(bool interrupted, double wall_seconds) {
     const std::string timeline = options_.trace.finish(world, info_.name);
     written_.insert(written_.end(), options_.trace.files.begin(), options_.trace.files.end());
     if (!options_.quiet) {
-        fmt::print("{}{}", report::to_text(summary), timeline);
+        fmt::print("{}{}",
+                   report::to_text(
+                       summary, options_.verbose ? report::Detail::solver : report::Detail::user),
+                   timeline);
         if (!written_.empty()) fmt::print("  wrote        {}\n", fmt::join(written_, ", "));
         std::fflush(stdout);
     }

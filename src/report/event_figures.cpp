@@ -238,9 +238,14 @@ std::string reported(const EventFigures& e, const ListedEvent& event) {
     if (e.kind == EventKind::energy_created)
         value = fmt::format(", {} {}", event.value < 0.0 ? "lost" : "gained",
                             record::with_unit(std::abs(event.value), e.unit));
-    else if (e.kind != EventKind::slack)
-        value = *e.unit != '\0' ? ", " + record::with_unit(event.value, e.unit)
-                                : fmt::format(", {:.4g}", event.value + 0.0);
+    else if (e.kind == EventKind::failure_critical)
+        value = fmt::format(", {:.3g} % of the force is missing", 100.0 * event.value);
+    else if (e.kind == EventKind::alarm || e.kind == EventKind::alarm_end)
+        value = fmt::format(", {:.4g} % of the rated load", 100.0 * event.value);
+    else if (*e.unit != '\0')
+        value = ", " + record::with_unit(event.value, e.unit);
+    else if (e.kind != EventKind::slack && e.kind != EventKind::saturation)
+        value = fmt::format(", {:.4g}", event.value + 0.0);
     return fmt::format("{:.4g} s, {}{}{}", event.time, event.where, value, event.note);
 }
 

@@ -75,7 +75,8 @@ TEST(ReportedEvents, LinesInWordsAndListsOfTheirOwn) {
     report::Summary summary = collector.result(scene.world);
     ASSERT_EQ(summary.events.size(), report::kListedEvents + 1);
     EXPECT_EQ(summary.events.back().kind, "line_break");
-    EXPECT_NE(report::to_text(summary).find("events       none"), std::string::npos)
+    EXPECT_NE(report::to_text(summary, report::Detail::solver).find("events       none"),
+              std::string::npos)
         << "the world itself had none";
     EXPECT_EQ(record::interaction_in_words(scene.world, scene.info.cables[0].elements[1]),
               "the stretch \"wire/s1\" between \"wire/1\" and \"box & <friends>\"");
@@ -102,7 +103,8 @@ TEST(ReportedEvents, WhatTheTimelineDidIsListedWhole) {
     EXPECT_EQ(list[1]["where"], "cut wire at 2 m");
     EXPECT_EQ(list[2]["kind"], "range");
     EXPECT_EQ(list.back()["where"], "release hook");
-    EXPECT_NE(report::to_text(summary).find("timeline     0.25 s: the winch hauls: set"),
+    EXPECT_NE(report::to_text(summary, report::Detail::solver)
+                  .find("timeline     0.25 s: the winch hauls: set"),
               std::string::npos);
 }
 
