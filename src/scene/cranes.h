@@ -44,7 +44,7 @@ struct CraneTable<CraneColumn> {
     static constexpr CranePoint<CraneColumn> kPoints[] = {
         {"centre", &CraneColumn::centre, "[0, 0, 0]", "Centre of mass, in the column's frame."},
         {"half_size", &CraneColumn::half_size, "",
-         "Width of a solid box, for inertia and picture."}};
+         "Half sizes of a solid box, for inertia and picture."}};
     static constexpr int kPointCount = 2;
 };
 
