@@ -102,8 +102,8 @@ class Moorings {
     }
 
     void add_chain(const End& from, const End& to, int links) {
-        const auto nodes =
-            scene::hang(from.world, to.world, links * o_.length, links, Vec3(0.0, 0.0, -1.0));
+        const auto nodes = scene::hanging_nodes(from.world, to.world, links * o_.length, links,
+                                                Vec3(0.0, 0.0, -1.0));
         if (!nodes)
             throw std::runtime_error(
                 "a chain does not reach its ends: give more --links, or fewer "

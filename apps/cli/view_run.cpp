@@ -112,7 +112,7 @@ int view_scene(const ViewOptions& options) {
             options.scene.file +
             ": a scene has no score: --report and --summary are for exercises");
     Session session = open_session(options);
-    serve(options, session, {.recording = options.record, .paused = !options.go},
+    serve(options, session, {.recording = options.record, .paused = !options.start_at_once},
           {live::instructor(), live::watcher()}, [] {});
     return kOk;
 }
@@ -154,7 +154,7 @@ int view_exercise(const ViewOptions& options) {
     exercise::Run run(loaded.exercise, session);
     serve(options, session,
           {.recording = options.record,
-           .paused = !options.go,
+           .paused = !options.start_at_once,
            .exercise = &loaded.exercise,
            .run = &run,
            .report =
@@ -169,8 +169,8 @@ int view_exercise(const ViewOptions& options) {
 /// Compute the score of a recorded exercise. @return an empty debriefing for a recording of a
 /// scene.
 /// @param score  Kept by the caller while the debriefing is used.
-live::Debriefing debriefing_of(const record::Recording& recording, int threads,
-                               std::optional<exercise::Rescored>& score) {
+live::Debriefing make_debriefing(const record::Recording& recording, int threads,
+                                 std::optional<exercise::Rescored>& score) {
     if (!exercise::is_recorded(recording)) return {};
     fmt::print("computing the score of the recording\n");
     std::fflush(stdout);
@@ -208,7 +208,7 @@ int view_recording(const ViewOptions& options) {
         fmt::print(stderr, "{}: not complete: {}\n", recording.file, recording.damage);
     std::optional<exercise::Rescored> score;
     live::Hub hub;
-    live::Player player(recording, hub, debriefing_of(recording, options.scene.threads, score));
+    live::Player player(recording, hub, make_debriefing(recording, options.scene.threads, score));
     if (!player.fault().empty())
         fmt::print(stderr, "{}: shown without its shapes: {}\n", recording.file, player.fault());
     const live::ServerOptions to_serve =

@@ -34,8 +34,8 @@ inline InteractionDef joint(const World& w, InteractionKind kind, BodyId a, Body
 }
 
 /// Report a figure that must be small.
-inline void below(Report& report, const std::string& what, double value, double limit,
-                  const std::string& reason) {
+inline void require_below(Report& report, const std::string& what, double value, double limit,
+                          const std::string& reason) {
     report.compare(what, {0.0}, {value}, limit, reason, 1.0);
 }
 
@@ -50,8 +50,9 @@ struct Cost {
     }
     void report(Report& r, const std::string& what) const {
         const auto n = static_cast<double>(steps);
-        below(r, what + ": factorisations a step", factorisations / n, 1.05, "mean");
-        below(r, what + ": substitutions a step, filter included", substitutions / n, 6.0, "mean");
+        require_below(r, what + ": factorisations a step", factorisations / n, 1.05, "mean");
+        require_below(r, what + ": substitutions a step, filter included", substitutions / n, 6.0,
+                      "mean");
     }
 };
 

@@ -20,7 +20,7 @@ constexpr double kLeft = 90, kTop = 112, kPanelWidth = 540, kBetween = 90, kBarR
 constexpr double kMargin = 0.35;
 
 // Choose plotted bodies with a size that is small compared with the whole scene.
-std::vector<std::int32_t> chosen(const record::Recording& recording, double scene_size) {
+std::vector<std::int32_t> plotted_bodies(const record::Recording& recording, double scene_size) {
     std::vector<std::int32_t> out;
     for (const std::int32_t index : recording.plot_bodies) {
         const record::RecordedBody& body = recording.bodies[static_cast<std::size_t>(index)];
@@ -68,7 +68,7 @@ std::optional<Drawing> plot_details(const record::Recording& recording, std::siz
     Bounds bounds;
     add_to_bounds(recording, frame, bounds);
     if (bounds.empty()) return std::nullopt;
-    const auto bodies = chosen(recording, (bounds.high - bounds.low).norm());
+    const auto bodies = plotted_bodies(recording, (bounds.high - bounds.low).norm());
     if (bodies.empty()) return std::nullopt;
     const std::size_t columns = std::min<std::size_t>(2, bodies.size());
     const std::size_t rows = (bodies.size() + columns - 1) / columns;

@@ -79,7 +79,7 @@ std::optional<Drawing> plot_motions(const record::Recording& recording,
     if (series.bodies.empty() || series.time.empty()) return std::nullopt;
     const bool turns = std::any_of(series.bodies.begin(), series.bodies.end(),
                                    [](const record::BodySeries& s) { return s.turns; });
-    const std::vector<Command> commands = commands_of(recording);
+    const std::vector<Command> commands = list_commands_by_time(recording);
     const double listed = kCommandLine * static_cast<double>(commands.size());
     Drawing drawing{.width = 1280, .height = 860 + listed};
     draw_heading(drawing, recording.scene_name + ": motion of the bodies over time",

@@ -74,7 +74,8 @@ ShapePtr body_shape() {
          "rigid: 6 degrees of freedom; lump: a point mass, 3; scalar: a drum, 1; fixed: part of "
          "the world; kinematic: moves with its velocity whatever pulls at it."}};
     for (const FieldInfo<BodyDef>& row : kBodyFields) {
-        fields.push_back(field_of(row, row.is(kOwnReader) ? own_shape(row) : shape_of_field(row)));
+        fields.push_back(
+            field_from_row(row, row.is(kOwnReader) ? own_shape(row) : shape_of_field(row)));
         for (Field& other : other_keys(row.key)) fields.push_back(std::move(other));
     }
     fields.push_back({"shapes", list_of("a list of shapes", shape_of_body()), false, "none", "",

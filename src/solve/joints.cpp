@@ -49,7 +49,7 @@ void find_joints(context::Model& model, context::JointWork& joints) {
     context::Completion& c = model.completion;
     const model::Interactions& in = model.interactions;
     c.joints.clear();
-    c.places.clear();
+    c.joint_slots.clear();
     c.rigid.clear();
     c.looped.clear();
     joints.edges.clear();
@@ -59,7 +59,7 @@ void find_joints(context::Model& model, context::JointWork& joints) {
         model.interactions.completed[at(id)] = 0;
         if (model.system.rests(id) || !model::may_complete(in, id, model.def.step)) continue;
         c.joints.push_back(id);
-        c.places.push_back(
+        c.joint_slots.push_back(
             {in.row_begin[at(id)],
              in.arms[at(id)] != 0 ? in.jac_begin[at(id)] + model::kArmsVibration : -1,
              std::min<std::int32_t>(in.rows[at(id)], 3)});
@@ -104,10 +104,11 @@ void choose_completed(context::Model& model, const context::State& state,
                 const bool chosen = allowed && c.coarse_next[at(k)] == 0 && in.parted[at(id)] == 0;
                 std::uint8_t completed = 0;
                 if (chosen)
-                    completed = in.epsilon[at(c.places[at(k)].row)] == 0.0 ? assembly::kRigid
-                                                                           : assembly::kStiffDamper;
+                    completed = in.epsilon[at(c.joint_slots[at(k)].row)] == 0.0
+                                    ? assembly::kRigid
+                                    : assembly::kStiffDamper;
                 in.completed[at(id)] = completed;
-                mark_record(in, c.places[at(k)], chosen);
+                mark_record(in, c.joint_slots[at(k)], chosen);
             }
         });
     find_turning(model);

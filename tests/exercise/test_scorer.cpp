@@ -21,7 +21,7 @@ struct Fed {
     Fed() { e.duration = 100.0; }
     void feed(double value, int times = 1, double other = 0.0) {
         if (!scorer) scorer = std::make_unique<Scorer>(e, 0.1);
-        std::vector<double> values(channels_of(e).size(), other);
+        std::vector<double> values(list_channels(e).size(), other);
         if (!values.empty()) values[0] = value;
         for (int i = 0; i < times; ++i) scorer->after_step(0.1 * ++step, values);
     }

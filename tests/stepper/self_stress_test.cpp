@@ -23,7 +23,8 @@ void join(World& world, BodyId a, const Vec3& at_a, BodyId b, const Vec3& at_b) 
 /// Add rigid links that hang from a float at the origin to an anchor.
 void moor(World& world, BodyId from, BodyId anchor, const Vec3& foot, int links) {
     const Vec3 top = Vec3::Zero();
-    const auto nodes = scene::hang(top, foot, links * kLength, links, Vec3(0.0, 0.0, -1.0));
+    const auto nodes =
+        scene::hanging_nodes(top, foot, links * kLength, links, Vec3(0.0, 0.0, -1.0));
     ASSERT_TRUE(nodes);
     BodyId before = from;
     Vec3 hold = top;

@@ -61,6 +61,6 @@ void check_steps(const record::SceneInfo& scene, const World& world, Findings& o
 /// Return the tension from the stretch at the start [N]; 0 if slack, or for other kinds.
 [[nodiscard]] double start_tension(const World& world, InteractionId id);
 /// Return the length for comparison with a gap at this joint: its longest arm, at least 0.1 m.
-[[nodiscard]] double reach(const Joint& joint);
+[[nodiscard]] double comparison_length(const Joint& joint);
 
 }  // namespace hawser::report::start
