@@ -33,10 +33,10 @@ double rated_load(const CraneRating& rating, double radius) noexcept {
 
 CraneSystem::CraneSystem(CraneTask task, CraneParts parts)
     : definition_(std::move(task)), parts_(std::move(parts)), attach_request_(definition_.take) {
-    std::size_t max_speed = 0;
+    std::size_t max_eyes = 0;
     for (const CraneLoad& load : definition_.loads)
-        max_speed = std::max(max_speed, load.eyes.size());
-    for (std::size_t i = 0; i < max_speed; ++i)
+        max_eyes = std::max(max_eyes, load.eyes.size());
+    for (std::size_t i = 0; i < max_eyes; ++i)
         sling_names_.push_back(definition_.name + "/sling" + std::to_string(i + 1));
     hoist_length_ = definition_.hook.hang;
     attached_load_ = definition_.take;
@@ -245,12 +245,12 @@ void CraneSystem::detach_load(Prestep& now) noexcept {
 }
 
 void CraneSystem::update_attachment(Prestep& now) noexcept {
-    const int max_speed = static_cast<int>(definition_.loads.size());
+    const int load_count = static_cast<int>(definition_.loads.size());
     // A modified state may hold any value.
-    const int wanted = attach_request_ >= 0.0 && attach_request_ <= max_speed
+    const int wanted = attach_request_ >= 0.0 && attach_request_ <= load_count
                            ? static_cast<int>(std::lround(attach_request_))
                            : 0;
-    if (attached_load_ < 0 || attached_load_ > max_speed) attached_load_ = 0;
+    if (attached_load_ < 0 || attached_load_ > load_count) attached_load_ = 0;
     if (attached_load_ != 0) {
         // The load may have been removed by others.
         const auto& eyes = definition_.loads[static_cast<std::size_t>(attached_load_ - 1)].eyes;

@@ -164,8 +164,8 @@ void VesselSystem::read_sea(const World& world, Vec3& current, Vec3& wind,
     current = signal_or(world, "current", 1.0) * current_at(sea->current, 0.5 * def_.draught);
     const double speed = signal_or(world, "wind", sea->wind.speed);
     const double to = signal_or(world, "wind_direction", sea->wind.direction);
-    const double other_point = speed * wind_profile(speed, def_.wind.height);
-    wind = {other_point * std::cos(to), other_point * std::sin(to), 0.0};
+    const double local_speed = speed * wind_profile(speed, def_.wind.height);
+    wind = {local_speed * std::cos(to), local_speed * std::sin(to), 0.0};
 }
 
 VesselSystem::Motion VesselSystem::read_motion(const Prestep& now) noexcept {
