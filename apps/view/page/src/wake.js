@@ -6,6 +6,7 @@ import {AIR} from './air.js';
 import {thrustDirection} from './vessel.js';
 
 const kShips = 8, kTrail = 40, kRows = 7, kStrips = 8, kAcross = 5;   // rows of a trail and of another strip; strips a ship
+const kLay = 0.08;         // [s] least time between two layouts of the strips
 const kLife = 70;          // [s] after which the wake is not drawn
 export const kWashReach = 55;    // [m] length of the wash at full thrust
 
@@ -95,6 +96,7 @@ export class Wake {
             const half = body.stern ? [Math.abs(body.stern.x) * 0.5 + body.half[0] * 0.5, body.half[1]] : [body.half[0], body.half[1]];
             return {body, track: new Track(), half, stern: body.stern?.x ?? -body.half[0], bow: body.stern ? body.stern.x + 2 * body.half[0] : body.half[0], water: vessel ? at('speed') : -1, jets, was: null, speed: 0};
         });
+        this.laid = NaN;
         this.mesh.geometry.setDrawRange(0, this.ships.length * this.perShip);
     }
 
@@ -114,6 +116,8 @@ export class Wake {
             ship.track.take(frame.time, x, y, wakeStrength(ship.through, thrust));
         }
         this.time = frame.time;
+        if (Math.abs(frame.time - this.laid) < kLay) return;   // foam moves slowly: not each frame
+        this.laid = frame.time;
         this.lay(frame);
     }
 
@@ -147,10 +151,14 @@ export class Wake {
 
     /// One row of corners across a strip, from (x, y) along the unit vector (nx, ny) on both sides.
     row(row, x, y, nx, ny, half, strength, age) {
-        for (let k = 0; k < kAcross; ++k) {
-            const e = 2 * k / (kAcross - 1) - 1, i = row * kAcross + k;
-            this.position.set([x + e * half * nx, y + e * half * ny, strength], 3 * i);
-            this.edge.set([e, age], 2 * i);
+        const {position, edge} = this;
+        for (let k = 0, i = row * kAcross; k < kAcross; ++k, ++i) {
+            const e = 2 * k / (kAcross - 1) - 1;
+            position[3 * i] = x + e * half * nx;
+            position[3 * i + 1] = y + e * half * ny;
+            position[3 * i + 2] = strength;
+            edge[2 * i] = e;
+            edge[2 * i + 1] = age;
         }
     }
 
