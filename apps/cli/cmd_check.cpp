@@ -68,6 +68,7 @@ void read_exercise(const SceneOptions& options, Checked& out) {
         exercise::Loaded loaded = exercise::load_file(options.file, options.options());
         report::start::check_points(loaded.exercise, out.start);
         report::start::check_task(loaded.exercise, out.start);
+        report::start::check_controls(loaded.exercise, loaded.scene, out.start);
         out.scene = std::move(loaded.scene);
     } catch (const scene::SceneError& error) {
         out.mistakes.push_back(error);

@@ -7,6 +7,7 @@
 #include "debrief/debrief.h"
 #include "live/debriefing.h"
 #include "live/driver.h"
+#include "live/page_files.h"
 #include "live/player.h"
 #include "live/server.h"
 #include "outputs.h"
@@ -61,6 +62,11 @@ live::ServerOptions server_options(const ViewOptions& options, std::vector<live:
 }
 
 void print_addresses(const live::Server& server, const live::ServerOptions& options) {
+    if (!live::has_page())
+        fmt::print(stderr,
+                   "hawser view: this program was built without its page, because node was "
+                   "missing. Browsers show a note instead. Build the page in the folder of the "
+                   "sources: make view\n");
     for (const live::Role& role : options.roles)
         fmt::print("{:<12} {}\n", role.name, server.address_of(role));
     if (options.address != "127.0.0.1" && options.address != "::1")
