@@ -114,7 +114,7 @@ void Systems::discard_actions() noexcept {
 }
 
 Status Systems::make_edits(World& world) noexcept {
-    const auto refuse = [&](std::string_view system, const char* what) {
+    const auto throw_def_error = [&](std::string_view system, const char* what) {
         bad = {};
         bad.system = system;
         bad.of_edit = true;
