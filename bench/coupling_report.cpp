@@ -119,7 +119,8 @@ Json compare_exact(const std::vector<ModeFigures>& modes, const std::string& sce
     for (std::size_t t = 0; t < o.threads.size(); ++t) {
         const ModeFigures* best = nullptr;
         for (const ModeFigures& m : modes)
-            if (m.mode.coupling != Coupling::exact && !m.quality.lost() && !m.timed[t].lost &&
+            if (m.mode.coupling != Coupling::exact && !m.quality.failed_or_diverged() &&
+                !m.timed[t].failed_or_diverged &&
                 (!best || median(m.timed[t].wall) < median(best->timed[t].wall)))
                 best = &m;
         const bool judged = o.threads[t] == 2;

@@ -239,7 +239,7 @@ int RunSession::finish(bool interrupted, double wall_seconds) {
     }
     if (wrong) {
         fmt::print(stderr, "hawser: failed at {:.6g} s (diverged): {}\n", world.time(),
-                   summary.verdict.said);
+                   summary.verdict.description);
         return kFailed;
     }
     if (ending == record::Ending::failed) {

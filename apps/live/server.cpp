@@ -138,7 +138,7 @@ struct Server::Impl final : Floor {
                 case MessageKind::scene:
                     scene_ = text;
                     for (const auto& [number, client] : all)
-                        if (client->known()) client->send_scene(*text);
+                        if (client->has_role()) client->send_scene(*text);
                     continue;
                 case MessageKind::state:
                     state_ = text;
@@ -157,7 +157,7 @@ struct Server::Impl final : Floor {
             }
             for (const auto& [number, client] : all)
                 if ((message.to == 0 || message.to == number) &&
-                    (!message.control || (client->known() && client->role()->control)))
+                    (!message.control || (client->has_role() && client->role()->control)))
                     client->send(text);
         }
     }
@@ -188,7 +188,7 @@ struct Server::Impl final : Floor {
     void client_left(std::uint32_t number) override {
         const auto at = clients_.find(number);
         if (at == clients_.end()) return;
-        if (at->second->known()) {
+        if (at->second->has_role()) {
             hub_.clients.fetch_sub(1, std::memory_order_relaxed);
             Command gone;
             gone.kind = CommandKind::left;

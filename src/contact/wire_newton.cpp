@@ -84,8 +84,8 @@ bool read_elements(const context::Model& model, context::Newton& newton, const V
         }
         if (node[0] < 0 || node[1] < 0) continue;
         for (int i = 0; i < 9; ++i) {
-            wire.stiffness[at(k - begin)].behind[i] -= block[i];
-            wire.stiffness[at(k - begin) + 1].before[i] -= block[i];
+            wire.stiffness[at(k - begin)].block_behind[i] -= block[i];
+            wire.stiffness[at(k - begin) + 1].block_before[i] -= block[i];
         }
     }
     return true;

@@ -34,7 +34,7 @@ class HookSystem final : public System {
     [[nodiscard]] const CraneLoad& load_of(int number) const noexcept {
         return def_.loads[static_cast<std::size_t>(number - 1)];
     }
-    [[nodiscard]] int wanted() const noexcept;
+    [[nodiscard]] int requested_load() const noexcept;
     [[nodiscard]] bool measure_load(const World& world) noexcept;
     void check_load(Prestep& now) noexcept;
     void detach_load(Prestep& now, EventKind kind) noexcept;

@@ -76,7 +76,7 @@ void begin_budget(context::StepContext& ctx) noexcept {
     ctx.work.limits.laps.start = ctx.work.limits.laps.first = ctx.work.limits.laps.last =
         ctx.stopwatch->seconds();
     const budget::Load load = solver_load(ctx);
-    if (ctx.work.limits.deadline.knows()) {
+    if (ctx.work.limits.deadline.has_samples()) {
         // The time since the start of the step is measured; the remaining time is predicted.
         const double left = limits.seconds - ctx.work.limits.laps.start +
                             ctx.work.limits.deadline.predict_start(load);
@@ -113,7 +113,7 @@ void end_budget(context::StepContext& ctx) noexcept {
         s.plans + s.repairs > ctx.work.limits.analyses ||
         (ctx.work.limits.cut_levels.known() && !ctx.work.limits.knew_levels);
     s.compliant = open_interfaces(ctx.model);
-    ctx.work.limits.budget.finished(s.solver_cpu_seconds);
+    ctx.work.limits.budget.record_end_of_solve(s.solver_cpu_seconds);
     if (ctx.work.limits.budget.needs_time()) {
         ctx.work.limits.laps.end = s.solver_cpu_seconds;
         ctx.work.limits.deadline.add_sample(solver_load(ctx), ctx.work.limits.laps);
@@ -121,7 +121,7 @@ void end_budget(context::StepContext& ctx) noexcept {
     if (s.cut) {
         s.degraded_by = ctx.work.limits.budget.cause();
         s.foreseen_seconds = ctx.work.limits.budget.foreseen();
-        ctx.work.limits.deadline.refused();
+        ctx.work.limits.deadline.record_refusal();
     } else if (s.degradation.iterations > 0 || s.compliant != 0 || s.degradation.wires > 0) {
         s.degraded_by = ctx.state.imposed.any() ? DegradedBy::order : DegradedBy::prediction;
     }

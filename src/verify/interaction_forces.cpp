@@ -122,11 +122,11 @@ void Forces::add_bend(std::span<const double> f) {
     }
     const Vec3 n1 = (Vec3::Unit(least) - t[least] * t).normalized();
     const Vec3 moment = f[0] * n1 + f[1] * t.cross(n1);
-    const auto square = [&](const Vec3& e, double length) -> Vec3 {
+    const auto orthogonal = [&](const Vec3& e, double length) -> Vec3 {
         const double along = length > shortest ? moment.dot(e) : 0.0;
         return (moment - along * e) / length;
     };
-    const Vec3 first = add_perpendicularity(e1, l1), last = add_perpendicularity(e2, l2);
+    const Vec3 first = orthogonal(e1, l1), last = orthogonal(e2, l2);
     push(0, first, p[0]);
     push(1, -first - last, p[1]);
     push(2, last, p[2]);

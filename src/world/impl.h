@@ -254,7 +254,7 @@ struct WorldImpl final : private world::InputAccess {
     /// Save the state for undo.
     /// @throws std::bad_alloc.
     void save_for_undo(StepUndo& u) const;
-    void restore_from_undo(StepUndo& u) noexcept;
+    void restore_undo(StepUndo& u) noexcept;
     /// Undo all changes of a failed step and the edits of its systems.
     /// @param mark  Mark of the listener at the start of the step.
     void undo_step(std::size_t mark) noexcept;

@@ -155,7 +155,7 @@ struct SavedState {
         struct {
             base::Array<collide::KeptContact> contacts;
             std::uint64_t awake = 0;
-            [[nodiscard]] auto& kept() noexcept { return contacts; }
+            [[nodiscard]] auto& last_contacts() noexcept { return contacts; }
             [[nodiscard]] auto& last_awake_count() noexcept { return awake; }
         } collider;
         struct {

@@ -48,7 +48,7 @@ void renew_ids(std::vector<Id>& ids, const base::Slots& slots) noexcept {
 
 template <class Def>
 void check(const Placed<Def>& from, const char* what) {
-    const auto refuse = [&](const char* why) {
+    const auto throw_def_error = [&](const char* why) {
         throw DefError(std::string("structure: ") + what + " " + why);
     };
     if (from.generations.size() != from.defs.size())

@@ -114,7 +114,7 @@ void Systems::discard_actions() noexcept {
 }
 
 Status Systems::make_edits(World& world) noexcept {
-    const auto refuse = [&](std::string_view system, const char* what) {
+    const auto throw_def_error = [&](std::string_view system, const char* what) {
         bad = {};
         bad.system = system;
         bad.of_edit = true;
@@ -179,7 +179,7 @@ void NodeEdits::tell(EventKind kind, InteractionId interaction, double value) no
 Status WorldImpl::make_edits(World& world) noexcept {
     if (!begin_edits()) return Status::out_of_memory;
     try {
-        ctx.state.events.hold(systems.queued());
+        ctx.state.events.hold_back(systems.queued());
     } catch (const std::bad_alloc&) {
         return Status::out_of_memory;
     }

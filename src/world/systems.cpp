@@ -316,7 +316,7 @@ void Systems::restore(const std::byte* from) {
 }
 
 void Systems::check_states(const World& world) const {
-    const auto refuse = [](std::string_view system, const std::string& what) {
+    const auto throw_def_error = [](std::string_view system, const std::string& what) {
         throw DefError("snapshot: not a state that a world can have: system '" +
                        std::string(system) + "': " + what);
     };

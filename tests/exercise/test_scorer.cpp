@@ -94,7 +94,7 @@ TEST(Scorer, AlarmsSeeWhatDisplaysShow) {
     const Fault frozen{.name = "f", .text = "", .kind = FaultKind::output_frozen, .target = "x"};
     f.feed(0.0);
     f.scorer->fault(0.1, frozen, "instructor", true);
-    EXPECT_EQ(f.scorer->frozen("x"), 0.0);
+    EXPECT_EQ(f.scorer->frozen_value("x"), 0.0);
     f.feed(2.0, 9);
     EXPECT_EQ(f.r().alarms[0].times, 0);
     f.scorer->fault(1.0, frozen, "instructor", false);

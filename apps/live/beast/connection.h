@@ -112,14 +112,14 @@ class Connection : public std::enable_shared_from_this<Connection> {
         int strangers = 0, most = 0;
         std::map<std::string, int> by_address;
         for (const auto& [number, client] : floor_.clients_) {
-            if (client->known()) continue;
+            if (client->has_role()) continue;
             ++strangers;
             most = std::max(most, ++by_address[client->address()]);
         }
         if (strangers < kMaxStrangers) return;
         std::shared_ptr<Client> oldest;  // in the order of rising numbers
         for (const auto& [number, client] : floor_.clients_) {
-            if (client->known() || by_address[client->address()] < most) continue;
+            if (client->has_role() || by_address[client->address()] < most) continue;
             oldest = client;
             break;
         }
