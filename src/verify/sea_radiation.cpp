@@ -94,7 +94,7 @@ void SeaVerifier::start_history(const World& world, std::size_t hull) {
     if (goes_on) return;
     past.at_start = hull_memory(world, hull);
     const HullMemory& m = past.at_start;
-    past.is_begun = m.is_begun;
+    past.is_begun = m.begun;
     past.slow_begun = world.time() > 0.0;
     past.lag = {m.lag[0], m.lag[1], m.lag[2], m.lag[3]};
     past.last = Eigen::Map<const V6>(m.last.data());

@@ -3,6 +3,7 @@
 #include "start_scene.h"
 
 #include "report/start/start_forces.h"
+#include "support/sanitizer.h"
 
 #include <algorithm>
 #include <cmath>
