@@ -34,8 +34,7 @@ double rated_load(const CraneRating& rating, double radius) noexcept {
 CraneSystem::CraneSystem(CraneTask task, CraneParts parts)
     : definition_(std::move(task)), parts_(std::move(parts)), attach_request_(definition_.take) {
     std::size_t max_eyes = 0;
-    for (const CraneLoad& load : definition_.loads)
-        max_eyes = std::max(max_eyes, load.eyes.size());
+    for (const CraneLoad& load : definition_.loads) max_eyes = std::max(max_eyes, load.eyes.size());
     for (std::size_t i = 0; i < max_eyes; ++i)
         sling_names_.push_back(definition_.name + "/sling" + std::to_string(i + 1));
     hoist_length_ = definition_.hook.hang;

@@ -14,7 +14,9 @@ std::string statements(std::istream& in) {
     std::string line, out;
     while (std::getline(in, line)) {
         const std::size_t begin = line.find_first_not_of(' ');
-        if (begin != std::string::npos && line[begin] != '#') out += line.substr(begin) + "\n";
+        if (begin != std::string::npos && line[begin] != '#' &&
+            line.compare(begin, 15, "// clang-format") != 0)
+            out += line.substr(begin) + "\n";
     }
     return out;
 }
