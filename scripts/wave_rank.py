@@ -3,10 +3,10 @@
 """Count the independent functions among the waves at neighbouring corners of a hull.
 
 A field that is interpolated from r points has at most r independent functions. This script counts
-the functions that elevation and pressure at consecutive corners need (docs/theory/waves.md, Limits):
-the smallest r for which six standard deviations of the rest are at most --tolerance of the
-significant amplitude at every corner. Phases are random. Pressure is taken at the height of each
-corner at rest, raised and lowered by the elevation (--reach).
+the functions that elevation and pressure at consecutive corners need (docs/theory/waves.md, Limits).
+It returns the smallest r with a small remainder at every corner: six standard deviations of it are
+at most --tolerance of the significant amplitude. Phases are random. Pressure is taken at the height
+of each corner at rest, raised and lowered by the elevation (--reach).
 
     scripts/wave_rank.py bench/scenes/frozen/parts/anchor_sea_ahts.obj
 """
