@@ -16,7 +16,7 @@ namespace hawser::live {
 /// nearest name.
 [[nodiscard]] const WireSource& find_wire_source(const FramePlan& plan, const Command& command);
 
-/// Return the message `picked_json` (docs/live.md). @throws DefError if the object does not exist.
+/// Return the message `picked` (docs/live.md). @throws DefError if the object does not exist.
 [[nodiscard]] nlohmann::json picked_json(const World& world, const FramePlan& plan,
                                          const Command& command);
 

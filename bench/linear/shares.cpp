@@ -106,7 +106,7 @@ void print_update(const PaperOptions& paper, int rounds) {
     constexpr int kChanged = 50;
     PaperScene scene(paper);
     base::SerialExecutor serial;
-    Ours follows(Order::library), analysis_from_scratch(Order::library);
+    Ours follows(Order::library), from_scratch(Order::library);
     Laps laps;
     for (int k = 0; k <= rounds; ++k) {
         const BlockForm form = make_form(scene.system(), true);
@@ -114,16 +114,16 @@ void print_update(const PaperOptions& paper, int rounds) {
         in.form = &form;
         if (k == 0) {
             follows.analyse(in, serial);
-            analysis_from_scratch.analyse(in, serial);
+            from_scratch.analyse(in, serial);
         } else {
             laps.start();
             follows.repair(in, serial);
             laps.lap("repair");
             follows.find_places(serial);
             laps.lap("addresses");
-            analysis_from_scratch.plan(in, serial);
+            from_scratch.plan(in, serial);
             laps.lap("analysis");
-            analysis_from_scratch.find_places(serial);
+            from_scratch.find_places(serial);
             laps.lap("its addresses");
         }
         scene.change_contacts(kChanged, k);

@@ -152,12 +152,12 @@ void time_updates(Problem& problem, std::vector<std::unique_ptr<Candidate>>& can
                   const TrialOptions& options) {
     if (!source.paper) return;  // only this scene has contacts to edit
     constexpr int kSteps = 4;
-    std::vector<std::unique_ptr<Candidate>> analysis_from_scratch(candidates.size());
+    std::vector<std::unique_ptr<Candidate>> from_scratch(candidates.size());
     for (std::size_t k = 0; k < candidates.size(); ++k) {
         const Candidate& c = *candidates[k];
         if (c.variant().library != "hawser") continue;
-        analysis_from_scratch[k] = std::make_unique<Candidate>(problem, c.variant(), c.threads());
-        analysis_from_scratch[k]->analyse();
+        from_scratch[k] = std::make_unique<Candidate>(problem, c.variant(), c.threads());
+        from_scratch[k]->analyse();
     }
     PaperScene scene(*source.paper);
     int step = 0;
@@ -171,8 +171,7 @@ void time_updates(Problem& problem, std::vector<std::unique_ptr<Candidate>>& can
             for (std::size_t c = 0; c < candidates.size(); ++c) {
                 const Input input = edited.input(candidates[c]->variant().condensed);
                 auto analyse = [&](bool now) {
-                    if (now && analysis_from_scratch[c])
-                        whole[c].push_back(analysis_from_scratch[c]->analyse(input));
+                    if (now && from_scratch[c]) whole[c].push_back(from_scratch[c]->analyse(input));
                 };
                 analyse(step % 2 != 0);
                 times[c].push_back(candidates[c]->update(input, nodes));

@@ -65,7 +65,7 @@ class Collider {
     /// caller removes the memory of its contacts: see forget_contacts().
     void attach_segment(std::int32_t shape, std::int32_t first, std::int32_t second,
                         const Vec3& point, const model::Bodies& bodies) noexcept;
-    /// Remove the places from `last_contacts` on, whose shapes have not touched anything yet.
+    /// Remove the places from `kept` on, whose shapes have not touched anything yet.
     void truncate(std::int32_t kept) noexcept;
     /// Call f with each other shape whose box meets the box of a shape, both at the present poses
     /// and with the margin. The result does not depend on earlier steps. @param f  Called with the

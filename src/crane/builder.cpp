@@ -53,7 +53,7 @@ BodyId Builder::add_body(BodyDef def) {
         if (def.kind == BodyKind::rigid) def.angular_velocity = mount_body_.velocity.angular;
     }
     const BodyId id = site_.add(def);
-    built_routes_[id.index] = {def.position, def.orientation, def.kind, def.mass};
+    route_bodies_[id.index] = {def.position, def.orientation, def.kind, def.mass};
     return id;
 }
 
@@ -181,8 +181,8 @@ BodyId Builder::add_drum(const char* what, const CraneTackle& def) {
 }
 
 RouteBody Builder::route_body(BodyId id) const {
-    const auto own = built_routes_.find(id.index);
-    if (own == built_routes_.end())
+    const auto own = route_bodies_.find(id.index);
+    if (own == route_bodies_.end())
         throw_def_error(common_.name, "mount/on", "a line runs over a foreign body");
     return own->second;
 }

@@ -88,7 +88,7 @@ class Builder {
     CraneBody mount_body_;
     Link base_;
     Vec3 gravity_, up_, ahead_, raise_axis_;
-    std::map<std::int32_t, RouteBody> built_routes_;
+    std::map<std::int32_t, RouteBody> route_bodies_;
 };
 
 /// Return the rotation of z of a joint's frame to −y, so that the angle grows when a link is

@@ -76,8 +76,8 @@ class Finder {
         d.bound = input(what + "/friction", d.friction_id, param);
     }
     Drive tackle(const std::string& what, const CraneTackle& t) {
-        const double max_speed = t.pull * t.drum_radius;
-        Drive d = drive(what, t.speed, -t.falls / t.drum_radius, -max_speed, max_speed);
+        const double torque_max = t.pull * t.drum_radius;
+        Drive d = drive(what, t.speed, -t.falls / t.drum_radius, -torque_max, torque_max);
         add_brake(d, what, t.brake * t.drum_radius, 0.0, "force");
         d.scalar = body((what + "/drum").c_str());
         return d;

@@ -58,10 +58,10 @@ std::vector<Command> list_commands_by_time(const record::Recording& recording) {
     std::map<std::int64_t, Moment> moments;
     add_inputs(recording, moments);
     for (const record::RecordedNote& note : recording.notes) {
-        const bool actions = note.kind == record::kDoneNote;
-        if (!actions && note.kind != record::kSetNote) continue;
+        const bool is_action = note.kind == record::kDoneNote;
+        if (!is_action && note.kind != record::kSetNote) continue;
         Moment& moment = moments[note.step];
-        Moment::add_unique(actions ? moment.actions : moment.set, record::text_of(note));
+        Moment::add_unique(is_action ? moment.actions : moment.set, record::text_of(note));
     }
     std::vector<Command> out;
     std::size_t set = 0, actions = 0, more = 0;

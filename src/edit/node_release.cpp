@@ -64,7 +64,7 @@ class Patch {
   public:
     explicit Patch(const NodeChain& chain) : chain_(chain), origin_(chain.lump[chain.middle].y) {
         for (std::size_t k = 0; k < chain.count; ++k) {
-            chain_index_[k] = chain.lump[k].moves ? size_ : -1;
+            first_row_[k] = chain.lump[k].moves ? size_ : -1;
             if (chain.lump[k].moves) size_ += 3;
             reach_ = std::max(reach_, (chain.lump[k].y - origin_).norm());
         }
@@ -100,12 +100,12 @@ class Patch {
         Packed slope(size_);
         if (size_ == 0) return slope;
         for (std::size_t k = 0; k < chain.count; ++k) {
-            if (chain_index_[k] < 0) continue;
+            if (first_row_[k] < 0) continue;
             Vec3 g = chain.lump[k].mass * chain.lump[k].v;
             if (k > 0) g -= chain.piece[k - 1].pair * (chain.lump[k].v - chain.lump[k - 1].v);
             if (k + 1 < chain.count)
                 g -= chain.piece[k].pair * (chain.lump[k].v - chain.lump[k + 1].v);
-            slope.segment<3>(chain_index_[k]) = g;
+            slope.segment<3>(first_row_[k]) = g;
         }
         const Packed down = momentum_factor_.solve(slope);
         const Packed d = down - min_change(shares_ * down);
@@ -115,17 +115,16 @@ class Patch {
     }
     void add(NodeChain& chain, const Packed& change, double factor) const {
         for (std::size_t k = 0; k < chain.count; ++k)
-            if (chain_index_[k] >= 0)
-                chain.lump[k].v += factor * change.segment<3>(chain_index_[k]);
+            if (first_row_[k] >= 0) chain.lump[k].v += factor * change.segment<3>(first_row_[k]);
     }
 
   private:
     void add_lump(std::size_t k) {
-        if (chain_index_[k] < 0) return;
+        if (first_row_[k] < 0) return;
         const NodeChain::ChainNode& l = chain_.lump[k];
-        mass_.block<3, 3>(chain_index_[k], chain_index_[k]) += l.mass * Mat3::Identity();
-        shares_.block<3, 3>(0, chain_index_[k]) += l.mass * Mat3::Identity();
-        shares_.block<3, 3>(3, chain_index_[k]) += l.mass / reach_ * cross_matrix(l.y - origin_);
+        mass_.block<3, 3>(first_row_[k], first_row_[k]) += l.mass * Mat3::Identity();
+        shares_.block<3, 3>(0, first_row_[k]) += l.mass * Mat3::Identity();
+        shares_.block<3, 3>(3, first_row_[k]) += l.mass / reach_ * cross_matrix(l.y - origin_);
     }
     void add_piece(std::size_t k, Square& stiff) {
         const NodeChain::Piece& p = chain_.piece[k];
@@ -133,13 +132,13 @@ class Patch {
         const double weight = p.pull != 0.0 ? chain_.half * chain_.half * p.EA / p.rest : 0.0;
         const double rate = u.dot(chain_.lump[k + 1].v - chain_.lump[k].v);
         for (std::size_t one = 0; one < 2; ++one) {
-            const int row = chain_index_[k + one];
+            const int row = first_row_[k + one];
             if (row < 0) continue;
             const double sign = one == 0 ? -1.0 : 1.0;
             shares_.block<3, 3>(3, row) -= sign * p.pair / reach_ * cross_matrix(separation);
             missing_rates_.segment<3>(row) += sign * weight * (p.rate - rate) * u;
             for (std::size_t other = 0; other < 2; ++other) {
-                const int column = chain_index_[k + other];
+                const int column = first_row_[k + other];
                 if (column < 0) continue;
                 const double both = one == other ? 1.0 : -1.0;
                 mass_.block<3, 3>(row, column) -= both * p.pair * Mat3::Identity();
@@ -159,7 +158,7 @@ class Patch {
     Vec3 origin_;
     int size_ = 0;
     double reach_ = 1e-9;
-    std::array<int, NodeChain::kMaximum> chain_index_{};
+    std::array<int, NodeChain::kMaximum> first_row_{};
     Square mass_;
     Shares shares_;
     Packed missing_rates_;

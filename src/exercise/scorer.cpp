@@ -62,16 +62,16 @@ Scorer::Scorer(const Exercise& exercise, double step)
 
 std::vector<Scorer::Watch> Scorer::make_watches(const auto& list) const {
     std::vector<Watch> out;
-    const auto location = [&](const Channel& channel) {
+    const auto channel_index = [&](const Channel& channel) {
         return static_cast<std::size_t>(std::find(channels_.begin(), channels_.end(), channel) -
                                         channels_.begin());
     };
     for (const auto& one : list) {
         Watch watch;
         for (const Condition& c : one.when.conditions)
-            watch.channels.push_back(location({c.output, {}, {}}));
+            watch.channels.push_back(channel_index({c.output, {}, {}}));
         if (one.when.conditions.empty())
-            watch.channels.push_back(location({"", one.when.event, one.when.of}));
+            watch.channels.push_back(channel_index({"", one.when.event, one.when.of}));
         out.push_back(std::move(watch));
     }
     return out;

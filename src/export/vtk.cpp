@@ -63,13 +63,13 @@ class Blocks {
 struct Cells {
     std::vector<double> points;
     std::vector<std::int32_t> verts, verts_end, lines, lines_end, polys, polys_end;
-    std::vector<std::int32_t> kind, index, is_broken;
+    std::vector<std::int32_t> kind, index, broken;
     std::vector<float> tension, strain, orientation, force;
 
     void clear() {
         points.clear();
-        for (auto* all : {&verts, &verts_end, &lines, &lines_end, &polys, &polys_end, &kind, &index,
-                          &is_broken})
+        for (auto* all :
+             {&verts, &verts_end, &lines, &lines_end, &polys, &polys_end, &kind, &index, &broken})
             all->clear();
         for (auto* all : {&tension, &strain, &orientation, &force}) all->clear();
     }
@@ -83,7 +83,7 @@ struct Cells {
         index.push_back(static_cast<std::int32_t>(index_));
         tension.push_back(tension_);
         strain.push_back(strain_);
-        is_broken.push_back(parted_ ? 1 : 0);
+        broken.push_back(parted_ ? 1 : 0);
         orientation.resize(4 * kind.size(), kNone);
         force.resize(3 * kind.size(), kNone);
     }
@@ -218,7 +218,7 @@ class VtkWriter {
                blocks.array("Int32", "index", 1, c.index) +
                blocks.array("Float32", "tension", 1, c.tension) +
                blocks.array("Float32", "strain", 1, c.strain) +
-               blocks.array("Int32", "parted", 1, c.is_broken) +
+               blocks.array("Int32", "parted", 1, c.broken) +
                blocks.array("Float32", "orientation", 4, c.orientation) +
                blocks.array("Float32", "force", 3, c.force);
         out += "</CellData>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";

@@ -67,18 +67,18 @@ class Hull {
     }
 
     void enclose_point(std::uint32_t point) {
-        std::map<std::pair<std::uint32_t, std::uint32_t>, int> circle_points;
+        std::map<std::pair<std::uint32_t, std::uint32_t>, int> seen_edges;
         bool sees = false;
         for (Face& face : faces_) {
             if (face.normal.dot(p_[point]) - face.offset <= kFlat * extent_) continue;
             face.is_removed = sees = true;
             for (std::size_t k = 0; k < 3; ++k)
-                circle_points[{face.corner[k], face.corner[(k + 1) % 3]}] = 1;
+                seen_edges[{face.corner[k], face.corner[(k + 1) % 3]}] = 1;
         }
         if (!sees) return;
         std::erase_if(faces_, [](const Face& f) { return f.is_removed; });
-        for (const auto& [edge, one] : circle_points)
-            if (!circle_points.contains({edge.second, edge.first}))
+        for (const auto& [edge, one] : seen_edges)
+            if (!seen_edges.contains({edge.second, edge.first}))
                 add({edge.first, edge.second, point});
     }
 

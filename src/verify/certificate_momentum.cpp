@@ -185,13 +185,13 @@ double Verifier::momentum_residual(const World& world) {
             }
             return -h * (turn * sum);
         };
-        const Vec3 transverse_mobility = Vec3::Constant(1.0 / def.mass);
+        const Vec3 inverse_mass = Vec3::Constant(1.0 / def.mass);
         const Twist& old = twist_[b];
         const Vec3 weight =
             def.gravity && !scalar ? Vec3(def.mass * world.settings().gravity) : Vec3::Zero();
         const Vec3 given = h * (force.linear + weight);
         Vec3 p = def.mass * (now.linear - twist_[b].linear) - given -
-                 drag(def.linear_damping, transverse_mobility, old.linear, now.linear) - linear_[b];
+                 drag(def.linear_damping, inverse_mass, old.linear, now.linear) - linear_[b];
         if (scalar) p = Vec3(p.x(), 0.0, 0.0);
         if (const double size = p.norm(); size > 0.0) p *= std::max(0.0, 1.0 - rounded_[b] / size);
         // Compute it also for omitted bodies, because it stores the change of angular velocity.

@@ -127,11 +127,11 @@ void StateVerifier::before_step(const World& world) {
 }
 
 /// Add the initial opening of new joints to their allowance, as at the start of a run.
-void StateVerifier::excuse_joints(const World& world, const std::vector<InteractionId>& is_known) {
+void StateVerifier::excuse_joints(const World& world, const std::vector<InteractionId>& known) {
     std::vector<Pose> now = pose_;
     for (const BodyId id : bodies_) now[number(id.index)] = world.pose(id);
     for (const InteractionId id : interactions_)
-        if (!std::binary_search(is_known.begin(), is_known.end(), id))
+        if (!std::binary_search(known.begin(), known.end(), id))
             excused_ = std::max(excused_, joint_opening(world, id, now).part * limit::kOpen.wrong /
                                               limit::kOpen.doubtful);
 }

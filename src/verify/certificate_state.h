@@ -68,7 +68,7 @@ class StateVerifier {
     void count_edit_energy(const World& world);
     /// Add the initial opening of new joints to their allowance. @param known  Interactions that
     /// existed before.
-    void excuse_joints(const World& world, const std::vector<InteractionId>& is_known);
+    void excuse_joints(const World& world, const std::vector<InteractionId>& known);
     [[nodiscard]] double kinetic(const World& world) const;
     [[nodiscard]] double gravity(const World& world) const;
     [[nodiscard]] double elastic(const World& world) const;

@@ -281,11 +281,11 @@ double SeaVerifier::after_step(const World& world, const std::vector<Pose>& pose
     for (const LoadView& view : sea_loads(world)) {
         Load& mine = load_[numbered(view.body.index)];
         const auto n = static_cast<int>(view.force.size());
-        const auto compare = [&](std::span<const double> original_values, const auto& entry,
+        const auto compare = [&](std::span<const double> world_values, const auto& entry,
                                  double size) {
             double most = 0.0;
-            for (int i = 0; i < static_cast<int>(original_values.size()); ++i)
-                most = std::max(most, std::abs(original_values[numbered(i)] - entry(i)));
+            for (int i = 0; i < static_cast<int>(world_values.size()); ++i)
+                most = std::max(most, std::abs(world_values[numbered(i)] - entry(i)));
             if (!(most <= 1e-14 * size)) worst = std::max(worst, most / size);
         };
         const double speed = before[numbered(view.body.index)].linear.norm();
@@ -295,7 +295,7 @@ double SeaVerifier::after_step(const World& world, const std::vector<Pose>& pose
             view.force, [&](int i) { return mine.force[i]; },
             mine.force.norm() + mine.damping.norm() * speed + m * gravity_);
         struct Part {
-            std::span<const double> original_values;
+            std::span<const double> world_values;
             const Mat6& own;
             double rounding_floor;
         };
@@ -306,7 +306,7 @@ double SeaVerifier::after_step(const World& world, const std::vector<Pose>& pose
             for (int i = 0; i < n; ++i)
                 for (int j = 0; j <= i; ++j) triangle_of_own.push_back(part.own(i, j));
             compare(
-                part.original_values, [&](int i) { return triangle_of_own[numbered(i)]; },
+                part.world_values, [&](int i) { return triangle_of_own[numbered(i)]; },
                 part.own.norm() + part.rounding_floor);
         }
         mine.wet = false;

@@ -13,13 +13,13 @@ namespace {
 /// Terms of a rod in addition to the sums over its segments. Stiffness: the exact one if the
 /// surface cuts the rod, otherwise a secant.
 struct Lift {
-    M6 cut_volume = M6::Zero(), whole = M6::Zero();
+    M6 cut = M6::Zero(), whole = M6::Zero();
     double deepest = 0.0, righting_couple = 0.0;
     bool crosses_surface = false;
 
     void put(M6& stiffness) const {
         if (crosses_surface)
-            stiffness += cut_volume;
+            stiffness += cut;
         else if (deepest > 0.0)
             stiffness += whole / deepest;
         for (int k = 3; k < 5; ++k) stiffness(k, k) += std::max(righting_couple, 0.0);
@@ -72,7 +72,7 @@ void SeaVerifier::add_rod(const WaterRod& def, const Pose& pose, const Twist& tw
         lift.deepest = std::max(lift.deepest, depth);
         if (wet < 1.0) {
             lift.crosses_surface = true;
-            lift.cut_volume += at_point.transpose() * (weight / (2.0 * half) * rise) * at_point;
+            lift.cut += at_point.transpose() * (weight / (2.0 * half) * rise) * at_point;
         } else {
             lift.whole += at_point.transpose() * (weight * rise) * at_point;
         }

@@ -17,8 +17,8 @@ inline constexpr double kHalfTurn = std::numbers::pi;
 inline double wrap_angle(double angle) { return std::remainder(angle, 2.0 * kHalfTurn); }
 
 inline double heading_about_z(const Pose& pose) {
-    const Vec3 predicted = pose.orientation * Vec3(1, 0, 0);
-    return std::atan2(predicted.y(), predicted.x());
+    const Vec3 forward = pose.orientation * Vec3(1, 0, 0);
+    return std::atan2(forward.y(), forward.x());
 }
 
 /// Return the velocity at a point for each of the six motions.

@@ -39,7 +39,7 @@ struct PropulsorState {
     std::int32_t failed_last = 0;                         ///< Failure in the last step.
     double thrust_fraction = 1.0,
            torque_fraction = 1.0;    ///< Thrust and torque over their values without losses.
-    double loss = 0.0;               ///< Output: 1 − kept.
+    double loss = 0.0;               ///< Output: 1 − thrust_fraction.
     double torque = 0.0;             ///< Output: torque of the water on the shaft [N m].
     std::int32_t pitch_limited = 0;  ///< The pitch was at its rate in the last step.
 };

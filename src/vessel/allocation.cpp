@@ -173,15 +173,15 @@ void Allocation::allocate(const Vec3& tau, const double* available,
             continue;
         }
         const std::int32_t present = sectors[i];
-        double thrust_min = std::numeric_limits<double>::infinity();
+        double least_cost = std::numeric_limits<double>::infinity();
         std::int32_t best = -1;
         const auto count = static_cast<std::int32_t>(t.sectors.size());
         for (std::int32_t k = 0; k < count; ++k) {
             trial_sectors_[i] = k;
             double cost = program(tau, available, trial_sectors_.data());
             if (k == present) cost *= kKeepSector;
-            if (cost < thrust_min) {
-                thrust_min = cost;
+            if (cost < least_cost) {
+                least_cost = cost;
                 best = k;
             }
         }

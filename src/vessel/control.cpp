@@ -72,17 +72,17 @@ bool Control::steers_by_rudder(const ControlSense& sense) const noexcept {
 /// Set the orders to the present position and heading, except those set in this step.
 void Control::engage(ControlMode mode, const ControlSense& sense,
                      const ControlledActuators& act) noexcept {
-    const Vec3 ship_point = observer_.low_frequency_motion().planar_position;
-    if (x_order_ == last_orders_[0]) x_order_ = ship_point[0];
-    if (y_order_ == last_orders_[1]) y_order_ = -ship_point[1];
-    if (heading_order_ == last_orders_[2]) heading_order_ = ship_point[2];
-    desired_ = ship_point;
+    const Vec3 position = observer_.low_frequency_motion().planar_position;
+    if (x_order_ == last_orders_[0]) x_order_ = position[0];
+    if (y_order_ == last_orders_[1]) y_order_ = -position[1];
+    if (heading_order_ == last_orders_[2]) heading_order_ = position[2];
+    desired_ = position;
     sum_.setZero();
     steer_sum_ = 0.0;
     speed_sum_ = act.rps_order;
     arrived_ = 1;
     if (mode == ControlMode::follow)
-        offset_ = Vec3(ship_point[0] - sense.target[0], -ship_point[1] - sense.target[1], 0.0);
+        offset_ = Vec3(position[0] - sense.target[0], -position[1] - sense.target[1], 0.0);
 }
 
 void Control::choose_mode(Prestep& now, const ControlSense& sense,
@@ -192,13 +192,13 @@ void Control::steer(const ControlSense& sense, ControlledActuators act, double h
     }
     if (mode() != ControlMode::heading) return;
     if (speed_order_ > 0.0 && def_.steering.rps > 0.0) {
-        const double thrust_max =
+        const double max_rps =
             def_.steering.most_rps > 0.0 ? def_.steering.most_rps : 2.0 * def_.steering.rps;
         const double error = speed_order_ - sense.surge, gain = 0.2 * def_.steering.rps;
         const double wanted = speed_sum_ + gain * error;
-        if (std::abs(wanted) < thrust_max || wanted * error < 0.0)
+        if (std::abs(wanted) < max_rps || wanted * error < 0.0)
             speed_sum_ += h * gain * error / 60.0;
-        act.rps_order = std::clamp(wanted, -thrust_max, thrust_max);
+        act.rps_order = std::clamp(wanted, -max_rps, max_rps);
     }
     if (!steers_by_rudder(sense)) {
         act.rudder_order = 0.0;
@@ -209,10 +209,10 @@ void Control::steer(const ControlSense& sense, ControlledActuators act, double h
     const double error = -heading_error();
     const double wanted =
         error - kSteerDerivative * time * observer_.low_frequency_motion().motion[2] + steer_sum_;
-    const double thrust_max = def_.steering.most_angle;
-    if (std::abs(wanted) < thrust_max || wanted * error < 0.0)
+    const double max_angle = def_.steering.most_angle;
+    if (std::abs(wanted) < max_angle || wanted * error < 0.0)
         steer_sum_ += h * error / (kSteerIntegral * time);
-    act.rudder_order = std::clamp(wanted, -thrust_max, thrust_max);
+    act.rudder_order = std::clamp(wanted, -max_angle, max_angle);
     for (std::size_t i = 0; i < act.rudders.size(); ++i)
         act.rudders[i].order =
             std::clamp(wanted, -def_.rudders[i].most_angle, def_.rudders[i].most_angle);

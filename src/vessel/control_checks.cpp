@@ -20,12 +20,10 @@ namespace {
     throw DefError("vessel '" + def.name + "': control/" + field + ": " + why);
 }
 
-void control_range(const VesselDef& def, const char* field, double value, double thrust_min,
-                   double thrust_max) {
-    if (!(value >= thrust_min && value <= thrust_max))
+void control_range(const VesselDef& def, const char* field, double value, double low, double high) {
+    if (!(value >= low && value <= high))
         fail_control(def, field,
-                     number(value) + "; give a number from " + number(thrust_min) + " to " +
-                         number(thrust_max));
+                     number(value) + "; give a number from " + number(low) + " to " + number(high));
 }
 
 const PropulsorDef& find_propulsor(const VesselDef& def, const std::string& name,

@@ -43,9 +43,9 @@ Bollard bollard_pull_data(const PropulsorDef& p, double density) {
         if (full > p.most_torque) rps *= std::sqrt(p.most_torque / full);
     }
     const double pitch = p.propeller.pitch;
-    const PropellerForce thrust_max = propeller_force(p.propeller, pitch, rps, 0.0, density);
-    out.ahead = thrust_max.thrust * (1.0 - p.thrust_deduction);
-    out.power = std::max(0.0, 2.0 * kControlPi * rps * thrust_max.torque);
+    const PropellerForce full_ahead = propeller_force(p.propeller, pitch, rps, 0.0, density);
+    out.ahead = full_ahead.thrust * (1.0 - p.thrust_deduction);
+    out.power = std::max(0.0, 2.0 * kControlPi * rps * full_ahead.torque);
     out.astern = -propeller_force(p.propeller, pitch, -rps, 0.0, density).thrust;
     out.rps = rps / p.most_rps;
     return out;
@@ -186,9 +186,9 @@ void Control::check(StateRules& rules) const {
                     "the sector of an azimuth is out of range");
     for (const double p : powered_)
         rules.range(p, 0.0, 1.0, "the fraction of a thruster's power is out of range");
-    for (const Vec3* planar_position :
+    for (const Vec3* vector :
          {&desired_, &last_orders_, &offset_, &observer_.low_frequency_motion().planar_position})
-        for (const double x : *planar_position)
+        for (const double x : *vector)
             rules.range(x, -kMaxCoordinate, kMaxCoordinate,
                         "an order of the control is out of range");
 }

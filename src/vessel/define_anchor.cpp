@@ -160,12 +160,12 @@ Quat to_axis(int i) {
 
 /// Add one row between the soil and the anchor, with the input of its bound.
 InteractionId add_soil_row(World& world, const AnchorDef& def, BodyId soil, int axis,
-                           bool is_azimuth, double first, InputId& bound) {
+                           bool rotational, double first, InputId& bound) {
     constexpr const char* kNames[] = {"/x", "/y", "/z", "/rx", "/ry", "/rz"};
-    const char* param = is_azimuth ? "torque" : "force";
+    const char* param = rotational ? "torque" : "force";
     InteractionDef row;
-    row.name = def.name + kNames[axis + (is_azimuth ? 3 : 0)];
-    row.kind = is_azimuth ? InteractionKind::HingeFriction : InteractionKind::SlideFriction;
+    row.name = def.name + kNames[axis + (rotational ? 3 : 0)];
+    row.kind = rotational ? InteractionKind::HingeFriction : InteractionKind::SlideFriction;
     row.body = {soil, def.body};
     row.point[1] = def.point;
     row.frame[0] = to_axis(axis);

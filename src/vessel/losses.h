@@ -31,7 +31,7 @@ class Surface {
 
 /// True if a definition has any losses.
 [[nodiscard]] bool has_losses(const VesselDef& def) noexcept;
-/// Multiply `kept` of each propulsor by the fraction that remains in the races of others.
+/// Multiply `thrust_fraction` of each propulsor by the fraction left in the races of others.
 void apply_race_losses(const std::vector<Propulsor>& propulsors,
                        std::vector<PropulsorState>& states, double density) noexcept;
 /// Return the fraction of thrust that remains for an azimuth whose race flows under the hull.

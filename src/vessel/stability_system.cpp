@@ -37,7 +37,7 @@ StabilitySystem::StabilitySystem(std::shared_ptr<const StabilityCurve> curve)
 }
 
 void StabilitySystem::visit_state(StateVisitor& v) {
-    for (double* x : {&tension_, &alpha_, &beta_, &moment_, &lever_, &worst_utilisation_, &heel_gm_,
+    for (double* x : {&tension_, &alpha_, &beta_, &moment_, &lever_, &worst_beta_, &heel_gm_,
                       &heel_, &gz_, &gz_max_, &gz_max_angle_, &static_heel_, &area_, &residual_,
                       &permissible_tension_, &criterion_, &used_, &alarm_})
         v.visit(*x);
@@ -57,7 +57,7 @@ void StabilitySystem::signals(SignalTable& table) {
     table.output("beta", "rad", beta_);
     table.output("moment", "N m", moment_);
     table.output("lever", "m", lever_);
-    table.output("worst_beta", "rad", worst_utilisation_);
+    table.output("worst_beta", "rad", worst_beta_);
     table.output("heel_gm", "rad", heel_gm_);
     table.output("heel", "rad", heel_);
     table.output("gz", "m", gz_);
@@ -144,7 +144,7 @@ void StabilitySystem::read_ship(const World& world) noexcept {
     const double alpha = std::abs(alpha_), y = curve_->towline_offset(alpha_);
     moment_ = towing_moment(tension_, alpha, std::max(beta_, 0.0), curve_->height(), y);
     lever_ = moment_ / (def.mass * def.gravity);
-    worst_utilisation_ = worst_towing_angle(tension_, alpha, curve_->height(), y, def.bollard_pull);
+    worst_beta_ = worst_towing_angle(tension_, alpha, curve_->height(), y, def.bollard_pull);
     heel_gm_ = def.gm > 0.0 ? std::atan(lever_ / def.gm) : 0.0;
 }
 

@@ -43,7 +43,7 @@ class StabilitySystem final : public System {
     std::shared_ptr<const StabilityCurve> curve_;
     // State and outputs.
     double tension_ = 0.0, alpha_ = 0.0, beta_ = 0.0, moment_ = 0.0, lever_ = 0.0,
-           worst_utilisation_ = 0.0;
+           worst_beta_ = 0.0;
     double heel_gm_ = 0.0, heel_ = 0.0, gz_ = 0.0, gz_max_ = 0.0, gz_max_angle_ = 0.0;
     double static_heel_ = 0.0, area_ = 0.0, residual_ = 0.0, permissible_tension_ = 0.0;
     double criterion_ = 0.0, used_ = 0.0, alarm_ = 0.0;

@@ -430,12 +430,12 @@ void VesselSystem::prestep(Prestep& now, Loads& loads) noexcept {
         const double above = water_force(more, push)[i];
         damping[i] = std::max(0.0, (water_force(less, push)[i] - above) / (2.0 * d));
     }
-    Wrench planar_position = Wrench::Zero();
-    planar_position[2] = m.heave;
-    planar_position[3] = flow.roll;
-    planar_position[4] = m.pitch;
+    Wrench displacement = Wrench::Zero();
+    displacement[2] = m.heave;
+    displacement[3] = flow.roll;
+    displacement[4] = m.pitch;
     Wrench force = marine_load(m, water + direct + wind_force(m) + added_coriolis(m) -
-                                      Wrench(def_.restoring * planar_position));
+                                      Wrench(def_.restoring * displacement));
     force += damping.cwiseProduct(m.ground);
     add_loads(loads, m, force, damping);
 

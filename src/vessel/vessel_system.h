@@ -85,7 +85,7 @@ class VesselSystem final : public System {
     void advance(Prestep& now, const Flow& flow) noexcept;
     void advance_steering(Prestep& now) noexcept;
     void advance_propulsors(Prestep& now, const Flow& flow) noexcept;
-    /// Compute `kept` of all propulsors.
+    /// Compute `thrust_fraction` of all propulsors.
     void update_losses(const Prestep& now, double density) noexcept;
     /// Advance the control. @return a force that acts directly.
     [[nodiscard]] Wrench control(Prestep& now, const Motion& m) noexcept;

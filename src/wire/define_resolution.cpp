@@ -16,8 +16,8 @@
 namespace hawser {
 namespace {
 
-[[noreturn]] void throw_def_error(const ResolutionDef& def, const std::string& quantity) {
-    throw DefError("resolution '" + def.name + "': " + quantity);
+[[noreturn]] void throw_def_error(const ResolutionDef& def, const std::string& what) {
+    throw DefError("resolution '" + def.name + "': " + what);
 }
 
 /// Relative difference of masses per length up to which elements are of one line type. Edits change

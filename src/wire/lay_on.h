@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// @file add_guide_parts.h
+/// @file lay_on.h
 /// Division of an element by a guide (hawser/guide.h), for guides and bollards.
 
 #include <hawser/guide.h>

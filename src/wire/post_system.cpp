@@ -74,12 +74,12 @@ PostSystem::PostSystem(PostDef def, const PostPosition& place)
 void PostSystem::visit_state(StateVisitor& v) {
     v.visit(std::span<std::int32_t>(occupied_));
     for (std::int32_t* x : {&wait_, &steady_}) v.visit(*x);
-    for (double* x : {&engaged_count_, &disengaged_count_, &wire_output_, &angle_, &slide_,
+    for (double* x : {&engaged_count_, &disengaged_count_, &held_count_, &angle_, &slide_,
                       &tension_[0], &tension_[1]})
         v.visit(*x);
     // Visited only for bollards with sliding wires; others keep the hashes of earlier versions.
     if (def_.slides)
-        for (double* x : {&slid_count_, &along_}) v.visit(*x);
+        for (double* x : {&slid_length_, &along_}) v.visit(*x);
     for (const auto& guide : guides_) {
         guide->visit_geometry(v);
         guide->visit_state(v);
@@ -100,7 +100,7 @@ void PostSystem::check_state(const World& world, StateRules& rules) const {
 }
 
 void PostSystem::signals(SignalTable& table) {
-    table.output("held", "1", wire_output_);
+    table.output("held", "1", held_count_);
     table.output("taken", "1", engaged_count_);
     table.output("let_go", "1", disengaged_count_);
     table.output("angle", "rad", angle_);
@@ -109,7 +109,7 @@ void PostSystem::signals(SignalTable& table) {
     table.output("slide", "m", slide_);
     if (!def_.slides) return;
     table.output("along", "m", along_);
-    table.output("slid", "m", slid_count_);
+    table.output("slid", "m", slid_length_);
 }
 
 void PostSystem::holds(HoldTable& table) const {
@@ -156,7 +156,7 @@ void PostSystem::engage_wires(NodeEdits& nodes) {
         if (carries(touch.wire) || slot == occupied_.end()) continue;
         steady_ = steady;
         if (steady < kSteady) continue;
-        if (!engage_wires(nodes, static_cast<std::size_t>(slot - occupied_.begin()), touch))
+        if (!engage_wire(nodes, static_cast<std::size_t>(slot - occupied_.begin()), touch))
             wait_ = kWait;
     }
 }
@@ -179,7 +179,7 @@ bool PostSystem::remove_node_at(NodeEdits& nodes, Touch& touch) const {
     return touch.fraction > kNearEnd && touch.fraction < 1.0 - kNearEnd;
 }
 
-bool PostSystem::engage_wires(NodeEdits& nodes, std::size_t slot, Touch touch) {
+bool PostSystem::engage_wire(NodeEdits& nodes, std::size_t slot, Touch touch) {
     const World& world = nodes.world;
     if ((touch.fraction < kNearEnd || touch.fraction > 1.0 - kNearEnd) &&
         !remove_node_at(nodes, touch))
@@ -213,7 +213,7 @@ double PostSystem::along(const GuideSystem& guide) const noexcept {
 bool PostSystem::move_along_axis(NodeEdits& nodes, std::size_t slot) noexcept {
     const double at = along(*guides_[slot]), half = position_.half_length;
     const auto went = guides_[slot]->slide_sideways(nodes, {-half - at, half - at});
-    slid_count_ += std::abs(went.by);
+    slid_length_ += std::abs(went.by);
     return went.reached_end;
 }
 
@@ -234,7 +234,7 @@ bool PostSystem::disengage(NodeEdits& nodes, std::size_t slot, bool reached_end)
 }
 
 void PostSystem::report_signals() noexcept {
-    wire_output_ = static_cast<double>(std::count(occupied_.begin(), occupied_.end(), 1));
+    held_count_ = static_cast<double>(std::count(occupied_.begin(), occupied_.end(), 1));
     const auto first = std::find(occupied_.begin(), occupied_.end(), 1);
     angle_ = slide_ = along_ = tension_[0] = tension_[1] = 0.0;
     if (first == occupied_.end()) return;

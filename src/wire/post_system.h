@@ -73,7 +73,7 @@ class PostSystem final : public System, public PassedPost {
     void complete_touch(const World& world, double half, Touch& out) const;
     void engage_wires(NodeEdits& nodes);
     bool remove_node_at(NodeEdits& nodes, Touch& touch) const;
-    bool engage_wires(NodeEdits& nodes, std::size_t slot, Touch touch);
+    bool engage_wire(NodeEdits& nodes, std::size_t slot, Touch touch);
     bool move_along_axis(NodeEdits& nodes, std::size_t slot) noexcept;
     [[nodiscard]] double along(const GuideSystem& guide) const noexcept;
     bool disengage(NodeEdits& nodes, std::size_t slot, bool reached_end);
@@ -88,9 +88,9 @@ class PostSystem final : public System, public PassedPost {
     std::vector<std::int32_t> occupied_;                ///< 1: a wire lies in the slot.
     std::int32_t wait_ = 0;                             ///< Steps until the next wire may engage.
     std::int32_t steady_ = 0;  ///< Consecutive samples in which a wire has touched it.
-    double engaged_count_ = 0.0, disengaged_count_ = 0.0, slid_count_ = 0.0;
+    double engaged_count_ = 0.0, disengaged_count_ = 0.0, slid_length_ = 0.0;
     // Outputs.
-    double wire_output_ = 0.0, angle_ = 0.0, slide_ = 0.0, along_ = 0.0, tension_[2] = {};
+    double held_count_ = 0.0, angle_ = 0.0, slide_ = 0.0, along_ = 0.0, tension_[2] = {};
 
     std::vector<ShapeId> pressing_;  ///< Scratch.
 };

@@ -99,16 +99,16 @@ class SystemsAsSaved {
         systems_.save(saved_states_.data());
     }
     ~SystemsAsSaved() {
-        if (!saved_) systems_.restore(saved_states_.data());
+        if (!kept_) systems_.restore(saved_states_.data());
     }
     SystemsAsSaved(const SystemsAsSaved&) = delete;
     SystemsAsSaved& operator=(const SystemsAsSaved&) = delete;
-    void save_states() noexcept { saved_ = true; }
+    void keep() noexcept { kept_ = true; }
 
   private:
     world::Systems& systems_;
     std::vector<std::byte> saved_states_;
-    bool saved_ = false;
+    bool kept_ = false;
 };
 
 /// Apply the checked arrays.
@@ -265,7 +265,7 @@ void WorldImpl::restore_saved_bytes(World& self, std::span<const std::byte> byte
                 id, m.ctx.model.interactions.anchor[static_cast<std::size_t>(id)]);
     for (const std::int32_t id : m.ctx.model.interactions.winches)
         m.ctx.model.interactions.follow_length(id, m.ctx.model.bodies, m.ctx.model.def.step);
-    of_systems.save_states();
+    of_systems.keep();
 }
 
 }  // namespace hawser

@@ -169,10 +169,10 @@ const SystemSignal& Systems::signal(std::string_view name) const {
     std::vector<std::string> names;
     for (const SystemSignal& s : signals_)
         if (names.emplace_back(full_name(s)) == name) return s;
-    std::vector<const char*> is_known;
-    for (const std::string& each : names) is_known.push_back(each.c_str());
+    std::vector<const char*> known;
+    for (const std::string& each : names) known.push_back(each.c_str());
     throw DefError("there is no signal '" + std::string(name) + "'" +
-                   (is_known.empty() ? ": no system has one" : name_suggestion(name, is_known)));
+                   (known.empty() ? ": no system has one" : name_suggestion(name, known)));
 }
 
 void Systems::save_states_to(std::vector<std::byte>& to) const {

@@ -5,8 +5,7 @@
 /// same code may repeat it less: a sanitizer needs to check each access once.
 ///
 /// The gate sets HAWSER_SANITIZER_SAMPLE=1. Builds with a sanitizer then skip the tests that call
-/// HAWSER_SKIP_IF_SAMPLED(), and random suites of the quick tier run a quarter of their cases.
-/// `make check-full` runs all of them.
+/// HAWSER_SKIP_IF_SAMPLED(). `make check-full` runs all of them.
 
 #include <gtest/gtest.h>
 

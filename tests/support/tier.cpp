@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <numeric>
@@ -27,7 +26,6 @@ bool sampled() { return kSanitized && std::getenv("HAWSER_SANITIZER_SAMPLE") != 
 
 int by_tier(int quick, int full, int long_runs) {
     const Tier now = tier();
-    if (now == Tier::quick && sampled()) return std::max(1, quick / 4);
     return now == Tier::quick ? quick : now == Tier::full ? full : long_runs;
 }
 

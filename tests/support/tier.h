@@ -23,8 +23,7 @@ enum class Tier { quick, full, long_runs };
 /// Return the tier that the environment names; quick by default.
 Tier tier();
 
-/// Return the value for the running tier; a quarter of `quick`, but at least 1, if sampled()
-/// (sanitizer.h).
+/// Return the value for the running tier.
 int by_tier(int quick, int full, int long_runs);
 
 /// Read the seed in HAWSER_SEED. @return false if there is none.

@@ -92,7 +92,7 @@ inline void gather_forward(const FactorView& view, const Front& front, const dou
 }
 
 /// Solve columns [k, k + N) of U z = y with Uᵀ in the panel, after the rows behind them are solved,
-/// from vector `earlier_tile` on. The independent products with these rows come first. The small
+/// from vector `from` on. The independent products with these rows come first. The small
 /// triangle follows, in which each entry waits only for the one before it. z enters with y_k … and
 /// returns z_k ….
 template <int N, long kBytes>
