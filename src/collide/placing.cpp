@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace hawser::collide {
 namespace {
@@ -151,7 +150,8 @@ void place(const Shape& shape, const model::Bodies& bodies, const model::Interac
         place_segment(shape, bodies, lines, placed);
     else
         place_on_body(shape, bodies, placed);
-    const bool same = std::memcmp(&before, &placed.at, sizeof before) == 0;
+    const bool same =
+        std::ranges::equal(before.x, placed.at.x) && std::ranges::equal(before.r, placed.at.r);
     if (!same || length != placed.geometry.half_length) enclose(placed);
     const Motion& m = placed.motion;
     const V3 arm = load3(placed.centre) - load3(placed.origin);

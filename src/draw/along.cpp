@@ -34,7 +34,9 @@ WireElements equal_elements(const record::RecordedCable& cable, const record::Fr
     WireElements out;
     for (std::int32_t i = 0; i < cable.elements; ++i)
         out.add(cable.length / cable.elements,
-                frame.tensions[static_cast<std::size_t>(cable.first_element + i)], false);
+                frame.tensions[static_cast<std::size_t>(cable.first_element) +
+                               static_cast<std::size_t>(i)],
+                false);
     return out;
 }
 

@@ -82,17 +82,17 @@ std::optional<Drawing> plot_details(const record::Recording& recording, std::siz
                  record::parameter_line(recording));
     const Range tension = tension_range(frame);
     for (std::size_t k = 0; k < bodies.size(); ++k) {
+        const std::size_t row = k / columns, column = k % columns;
         const auto i = static_cast<std::size_t>(bodies[k]);
         const Bounds body = body_bounds(recording.bodies[i], frame.poses[i]);
         const Vec3 size = body.high - body.low;
         View view{size.x() >= size.y() ? 0 : 1, 2, 1.0, ""};
         view.title = fmt::format("{}, side view (along {})", recording.bodies[i].name,
                                  view.right == 0 ? "y" : "−x");
-        const Axes axes =
-            panel(view, body,
-                  {kLeft + static_cast<double>(k % columns) * (kPanelWidth + kBetween),
-                   kTop + static_cast<double>(k / columns) * (height + 84)},
-                  height);
+        const Axes axes = panel(view, body,
+                                {kLeft + static_cast<double>(column) * (kPanelWidth + kBetween),
+                                 kTop + static_cast<double>(row) * (height + 84)},
+                                height);
         axes.draw(drawing);
         draw_grounds(drawing, axes, view, recording, frame);
         drawing.add(Clip{axes.frame});

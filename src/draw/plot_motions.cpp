@@ -92,10 +92,9 @@ std::optional<Drawing> plot_motions(const record::Recording& recording,
     time.high = std::max(time.high, time.low + recording.settings.step);
     for (int k = 0; k < 3 * columns; ++k) {
         const record::Unit unit = k < 3 ? length_unit(series, k) : record::Unit{"deg", 1.0};
-        const int row = k % 3;
+        const int column = k / 3, row = k % 3;
         const Axes axes{
-            .frame = {left + (k / 3) * (width + between), top + row * (height + gap), width,
-                      height},
+            .frame = {left + column * (width + between), top + row * (height + gap), width, height},
             .x = time,
             .y = value_range(series, k, unit.factor),
             .x_label = row == 2 ? "time [s]" : "",
