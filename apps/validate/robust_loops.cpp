@@ -143,7 +143,7 @@ BodyId build_governor(World& w) {
     for (int i = 0; i < 2; ++i) {
         along[i] = {(i == 0 ? 1.0 : -1.0) * std::sin(kOpen), 0, -std::cos(kOpen)};
         arm[i] = add({.position = centre * along[i],
-                      .orientation = Quat::FromTwoVectors(Vec3::UnitZ(), along[i]),
+                      .orientation = turn_between(Vec3::UnitZ(), along[i]),
                       .mass = mass,
                       .inertia = Vec3(across, across, kRodMass * 2e-4 / 12.0 + 1e-6).asDiagonal()});
     }

@@ -27,8 +27,7 @@ inline InteractionDef joint(const World& w, InteractionKind kind, BodyId a, Body
     for (std::size_t k = 0; k < 2; ++k) {
         const Pose pose = w.pose(d.body[k]);
         d.point[k] = pose.orientation.conjugate() * (at - pose.position);
-        d.frame[k] =
-            pose.orientation.conjugate() * Quat::FromTwoVectors(Vec3::UnitZ(), axis.normalized());
+        d.frame[k] = pose.orientation.conjugate() * turn_between(Vec3::UnitZ(), axis.normalized());
     }
     return d;
 }

@@ -155,7 +155,7 @@ void complete_anchor(const World& world, AnchorDef& def) {
 Quat to_axis(int i) {
     Vec3 axis = Vec3::Zero();
     axis[i] = 1.0;
-    return Quat::FromTwoVectors(Vec3::UnitZ(), axis);
+    return turn_between(Vec3::UnitZ(), axis);
 }
 
 /// Add one row between the soil and the anchor, with the input of its bound.

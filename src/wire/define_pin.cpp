@@ -100,8 +100,7 @@ BodyId add_body(World& world, const PinDef& def) {
     body.name = def.name;
     const Vec3 sunk = def.up ? Vec3::Zero() : along;
     body.position = world.world_point(def.body, 0.5 * (def.from + def.to) - sunk);
-    body.orientation =
-        (on.orientation * Quat::FromTwoVectors(Vec3::UnitZ(), along / length)).normalized();
+    body.orientation = (on.orientation * turn_between(Vec3::UnitZ(), along / length)).normalized();
     body.velocity = twist.linear + twist.angular.cross(body.position - on.position);
     body.angular_velocity = twist.angular;
     body.mass = pin_mass(def);

@@ -33,7 +33,7 @@ void moor(World& world, BodyId from, BodyId anchor, const Vec3& foot, int links)
         const Vec3 a = (*nodes)[i], b = (*nodes)[i + 1];
         BodyDef link;
         link.position = 0.5 * (a + b);
-        link.orientation = Quat::FromTwoVectors(Vec3::UnitX(), b - a);
+        link.orientation = turn_between(Vec3::UnitX(), b - a);
         link.mass = kMass;
         const double thin = kMass * 0.05 * 0.05, flat = kMass * kLength * kLength / 12.0;
         link.inertia = Vec3(thin, thin + flat, thin + flat).asDiagonal();
