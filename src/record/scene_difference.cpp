@@ -55,7 +55,7 @@ class DocumentComparison {
     void compare_objects(const DocumentJson& before, const DocumentJson& now,
                          const std::string& path) {
         for (const auto& [key, value] : before.items()) {
-            const std::string at = path + "/" + key;
+            const std::string at = fmt::format("{}/{}", path, key);
             const auto other = now.find(key);
             if (other != now.end())
                 compare(value, *other, at);
@@ -64,7 +64,7 @@ class DocumentComparison {
                                   : add_difference(at, shortened_value(value), "not there");
         }
         for (const auto& [key, value] : now.items()) {
-            const std::string at = path + "/" + key;
+            const std::string at = fmt::format("{}/{}", path, key);
             if (before.contains(key) || has(kNoMatter, at)) continue;
             value.is_number() ? number(at, "not given", value.dump())
                               : add_difference(at, "not there", shortened_value(value));

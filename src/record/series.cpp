@@ -93,7 +93,7 @@ void append(BodySeries& s, const Recording& recording, const Frame& frame) {
     const Vec3 angles = euler_angles(pose.orientation.normalized());
     const Vec3 first = euler_angles(recording.bodies[index].start.orientation.normalized());
     for (int k = 0; k < 3; ++k)
-        append_angle(s.value[std::size_t(3 + k)], kDegrees * (angles[k] - first[k]));
+        append_angle(s.value[3 + std::size_t(k)], kDegrees * (angles[k] - first[k]));
 }
 
 }  // namespace
