@@ -192,16 +192,17 @@ std::vector<record::RandomInput> finite_inputs(const std::vector<Candidate>& can
     return out;
 }
 
-std::string no_inputs(const scene::Scene& scene, bool with_signals) {
-    std::string signals;
-    for (const SystemSignal& s : scene.world.system_signals())
-        if (s.input) signals += (signals.empty() ? "" : ", ") + s.system + "." + s.name;
-    if (with_signals || signals.empty())
-        return scene.path + ": the scene has no inputs that can be set at random";
-    return scene.path +
-           ": the scene has no inputs with a range; --signals uses those of its "
-           "systems: " +
-           signals;
+/// Return the inputs of a scene. Signals of its systems are included on request, and if the scene
+/// defines no input itself.
+std::vector<Candidate> random_inputs_from(const ControlsOptions& options,
+                                          const scene::Scene& scene) {
+    std::vector<Candidate> own = random_inputs_from(scene, options.signals);
+    if (options.signals || !own.empty()) return own;
+    std::vector<Candidate> signals = random_inputs_from(scene, true);
+    if (!signals.empty())
+        fmt::print(stderr, "{}: the scene defines no inputs; {} signals of its systems are used\n",
+                   scene.path, signals.size());
+    return signals;
 }
 
 int write_controls(ControlsOptions& options) {
@@ -214,10 +215,12 @@ int write_controls(ControlsOptions& options) {
     const scene::Scene& scene = loaded.scene;
     check_outputs({{"the scene", options.scene.file}}, {{"-o", options.out}});
     std::vector<Candidate> candidates =
-        exercise ? random_inputs_from(loaded) : random_inputs_from(scene, options.signals);
+        exercise ? random_inputs_from(loaded) : random_inputs_from(options, scene);
     for (const std::string& range : options.ranges) apply_range(range, candidates);
     const std::vector<record::RandomInput> inputs = finite_inputs(candidates, scene.path);
-    if (inputs.empty()) throw std::runtime_error(no_inputs(scene, options.signals || exercise));
+    if (inputs.empty())
+        throw std::runtime_error(scene.path +
+                                 ": the scene has no inputs that can be set at random");
     options.def.duration =
         options.duration.value_or(exercise ? loaded.exercise.duration : scene.duration);
     write_output(options.out, record::random_control(inputs, options.def), "the control file");
@@ -251,8 +254,10 @@ void add_controls(CLI::App& app, Command& chosen) {
                      "NAME=MIN:MAX: narrower range of an input; repeatable")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    command->add_flag("--signals", options->signals,
-                      "Include signals of systems, such as winch.speed, that no input sets");
+    command->add_flag(
+        "--signals", options->signals,
+        "Include signals of systems, such as winch.speed, that no input sets; default "
+        "for a scene without inputs");
     command->add_option("-o,--output", options->out, "File to write (CSV)")->required();
     command->callback(
         [&chosen, options] { chosen = [options] { return write_controls(*options); }; });

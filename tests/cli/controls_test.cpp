@@ -65,9 +65,14 @@ TEST(Controls, WithoutARangeSaysSo) {
 TEST(Controls, SignalsOfSystems) {
     const auto folder = test_folder();
     const std::string file = folder / "a.csv", scene = "scenes/tow_payout.json";
-    const Outcome none = run_program(controls(scene, file));
+    const Outcome none = run_program(controls("scenes/pendulum.json", file));
     EXPECT_EQ(none.code, 1);
-    EXPECT_NE(none.err.find("--signals"), std::string::npos) << none.err;
+    EXPECT_NE(none.err.find("no inputs"), std::string::npos) << none.err;
+    // The scene defines no inputs: its systems' signals are used without an option.
+    const Outcome whole = run_program(controls(scene, file));
+    EXPECT_EQ(whole.code, 0) << whole.err;
+    EXPECT_NE(whole.err.find("signals of its systems"), std::string::npos) << whole.err;
+    EXPECT_NE(read_text(file).find("winch.speed"), std::string::npos);
     const Outcome some = run_program(
         controls(scene, file,
                  {"--signals", "--range", "winch.speed=-2:2", "--range", "winch.tension=0:1e5"}));
