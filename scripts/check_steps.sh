@@ -4,14 +4,19 @@
 # A caller sets `log`, a file for all output.
 passed=0
 failed=""
+times=""  # one line per step
 
 step() {  # step NAME COMMAND...: run the command, print its wall and processor time
     local name=$1
     shift
     echo
     echo "=== $name"
-    local TIMEFORMAT="=== $name: %R s, processor %U s + system %S s"
-    if time "$@" 2>&1 | tee -a "$log"; then
+    local TIMEFORMAT="=== $name: %R s, processor %U s + system %S s" result=0
+    { time "$@" 2>&1 | tee -a "$log"; } 2>"$log.time" || result=$?
+    tail -n 1 "$log.time"
+    times="$times$(tail -n 1 "$log.time")"$'\n'
+    rm -f "$log.time"
+    if [ "$result" -eq 0 ]; then
         passed=$((passed + 1))
         echo "=== $name: passed"
     else
@@ -20,11 +25,11 @@ step() {  # step NAME COMMAND...: run the command, print its wall and processor 
     fi
 }
 
-summary() {  # summary: print the counts; fail if a step failed
+summary() {  # summary: print times and counts; fail if a step failed
     local ran broken
     # Sum lines such as "100% tests passed, 0 tests failed out of 123".
     read -r ran broken < <(awk '/tests failed out of/ {n += $NF; f += $4} END {print n + 0, f + 0}' "$log")
-    echo
+    printf '\n%s' "$times"
     echo "$((ran - broken)) test processes passed, $broken failed; $passed steps passed," \
          "$(wc -w <<<"$failed") failed${failed:+:$failed}; $SECONDS s"
     [ -z "$failed" ]
