@@ -158,7 +158,8 @@ void Driver::step() {
     after_exercise_step();
 }
 
-/// Report an exercise's progress, if there is one, and pause at its end. Later steps have no score.
+/// Report the progress of the exercise, and pause at its end. Without an exercise, do nothing.
+/// Steps after the end have no score.
 void Driver::after_exercise_step() {
     if (!lesson_) return;
     lesson_->report_news(session_.world(), out_);

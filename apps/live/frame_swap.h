@@ -26,8 +26,8 @@ class FrameSwap {
     void publish() noexcept {
         writing_ = middle_.exchange(writing_ | kFresh, std::memory_order_acq_rel) & kIndex;
     }
-    /// Return the newest frame. It belongs to the reader until the next call. @return null if there
-    /// is no new frame since the last call.
+    /// Return the newest frame, which the reader may use until the next call.
+    /// @return null if there is no new frame since the last call.
     [[nodiscard]] const Bytes* newest_frame() noexcept {
         if ((middle_.load(std::memory_order_relaxed) & kFresh) == 0) return nullptr;
         reading_ = middle_.exchange(reading_, std::memory_order_acq_rel) & kIndex;

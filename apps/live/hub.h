@@ -39,7 +39,8 @@ struct Message {
 
 class Hub {
   public:
-    /// Create the descriptor. @throws std::runtime_error if the kernel has no free descriptor.
+    /// Create the hub with its event descriptor. @throws std::runtime_error if the kernel has no
+    /// free descriptor.
     Hub();
     ~Hub();
     Hub(const Hub&) = delete;
