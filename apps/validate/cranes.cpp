@@ -63,8 +63,8 @@ struct Quay {
     void run(double seconds) { advance(w, std::lround(seconds / kCraneStep)); }
 };
 
-/// Return the length of the line of knuckle_crane() from its geometry: from the drum over the
-/// knuckle's sheave, along the jib, and two falls. The hook hangs one sheave diameter lower [m].
+/// Return the length of the hoist line of knuckle_crane() from its geometry [m]: from the drum over
+/// the knuckle's sheave, along the jib, and two falls. The hook hangs one sheave diameter lower.
 double line_length(const KnuckleCraneDef& d) {
     const double r = d.hoist.sheave_radius, x = d.boom.length - d.hoist.drum.x();
     const double z = d.hoist.drum.z(), first = std::sqrt(x * x + z * z - r * r);

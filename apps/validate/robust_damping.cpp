@@ -67,8 +67,8 @@ double drag_error(double step) {
         [](double t) { return 0.25 * t + (3.0 - 0.25) / 2.0 * (1.0 - std::exp(-2.0 * t)); });
 }
 
-/// Return the error of a hull of 2,000 t, heave period 6 s, damped by a tenth of critical, from 1 m
-/// too high [m].
+/// Return the error of the heave of a hull that is released 1 m above its rest position [m]. The
+/// hull has 2,000 t, a heave period of 6 s and a tenth of critical damping.
 double heave_error(double step) {
     constexpr double kMass = 2e6, kRate = 2.0 * kPi / 6.0, kShare = 0.1;
     World w = still_world(step);

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kSphereStep = 0.01, kSphereBelow = 2.0;
 
-/// Return the height of the centre of the sphere, one sample for each step.
+/// Run a world, and return the height of the centre of the sphere after each step.
 std::vector<double> heights(World& w, double duration) {
     const BodyId sphere = body(w, "sphere");
     std::vector<double> out;

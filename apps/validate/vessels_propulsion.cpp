@@ -74,9 +74,9 @@ struct CrashStop {
     }
 };
 
-/// Check the energy of the shaft from full ahead until the ship stops: motor = water + change of
-/// kinetic energy. The work of the water is a sum over samples of the series, independent of the
-/// shaft's solver.
+/// Check the energy of the shaft from full ahead until the ship stops. The work of the motor must
+/// equal the work on the water plus the change of kinetic energy. The work on the water is a sum
+/// over samples of the propeller series, independent of the shaft's solver.
 void report_crash_stop(Report& report, double speed, double inertia) {
     CrashStop s(speed, inertia);
     s.world.set_system_signal("ship.main", 1.0);

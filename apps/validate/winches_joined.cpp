@@ -45,8 +45,8 @@ WireDef random_wire(Uniform& random, double length) {
 
 }  // namespace
 
-/// Compare the tensions of a span that was cut and spliced at once with those of an uncut one. Do
-/// the same for a weight's wire that was cut and shackled.
+/// Compare the tensions of a cut and spliced span with those of an uncut one. Repeat the comparison
+/// for the wire of a weight that was cut and shackled.
 void report_joined_wires(Report& report) {
     Uniform random(5);
     double spliced = 0.0, shackled = 0.0;

@@ -69,8 +69,8 @@ World broken_wire_world(const Pieces& p, double step, WireId& wire) {
     return w;
 }
 
-/// Return the mean speed of the last node of each piece during its recoil, until the axial wave
-/// reaches the piece's other end [m/s].
+/// Return the mean recoil speed of the last node of each piece, until the axial wave reaches the
+/// other end of the piece [m/s].
 std::array<double, 2> recoil_speeds(const Pieces& p, double step) {
     WireId wire;
     World w = broken_wire_world(p, step, wire);
