@@ -57,7 +57,7 @@ class LoadStore {
     /// Set loads to zero before systems act. No effect if no system acted.
     void clear() noexcept;
 
-    // Functions that systems call in their prestep().
+    // Return the load of a body, to which a system adds in its prestep().
     BodyLoad of(BodyId id) noexcept;
     void reserve(std::span<const BodyId> bodies) noexcept;
     /// Set the system of the following loads. Several threads may add loads only after share(true).
@@ -101,21 +101,22 @@ class LoadStore {
     void show(assembly::View& view) const noexcept;
     /// Add loads to the blocks and right-hand sides of bodies [begin, end).
     void add_terms(const assembly::View& view, std::int32_t begin, std::int32_t end) const noexcept;
-    /// Return the terms of one body: for the right-hand side, h f + (A + (h²/4) K − h (1 − θ) D) v,
-    /// and for the matrix. @return true if it has a load.
+    /// Compute the terms of one body: h f + (A + (h²/4) K − h (1 − θ) D) v for the right-hand side
+    /// (`impulse`), and the block for the matrix. @return true if the body has a load.
     bool terms_of(std::int32_t body, double h, const double* v, double* impulse,
                   const double** block) const noexcept;
     /// Add (M + B)⁻¹ (p + h f − h D v) to v of a loaded body: the effect of an impulse p and its
     /// load.
     void push(const model::Bodies& bodies, std::int32_t body, double h, const double* p,
               double* v) const noexcept;
-    /// Copy the load of a body of another world.
+    /// Copy the load of body `its` of another world to body `mine`.
     void copy_entry(const LoadStore& from, std::int32_t its, std::int32_t mine) noexcept;
 
     /// Return ½ vᵀA v of all loads of the step [J].
     [[nodiscard]] double added_energy(const model::Bodies& bodies, const double* v,
                                       base::Executor& executor) noexcept;
-    /// Count the change of ½ vᵀA v due to the change of A since the last step as work of systems.
+    /// Compute the change of ½ vᵀA v due to the change of A since the last step, and count it as
+    /// work of systems.
     void count_change(const model::Bodies& bodies, base::Executor& executor) noexcept;
     /// Measure the energies of loads from v to the velocities of the solved step.
     void measure(const model::Bodies& bodies, double h, const double* v, const double* next,
@@ -163,9 +164,8 @@ class LoadStore {
         double water[69] = {};   ///< Sum of the loads of water up to now.
         double before[69] = {};  ///< Sum of all loads when the present water system began.
     };
-    // Functions on one entry, all in load_water.cpp.
-    /// True if the next load of the present system is the first one that requires separate sums of
-    /// water.
+    // True if the next load of the present system requires a separate sum of water loads for this
+    // entry, which does not exist yet. (This and the next functions are in load_water.cpp.)
     [[nodiscard]] bool needs_shared(std::size_t entry) const noexcept;
     /// Allocate both parts. @return false if allocation fails.
     bool make_shared(std::size_t entry) noexcept;

@@ -103,7 +103,8 @@ const ResistanceMemory* Resistances::find(std::int32_t contact) const noexcept {
     return contact >= 0 && found != memory.end() && found->contact == contact ? &*found : nullptr;
 }
 
-/// Compute g of this step, and the reference orientation for it.
+/// Compute the rotation g of a contact in this step, and the reference orientation that measures
+/// it.
 void Resistances::recall_turn(std::size_t index, std::int32_t previous, const ContactRow& contact,
                               const model::Bodies& bodies) noexcept {
     ResistanceMemory& m = next_[index];

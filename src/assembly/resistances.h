@@ -52,7 +52,7 @@ class Resistances {
                  const std::int32_t* offset, double* u) const noexcept;
     /// Store the memory, after the solve and before the bodies move.
     void remember(const base::Array<ContactRow>& contacts, double h) noexcept;
-    /// Return the memory of a contact of the set of the last step; null if there is none.
+    /// Return the resistance memory of contact `contact` of the last step; null if there is none.
     [[nodiscard]] const ResistanceMemory* find(std::int32_t contact) const noexcept;
     [[nodiscard]] std::size_t bytes() const noexcept;
 

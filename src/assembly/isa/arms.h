@@ -31,7 +31,7 @@ inline ArmsT<W8> lane_arms(const double* record, const std::int32_t* from) {
     return {{t[0], t[1], t[2]}, {t[3], t[4], t[5]}, t[6], t[7]};
 }
 
-/// Load eight consecutive records.
+/// Load the records of eight consecutive joints, one joint per lane.
 inline ArmsT<W8> next_arms(const double* record) {
     V8 t[kLanes];
     for (int l = 0; l < kLanes; ++l) t[l] = load(record + model::kArms * l);

@@ -132,7 +132,8 @@ class JointRows {
                 view_, id_, b, packed, [&](std::int32_t i) { return view_.dof_begin[i]; }, v[b]);
     }
 
-    /// Correct the rows of slack one-sided joints. @param speed  Speeds in the order of the rows.
+    /// Add the term of slack lines (when_slack()) to c of one-sided joints.
+    /// @param speed  Speeds in the order of the rows.
     void slack(std::int32_t row, const V8 (&speed)[3]) const {
         std::uint64_t flags;
         std::memcpy(&flags, view_.flags + id_, sizeof flags);

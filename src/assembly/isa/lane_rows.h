@@ -149,8 +149,8 @@ struct LaneRows {
         store_rows(view.residual, speed);
     }
 
-    /// Write the packed Jacobians, eight entries of each at a time. The last eight overlap with
-    /// others, so that all vectors are complete.
+    /// Write the packed Jacobians, eight entries of each at a time. If their size is no multiple of
+    /// eight, the last eight entries include some that are already written.
     void write_jacobian(const Rows<B, R, W8>& rows) const {
         constexpr int size = R * W;
         [&]<int... I>(std::integer_sequence<int, I...>) {
@@ -158,7 +158,7 @@ struct LaneRows {
         }(std::make_integer_sequence<int, (size + kLanes - 1) / kLanes>());
     }
 
-    /// Write eight entries from `Begin` on, or the remaining ones.
+    /// Write up to eight entries of the packed Jacobians, from `Begin` on.
     template <int Begin>
     void write_entries(const Rows<B, R, W8>& rows) const {
         constexpr int count = std::min(R * W - Begin, kLanes);

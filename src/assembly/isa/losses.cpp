@@ -61,8 +61,8 @@ int any_bits(const std::uint8_t* some, std::int32_t count) {
     return bits;
 }
 
-/// True if all interactions are plain: two-sided joints, none completed, without drives and
-/// differences of directions. Such rows need no marks.
+/// True if all interactions are two-sided joints without drives and without rows of direction
+/// differences, and none is completed. Such rows need no flags.
 bool all_plain(const View& view, std::int32_t begin, std::int32_t end, std::int32_t first,
                std::int32_t rows) {
     const std::int32_t n = end - begin;

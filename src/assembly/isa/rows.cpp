@@ -50,10 +50,11 @@ struct Arms {
     }
 };
 
-/// Compute the geometric record. The force on slot b acts at the point of the joint: the first
-/// three rows are translations along ±E. @return for a joint: factor by which the damping of the
-/// record is reduced for the velocity before the step. For a line: fraction of K in its record that
-/// acts on that velocity; the rest acts on the extrapolated one.
+/// Compute the record of geometric stiffness of an interaction. The force on slot b acts at the
+/// point of the joint, since its first three rows are translations along ±E. @return for a joint:
+/// factor by which the damping of the record is reduced for the velocity before the step. For a
+/// line: fraction of K in its record that acts on that velocity; the rest acts on the extrapolated
+/// one.
 template <class K>
 double geometry(const View& view, const typename K::Data& data, const BodyRef* refs,
                 std::int32_t id, const Rows<K::kBodies, K::kRows>& rows) {
