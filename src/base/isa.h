@@ -16,7 +16,7 @@ struct IsaChoice {
     std::string problem;
 };
 
-/// Choose the requested instruction set, which may be any up to `best`. @param wish  Its name; null
+/// Choose the requested instruction set, which must not exceed `best`. @param wish  Its name; null
 /// or empty: use `best`.
 [[nodiscard]] IsaChoice choose_isa(const char* wish, Isa best);
 

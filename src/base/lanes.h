@@ -61,9 +61,9 @@ inline constexpr bool kExactLoads = true;
 #else
 inline constexpr bool kExactLoads = false;
 #endif
-/// Load p[0..n), n > 0; other lanes are undefined. Without masks a whole vector is read. Another
-/// thread may be writing behind p + n; the result is not used, but the thread sanitizer cannot
-/// detect this.
+/// Load p[0..n), n > 0; the other lanes are undefined. On processors without masks a whole vector
+/// is read. Another thread may be writing behind p + n; the result is not used, but the thread
+/// sanitizer cannot detect this.
 HAWSER_INLINE V8 load_at_least(const double* p, int n) {
     return kExactLoads ? load_first(p, n) : load(p);
 }

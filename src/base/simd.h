@@ -55,10 +55,10 @@ HAWSER_INLINE V8 positive_part(const V8& v) { return v > 0.0 ? v : V8{}; }
 HAWSER_INLINE V8 select_greater(const V8& a, const V8& b, const V8& x, const V8& y) {
     return a > b ? x : y;
 }
-// Not _mm512_sqrt_pd: g++ 12 warns falsely inside it.
+// Return √v lane by lane. This avoids _mm512_sqrt_pd, inside which g++ 12 warns falsely.
 HAWSER_INLINE V8 root(const V8& v) { return _mm512_maskz_sqrt_pd(0xff, v); }
-/// Replace pivots that have the wrong sign or are not finite by the sign. With kKeep, finite
-/// non-zero pivots stay.
+/// Replace pivots that have the wrong sign or are not finite by `sign`. With kKeep, finite non-zero
+/// pivots are not replaced.
 /// @return 1 in lanes with the wrong sign or a value that is not finite.
 template <bool kKeep>
 HAWSER_INLINE V8 fix_pivot(V8& d, double sign) {
@@ -247,7 +247,8 @@ HAWSER_INLINE bool any(const V8& v) {
 #endif
 #endif
 }
-// Scalar versions of functions used by templates over vectors and numbers.
+// Return √v. This and the next functions are scalar versions, for templates over vectors and
+// numbers.
 HAWSER_INLINE double root(double v) { return __builtin_sqrt(v); }
 HAWSER_INLINE double select_greater(double a, double b, double x, double y) {
     return a > b ? x : y;
