@@ -39,7 +39,8 @@ class CutLevels {
         double matrix = 0.0;
     };
 
-    /// Set the levels, level 0 first. @param levels  Empty: none are known.
+    /// Set the sets of interfaces that may be cut, level 0 first.
+    /// @param levels  Empty: no levels are known.
     void set(std::vector<Level> levels);
     [[nodiscard]] bool known() const noexcept { return !levels_.empty(); }
     [[nodiscard]] const std::vector<Level>& levels() const noexcept { return levels_; }
