@@ -92,7 +92,7 @@ std::vector<Piece> edges_of_mesh(const ShapeData& mesh) {
     return out;
 }
 
-/// True if two pieces at a vertex belong to one edge.
+/// True if two pieces that meet at a vertex belong to one edge.
 bool continues_straight(const ShapeData& data, const Piece& a, const Piece& b, int vertex) {
     const auto other = [&](const Piece& p) {
         const int v = p.vertex[0] == vertex ? p.vertex[1] : p.vertex[0];

@@ -38,9 +38,8 @@ class Filter {
                 if (x >= 0 && y >= 0 && (x == y || joined(x, y))) return false;
         return true;
     }
-    /// True if one of two shapes is a segment that a body holds, and the other belongs to that
-    /// body. The other shape may also belong to a body that a joint holds to it, or be a segment
-    /// held by either.
+    /// True if one shape is a segment that a body holds, and the other shape belongs to this body,
+    /// to a body jointed to it, or to a segment held by either body.
     [[nodiscard]] bool share_host(std::int32_t a, std::int32_t b) const noexcept {
         const Entry& p = entries_[static_cast<std::size_t>(a)];
         const Entry& q = entries_[static_cast<std::size_t>(b)];

@@ -55,8 +55,8 @@ void touch_triangle(const Convex& shape, const SurfaceTriangle& surface, double 
 
 /// Transform points about `centre` from the frame of the surface to the world, reduce them to at
 /// most kMaxManifold, sort and write them. Points with one normal (within 8 degrees) form a group.
-/// Each group keeps up to four points, fewer if there are more than two groups. A capsule keeps its
-/// ends and the deepest point.
+/// Each group keeps up to four points, fewer if there are more than two groups. For a capsule the
+/// points at its ends and the deepest point are kept.
 void finish_surface(Points& points, const Placement& surface, const V3& centre, const Convex& shape,
                     Manifold& out);
 /// Reduce each group to at most four points if the buffer is nearly full.
