@@ -31,7 +31,7 @@ Along residual_along(const double* from, const double u[3], const double lambda[
     return a;
 }
 
-/// Shorten two tangential components to a radius.
+/// Scale two tangential components down to the length `radius` if they are longer.
 void shorten_step_to(double radius, double& a, double& b) noexcept {
     const double length = std::sqrt(a * a + b * b);
     if (length <= radius) return;

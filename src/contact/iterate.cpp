@@ -16,9 +16,9 @@ using assembly::Contacts;
 using nonsmooth::Cone;
 using nonsmooth::Resistance;
 
-/// True if a law differs from that in the matrix by so little that a hundredth of the defect at
-/// most stays after the iteration. A unit of impulse changes u by W + Σ at most, and u_n by Σ_n if
-/// the contact is closed.
+/// True if the difference of a law from the law in the matrix leaves at most a hundredth of the
+/// defect after the iteration. A unit of impulse changes u by at most W + Σ, and u_n by at most Σ_n
+/// if the contact is closed.
 bool is_close(const Cone& c, const nonsmooth::Law& law) noexcept {
     constexpr double kClose = 0.01;
     double normal = 0.0, tangential = 0.0;

@@ -38,7 +38,7 @@ class Cycle {
     std::size_t fractions_used_ = 0;
 };
 
-/// Move a given fraction of the way from the stored iterate.
+/// Move by a given fraction of the way from the stored iterate to the solution.
 LineStep move_fraction(context::Model& model, const context::Newton& newton,
                        double fraction) noexcept;
 

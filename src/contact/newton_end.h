@@ -9,7 +9,7 @@
 
 namespace hawser::contact {
 
-/// End the iterations with time for one more factorisation.
+/// End the iterations by one more factorisation with lagged laws, if the budget has time for it.
 [[nodiscard]] Status end_with_lagged_laws(context::StepContext& ctx) noexcept;
 /// End them without: the law in the matrix is shifted through the projected impulse.
 void end_at_best_iterate(context::Model& model, context::Work& work, runtime::Pool& pool) noexcept;

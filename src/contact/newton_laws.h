@@ -9,7 +9,7 @@
 
 namespace hawser::contact {
 
-/// Linearise a contact about the iterate; see linearise().
+/// Replace the law of a contact by its linearisation about the iterate; see linearise().
 /// @param law  In: law of the last iterate; out: the new one.
 /// @param changes  Number of changes of its status in these iterations.
 void renew_law(nonsmooth::Cone& cone, nonsmooth::Law& law, std::uint8_t& changes) noexcept;

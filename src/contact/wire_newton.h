@@ -34,9 +34,9 @@ namespace hawser::contact {
 /// @throws std::bad_alloc.
 void reserve_wire_newton(const context::Model& model, context::Newton& newton);
 
-/// Solve each line with an element that has switched since the matrix was factored, or with a
-/// contact farther from its law than settled lines are. Call after linearise(), whose laws it
-/// replaces.
+/// Solve each line by itself in two cases: an element has switched since the matrix was factored,
+/// or the residual of a contact law exceeds that of converged lines. Call after linearise(); the
+/// laws are replaced.
 void settle_wire_contacts(context::Model& model, context::Work& work) noexcept;
 
 }  // namespace hawser::contact
