@@ -38,7 +38,7 @@ class EventLog {
         pending_.reserve(most);
         is_holding_ = true;
     }
-    /// Log the held events if the step succeeded, else discard them.
+    /// Log the deferred events if the step succeeded; otherwise discard them.
     void release(bool happened) noexcept {
         if (!is_holding_) return;
         is_holding_ = false;
