@@ -22,7 +22,7 @@ WireReader::WireReader(const record::Recording& recording)
 }
 
 /// Read a cable in its initial form. A drum has no position, so a cable from a drum has one element
-/// more than drawn segments; the last ones correspond.
+/// more than drawn segments: segments correspond to elements from the last one backwards.
 void WireReader::read_cable(std::size_t index, const record::Frame& frame, WireLine& out) const {
     const record::RecordedCable& cable = recording_.cables[index];
     std::vector<Vec3> points;
