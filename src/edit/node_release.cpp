@@ -198,7 +198,9 @@ void preserve_momenta(NodeChain& now, const Patch& patch, const NodeMomentum& ha
     }
 }
 
-/// Set velocities that preserve the energy. @return false if there are none.
+/// Change the velocities along the direction of descent until the energy is at most `energy`.
+/// @param any  True: accept any loss of energy.
+/// @return false if no change suffices, or if too much energy is lost.
 bool preserve_energy(NodeChain& now, const Patch& patch, double energy, bool any) noexcept {
     double far = 0.0;
     const Packed down = patch.descent_direction(now, far);

@@ -60,9 +60,9 @@ struct NodeLedger {
     context::Edited local, edited;
 };
 
-/// Complete the surroundings of an element (`first`) or, if that is −1, of a node (`node`). @return
-/// false if the node has other interactions, or is not between two elements of which the second
-/// begins at the end of the first.
+/// Complete the surroundings of an element (`first`) or, if `first` is −1, of a node (`node`).
+/// @return false in two cases: the node has other interactions, or it is not between two elements
+/// of which the second begins at the end of the first.
 [[nodiscard]] bool complete_surroundings(const context::StepContext& ctx,
                                          NodeSurroundings& place) noexcept;
 
@@ -81,15 +81,15 @@ struct NodeLedger {
 void settle_node(context::StepContext& ctx, const NodeSurroundings& place, std::int32_t old,
                  double share, double mass) noexcept;
 
-/// Extend e to b, and set the motion near n to that of the wire without it. The caller removes f, n
-/// and the bend at n. @param bend  Maximum angle between e and f [rad]. @return false if the angle
-/// is larger or energy would grow; the state is then unchanged.
+/// Extend element e to node b, and set the motion near node n to the motion of a wire without n.
+/// The caller removes f, n and the bend at n. @param bend  Maximum angle between e and f [rad].
+/// @return false if the angle is larger or energy would grow; the state is then unchanged.
 [[nodiscard]] bool release_node(context::StepContext& ctx, const NodeSurroundings& place,
                                 double bend) noexcept;
 /// Fraction of half an element that a node between two elements loaded by drums or guides keeps.
 inline constexpr double kKeptMass = 1e-2;
-/// True if a node that gives away half an element has mass beyond it, apart from rounding. @param
-/// has, half  [kg].
+/// True if a node that transfers half an element has more mass than this half, apart from rounding.
+/// @param has, half  [kg].
 [[nodiscard]] constexpr bool exceeds_half(double has, double half) noexcept {
     return has > (1.0 + 1e-3) * half;
 }
@@ -97,8 +97,8 @@ inline constexpr double kKeptMass = 1e-2;
 [[nodiscard]] bool release_drum_node(context::StepContext& ctx, const NodeSurroundings& place,
                                      double bend) noexcept;
 
-/// Book the change of the edit as edited (Energy::edited). @param place  Surroundings after the
-/// edit.
+/// Record the change of energy by an edit in Energy::edited.
+/// @param place  Surroundings after the edit.
 void end_node_edit(context::StepContext& ctx, const NodeSurroundings& place,
                    const NodeLedger& was) noexcept;
 

@@ -42,7 +42,8 @@ struct NodeFraction {
 [[nodiscard]] NodeFraction fraction_of(const context::StepContext& ctx, std::int32_t lump,
                                        std::int32_t first, std::int32_t second) noexcept;
 
-/// Set an added node to the position and velocity of another one, and transfer its part.
+/// Divide a node: set the added node `to` to the position and velocity of `from`, and transfer the
+/// fraction of mass and drag.
 void split_node(context::StepContext& ctx, std::int32_t from, std::int32_t to,
                 const NodeFraction& share) noexcept;
 
@@ -70,7 +71,8 @@ void follow_node(context::StepContext& ctx, std::int32_t lump) noexcept;
 [[nodiscard]] std::vector<std::int32_t> chain_from(const context::StepContext& ctx,
                                                    std::int32_t element, std::size_t slot);
 
-/// Return the bend with a body in its middle and another one at one of its ends; −1: none.
+/// Return the bend interaction whose middle body is `middle` and one of whose outer bodies is
+/// `end`; −1: none.
 [[nodiscard]] std::int32_t bend_at_body(const context::StepContext& ctx, std::int32_t middle,
                                         std::int32_t end) noexcept;
 
