@@ -30,10 +30,12 @@ struct Channel {
 /// Scorer of an exercise. A copy is a state that can be restored.
 class Scorer {
   public:
-    /// Start a score. @param step  Step of the world [s].
+    /// Start to score an exercise.
+    /// @param step  Step of the world [s].
     Scorer(const Exercise& exercise, double step);
 
-    /// Evaluate a step. @param time  Time at its end [s]. @param values  Values of the channels.
+    /// Evaluate the conditions, goals and penalties of the exercise after a step. @param time  Time
+    /// at its end [s]. @param values  Values of the channels.
     void after_step(double time, std::span<const double> values);
     void fault(double time, const Fault& fault, std::string_view by, bool begins);
     void end(double time, const std::string& why, bool failed);
