@@ -26,7 +26,7 @@ using Frames = std::vector<std::size_t>;
 }
 
 /// Return every `every`-th frame of the last branch with a time in [from, to], and the last such
-/// frame. Earlier branches are left out, because times ascend in both formats.
+/// frame. Earlier branches are omitted, because both formats require ascending times.
 [[nodiscard]] Frames choose_frames(const record::Recording& recording, std::size_t every,
                                    double from, double to);
 

@@ -159,8 +159,8 @@ void GltfDocument::add_bodies() {
     }
 }
 
-/// Add three ribbons to each segment between joints, one along each axis. The joints carry their
-/// corners. From any direction at least two ribbons appear wide.
+/// Add three ribbons for each segment between two joints, one along each axis. The corners of the
+/// ribbons move with the joints. From any direction at least two ribbons appear wide.
 /// @param fraction  Value of each segment on the colour scale, 0 to 1.
 int GltfDocument::add_ribbons(const std::vector<std::pair<std::size_t, std::size_t>>& segments,
                               double radius, const std::vector<float>& fraction) {
