@@ -50,8 +50,7 @@ struct Batch {
 };
 
 /// Return the scratch that a factorisation (kernels.h) of a symmetric batch keeps between steps
-/// [doubles]. An unsymmetric batch needs twice as many. The scratch of a substitution lies behind
-/// them.
+/// [doubles]. An unsymmetric batch needs twice as many. The scratch of a substitution follows it.
 [[nodiscard]] constexpr std::int64_t batch_windows(const Batch& b) {
     const std::int64_t tiles = b.max_q / kTile;
     return kLaneCount * (tiles * (tiles + 1) * kTile * kTile +

@@ -15,8 +15,8 @@ namespace {
 constexpr int kLanes = 8;
 constexpr std::int32_t kShortestPiece = 4;  ///< Fewest units of a chain that uses a lane.
 
-/// Estimate the cycles of one step of eight lanes with p pivots and q rows. The figures come from
-/// counts of vector operations and the latency of a pivot, not from a fit. Only ratios matter.
+/// Estimate the cycles of one batch step of eight lanes with p pivots and q rows. The figures are
+/// counts of vector operations and the latency of a pivot, not a fit. Only their ratios are used.
 double step_cost(double p, double q) {
     const double n = p + q;
     return 250.0 + 0.5 * (p * p * p / 3.0 + p * p * q + p * q * q) + 3.0 * n * p;

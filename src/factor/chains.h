@@ -41,7 +41,8 @@ struct Chains {
     [[nodiscard]] int units(int chain) const noexcept {
         return begin[static_cast<std::size_t>(chain) + 1] - begin[static_cast<std::size_t>(chain)];
     }
-    /// Return the nodes of one unit, its body first. `unit` counts through all chains.
+    /// Return the nodes of one unit (a body and its rows), the body first. `unit` counts through
+    /// all chains.
     [[nodiscard]] std::span<const std::int32_t> unit(int unit) const noexcept {
         const auto u = static_cast<std::size_t>(unit);
         return {nodes.data() + unit_begin[u], nodes.data() + unit_begin[u + 1]};

@@ -131,7 +131,7 @@ void BatchBuilder::find_row_slots(const Job& job, std::span<const Alike> members
     }
 }
 
-/// Match sizes with the unused slots of a lane; add a slot if none is left.
+/// Assign members to the unused slots of a lane by size; add a slot if none is unused.
 void BatchBuilder::assign_slots(std::span<const Alike> members) {
     slots_.clear();
     chosen_.clear();
@@ -187,7 +187,7 @@ void BatchBuilder::add_step(const Job& job, Batch& batch, std::int32_t q,
     s.batch_steps.push_back(step);
 }
 
-/// Assign a step and slots to the nodes of a unit of one lane.
+/// Assign a batch step and slots to the nodes of one unit in one lane.
 void BatchBuilder::assign_unit(const Job& job, Batch& batch, int lane, std::int32_t unit,
                                std::int32_t step) {
     Symbolic& s = job.s;

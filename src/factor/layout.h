@@ -23,12 +23,12 @@ class Layout {
   public:
     /// Lay out the structure.
     /// @param symbolic  `order` is an order of elimination with these columns, `position` its
-    ///        inverse. All other members are overwritten, except `updates_kept`, which is obeyed.
+    ///        inverse. `updates_kept` is an input, too. All other members are overwritten.
     /// @param edited  The nodes with changed neighbours, if three conditions hold: the columns
     ///        result from the last call and a Columns::repair(), nodes and chains are unchanged,
     ///        and only the order of `symbolic` has changed. Unchanged parts are then reused.
-    /// @param team  Finds rows and runs in parallel with batches, tasks and update matrices.
-    ///        Neither reads data that the other writes. nullptr: sequential.
+    /// @param team  Executor that computes rows and runs in parallel with batches, tasks and update
+    ///        matrices; null: sequential.
     void run(const Pattern& pattern, const Columns& columns, const Chains& chains,
              Symbolic& symbolic, std::optional<std::span<const std::int32_t>> edited = {},
              base::Executor* team = nullptr);

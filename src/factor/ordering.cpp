@@ -26,8 +26,9 @@ void Orderer::order(const Pattern& pattern, std::vector<std::int32_t>& order) {
     place_rows(pattern, order);
 }
 
-/// Order the nodes with AMD. The core of the library is called with the arguments that amd_order()
-/// would pass: the lists of a pattern are those of A + Aᵀ, valid and sorted.
+/// Order the nodes with AMD. The inner function of the library is called, with the arguments that
+/// amd_order() would pass. This is possible because the lists of a pattern are those of A + Aᵀ,
+/// valid and sorted.
 void Orderer::order_by_amd(const Pattern& pattern, std::vector<std::int32_t>& order) {
     const std::size_t n = pattern.size.size(), entries = pattern.adjacent.size();
     order.resize(n);

@@ -44,7 +44,7 @@ class Orderer {
     /// Find chains, then order the other nodes by minimum degree.
     /// @throws std::bad_alloc.
     void plan(const Pattern& pattern, std::vector<std::int32_t>& order, Chains& chains);
-    /// Place rows behind bodies, see place_rows_after_bodies().
+    /// Move rows behind bodies by place_rows_after_bodies().
     void place_rows(const Pattern& pattern, std::vector<std::int32_t>& order);
     [[nodiscard]] std::size_t bytes() const noexcept;
 
@@ -71,8 +71,8 @@ class Orderer {
 [[nodiscard]] std::vector<std::int32_t> order_nodes(const Pattern& pattern);
 [[nodiscard]] Elimination plan_elimination(const Pattern& pattern);
 
-/// Move every negative node that precedes all its positive neighbours to just behind the first of
-/// them. Other nodes keep their relative order.
+/// Move every negative node that precedes all its positive neighbours: its new position is directly
+/// behind the first of them. Other nodes keep their relative order.
 void place_rows_after_bodies(const Pattern& pattern, std::vector<std::int32_t>& order);
 
 }  // namespace hawser::factor

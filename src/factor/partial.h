@@ -53,7 +53,8 @@ struct FrontRange {
 /// The part of a factorisation that changed values invalidate.
 class DirtyParts {
   public:
-    /// Reserve memory for any part of this structure; find() then allocates nothing.
+    /// Reserve memory for any set of dirty fronts of this structure, so that find() allocates
+    /// nothing.
     /// @throws std::bad_alloc.
     void reserve(const Symbolic& symbolic);
 

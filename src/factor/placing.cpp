@@ -91,8 +91,8 @@ void Analysis::choose_moves(const Pattern& next) {
     }
 }
 
-/// Process a new edge between nodes that stay. If they lie in different branches, one of them moves
-/// to the front in which the branches meet.
+/// Process a new edge between nodes that keep their position. If they lie in different branches,
+/// one of them moves to the front at which the branches meet.
 void Analysis::join(const Pattern& next, std::int32_t a, std::int32_t b) {
     const std::int32_t front_a = front_of_node(a), front_b = front_of_node(b);
     const std::int32_t common = common_ancestor(front_a, front_b);
@@ -106,8 +106,8 @@ void Analysis::join(const Pattern& next, std::int32_t a, std::int32_t b) {
     anchor_[at(moved)] = common;
 }
 
-/// Collect the nodes in no chain: those that keep their position, in order, and those that need
-/// one.
+/// Collect the nodes outside chains: first those that keep their position, in order, then those
+/// that need one.
 void Analysis::collect_nodes_outside_chains(const Pattern& next) {
     const std::size_t n = changed_.size();
     placed_.clear();

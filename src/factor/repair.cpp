@@ -184,8 +184,8 @@ void Analysis::find_changes(const Pattern& next, bool same_numbers) {
     });
 }
 
-/// Do find_changes() for nodes with their old indices. The number of neighbours varies as the scene
-/// does. So a fixed number of entries is compared at a time, and masks select the valid ones.
+/// Perform find_changes() for nodes that keep their indices. A fixed number of neighbours is
+/// compared at a time, and masks select the valid entries.
 void Analysis::compare_lists(const Pattern& next) {
     constexpr std::int32_t kWide = 8;
     static constexpr std::int32_t kFirst[2 * kWide] = {-1, -1, -1, -1, -1, -1, -1, -1};

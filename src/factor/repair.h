@@ -80,7 +80,7 @@ class Analysis {
   public:
     using Planner = std::function<Elimination(const Pattern&)>;
     /// Create an analysis.
-    /// @param planner  Computes the orders; none: chains, then minimum degree.
+    /// @param planner  Computes the orders; none: chains first, other nodes by minimum degree.
     explicit Analysis(Planner planner = nullptr) : planner_(std::move(planner)) {}
 
     /// Assign separate memory to every update matrix from the next call on (partial.h).
@@ -139,7 +139,7 @@ class Analysis {
     void compare_lists(const Pattern& next);
     void keep_unchanged_chains(const Pattern& next, RepairReport& report);
     [[nodiscard]] bool chain_holds(const Pattern& next, std::int32_t chain);
-    // Moves of nodes to new positions: placing.cpp.
+    // Choose the nodes that move to new positions (placing.cpp).
     void choose_moves(const Pattern& next);
     void join(const Pattern& next, std::int32_t a, std::int32_t b);
     void collect_nodes_outside_chains(const Pattern& next);

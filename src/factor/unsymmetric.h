@@ -45,7 +45,8 @@ struct Piece;
 /// The set of unsymmetric fronts.
 class Unsymmetric {
   public:
-    /// Reserve memory for any set in this structure; find() then allocates nothing.
+    /// Reserve memory for any set of unsymmetric fronts of this structure, so that find() allocates
+    /// nothing.
     /// @throws std::bad_alloc.
     void reserve(const Symbolic& symbolic);
 

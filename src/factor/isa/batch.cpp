@@ -32,7 +32,7 @@ struct Columns {
     [[nodiscard]] static constexpr int other(int side) { return kSides - 1 - side; }
 };
 
-/// Mark wrong pivots, except padding.
+/// Mark the lanes with a wrong pivot in column c of the matrix m. Padding is not marked.
 HAWSER_INLINE void mark_wrong_pivots(const Columns<2>& m, int c, const V8& bad) {
     if (!any(bad)) return;
     for (int lane_ = 0; lane_ < factor::kLaneCount; ++lane_)
@@ -181,8 +181,8 @@ HAWSER_INLINE SlotRecord read_slot_record(const double* room, int slot) {
     return p;
 }
 
-/// Store the last window as update matrices of the parents, lane by lane. The rows of a parent
-/// follow another order than the slots. An entry with swapped slots belongs to the other side.
+/// Store the last window as update matrices of the parents, lane by lane. The rows of a parent have
+/// another order than the slots. An entry whose slots are exchanged belongs to the other side.
 /// @param room  Buffer with a SlotRecord for each slot.
 template <int kSides>
 inline void store_tails(const FactorView& view, const Batch& batch, double* const (&window)[kSides],

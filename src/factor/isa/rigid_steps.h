@@ -178,7 +178,7 @@ HAWSER_INLINE void body_tiles(const RigidStep& m, const Shift& shift, const doub
     put(1, 1);
 }
 
-/// Return true if step k eliminates one rigid body without rows.
+/// Return true if batch step k eliminates a rigid body without rows.
 HAWSER_INLINE bool is_rigid(const factor::FactorView& view, const factor::Batch& batch,
                             std::int32_t k) {
     return batch.body == kRigid && view.batch_steps[k].p == kRigid;
