@@ -22,8 +22,8 @@ struct Pair {
     std::int32_t a, b;  ///< a < b.
 };
 
-/// Call f(pair) for all pairs, four distant ones in each iteration. Adjacent pairs share a node, so
-/// processing them in sequence would stall on the store of f for the previous pair.
+/// Call f(pair) for all pairs, four pairs from distant positions in each iteration. Adjacent pairs
+/// have a common node, so that in sequence f would wait for its store for the previous pair.
 template <class F>
 void for_each_pair(std::span<const Pair> pairs, F f) {
     const std::size_t quarter = pairs.size() / 4;
