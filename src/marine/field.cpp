@@ -70,8 +70,8 @@ int WaterField::surface_groups(const FieldPoint& point) const noexcept {
     return fast_.stretching_groups(still_depth(point.z, lowest));
 }
 
-/// Form a cluster of points from `first` on: append batches while they are within reach of the
-/// cluster's middle.
+/// Form a cluster of points from `first` on: append batches as long as they are within reach of the
+/// middle of the cluster.
 void WaterField::refer(const FieldPoint* points, int first, int count, bool exact_surface,
                        Cluster& to) const noexcept {
     to.end = std::min(first + kWavePoints, count);

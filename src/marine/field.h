@@ -26,7 +26,7 @@ namespace hawser::marine {
     return depth * (z + depth) / column - depth;
 }
 
-/// Return the current at one depth of a profile, times a factor [m/s].
+/// Return the current of one entry of a profile, multiplied by a factor [m/s].
 [[nodiscard]] inline Vec3 flow_of(const SeaCurrent& c, double factor) noexcept {
     const double speed = factor * c.speed;
     return {speed * std::cos(c.direction), speed * std::sin(c.direction), 0.0};
@@ -72,6 +72,7 @@ class WaterField {
   public:
     static constexpr int kMostPoints = 64;  ///< Maximum number of points of one call.
 
+    /// Create the water field.
     /// @param sea, current  Must outlive the field. `current` belongs to the same definition.
     WaterField(const Sea& sea, const std::vector<SeaCurrent>& current);
     /// Set the time of the water. `now` must outlive the following calls.

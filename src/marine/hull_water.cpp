@@ -43,7 +43,7 @@ Vec3 turned(const Mat3& m, const Vec3& v) noexcept {
     return m.col(0) * v.x() + m.col(1) * v.y() + m.col(2) * v.z();
 }
 
-/// Return an order of corners such that consecutive ones are near each other. Squares of the
+/// Return an order of the corners in which consecutive corners are near each other. Squares of the
 /// waterplane, with diagonals shorter than a cluster, are visited along a row and back along the
 /// next one, each from its lowest corner: corners of one batch are all wet or all dry if possible.
 /// Without clusters it is the order of the mesh.

@@ -26,7 +26,8 @@ using Vec6 = Eigen::Matrix<double, 6, 1>;
 /// Interpolate linearly between frequencies; the value is constant beyond the ends.
 [[nodiscard]] Matrix6 linear_at(const std::vector<double>& frequency,
                                 const std::vector<Matrix6>& matrix, double omega);
-/// Return the nearest matrix without negative eigenvalues, with the diagonal scaled to ones.
+/// Return the nearest matrix without negative eigenvalues, where the distance is measured with the
+/// diagonal scaled to ones.
 [[nodiscard]] Matrix6 without_negative(const Matrix6& m);
 
 /// Nodes of the piecewise linear B(ω), from 0 to its end.

@@ -68,7 +68,7 @@ class LineNodes {
         int halves = 0;  ///< Number of half elements; 0: no node, or not in the water.
     };
     explicit LineNodes(LineTable table) : table_(std::move(table)) {}
-    /// List the present wires. @throws std::bad_alloc
+    /// List all wires of the world; none if no wire has water loads. @throws std::bad_alloc
     void list(const World& world);
     [[nodiscard]] int wires() const noexcept { return static_cast<int>(wires_.size()); }
     /// List the present nodes of one wire.
@@ -127,6 +127,7 @@ class HullWater {
   public:
     static constexpr int kChunk = 64;  ///< Number of corners or triangles of one task.
 
+    /// Create the water loads of a hull.
     /// @param heading  Initial heading of the body [rad].
     /// @param reach  Radius of a cluster of points in single precision [m]; 0: none.
     HullWater(const WaterHull& def, const Sea& sea, double step, double heading, double reach);
@@ -145,7 +146,7 @@ class HullWater {
     [[nodiscard]] double velocity_error(const WaterField& field, std::int64_t& points) const {
         return flow_.velocity_error(field, pose_, points);
     }
-    /// Take the water's velocity at the hull's strips.
+    /// Sample the water velocity at the cells of the hull that belong to a task.
     void flow_past(const WaterField& field, int chunk) noexcept;
     /// Sum the triangles of a task. All corners must have their pressures.
     void sum(int chunk) noexcept;
@@ -197,7 +198,8 @@ class HullWater {
     Vec6 ahead_ = Vec6::Zero();  ///< ν at the reference half a step on, along frame_.
 };
 
-/// Return the matrix that maps motions at the centre of mass to motions at `point`, relative to it.
+/// Return the matrix that maps motions at the centre of mass to motions at `point`, which is
+/// relative to the centre of mass.
 [[nodiscard]] Matrix6 motion_at(const Vec3& point) noexcept;
 /// Return the rotation of a quaternion about z [rad].
 [[nodiscard]] double heading_of(const Quat& q) noexcept;
@@ -220,7 +222,7 @@ class SeaSystem final : public System {
     [[nodiscard]] bool is_water() const noexcept override { return true; }
     [[nodiscard]] std::unique_ptr<System> clone() const override;
     [[nodiscard]] const SeaDef& def() const noexcept { return def_; }
-    /// Return z of still water at a time, with the level that was set [m].
+    /// Return the height z of still water at a time, including the set level [m].
     [[nodiscard]] double still_water(double time) const noexcept {
         return sea_.tide(time) + in_.level;
     }
