@@ -50,7 +50,8 @@ bool presses(const Cone& c) noexcept {
     return c.lambda[0] - r / (c.mobility + c.sigma_n) > 0.0;
 }
 
-/// Solve joints and normals. @param first  Start from v₊ = 0.
+/// Solve for joints and normal impulses, with constant friction. @param first  True: start from v₊
+/// = 0.
 Status solve_normals(context::StepContext& ctx, bool first) noexcept {
     bool again = false;
     for (int round = 0;; ++round) {
