@@ -144,8 +144,8 @@ void measure_elastic(context::Model& model, const View& v, std::int32_t id, bool
     }
 }
 
-/// Subtract the kinetic energy by which the end nodes exceed an element that moves as a straight
-/// piece.
+/// Subtract the excess of the kinetic energy of two end nodes over that of a straight bar with the
+/// mass of the element (consistent mass).
 void measure_piece(const View& v, std::int32_t id, const double* after,
                    context::MonitorPart& p) noexcept {
     const double before = assembly::pair_energy(v, id, v.v);
@@ -198,7 +198,8 @@ void take_worse(double value, std::int32_t which, double& most, std::int32_t& wh
 
 }  // namespace
 
-// Chunks are merged in order, so that the result does not depend on threads.
+// Sample energies, rows and lines of a state. Chunks are merged in order, so that the result does
+// not depend on threads.
 context::MonitorPart sample(context::Model& model, context::State& state, runtime::Pool& pool,
                             At when) noexcept {
     const View v = context::row_view(model);

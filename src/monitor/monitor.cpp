@@ -85,7 +85,7 @@ Grade add(const Findings& now, Verdict& verdict) noexcept {
     return grade;
 }
 
-/// Run the checks of every step, before lines break in it.
+/// Run the monitors that check every step, before elements break in it.
 Findings borne(context::StepContext& ctx, context::MonitorState& state) noexcept {
     Findings out{};
     out[place(Judge::cable)] = strain_finding(ctx.model, ctx.state, state);
