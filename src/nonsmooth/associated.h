@@ -22,7 +22,7 @@ namespace hawser::nonsmooth {
 /// Compute P_K(y) at velocity u [N s].
 void associated_impulse(const Cone& cone, const double u[3], double lambda[3]) noexcept;
 
-/// Linearise about u: λ = p − S u, equal to P_K(y) at u.
+/// Linearise the associated law about u: λ = p − S u, which equals P_K(y) at u.
 [[nodiscard]] Law linearise_associated(const Cone& cone, Touch& touch) noexcept;
 
 /// Return natural_map() of this model: without the shift.

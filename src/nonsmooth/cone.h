@@ -72,7 +72,7 @@ struct Law {
     double p[3];  ///< [N s].
 };
 
-/// Linearise about (u, λ).
+/// Linearise the contact law about (u, λ).
 [[nodiscard]] Law linearise(const Cone& cone, Touch& touch) noexcept;
 
 /// Project an impulse to the nearest one in the cone K: λ_n ≥ 0, ‖λ_t‖ ≤ μ λ_n.

@@ -13,7 +13,7 @@ double normal_law_impulse(const Cone& c, double u_n, double lambda_n) noexcept {
     return lambda_n - r / (c.sigma_n + c.mobility);
 }
 
-/// Return λ − ρ r of one component.
+/// Return λ − ρ r of component i, the argument of the projection.
 double target(const Resistance& a, double rho, double u, double lambda, int i) noexcept {
     return lambda - rho * (u + a.sigma * lambda - a.b[i]);
 }
