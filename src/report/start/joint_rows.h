@@ -55,10 +55,10 @@ class JointRows {
     /// Return the part of b that no motion reaches. Call update() first.
     [[nodiscard]] std::vector<double> out_of_reach(std::span<const double> b);
     /// Move the bodies of `world` to the least sum of squared violations (Levenberg and Marquardt).
-    /// `world` must be the one of these rows. Rows and metric follow.
+    /// `world` must be the world of these rows. Rows and metric are updated.
     void close(World& world);
-    /// Return the kernel of Wᵀ of these rows, in the scale of scale(): a matrix with one column for
-    /// each repetition. Call update() first.
+    /// Return the kernel of Wᵀ of these rows, in the scale of scale(). The matrix has one column
+    /// for each redundancy. Call update() first.
     [[nodiscard]] Eigen::MatrixXd repetition_kernel(std::span<const std::int32_t> rows) const;
 
   private:

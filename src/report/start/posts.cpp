@@ -38,7 +38,7 @@ bool touches_alone(const World& world, const record::CableInfo& cable) {
     });
 }
 
-/// Return the distance from a post's middle to the nearest node [m].
+/// Return the distance from the middle of a bollard to the nearest node of a cable [m].
 double separation(const World& world, const ShapeDef& post, const record::CableInfo& cable) {
     const Vec3 at = world.world_point(post.body, post.position);
     double least = HUGE_VAL;
