@@ -127,8 +127,8 @@ int Pool::run_remaining_tasks(Part& part, int thread) noexcept {
     }
 }
 
-/// Run tasks: first those of the thread's own part. The batch ends only after this function has
-/// counted them, so that every count belongs to one batch.
+/// Run tasks until none remain, starting with the part of this thread. A batch of tasks ends only
+/// after this function has added its count, so that every count belongs to one batch.
 void Pool::run_remaining_tasks(int thread) noexcept {
     int worked = 0;
     for (int p = 0; p < threads_; ++p)

@@ -32,8 +32,8 @@ class Trace;
 class Pool final : public base::Executor {
   public:
     /// Start the threads.
-    /// @param threads  Including the caller; at least 1.
-    /// @throws ThreadError if they cannot start, std::bad_alloc; none is left running then.
+    /// @param threads  Number of threads including the caller, at least 1.
+    /// @throws ThreadError if they cannot start, std::bad_alloc. No thread runs after an exception.
     explicit Pool(int threads);
     ~Pool() override;
     Pool(const Pool&) = delete;
