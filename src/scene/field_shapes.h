@@ -22,7 +22,7 @@ template <class Def>
     return make::number(row.what, row.least, row.most);
 }
 
-/// Return the shape of the value of a row whose reader is not its own (kOwnReader).
+/// Return the schema of the value of a row, unless it has a special reader (kOwnReader).
 template <class Def>
 [[nodiscard]] ShapePtr shape_of_field(const FieldInfo<Def>& row) {
     return std::visit(

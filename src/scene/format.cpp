@@ -41,7 +41,7 @@ ShapePtr cylinder() {
                     "Axis of the body's frame along which it lies."}});
 }
 
-/// Return the shape of a key of bodies that has a reader of its own.
+/// Return the schema of a key of bodies that has a special reader.
 ShapePtr own_shape(const FieldInfo<BodyDef>& row) {
     const std::string_view key = row.key;
     if (key == "orientation") return quaternion();

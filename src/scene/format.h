@@ -84,7 +84,7 @@ HAWSER_SCENE_SECTIONS(HAWSER_LIST_SHAPE)
 [[nodiscard]] ShapePtr water_hull_shape();
 [[nodiscard]] std::vector<Field> line_water_fields();
 
-/// Return the shape of an operation at a given time. See format_timeline.cpp.
+/// Return the schema of an operation at a given time. See format_timeline.cpp.
 [[nodiscard]] ShapePtr operation_shape();
 
 /// Return the shapes (JSON forms) of a shape of a body, a material, a pair of materials, and the
@@ -95,9 +95,9 @@ HAWSER_SCENE_SECTIONS(HAWSER_LIST_SHAPE)
 [[nodiscard]] ShapePtr material_pair();
 [[nodiscard]] ShapePtr cable_contact();
 
-/// @return true for a parameter whose default is computed from the pose of the bodies in the scene.
-///        Examples are the distance of two points, the height of a ship, and the coordinate of a
-///        drum.
+/// @return true if the default of a parameter is computed from the poses of the bodies in the
+///        scene. Examples are the distance of two points, the height of a ship, and the coordinate
+///        of a drum.
 [[nodiscard]] bool is_taken_from_pose(const KindInfo& kind, std::string_view param);
 
 }  // namespace hawser::scene

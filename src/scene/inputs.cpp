@@ -45,7 +45,7 @@ int component_index(const std::string& word) {
     return word.starts_with("torque") ? 3 + axis : axis;
 }
 
-/// Read the spring's value, which must be within the range. The range must be known.
+/// Read the key "spring", whose value must be within the range. The range must have been read.
 template <class Def>
 void read_spring(Def& def, const Json& json, const SourceLocation& location) {
     const auto spring = json.find("spring");

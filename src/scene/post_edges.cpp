@@ -23,7 +23,7 @@ bool has_edges(const ShapeDef& shape) {
            shape.kind == ShapeKind::mesh;
 }
 
-/// Return the named shape, or the only one with edges.
+/// Return the shape that the key "shape" names; without this key, the only shape with edges.
 const ShapeDef& shape_with_edges(const Description& out, BodyId body, const Json& json,
                                  const SourceLocation& location) {
     const std::string on = out.body(body).name, lead = on + "/";
