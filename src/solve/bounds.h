@@ -60,10 +60,11 @@ inline constexpr std::int32_t kAnyRows = 0x7fffffff;
 [[nodiscard]] double bounds_map(const context::Model& model,
                                 const context::Newton& newton) noexcept;
 
-/// Switch rows for the start of the next iteration, and move inactive ones with their bound.
+/// Switch rows whose status does not match, for the next iteration, and set inactive rows to their
+/// moved bound.
 /// @param floor  Impulse below which differences are ignored [N s].
-/// @param most  Number of rows that may switch, the first ones; 0: only count.
-/// @return the number of rows that request another status.
+/// @param most  Number of rows that may switch, in the order of rows; 0: only count.
+/// @return the number of rows whose status does not match.
 std::int32_t switch_bounds(context::Model& model, context::Work& work, double floor,
                            std::int32_t most) noexcept;
 
@@ -71,12 +72,12 @@ std::int32_t switch_bounds(context::Model& model, context::Work& work, double fl
 /// λ of a row that has switched since is out of date.
 void show_held(context::Model& model) noexcept;
 
-/// Count the rows that request to switch at the current λ, v₊, without changes.
+/// Count the rows whose status does not match the current λ and v₊, without changes.
 /// @param floor  Impulse below which differences are ignored [N s].
 [[nodiscard]] std::int32_t asking_rows(context::Model& model, context::Work& work,
                                        double floor) noexcept;
 
-/// Return asking_rows() > 0 for a floor of 0, without changes.
+/// Return true if asking_rows() with a floor of 0 would return more than 0.
 [[nodiscard]] bool any_asks(const context::Model& model, const context::Newton& newton,
                             const assembly::View& v) noexcept;
 

@@ -63,9 +63,9 @@ void solve_run(std::size_t n, context::RunPoint* place, context::RunPart* part) 
         part[i].lambda = part[i].right - part[i].upper * part[i + 1].lambda;
 }
 
-/// Compute the speeds w of all turning points from the impulses. In the equation of a sliding
-/// point, w is a small difference of large forces over a small mass. The equation of the part
-/// before it avoids this.
+/// Compute the speeds w of all turning points from the impulses. The equation of a sliding point
+/// would give w as a small difference of large forces divided by a small mass. The equation of the
+/// part before the point is used instead.
 void find_speeds(std::size_t n, context::RunPoint* place, const context::RunPart* part) noexcept {
     for (std::size_t k = 0; k < n; ++k) {
         context::RunPoint& p = place[k];

@@ -16,9 +16,9 @@
 
 namespace hawser::solve {
 
-/// Find the sliding turning points and the pulling parts: solve the run and change contradicted
-/// statuses, in turns. If the limit of turns is reached, the statuses may be inconsistent, but less
-/// than those of the rejected solution.
+/// Find the sliding turning points and the taut parts of a run. Alternately solve the run and
+/// change inconsistent statuses. At the limit of iterations the statuses may be inconsistent, but
+/// less than those of the rejected solution.
 /// @param n  Number of turning points; there is one more part.
 /// @return true if the statuses differ from the initial ones.
 bool find_statuses(std::size_t n, context::RunPoint* place, context::RunPart* part) noexcept;

@@ -19,8 +19,9 @@ struct Weights {
     double before, after;
 };
 
-/// Return λ·G (a v + b v₊) over the rows. With a = b = ½ this is the work of an interaction on the
-/// kinetic energy of moving bodies, exact for the scheme, since their velocities change by M⁻¹Gᵀλ.
+/// Return λ·G (a v + b v₊), summed over the rows of an interaction. With a = b = ½ this is the work
+/// of an interaction on the kinetic energy of moving bodies, exact for the scheme, since their
+/// velocities change by M⁻¹Gᵀλ.
 double impulse_times(const assembly::View& v, std::int32_t id, Weights weights,
                      bool rigid_rows_only) noexcept {
     double buffer[model::kArmBufferSize];

@@ -37,7 +37,7 @@ inline constexpr double kResolvedVibration = 1.5;
 /// @throws std::bad_alloc.
 void find_joints(context::Model& model, context::JointWork& joints);
 
-/// Begin a step: no joint is rejected yet.
+/// Begin a step: clear the marks of rejected joints.
 void begin_completion(context::Model& model) noexcept;
 
 /// Choose the joints that this step completes, by their forces in the last step, and mark their

@@ -60,8 +60,8 @@ double held(const View& v, std::int32_t id, std::int32_t row, double now, double
     return 0.5 * g * g / v.epsilon[row];
 }
 
-/// Return true if a line was taut at the last half-step position. Assembly then left its c
-/// unchanged (when_slack() in assembly/isa/slack.h).
+/// Return true if a line was taut at the last half-step position. In this case assembly has not
+/// changed its c (when_slack() in assembly/isa/slack.h).
 /// @param before  ġ from c; 0 for a line that was slack.
 bool was_taut(const View& v, std::int32_t row, double before) noexcept {
     return v.g[row] - 0.5 * v.h * before > 1e-9 * std::fabs(v.g[row]);

@@ -17,8 +17,9 @@ namespace hawser::solve {
 [[nodiscard]] double row_losses(context::Model& model, context::SolveWork& solve,
                                 runtime::Pool& pool) noexcept;
 
-/// Return the part of interactions [begin, end) of a row block. The norms of a solution are
-/// computed at the same time, while rows are in the cache (SolveWork::losses_known).
+/// Return the contribution of interactions [begin, end) of a row block to row_losses(). The norms
+/// of a solution are computed at the same time, while rows are in the cache
+/// (SolveWork::losses_known).
 [[nodiscard]] double losses_between(const context::Model& model, const assembly::View& v,
                                     std::int32_t begin, std::int32_t end) noexcept;
 

@@ -33,7 +33,7 @@ void note_runs(context::Model& model) noexcept;
 /// @param friction  Friction of one of its turning points.
 [[nodiscard]] double largest_in_run(const context::Model& model, std::int32_t friction) noexcept;
 
-/// Set the statuses of runs from a solution of each run by itself, after rows were switched.
+/// Set the statuses of runs after rows have switched. Each run is solved separately for this.
 void settle_runs(context::Model& model, context::Newton& newton) noexcept;
 
 }  // namespace hawser::solve

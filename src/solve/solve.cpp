@@ -54,7 +54,7 @@ void start_solve(context::Model& model, context::Work& work, runtime::Pool& pool
     work.solve.rhs_ready = true;
 }
 
-/// Update λ of all rows from the solver's vector, and that of sliding capstans from their loads.
+/// Update λ of all rows from the solver's vector, and λ of sliding capstans from their loads.
 void update_rows(context::Model& model, const context::Work& work, runtime::Pool& pool,
                  const View& v, bool first) noexcept {
     const assembly::Kernels& k = assembly::kernels();

@@ -14,7 +14,7 @@ namespace {
 using assembly::View;
 using nonsmooth::ChainRow;
 
-/// True for elements between two bodies that only pull.
+/// True for elements that act between two bodies and carry tension only.
 bool is_chain_element(const model::Interactions& in, std::int32_t id) noexcept {
     constexpr int kOther = model::kRange | model::kMotor | model::kFriction;
     return (in.flags[at(id)] & (model::kOneSided | kOther)) == model::kOneSided &&

@@ -30,7 +30,7 @@ namespace hawser::solve {
 /// @return true if there are any.
 [[nodiscard]] bool find_fast_wires(context::Model& model, const context::Before& kept) noexcept;
 
-/// True if a wire has a shape on one of its nodes.
+/// True if a node of a wire has a collision shape.
 [[nodiscard]] bool may_touch(const context::Model& model, std::int32_t wire) noexcept;
 
 /// Compute the energy gain of the marked wires (Wires::gain [J]).

@@ -136,8 +136,8 @@ void release_wires(context::Model& model) noexcept {
 
 namespace {
 
-/// Transfer the memory of wires after their elements changed: each element keeps its part of its
-/// wire's memory.
+/// Transfer the state of wires (energy allowance, flags, recoil) after their elements have changed.
+/// Each element keeps its part of the state of its former wire.
 void recall_wires(const context::Model& model, const context::State& state,
                   context::WireWork& work) {
     const context::Wires& w = model.wires;
