@@ -35,7 +35,7 @@ GroupPair pair_of(const std::vector<std::int32_t>& sides) {
     return {std::min(sides[0], sides[1]), std::max(sides[0], sides[1])};
 }
 
-/// Number the interfaces of the cuts that deadlines may request.
+/// Number the interfaces (pairs of groups) with cuts that a deadline may activate.
 std::map<GroupPair, int> number_interfaces(context::Model& model,
                                            const std::vector<std::int32_t>& wanted) {
     std::map<GroupPair, int> number;
@@ -60,7 +60,7 @@ std::int32_t add_ghost(context::Model& model, std::int32_t body) {
     return b.append(def);
 }
 
-/// Add the copy of an interaction for one side.
+/// Add the duplicate of an interaction for one side of a cut.
 void add_copy(context::Model& model, std::int32_t id, std::int32_t side,
               std::unordered_map<std::int32_t, std::int32_t>& ghost) {
     model::Interactions& in = model.interactions;

@@ -26,12 +26,13 @@
 
 namespace hawser::split {
 
-/// Make ghost bodies and copies for the present groups and couplings. @throws std::bad_alloc.
+/// Make ghost bodies and duplicated interactions for the present groups and couplings. @throws
+/// std::bad_alloc.
 void make_cuts(context::Model& model);
-/// Remove all ghost bodies and copies.
+/// Remove all ghost bodies and duplicated interactions.
 void drop_cuts(context::Model& model);
 
-/// Determine the cuts in force: those whose sides are not connected in any other way. Contacts and
+/// Determine the active cuts. A cut is active if nothing else connects its two sides; contacts and
 /// interactions that cannot be cut unite two groups to one part. Call before the system is
 /// analysed.
 /// @return true if the set of cuts in force has changed.

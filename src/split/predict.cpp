@@ -12,7 +12,7 @@
 namespace hawser::split {
 namespace {
 
-/// Copy v_k of the original of a ghost body to six entries.
+/// Copy the velocity v_k of the original of a ghost body to six entries.
 void copy_original_velocity(const model::Bodies& b, std::int32_t body, double* out) noexcept {
     std::fill_n(out, 6, 0.0);
     std::copy_n(&b.v[at(b.dof_begin[at(body)])], b.dof(body), out);

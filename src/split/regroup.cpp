@@ -33,9 +33,10 @@
 namespace hawser::split {
 namespace {
 
-/// Evaluate the violation and Jacobian of every interaction at the present poses. Stage assemble
-/// leaves out cut interactions, and a restored world has not assembled anything yet. The evaluation
-/// overwrites the active flags of ranges. They are part of the state, so they are restored.
+/// Evaluate the violation and Jacobian of every interaction at the present poses. This is necessary
+/// because stage assemble omits cut interactions, and because a restored world has not assembled
+/// any. The evaluation overwrites the active flags of ranges, which are part of the state and are
+/// restored.
 void evaluate_all(context::Model& model) {
     const assembly::View v = context::row_view(model);
     base::Array<double>& active = model.interactions.active;
@@ -52,7 +53,8 @@ void evaluate_all(context::Model& model) {
     std::copy(model.regroup.active.begin(), model.regroup.active.end(), active.begin());
 }
 
-/// Mark the interactions that must stay whole: those coupled exactly and those that cannot be cut.
+/// Mark the interactions that must not be cut: those with exact coupling and those that cannot be
+/// cut.
 void mark_uncuttable(const context::Model& model, assembly::PartGraph& graph) {
     for (std::int32_t i = 0; i < context::interaction_count(model); ++i) {
         if (graph.edge_weight[at(i)] == graph::kNeverCut) continue;
@@ -119,7 +121,7 @@ void make_groups(context::Model& model, const context::State& state) {
     r.stale = false;
 }
 
-/// True if a new choice of parts is due before the step.
+/// True if the groups must be updated before this step.
 bool due(const context::Model& model, const context::State& state) noexcept {
     const context::Regroup& r = model.regroup;
     if (model.def.regroup_every < 1 || !makes_groups(model) || state.step == r.seen) return false;
