@@ -37,8 +37,8 @@ constexpr double kGap = 1e-4;  ///< Maximum gap that a step may leave [m or rad]
 /// Value of s from the force of the step itself that ends a trial.
 constexpr double kTooFast = 2.0 * solve::kResolvedVibration;
 
-/// Iterate with the present factorisation. @return result of the last iteration; if it is not
-/// finite or too large, the iterations diverged.
+/// Perform end-of-step constraint iterations with the present factorisation. @return result of the
+/// last iteration; the iterations diverged if it is not finite or too large.
 Turning iterate_joints(context::StepContext& ctx) noexcept {
     double first = 0.0;
     const double enough = kTurning * std::min(1.0, ctx.model.def.solution_tolerance / kSolution);
@@ -80,9 +80,9 @@ Status solve_linearised(context::StepContext& ctx) noexcept {
     return assemble_and_solve(ctx);
 }
 
-/// True if the force of a joint has grown within the step beyond the value used in the solution.
-/// Either a completed joint oscillates too fast now and is rejected, or the stiffness of another
-/// one belongs to a much smaller force. @param k  Index of the joint.
+/// True if the force of a joint has become much larger within the step than the value used in the
+/// solution. A completed joint then oscillates too fast and is rejected; for another joint the
+/// stiffness used is too small. @param k  Index of the joint.
 bool has_outgrown(context::Model& model, std::int32_t k) noexcept {
     context::Completion& c = model.completion;
     const model::Interactions& in = model.interactions;

@@ -24,7 +24,7 @@ namespace {
 using assembly::Contacts;
 using nonsmooth::Cone;
 
-/// Size the arrays for this step's contacts and count growth.
+/// Resize the arrays for the contacts of this step, and count one growth if memory grows.
 void reserve_more(context::StepContext& ctx) {
     Contacts& c = ctx.model.system.contacts;
     const std::size_t held = c.bytes();
@@ -137,8 +137,9 @@ Status start_contacts(context::StepContext& ctx, Phase phase) noexcept {
     return Status::ok;
 }
 
-// λ·J(v + v₊)/2 is exactly the work of a contact on the kinetic energy of moving bodies. It equals
-// λ·(u + u₊)/2 less the work of bodies with a prescribed velocity.
+// Compute the work of contacts. λ·J(v + v₊)/2 is exactly the work of a contact on the kinetic
+// energy of moving bodies. It equals λ·(u + u₊)/2 less the work of bodies with a prescribed
+// velocity.
 void count_contact_work(context::StepContext& ctx) noexcept {
     const Contacts& contacts = ctx.model.system.contacts;
     for (std::size_t k = 0; k < contacts.count(); ++k) {

@@ -18,8 +18,8 @@ enum class Phase : std::uint8_t {
     impact,   ///< See impact.h, which sets the laws.
 };
 
-/// Make the rows of the contacts of stage collide, linearised about the last solution. If two
-/// bodies touch for the first time, the system is analysed.
+/// Assemble the rows of the contacts of stage collide, linearised about the last solution. If two
+/// bodies are in contact for the first time, analyse the system.
 [[nodiscard]] Status start_contacts(context::StepContext& ctx, Phase phase) noexcept;
 
 /// Count the energy that contacts absorbed from bodies in this step, before bodies move.

@@ -21,8 +21,9 @@
 
 namespace hawser::step {
 
-/// Find impacts among the contacts of the step and change v by them. If there were any, contacts
-/// must be started again. @param found  Output: true if there were impacts.
+/// Find impacts among the contacts of the step and change v by their impulses. If impacts were
+/// found, the caller must start the contacts again. @param found  Output: true if there were
+/// impacts.
 [[nodiscard]] Status impact(context::StepContext& ctx, bool& found) noexcept;
 
 }  // namespace hawser::step

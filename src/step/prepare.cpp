@@ -33,8 +33,8 @@ void rebuild_undone(context::StepContext& ctx) {
     ctx.state.changed = context::Changed::nothing;
 }
 
-/// Update after changes of shapes alone: the blocks of contacts, and the order if links were
-/// removed. Forms and damping fractions stay those of the last analysis.
+/// Update the blocks of contacts after changes of shapes only, and the order if links were removed.
+/// The selected forms of rows and the damping fractions of the last analysis remain.
 /// @return false if an analysis is needed.
 bool follow_shapes(context::StepContext& ctx, Contacts::Blocks changed) {
     if (ctx.state.changed != context::Changed::shapes) return false;

@@ -79,8 +79,8 @@ void find_islands(context::StepContext& ctx) noexcept {
     });
 }
 
-/// Mark the islands of bodies for which `wanted` holds, and islands in contact with a kinematic
-/// body in motion.
+/// Mark the islands that contain a body for which `wanted` is true, and islands in contact with a
+/// moving kinematic body.
 template <class F>
 void mark_islands(context::StepContext& ctx, F&& wanted) noexcept {
     context::Sleep& s = ctx.work.sleep;
@@ -126,8 +126,8 @@ bool disturbed(const context::Model& model, const context::State& state) noexcep
     return found;
 }
 
-/// Wake islands with a body that is awake or disturbed. If a sleeping body and an active one have
-/// come close, they belong to one island already. @return true if any island woke.
+/// Wake islands with a body that is awake or disturbed. A sleeping body and an active body that
+/// have come close already belong to one island. @return true if any island woke.
 bool wake_islands(context::StepContext& ctx) noexcept {
     model::Bodies& b = ctx.model.bodies;
     find_islands(ctx);

@@ -162,8 +162,8 @@ Status try_stagger(context::StepContext& ctx) noexcept {
 /// step at the velocity v₀ has the right-hand side G v₊ = G v₀. Therefore h Ġ v is subtracted; on a
 /// soft row this changes v₋ by O(h²) only.
 ///
-/// If it fails, the world has not started: all changes of a trial are undone, and the next step
-/// tries again.
+/// If a trial fails, all its changes are undone, the world has not started, and the next step tries
+/// again.
 Status stagger(context::StepContext& ctx) noexcept {
     if (!ctx.model.def.staggered_start) {
         ctx.state.started = true;

@@ -124,8 +124,8 @@ Status graph(context::StepContext& ctx) noexcept {
     return status == Status::ok ? split::prepare_levels(ctx) : status;
 }
 
-/// Run stage analyse if the system differs from that of the last step, by other cuts or a first
-/// contact of bodies. Afterwards contacts are rows and impacts are done.
+/// Run stage analyse if the system differs from that of the last step because of other cuts or a
+/// first contact of two bodies. Then assemble the rows of contacts and solve impacts.
 Status analyse_step(context::StepContext& ctx) noexcept {
     if (const Status status = split::choose_cuts(ctx); status != Status::ok) return status;
     state::save_solved_state(ctx);
@@ -191,7 +191,7 @@ Status take_step(context::StepContext& ctx) noexcept {
     return status;
 }
 
-/// Restore the last good state after a failed step.
+/// Restore the state of the last successful step after a failed step.
 void go_back(context::StepContext& ctx) noexcept {
     if (ctx.work.before.remembered && !ctx.work.undo.moved) state::restore_solved_state(ctx);
     state::restore_saved_values(ctx);
