@@ -69,12 +69,12 @@ struct Checks {
 
 class Verifier : public Observer {
   public:
-    /// Create a verifier. It follows later additions and removals. A step in which systems make
-    /// such edits is not checked. @throws DefError if groups of bodies may be split, because their
-    /// coupling is not exact.
+    /// Create a verifier. It also checks objects that are added later. A step in which systems add
+    /// or remove objects is not checked. @throws DefError if groups of bodies may be split, because
+    /// their coupling is not exact.
     explicit Verifier(const World& world, Checks checks = {});
-    /// Continue from a restored state. The data of wires in water stays that of the start, when it
-    /// was created.
+    /// Continue from a restored state. Data of wires in water remain those of the creation of the
+    /// verifier.
     void begin_at(const World& world);
     void before_step(const World& world) override;
     /// Check the last step. @return a description of the failure; empty: none.

@@ -53,8 +53,9 @@ class StateVerifier {
     void add_impulse(BodyId body, const Wrench& impulse);
     /// Check the state after a step. @return a description of the failure; empty: none.
     [[nodiscard]] std::string after_step(const World& world);
-    /// Restart, because the step itself added or removed objects. The next step is treated as the
-    /// first. Check the stretch of wires alone. @return as after_step().
+    /// Restart after a step that has added or removed objects itself. The next step is treated as
+    /// the first one. In the present step, only the stretch of wires is checked. @return as
+    /// after_step().
     [[nodiscard]] std::string restart(const World& world);
     [[nodiscard]] const StateFigures& result() const noexcept { return result_; }
 

@@ -25,7 +25,8 @@ bool is_joint(InteractionKind kind) {
            kind == InteractionKind::Universal || kind == InteractionKind::Lock;
 }
 
-// Change of the torque of a constant force when its arm rotates; the restoring part of it.
+// Return the stiffness of the torque of a constant force on a rotating arm, without its negative
+// eigenvalues.
 Mat3 arm_stiffness(const Vec3& force, const Vec3& arm) {
     const Mat3 outer = force * arm.transpose();
     const Mat3 k = force.dot(arm) * Mat3::Identity() - 0.5 * (outer + outer.transpose());
@@ -64,9 +65,11 @@ double vibration_reduction(const Attached& on, double s) {
     return on.is_point(0) || on.is_point(1) || s >= 0.25 ? 1.0 : 16.0 * s * s;
 }
 
-// Add the transverse stiffness of a line under tension. It acts on the changes of velocity. It also
-// acts on the differences from the extrapolation of the last two steps (docs/theory/wires.md).
-// `held`: fraction of the stiffness in the step.
+// Add the impulse of the transverse stiffness of a line under tension. It depends on the changes of
+// velocity in the step, and on the differences from velocities extrapolated from the last two steps
+// (docs/theory/wires.md).
+// @param calm  True: a wire that is damped because its step was rejected.
+// @param held  Fraction of the stiffness that acts in the step.
 void add_transverse_stiffness(const World& world, const Attached& on, std::span<const Twist> before,
                               std::span<const Twist> earlier, double tension, bool calm,
                               double held, Wrenches& out) {
@@ -104,8 +107,8 @@ void add_transverse_stiffness(const World& world, const Attached& on, std::span<
     }
 }
 
-// Return the fraction of the stiffness of a joint that is closed at the end of the step. It is 0 if
-// the oscillation about the joint is resolved, and 1 from twice that frequency on.
+// Return the fraction of the stiffness for a joint with end-of-step constraint iterations. It is 0
+// if the step resolves the oscillation about the joint, and 1 from twice the limit frequency on.
 double completed_fraction(const Attached& on, const World& world, double force) {
     double rate = 0.0;
     for (std::size_t b = 0; b < 2; ++b) {

@@ -18,7 +18,8 @@ namespace hawser::verify {
 class SeaVerifier {
   public:
     explicit SeaVerifier(const World& world);
-    /// Restart after another state was restored: memories of hulls begin with those of the library.
+    /// Restart after another state was restored. The memories of hulls then start with those of the
+    /// library.
     void restart() noexcept { history_.clear(); }
     /// Read inputs and time of the next step.
     void before_step(const World& world);
