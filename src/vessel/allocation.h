@@ -62,7 +62,7 @@ class Allocation {
     /// failed; null: all have 1.
     /// @param sectors  In and out: sector that each thruster uses; −1: none yet.
     void allocate(const Vec3& tau, const double* available, std::int32_t* sectors) noexcept;
-    /// Force of a thruster after allocate(), marine frame [N].
+    /// Return the force of a thruster after allocate(), in the marine frame [N].
     [[nodiscard]] double x(std::size_t i) const noexcept { return forces_[2 * i]; }
     [[nodiscard]] double y(std::size_t i) const noexcept { return forces_[2 * i + 1]; }
     /// Return Σ B_i f_i after allocate() or thrust_at_fixed_angles().

@@ -21,7 +21,7 @@ class AnchorCapacity {
     [[nodiscard]] double depth(double drag) const noexcept;
     /// Return the reduction of the capacity by the angle of the line, in the soil [1].
     [[nodiscard]] double line_factor(double drag, double angle) const noexcept;
-    /// Return H(x, θ) [N].
+    /// Return the holding capacity H(x, θ) [N].
     [[nodiscard]] double capacity(double drag, double angle) const noexcept;
 
   private:

@@ -47,7 +47,8 @@ struct ControlledActuators {
 
 class Control {
   public:
-    /// @param mass  Diagonal of M with added mass, X Y N.
+    /// Create the control of a vessel.
+    /// @param mass  Diagonal of M with added mass for surge, sway and yaw.
     Control(const VesselDef& def, const Vec3& mass);
 
     /// Choose mode and orders, and allocate. @return Force that acts directly (VesselControl::
@@ -71,8 +72,8 @@ class Control {
     [[nodiscard]] Vec3 demand(const ControlSense& sense, double h) noexcept;
     [[nodiscard]] Vec3 speed_demand(const ControlSense& sense, double h) noexcept;
     void steer(const ControlSense& sense, ControlledActuators act, double h) noexcept;
-    /// Compute the fraction of its capacity that each propulsor has, and the force of those that do
-    /// not obey.
+    /// Compute the available fraction of each propulsor's thrust, and the sum of the forces of
+    /// propulsors without control.
     void find_available(const ControlledActuators& act, double h) noexcept;
     void order_thrusters(const Vec3& tau, ControlledActuators act, double h) noexcept;
     void limit_thruster(const PropulsorState& s, std::size_t i, double h) noexcept;

@@ -15,7 +15,7 @@ constexpr double kMiscellaneous = 0.9;  ///< β_misc.
 constexpr double kDipArc = std::numbers::pi / 180;
 constexpr double kWidest = std::numbers::pi;  ///< Maximum width of a fan [rad].
 
-/// Return the angle in 0 … 2π.
+/// Return the equivalent angle in 0 … 2π.
 double positive_angle(double a) noexcept {
     const double out = std::fmod(a, kTurn);
     return out < 0.0 ? out + kTurn : out;

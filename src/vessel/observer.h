@@ -19,14 +19,15 @@ struct Planar {
 class Observer {
   public:
     Observer() = default;
-    /// @param mass  Diagonal of M with added mass. @param damping  Diagonal of D. @param period  Of
-    /// the waves [s].
+    /// Create an observer.
+    /// @param mass  Diagonal of M with added mass. @param damping  Diagonal of D. @param period
+    ///         Period of the waves [s].
     Observer(const Vec3& mass, const Vec3& damping, double period);
     /// Start at a measured motion.
     void start(const Planar& measured) noexcept;
     /// Advance by one step. @param force  τ that acts on the ship [N, N, N m].
     void step(const Planar& measured, const Vec3& force, double h) noexcept;
-    /// Return the low-frequency motion.
+    /// Return the low-frequency part of the motion.
     [[nodiscard]] const Planar& low_frequency_motion() const noexcept { return low_frequency_; }
     /// Return the slowly varying force, in axes of the ship.
     [[nodiscard]] const Vec3& bias() const noexcept { return bias_; }

@@ -90,7 +90,8 @@ void QuadraticProgram::drop(int slot) noexcept {
     --active_count_;
 }
 
-/// Move until the constraint is met, dropping active ones whose multipliers reach 0.
+/// Move the solution until a constraint is met. Active constraints whose multipliers reach 0 are
+/// dropped.
 bool QuadraticProgram::add_active(int index) noexcept {
     double multiplier = 0.0;
     for (int rounds = 0; rounds < kMaxRounds; ++rounds) {

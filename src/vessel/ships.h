@@ -19,7 +19,8 @@ struct MainSizes {
 /// @param roll  Set roll, too.
 void set_default_stability(PublishedShip& ship, const MainSizes& sizes, bool roll);
 
-/// Set mass and inertia from radii of gyration in roll and yaw [m]; pitch uses that of yaw.
+/// Set the mass of a ship, and its inertia from radii of gyration in roll and yaw [m]. Pitch uses
+/// the radius of yaw.
 void set_body(PublishedShip& ship, const MainSizes& sizes, double roll_radius, double yaw_radius);
 
 }  // namespace hawser::vessel

@@ -50,7 +50,7 @@ Matrix6 part_for_loads(const Matrix6& a, double radius) {
     return back;
 }
 
-/// True if a term of the polynomial has one of the letters.
+/// True if a term of the polynomial contains one of the letters.
 bool names_variable(const HullPolynomial& polynomial, const char* letters) noexcept {
     return std::any_of(polynomial.terms.begin(), polynomial.terms.end(), [&](const HullTerm& t) {
         return t.of.find_first_of(letters) != std::string::npos;

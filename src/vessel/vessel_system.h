@@ -39,9 +39,9 @@ namespace hawser::vessel {
 
 class VesselSystem final : public System {
   public:
-    /// The definition has been checked. @param mass, inertia  Of the body.
-    /// @param surface  Surface of the water over its propulsors.
-    /// @param lines  Lines whose tension the control feeds forward.
+    /// Create the system of a vessel from a checked definition.
+    /// @param mass, inertia  Mass and inertia of the body. @param surface  Surface of the water
+    ///         over its propulsors. @param lines  Lines whose tension the control feeds forward.
     VesselSystem(VesselDef def, double mass, Mat3 inertia, Surface surface,
                  std::vector<FedLine> lines);
 
