@@ -175,7 +175,7 @@ Plane straight(const CatenaryDef& def, const Chain& chain, const Frame& f) {
     return out;
 }
 
-/// Return true if slack elements between two ends leave the shape undetermined.
+/// Return true if slack elements between two held ends leave the shape undetermined.
 bool stays_slack(const CatenaryDef& def, const Plane& shape) { return !def.free && shape.slack; }
 
 }  // namespace

@@ -66,7 +66,8 @@ struct Pulled {
                                        double v) noexcept;
 
 /// Return a polyline with given element lengths from the origin to (chord, 0), as an arc of
-/// constant curvature towards positive y. If it cannot close, the elements are shortened.
+/// constant curvature towards positive y. If no arc of these lengths reaches (chord, 0), the
+/// elements are shortened.
 [[nodiscard]] std::vector<Vec3> arc(std::span<const double> lengths, double chord);
 
 }  // namespace hawser::wire

@@ -213,10 +213,10 @@ RouteBodies route_bodies(const World& world, const RouteDef& def) {
 
 /// Return the mass of a slide in units of the lightest body.
 ///
-/// The acceleration of a slide is a difference of tensions over its mass, so its rounding is ε T/m.
-/// With much friction the tensions T₁ ≪ T₂ at a place differ by up to e^{μδ}, and rounding of the
-/// heavy end would move the slide of the light end. So the mass grows in proportion from a ratio of
-/// 10⁴ on, up to a thousandth of the lightest body.
+/// The acceleration of a slide is a difference of tensions divided by its mass, so its rounding
+/// error is ε T/m. With much friction the tensions T₁ ≪ T₂ at a turning point differ by a factor of
+/// up to e^{μδ}, and rounding of T₂ would move the slide at the light end. For ratios above 10⁴ the
+/// mass therefore grows in proportion, up to a thousandth of the lightest body.
 double slide_mass(const RouteDef& def, const RouteBodies& bodies, double lightest,
                   double heaviest) {
     constexpr double kRatio = 1e4, kMaximum = 1e-3;

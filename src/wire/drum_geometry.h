@@ -62,7 +62,7 @@ struct DrumGeometry {
     /// @param length  [m]; negative lengths and NaN count as 0. Lengths beyond the capacity fill
     ///        further layers, up to kMaxLayers.
     [[nodiscard]] Place wire_end(double length) const noexcept;
-    /// Return the radius at which the wire leaves the drum with a length on it [m].
+    /// Return the radius at which the wire leaves the drum while `length` is stored on it [m].
     [[nodiscard]] double leaving_radius(double length) const noexcept;
     /// Return the angle by which the drum turns from empty to a length [rad].
     [[nodiscard]] double angle(double length) const noexcept;

@@ -45,8 +45,8 @@ struct ElementAtDrum {
     double material = 0.0;         ///< Unstretched length of the element [m].
 };
 
-/// Load both ends of the element with half of its mass, weight and drag each. Load the drum with
-/// the weight along the wire.
+/// Apply half of the mass, weight and drag of the element at the drum to each of its ends. Apply
+/// the component of the weight along the wire to the drum.
 /// @param node  Slot of the element's first node, from node_slot().
 void load_element(const World& world, Loads& loads, const ElementAtDrum& element, std::size_t node);
 

@@ -86,8 +86,9 @@ Piece wire_piece_at(const World& world, InteractionId id) {
     return {at, {speed_at_point(world, d.body[0], at[0]), speed_at_point(world, d.body[1], at[1])}};
 }
 
-/// Return the point of a piece nearest to the axis, seen along the axis. Its side of the wheel is
-/// the side of the piece; at an end, that of the nearer neighbour.
+/// Return the point of a wire piece nearest to the axis of the wheel, seen along this axis. The
+/// side of the wheel is that of the piece. If the point is an end of the piece, it is that of the
+/// nearer neighbour.
 Passing passing(const Piece& piece, const Wheel& wheel) {
     const Vec3 d = piece.at[1] - piece.at[0], from = piece.at[0] - wheel.centre;
     const auto flat = [&wheel](const Vec3& x) -> Vec3 {
@@ -110,8 +111,8 @@ Passing passing(const Piece& piece, const Wheel& wheel) {
             .axial_offset = at.dot(wheel.axis)};
 }
 
-/// Return the element of a wire that passes the wheel nearest, seen along its axis; invalid if
-/// there is none.
+/// Return the element of a wire with the smallest distance to the wheel, seen along its axis;
+/// invalid if there is none.
 Passing nearest_passing(const World& world, const GuideDef& def, const Wheel& wheel) {
     Passing best;
     for (const InteractionId id : world.wires().elements(def.wire)) {

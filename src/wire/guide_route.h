@@ -63,8 +63,8 @@ inline std::string turning_angle_error(const GuideDef& def, const InteractionDef
            "nodes of the wire";
 }
 
-/// Return the message of a guide from that of its route: "route: places/0: radius: …" becomes
-/// "radius: …".
+/// Return the message of a guide without the path of its route: "route: places/0: radius: …"
+/// becomes "radius: …".
 inline std::string without_route(const std::string& text) {
     for (const char* lead : {"places/0: ", "route: "})
         if (const auto at = text.find(lead); at != std::string::npos)

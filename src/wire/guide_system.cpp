@@ -219,8 +219,8 @@ bool GuideSystem::is_nearly_used_up(const World& world, std::size_t side) const 
     return std::min(straight(world, side), material_[side]) < least && runs_out(side);
 }
 
-/// Hold the slide at the end of a side until it is pulled the other way. If the wire has broken at
-/// the guide, it is held, because no force balances its other part.
+/// Hold the slide when a side is used up, until the force pulls it the other way. If the wire has
+/// broken at the guide, hold the slide permanently, because no force balances the intact part.
 void GuideSystem::stop(Prestep& now) noexcept {
     if (has_run_off()) return;
     if (parted_ != 0) {

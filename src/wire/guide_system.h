@@ -34,7 +34,7 @@ namespace hawser::wire {
 
 class GuideSystem final : public System {
   public:
-    /// Create the system.
+    /// Create the system of a guide.
     /// @param material  Material of the elements before and behind [m].
     /// @param stop  Input: friction force in addition to that of the angle.
     GuideSystem(GuideDef def, const Guide& ids, InputId stop,
@@ -53,7 +53,7 @@ class GuideSystem final : public System {
     [[nodiscard]] double angle() const noexcept { return angle_; }
     [[nodiscard]] double slide() const noexcept { return slide_; }
     [[nodiscard]] double speed() const noexcept { return speed_; }
-    /// True if the guide no longer acts: the wire has broken in it or run off.
+    /// True if the guide does not act any more, because the wire has broken at it or has run off.
     [[nodiscard]] bool parted() const noexcept { return parted_ != 0; }
     [[nodiscard]] bool has_run_off() const noexcept { return parted_ >= kRunsOff; }
     /// True if the wire has left a guide without upper roller; it may return.
@@ -62,7 +62,7 @@ class GuideSystem final : public System {
     [[nodiscard]] int used_up_side() const noexcept { return stopped_; }
     /// Return the force by which the wire presses on the wheel, for small angles [N]: its tension
     /// times the angle, plus the weight of the half elements towards the wheel. Negative if the
-    /// wheel would have to pull.
+    /// wheel would have to pull the wire.
     /// @param slack  Angle treated as straight [rad].
     [[nodiscard]] double pressing(const World& world, double slack) const noexcept;
 
@@ -102,12 +102,12 @@ class GuideSystem final : public System {
     [[nodiscard]] bool runs_out(std::size_t side) const noexcept {
         return (side == 0 ? -speed_ : speed_) < 0.0;
     }
-    /// Return true if a side is nearly used up and still running out.
+    /// Return true if a side is nearly used up and the wire still runs out of it.
     [[nodiscard]] bool is_nearly_used_up(const World& world, std::size_t side) const noexcept;
     /// Release a wire from the guide if its end has reached the turning point.
     void release_at_end(NodeEdits& nodes) noexcept;
-    /// Release a wire that would pull at a guide without upper roller, and accept one that returns
-    /// (guide_open.cpp).
+    /// Disengage a wire that would pull at a guide without upper roller, and engage it again when
+    /// it returns (guide_open.cpp).
     void update_lift(NodeEdits& nodes) noexcept;
     void return_to_wheel(NodeEdits& nodes) noexcept;
     /// Lay the wire back on the guide. @param along  Speed of the wire [m/s]. @param kept  Rest

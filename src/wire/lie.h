@@ -21,8 +21,8 @@
 
 namespace hawser::wire {
 
-/// Find the shape between ends at heights `first` and `last` above the bottom, x apart. Negative
-/// heights are smaller than the element at that end.
+/// Find the shape between ends at heights `first` and `last` above the bottom, x apart. The amount
+/// of a negative height is smaller than the element at that end.
 /// @param friction  Coefficient.
 /// @return none if the wire does not reach the bottom or a weight is negative.
 [[nodiscard]] std::optional<Plane> rest_between(const Chain& chain, double x, double first,

@@ -31,8 +31,9 @@ class GuideSystem;
 /// [m].
 [[nodiscard]] double rest_length(const World& world, InteractionId id);
 
-/// Return true if the wire beyond the part's node ends, or has one element to a free node. That
-/// node must be unattached and at most as heavy as an element: an anchor stops at a guide.
+/// Return true if the wire can run off the guide at the node of a part: the wire ends there, or has
+/// one more element to a free node. The last node must be unattached and at most as heavy as an
+/// element, because an anchor stops at a guide.
 /// @param part  Part of a wire at a guide.
 /// @param side  0: the guide is at its last end, 1: at its first.
 /// @param mass_per_length  Mass per length of the wire [kg/m].

@@ -13,7 +13,7 @@ namespace hawser::wire {
 /// The part of a wire between an end and the bottom. Elements and nodes are counted from that end.
 class Lifted {
   public:
-    /// Create the lifted part.
+    /// Create the part of a chain that is lifted from the bottom.
     /// @param chain  Counted from this end; must outlive this object.
     /// @param height  Height of the end [m], ≥ 0.
     /// @param kept  Elements at the other end that cannot hang: those that rise from under it.
@@ -50,14 +50,15 @@ class Lifted {
     /// @param v  Vertical pull at the end, from base() [N].
     [[nodiscard]] Sums sum_elements(double h, double v) const;
 
-    /// Find the vertical pull at the end, from base(), that gives its height [N].
+    /// Find the vertical pull at the end for which the end has its height, starting from base()
+    /// [N].
     double match_height(double h);
 
     /// Return the vertical pull at the end from which the others are counted [N].
     [[nodiscard]] double base() const { return base_; }
     /// Return the vertical pull of element e for a pull v of the end [N].
     [[nodiscard]] double pull_at(std::size_t e, double v) const { return v + fall_[e]; }
-    /// Write the shape without horizontal pull: hanging elements, and slack ones that lean by
+    /// Write the shape without horizontal pull: hanging elements, and slack elements inclined by
     /// `lean`.
     void write_dropped(double lean, std::vector<Vec3>& chord, std::vector<double>& tension) const;
     /// Write chords of its elements, downwards from the end, and tensions; v from base().

@@ -18,7 +18,7 @@ constexpr double kReach = 0.2;    ///< Distance in elements within which a wire 
 constexpr double kKeeps = 0.25;   ///< The same distance if the node between already exists.
 constexpr double kMinimum = 0.2;  ///< Smallest length along the wire [m].
 
-/// Return true if the wheel of a guide is the bollard itself.
+/// Return true if a guide belongs to the bollard.
 bool is_guide_of_post(const GuideDef& guide, std::string_view post) noexcept {
     return guide.name.size() > post.size() && guide.name.starts_with(post) &&
            guide.name[post.size()] == '/';

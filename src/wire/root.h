@@ -14,8 +14,8 @@ struct Growing {
 };
 
 /// Find the root of a growing function f by Newton's method within a bracket. Each step narrows the
-/// bracket, and halves it if Newton leaves it. Stop if |f| ≤ small or no number lies between the
-/// ends.
+/// bracket, and halves it if Newton leaves it. Stop if the absolute value of f is ≤ small, or if no
+/// floating-point number lies between the ends.
 /// @param low,high  f(low) ≤ 0 ≤ f(high).
 /// @param guess     Between them.
 /// @param positive  Arguments are ≥ 0 and may span many powers of ten.

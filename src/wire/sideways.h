@@ -58,8 +58,8 @@ struct Parts {
     double longer[2];   ///< Elongations [m]; negative: slack.
     double changes[2];  ///< Coming changes of their paths [m].
 };
-/// Return the rest length that passes from the second part to the first so that the ratio of
-/// strains is kept [m].
+/// Return the rest length to transfer from the second part to the first so that the ratio of their
+/// strains remains [m].
 [[nodiscard]] double length_to_feed(const Parts& parts) noexcept;
 
 }  // namespace hawser::wire

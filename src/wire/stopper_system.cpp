@@ -126,7 +126,7 @@ BodyId StopperSystem::node_at(NodeEdits& nodes, const PointOnWire& found) noexce
     return {};
 }
 
-/// Set the outputs of the held position.
+/// Set the outputs to the position at which the wire is held.
 void StopperSystem::report_joint(const World& world, const PointOnWire& found) noexcept {
     wire_output_ = wire_number(world, found.wire);
     at_ = 0.0;

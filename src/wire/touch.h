@@ -10,8 +10,9 @@
 
 namespace hawser::wire {
 
-/// Find the shape between an end `sunk` under the bottom and an end x away at height `last` above
-/// it, without friction.
+/// Find the shape of a chain of which only one node touches the bottom, without friction. One end
+/// is `sunk` below the bottom, the other end at the distance x and the height `last` above the
+/// bottom.
 /// @return none if the node would lift or other nodes would lie.
 [[nodiscard]] std::optional<Plane> touch_once(const Chain& chain, double x, double sunk,
                                               double last);

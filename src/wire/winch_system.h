@@ -55,7 +55,7 @@ struct WinchWheel {
 
 class WinchSystem final : public System {
   public:
-    /// Create the system.
+    /// Create the system of a winch.
     /// @param at_drum  Material of the element at the drum [m].
     WinchSystem(WinchDef def, const WinchWheel& wheel, const WinchIds& ids,
                 const WinchInputs& inputs, double at_drum);
@@ -121,8 +121,8 @@ class WinchSystem final : public System {
     }
     void check_fastening(Prestep& now) noexcept;
     void count_release(Prestep& now) noexcept;
-    // winch_aids.cpp
-    /// True if protection or compensation is defined: their signals and state exist.
+    // True if overload protection or heave compensation is defined, which have signals and state
+    // (winch_aids.cpp).
     [[nodiscard]] bool has_aids() const noexcept {
         return def_.overload_limit > 0.0 || def_.heave_speed > 0.0;
     }

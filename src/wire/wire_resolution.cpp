@@ -104,7 +104,7 @@ void WireResolution::bound_elements(const World& world) {
     }
 }
 
-/// Restore the idle counts of nodes known from the last sample. New nodes start at 0.
+/// Restore the idle counts of the nodes of the last sample. New nodes start at 0.
 void WireResolution::restore_idle_counts() noexcept {
     std::int32_t from = 0;
     for (Node& node : at_) {
