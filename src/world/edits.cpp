@@ -19,7 +19,7 @@ using world::claim_name;
 
 namespace {
 
-/// Return the index of the next object: a vacant one, or the end.
+/// Return the index for the next object: a vacant index, or the count if none is vacant.
 std::int32_t next_index(std::int32_t vacant, int count) noexcept {
     return vacant < 0 ? count : vacant;
 }
@@ -196,7 +196,8 @@ void WorldImpl::forget_removal() noexcept {
 
 namespace {
 
-/// Store a removed object while there is capacity, for calls that undo their own additions.
+/// Append a removed object to a list as long as there is capacity, for calls that undo their own
+/// additions.
 template <class Id>
 void note(std::vector<Id>& list, Id id) noexcept {
     if (list.size() < list.capacity()) list.push_back(id);

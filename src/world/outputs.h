@@ -63,7 +63,8 @@ class Outputs {
     void remove(std::size_t place) noexcept;
     /// Remove all signals of a system that is removed.
     void remove_signals(std::string_view system) noexcept;
-    /// Replace the signals by those of systems with the same definition, after a copy of the world.
+    /// Replace the signals of copied outputs by the signals of this world's systems, after a copy
+    /// of the world.
     void bind(std::span<const SystemSignal> signals) noexcept;
     [[nodiscard]] bool alive(OutputId id) const noexcept { return slots_.names(id); }
     [[nodiscard]] std::span<const OutputId> ids() const noexcept { return ids_; }
@@ -83,7 +84,7 @@ class Outputs {
     /// Return true if an output needs an energy that requires a pass over all interactions.
     [[nodiscard]] bool needs_energy() const noexcept { return needs_energy_; }
     /// Evaluate all outputs.
-    /// @param energy  Used if needs_energy().
+    /// @param energy  Energies; read only if needs_energy() is true.
     void evaluate(const World& world, const context::StepContext& ctx, const WireList& wires,
                   const Systems& systems, const Energy& energy) noexcept;
 

@@ -66,8 +66,8 @@ double makespan(const graph::Partition& p) {
     return sum > 0.0 ? (longest + static_cast<double>(p.separator_cost)) / sum : 0.0;
 }
 
-/// Update the separators of an earlier state.
-/// @return false if a new partition is due.
+/// Update the separators of an earlier partition.
+/// @return false if a new partition is required.
 bool follow_separators(const assembly::PartGraph& g, std::span<const std::int64_t> model_cost,
                        const PartitionView& before, const graph::PartitionOptions& options,
                        graph::Partition& out) {
@@ -130,8 +130,8 @@ void check(const PartitionRequest& request, std::size_t bodies) {
         throw DefError("a partition can only continue one of the same purpose");
 }
 
-/// Find parts between separators.
-/// @param partitioner  With the graph read.
+/// Find a partition with separators.
+/// @param partitioner  Must have read the graph.
 graph::Partition find_separators(const assembly::PartGraph& g, const PartitionRequest& request,
                                  graph::Partitioner& partitioner, PartitionView& view) {
     graph::Partition p;

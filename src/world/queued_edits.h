@@ -35,7 +35,7 @@ class QueuedEdits final : public Edits::Hands {
     /// Return the name of the system that requested the next edit.
     [[nodiscard]] std::string_view next_system() const noexcept { return list_[done_].system; }
     /// Make the next edit.
-    /// @throws as the function of World; the edit then stays queued.
+    /// @throws the exceptions of the function of World. The edit then remains queued.
     void make_next(World& world);
 
   private:

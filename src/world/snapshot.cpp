@@ -111,7 +111,7 @@ class SystemsAsSaved {
     bool kept_ = false;
 };
 
-/// Apply the checked arrays.
+/// Write the arrays of a saved state into the world. They must have been checked.
 /// @throws DefError for an elimination order that does not belong to this system. The state is then
 ///        invalid.
 void apply_saved_arrays(context::StepContext& ctx, std::vector<double>& inputs,

@@ -231,7 +231,8 @@ Status Systems::act_all(context::StepContext& ctx) {
     return Status::bad_edit;
 }
 
-/// Find an input set from entry `first` of set_ on that leaves a range empty.
+/// Check the inputs that were set from entry `first` of set_ on. Report in `bad` the first one that
+/// sets a minimum above its maximum.
 void Systems::check_ranges(std::size_t first) noexcept {
     for (std::size_t i = first; i < set_.size() && bad.reason[0] == '\0'; ++i) {
         if (!input_access_.empties_range(set_[i].input)) continue;

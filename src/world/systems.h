@@ -40,11 +40,12 @@ class InputAccess {
     virtual bool set(InputId id, double value, Before& before) noexcept = 0;
     /// Set an input without a report to the listener.
     virtual bool set_unreported(InputId id, double value, Before& before) noexcept = 0;
-    /// True if the input drives one end of a range whose minimum is above its maximum.
+    /// True if the input drives one end of a range, and the minimum of this range is above its
+    /// maximum.
     [[nodiscard]] virtual bool empties_range(std::int32_t input) const noexcept = 0;
     [[nodiscard]] virtual InputId id_of(std::int32_t input) const noexcept = 0;
     virtual void take_back(const Before& before) noexcept = 0;
-    /// Report that a requested value was beyond its range.
+    /// Send the event that a requested value was outside its range.
     virtual void tell(const Before& before) noexcept = 0;
     /// Begin edits by a system: save the state to which a failed step returns, unless this step has
     /// done so.
@@ -66,7 +67,7 @@ class Systems final : public context::Actors {
     Systems& operator=(const Systems&) = delete;
 
     /// Add a system.
-    /// @throws DefError, std::bad_alloc; without any change.
+    /// @throws DefError, std::bad_alloc; nothing has then changed.
     System& add(std::unique_ptr<System> system);
     /// Remove a system.
     /// @throws DefError.
@@ -112,23 +113,23 @@ class Systems final : public context::Actors {
             if (const double paid = s->paid_out(world, element); !std::isnan(paid)) return paid;
         return kDefault;
     }
-    /// True while begin_step() runs.
+    /// True while begin_step() is running.
     [[nodiscard]] bool edits_allowed() const noexcept { return editing_; }
     /// Return true if only systems may insert and remove nodes: a system that carries an element
     /// counts its length.
     [[nodiscard]] bool refuses_nodes(InteractionId element) const noexcept {
         return !editing_ && carried_mass(element) != 0.0;
     }
-    /// True if the step has ended and been undone because systems requested edits. They are made
-    /// next, and the step is repeated with the recorded actions of the systems.
+    /// True if the step was undone because systems requested edits. The caller makes these edits
+    /// and repeats the step with the recorded actions of the systems.
     [[nodiscard]] bool has_requested_edits() const noexcept {
         return queue_.size() > 0 && pending_action_.is_known;
     }
     /// Make the requested edits.
-    /// @return the fault, also in BadLoad; Status::ok if all are made.
+    /// @return Status::ok if all edits were made, else the error, which is also stored in `bad`.
     Status make_edits(World& world) noexcept;
     [[nodiscard]] std::size_t queued() const noexcept { return queue_.left(); }
-    /// Return true if a system would leave out more at a higher level of coarsening.
+    /// Return true if a system would remove more nodes at a higher level of coarsening.
     [[nodiscard]] bool coarsens() const noexcept {
         return std::any_of(list_.begin(), list_.end(),
                            [](const auto& system) { return system->coarsens(); });
@@ -138,7 +139,7 @@ class Systems final : public context::Actors {
     Status begin_step(World& world) noexcept;
     /// Undo a failed step: restore the states of systems at its start.
     void undo_step() noexcept;
-    /// Discard the recorded actions for a step that was not taken, because the state has changed.
+    /// Discard the recorded actions of a step that was undone, because the state has changed since.
     void discard_actions() noexcept;
     Status act(context::StepContext& ctx) noexcept override;
     void accept(context::StepContext& ctx) noexcept override;

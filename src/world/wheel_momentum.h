@@ -42,7 +42,7 @@ struct AtWheel {
 void divide_momentum(context::StepContext& ctx, std::int32_t lump, const AtWheel& wheel,
                      std::size_t end) noexcept;
 
-/// Give the body of a guide the impulse of the half element that comes to lie on it.
+/// Apply to the body of a guide the impulse of the half element that its wheel now carries.
 /// @param part  Parts of the element. @param speed  Speeds of the ends before the edit [m/s].
 /// @param mass  Mass of the half [kg].
 void apply_lateral_impulse(context::StepContext& ctx, std::array<std::int32_t, 2> part,

@@ -30,7 +30,8 @@ constexpr double kNear = 1e-3;
 /// between them would move faster than a step resolves.
 constexpr double kShort = 0.25;
 
-/// Return a new name such as "tow/2" if tow or a piece of it is cut: the first unused one.
+/// Return the first unused name for a piece, such as "tow/2" if the wire tow or one of its pieces
+/// is cut.
 std::string next_name(const world::Names& names, const std::string& of) {
     std::string base = of;
     const std::size_t slash = of.rfind('/');
@@ -149,7 +150,7 @@ InteractionId WorldImpl::element_at(BodyId node, std::size_t side) noexcept {
     return ctx.model.interactions.id(side == 0 ? place.first : place.second);
 }
 
-/// Join a short element at an end with the next one.
+/// Join a short element at an end of a wire with the next element.
 /// @param side  0: the end is the first end of the element, 1: its last one.
 void WorldImpl::join_short_end(World& world, InteractionId end, std::size_t side) noexcept {
     const model::Interactions& in = ctx.model.interactions;

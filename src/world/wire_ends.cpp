@@ -161,7 +161,7 @@ void copy_forces(model::Interactions& in, std::int32_t from, std::int32_t to) no
     in.active[at(to)] = in.active[at(from)];
 }
 
-/// Let the wire end at its own new node.
+/// Replace the last element of a wire by one that ends at a new node of the wire.
 void end_at_node(world::Wire& wire, std::size_t side, const world::Wire& made, InteractionId before,
                  InteractionId now) noexcept {
     (side == 0 ? wire.nodes.front() : wire.nodes.back()) = made.lumps[0];
@@ -205,7 +205,8 @@ EndFraction end_fraction(const context::StepContext& ctx, const world::Systems& 
     return out;
 }
 
-/// Return the capsule for an end without one, like the capsule of the next element.
+/// Return a capsule for an element at the end of a wire that has none, like the capsule of the next
+/// element.
 template <class Impl>
 std::optional<ShapeDef> capsule_like(const Impl& m, std::int32_t next_element) {
     const ShapeId its = m.segment_between(edit::end_of(m.ctx, next_element, 0),
@@ -233,8 +234,8 @@ void restore_mass(Impl& m, World& world, BodyId lump, const BodyDef& was) {
 
 }  // namespace
 
-/// Release an element from a body. The part on a drum stays there, broken, and another element
-/// replaces it.
+/// Release the end of an element from a body. If the body is a drum, its element remains there as
+/// broken, and another element replaces it in the wire.
 void WorldImpl::free_node(World& world, InteractionId element, std::size_t side) {
     model::Interactions& in = ctx.model.interactions;
     const std::int32_t e = element.index;

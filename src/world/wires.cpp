@@ -84,8 +84,8 @@ WorldImpl::Mark WorldImpl::mark(BodyId from, BodyId to) const noexcept {
             {quiet(from), quiet(to)}};
 }
 
-/// Undo additions since a mark. Indices at the end are removed; others are vacant again with their
-/// former generation.
+/// Undo the additions since a mark. Indices behind the mark are removed; other indices become
+/// vacant again, with their former generation.
 void WorldImpl::take_back(const Mark& before, const world::Wire& made) noexcept {
     forget_removal();
     for (const ShapeId id : made.shapes) {
