@@ -16,7 +16,7 @@ class Pacer {
     /// Wait until the time of the next frame. Call after each step.
     void wait();
     [[nodiscard]] std::int64_t frames_missed() const noexcept { return missed_; }
-    /// Return the largest delay [s].
+    /// Return the largest delay of a frame [s].
     [[nodiscard]] double lateness_max() const noexcept { return lateness_max_; }
 
   private:
