@@ -77,7 +77,7 @@ void Driver::send_state() {
     reported_ = out_.flush();
 }
 
-/// Update the plan after objects were added or removed, by the last step or by commands.
+/// Update the frame plan after the last step or a command has added or removed objects.
 void Driver::follow_pieces() {
     if (plan_.current(session_.world())) return;
     FramePlan next = FramePlan::of(session_.scene());

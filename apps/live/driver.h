@@ -79,8 +79,8 @@ class Driver {
     void note(const Command& command);
     void save(const std::string& name);
     void restore(const Command& command);
-    /// Check the time that saving and restoring need. @throws DefError if it would exceed a fifth
-    /// of all time.
+    /// Check that saving and restoring states need at most a fifth of the run time. @throws
+    /// DefError otherwise.
     void afford_states(const char* what) const;
     void count_states(double begun);
     Lesson& lesson();

@@ -48,7 +48,8 @@ class Lesson {
     [[nodiscard]] int mark() { return run_.mark(); }
     void return_to_mark(int mark);
 
-    /// Report news: entries at once; points, seconds and active items four times a second.
+    /// Send changes of the exercise: entries at once; points, seconds and active items four times a
+    /// second.
     void report_news(const World& world, Outbox& out);
     /// Send the whole state of the exercise. Call after commands.
     void send_now(Outbox& out);

@@ -37,7 +37,8 @@ class Outbox {
     void timeline(const Json& message);
     void exercise(const Json& message);
     void faults(const Json& message);
-    /// Retry unsent messages. @return true if clients have the newest scene.
+    /// Try to send waiting messages again. @return true if the newest scene has been sent to the
+    /// clients.
     bool flush();
 
   private:

@@ -23,8 +23,8 @@ class Player {
 
     /// Send frames of the recording to the clients of the hub until `stop` returns true.
     void run(const std::function<bool()>& stop);
-    /// Perform pending commands, move to the next frame during playback, and publish a frame;
-    /// without a clock.
+    /// Perform pending commands, move to the next frame during playback, and publish a frame. This
+    /// function does not wait for the clock.
     void advance();
     /// Return the index of the last frame at or before a time, in the last branch with such a
     /// frame.

@@ -86,7 +86,7 @@ class Playing {
         }
     }
 
-    /// Note that a frame has just been shown.
+    /// Record that a frame is shown now.
     void note_shown() noexcept { shown_ = Pace::Clock::now(); }
     /// True if 100 ms have passed since the last frame. A paused scene is sent ten times a second,
     /// so that new clients receive it.
