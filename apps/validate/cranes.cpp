@@ -73,7 +73,7 @@ double line_length(const KnuckleCraneDef& d) {
            r * (comes - d.jib_angle + 0.5 * kPi + d.boom_angle + d.jib_angle + 2.0);
 }
 
-/// Return the force of a cylinder that balances a moment.
+/// Return the force of a cylinder that balances a moment about the pin.
 double push_against(const CraneCylinder& c, const Vec3& pin, double angle, double moment) {
     const double co = std::cos(angle), si = std::sin(angle);
     const Vec3 head(c.head.x() * co - c.head.z() * si, 0, c.head.x() * si + c.head.z() * co);
@@ -172,7 +172,7 @@ void report_lattice(Report& report) {
                    5e-3, "largest, hoisting and lowering; means of 20 s");
 }
 
-/// Read the control file of a scene: values by time.
+/// Read the control file of a scene. The result maps times to inputs and values.
 std::multimap<double, std::pair<std::string, double>> read_control_values(const std::string& file) {
     std::ifstream in(file);
     std::multimap<double, std::pair<std::string, double>> out;

@@ -67,8 +67,7 @@ double fastest_wet(const World& w, std::span<const BodyId> bodies) {
     return most;
 }
 
-/// Apply f − D v − A v̇ of a load, with v̇ of the previous step, as a program without block
-/// matrices does.
+/// Apply f − D v − A v̇ of a load as an explicit force, with v̇ of the previous step.
 void apply_explicitly(World& w, const LoadView& load, const Twist& before) {
     const auto n = static_cast<int>(load.force.size());
     const Twist now = w.velocity(load.body);

@@ -62,7 +62,7 @@ bool wires_passed(const std::array<Piece, 2>& a, const std::array<Piece, 2>& b) 
     return false;
 }
 
-/// True if the boxes around the motions of two pieces are separate.
+/// True if the boxes around the motions of two pieces do not overlap.
 bool boxes_separate(const std::array<Piece, 2>& a, const std::array<Piece, 2>& b) {
     const auto least = [](const std::array<Piece, 2>& x) {
         return x[0][0].cwiseMin(x[0][1]).cwiseMin(x[1][0].cwiseMin(x[1][1])).eval();
