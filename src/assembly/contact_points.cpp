@@ -29,13 +29,14 @@ void tangents(const V3& n, V3& t1, V3& t2) {
     t2 = cross(n, t1);
 }
 
-/// True if a body that holds a segment carries points of the segment along as it turns. Fixed
-/// bodies do not.
+/// True if a body that holds a segment moves points of the segment when it turns. Fixed bodies do
+/// not.
 bool carries(const model::Bodies& b, std::int32_t body) {
     return b.turns(body) && b.kind[at(body)] != BodyKind::fixed;
 }
 
-/// Return the end of a segment that carries(); −1 if both are point masses or fixed.
+/// Return the body at an end of a segment for which carries() is true; −1 if both are point masses
+/// or fixed.
 std::int32_t carrier_of(const model::Bodies& b, std::int32_t first, std::int32_t second) {
     return carries(b, first) ? first : carries(b, second) ? second : -1;
 }
@@ -54,7 +55,7 @@ V3 anchor_point(const model::Bodies& b, const ContactMemory& m, int side) {
     return body_position(b, first) + offset;
 }
 
-/// Set the anchor of a side to a point of the world.
+/// Set the anchor of a side to a point given in the world frame.
 void set_anchor(const model::Bodies& b, ContactMemory& m, int side, const V3& p) {
     const std::int32_t first = m.body[side][0], second = m.body[side][1];
     if (second >= 0) {

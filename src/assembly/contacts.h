@@ -165,7 +165,7 @@ class Contacts {
     /// True if the blocks match the present bodies and links.
     [[nodiscard]] bool has_blocks() const noexcept;
     [[nodiscard]] std::int32_t block_of(std::int32_t a, std::int32_t b) const noexcept;
-    /// True if contacts act on the same bodies as at the previous call.
+    /// True if contacts act on the same bodies as in the previous call.
     [[nodiscard]] bool same_bodies() noexcept;
     // Find the blocks on which contacts act (step of connect()). The list functions below then
     // build the lists.

@@ -26,8 +26,8 @@ void System::list_skew_ops() {
         if (ops[i].kind == Op::contact) skew_ops_.push_back(static_cast<std::int32_t>(i));
 }
 
-/// Shift the op ranges of pieces if ops from `from` on moved. An inserted op belongs to the piece
-/// of the op before it.
+/// Shift the op ranges of all pieces after ops from `from` on have moved. An inserted op belongs to
+/// the piece of the op before it.
 void System::shift_pieces(std::int64_t from, std::int64_t by) noexcept {
     for (auto* ranges : {&piece_ops_, &step_ops_})
         for (OpRange& r : *ranges) {

@@ -37,15 +37,15 @@ struct ResistanceMemory {
 
 class Resistances {
   public:
-    /// Find the resistances of the contacts of a step, after Contacts::set() of all. @throws
-    /// std::bad_alloc.
+    /// Find the resistances of the contacts of a step. Call after Contacts::set() of all contacts.
+    /// @throws std::bad_alloc.
     void begin(const collide::ContactSet& set, base::Array<ContactRow>& contacts,
                const model::Bodies& bodies, double h);
     [[nodiscard]] std::size_t count() const noexcept { return laws.size(); }
     /// Set λ to the values of the last step.
     void recall(const base::Array<ContactRow>& contacts) noexcept;
-    /// Apply Contacts::scatter() and collect() to three more entries per resistance, from x and u
-    /// on.
+    /// Apply Contacts::scatter() and collect() to the resistances: three entries for each, from x
+    /// and u on.
     void scatter(const base::Array<ContactRow>& contacts, const double* x, double* solution,
                  const std::int32_t* offset) const noexcept;
     void collect(const base::Array<ContactRow>& contacts, const double* solution,

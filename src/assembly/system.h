@@ -176,12 +176,12 @@ class System {
     /// Set the mobilities of dampers and the fractions of damping that depend on them.
     void split_damping(const model::Bodies& bodies, model::Interactions& interactions,
                        double h) const;
-    /// Set min_sigma of the rows of sides.
+    /// Set min_sigma of the rows of duplicated interactions at cuts.
     void soften_sides(const model::Bodies& bodies, model::Interactions& interactions, double h);
     void choose_forms(const model::Bodies& bodies, model::Interactions& interactions,
                       const WorldDef& def);
-    /// Build the nodes and edges of the next pattern, and the previous node of each. @return the
-    /// number of nodes added and removed.
+    /// Build the nodes and edges of the next pattern, and the previous index of each node. @return
+    /// the number of nodes added and removed.
     std::int32_t build_pattern(const model::Bodies& bodies,
                                const model::Interactions& interactions);
     void find_islands(const model::Interactions& interactions);

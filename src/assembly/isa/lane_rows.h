@@ -33,7 +33,8 @@ struct LaneRows {
     std::int32_t id[kLanes], row[kLanes], body[B][kLanes];
     bool in_a_row = false;  ///< True if ids and rows are consecutive.
 
-    /// Select eight interactions of View::among_nodes from ids[0] on. @return true if all qualify.
+    /// Select eight interactions of View::among_nodes from ids[0] on. @return true if all of them
+    /// can be processed in lanes.
     bool take(const std::int32_t* ids) {
         for (int l = 0; l < kLanes; ++l) {
             id[l] = ids[l];
@@ -190,7 +191,8 @@ struct LaneRows {
         put<Begin, Count>(view.geo_force, [&](std::int32_t i) { return view.geo[i].force; }, t);
     }
 
-    /// Compute the record of a line between point masses, and its parts of M̃ v and of a.
+    /// Compute the geometric record of a line between point masses, and its contributions to M̃ v
+    /// and to a.
     void line(const NodeLanes* refs, const Rows<B, R, W8>& rows, const V8 (&v)[B][D],
               const V8 (&start)[B][D]) const {
         const double scale = view.h * view.h * view.geometric_stiffness;

@@ -11,7 +11,8 @@ using assembly::View;
 
 constexpr double kElastic = 1e-11;  // model::kElasticCompliance
 
-/// Return the compliance above which rows store energy, as in model::holds_energy().
+/// Return the compliance up to which a row counts as rigid. Rows with a larger one store energy, as
+/// in model::holds_energy().
 inline double rigid_up_to(const View& view, std::int32_t id) {
     return view.rest_length[id] > 0.0 ? 0.0 : kElastic;
 }
