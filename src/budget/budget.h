@@ -68,7 +68,7 @@ class Budget {
             return set_cause(DegradedBy::prediction, limits_.foreseen);
         return true;
     }
-    /// Report the end of the solve. @param seconds  Time spent, including the work after the last
+    /// Record the end of a solve. @param seconds  Time spent, including the work after the last
     /// allows_iteration().
     void record_end_of_solve(double seconds) noexcept { finish_ = seconds - last_.seconds; }
 

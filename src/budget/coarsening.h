@@ -36,7 +36,7 @@ class Coarsening {
     [[nodiscard]] bool comes_first() const noexcept {
         return possible && (level_ == 0 || (level_ == 1 && rises_ && since_ < kAct));
     }
-    /// Process a step without analysis. @param demand  x.
+    /// Record a step without analysis. @param demand  Time of the step divided by the budget.
     void add_sample(double demand) noexcept {
         rate_.add_sample(demand);
         mean_ = rate_.samples() == 1 ? demand : mean_ + 0.125 * (demand - mean_);
