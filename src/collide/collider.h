@@ -110,11 +110,10 @@ class Collider {
         return last_contacts_;
     }
 
-    /// Remove the memory of contacts of last_contacts() that no longer apply. @param stays  For
-    /// each contact: 0 to remove it.
+    /// Remove stored contacts from last_contacts(). @param stays  For each contact: 0 to remove it.
     void forget_contacts(const std::vector<std::uint8_t>& stays) noexcept;
-    /// Return the number of contacts in last_contacts() that took part in the step: they come
-    /// first.
+    /// Return the number of contacts in last_contacts() that took part in the step. They are first
+    /// in the list.
     [[nodiscard]] std::size_t& last_awake_count() noexcept { return last_awake_count_; }
     [[nodiscard]] const std::size_t& last_awake_count() const noexcept { return last_awake_count_; }
 

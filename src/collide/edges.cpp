@@ -105,7 +105,7 @@ bool continues_straight(const ShapeData& data, const Piece& a, const Piece& b, i
                           (same(a.normal[0], b.normal[1]) && same(a.normal[1], b.normal[0])));
 }
 
-/// Join two pieces if an edge continues straight.
+/// Join the pieces of edges that continue straight at a vertex.
 void join(const ShapeData& data, std::vector<Piece>& pieces) {
     for (std::size_t i = 0; i < pieces.size(); ++i)
         for (std::size_t j = i + 1; j < pieces.size();) {

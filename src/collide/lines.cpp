@@ -9,8 +9,8 @@
 
 namespace hawser::collide {
 
-/// Find the owners of nodes, see is_duplicate(). Bodies that hold a segment may also hold segments
-/// of other wires.
+/// Find the segment that owns the node at each end of each segment, see is_duplicate(). An end that
+/// a body holds has no owner, because the body may hold segments of several wires.
 void Collider::find_owners(int body_count) {
     std::vector<std::int32_t>& owner = of_body_;
     owner.assign(at(body_count), -1);

@@ -148,7 +148,7 @@ void add_points(const Convex& a, const Convex& b, const V3& n, double separation
 
 namespace {
 
-/// Sort by name; of equal names keep the deeper point first.
+/// Sort points by feature number. If numbers are equal, the deeper point is first.
 void sort(Points& points) {
     std::sort(points.p, points.p + points.count, [](const Point& p, const Point& q) {
         return p.feature != q.feature ? p.feature < q.feature : p.gap < q.gap;

@@ -36,7 +36,7 @@ void reduce(Points& points, double size, bool row = false);
 /// Sort the points by feature, keep the deeper of two points with equal features, and write at most
 /// kMaxManifold points with `origin` added.
 void write_sorted(Points& points, const double* origin, Manifold& out);
-/// Reduce to four, sort by feature, and write with `origin` added.
+/// Reduce the points to four, sort them by feature, and write them with `origin` added.
 void finish(Points& points, const double* origin, double size, Manifold& out);
 /// Write a manifold of one point, with `origin` added.
 void finish(const Point& point, const double* origin, Manifold& out);

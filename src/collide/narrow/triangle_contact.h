@@ -44,7 +44,7 @@ void touch_triangle(const Convex& shape, const SurfaceTriangle& surface, double 
 /// Return the deepest point of a shape along the normal n of the triangle. Its gap may be positive.
 [[nodiscard]] Point deepest_along_normal(const Convex& shape, const SurfaceTriangle& t,
                                          const V3& n);
-/// True if no point is deep.
+/// True if no point lies deeper than the rounding tolerance.
 [[nodiscard]] bool none_overlaps(const Points& points);
 /// Return the middle of a shape. For a hull this is the mean of the vertices, because its frame may
 /// lie anywhere.
