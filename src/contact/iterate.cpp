@@ -30,7 +30,8 @@ bool is_close(const Cone& c, const nonsmooth::Law& law) noexcept {
     return normal * c.sigma_n <= kClose && tangential * (c.mobility + c.sigma_t) <= kClose;
 }
 
-/// Keep S of the law in the matrix, through the impulse of another law at the iterate.
+/// Keep the slope S of the law in the matrix, and shift its offset so that the impulse at the
+/// iterate is that of another law.
 void keep_law_slope(Cone& c, const nonsmooth::Law& law) noexcept {
     for (int i = 0; i < 3; ++i) {
         c.p[i] = law.p[i];
@@ -150,7 +151,7 @@ void return_to_fraction(context::Model& model, const context::Newton& newton, do
 
 namespace {
 
-/// Return the part of resistances in contacts_merit().
+/// Return the contribution of resistances to contacts_merit().
 double resistance_merit(const context::Model& model, const context::Newton& newton,
                         double t) noexcept {
     const Contacts& contacts = model.system.contacts;

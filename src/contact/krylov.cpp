@@ -49,7 +49,7 @@ void find_defects(const context::Model& model, const context::Newton& newton, do
     }
 }
 
-/// Call f(scale) for every row in turn.
+/// Call f(scale) for every row of the contacts, in their order.
 template <class F>
 void each_scale(const assembly::Contacts& contacts, F&& f) noexcept {
     for (const Cone& c : contacts.cones)

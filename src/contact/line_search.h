@@ -22,7 +22,7 @@ struct LineStep {
 /// leaves the cycle, a different one each time.
 class Cycle {
   public:
-    /// Return the fraction to move, 0: as found by the line search.
+    /// Return the fraction of the way to move; 0 if a line search must determine it.
     /// @param merit  Merit of the last iterate.
     double next_fraction(double merit) noexcept {
         constexpr double kSame = 1e-3;

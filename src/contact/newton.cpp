@@ -110,7 +110,7 @@ Progress begin_iterations(context::StepContext& ctx, nonsmooth::Coupling couplin
     return p;
 }
 
-/// Solve with the laws about the iterate.
+/// Solve once with the laws linearised about the iterate.
 Status solve_iteration(context::StepContext& ctx, const NewtonOptions& course,
                        const Progress& p) noexcept {
     context::Newton& newton = ctx.work.newton;
@@ -248,7 +248,7 @@ Status iterate(context::StepContext& ctx, nonsmooth::Coupling coupling, double t
     return status;
 }
 
-/// Restart from the velocities and impulses of the contacts.
+/// Restart the iterations from the present velocities and impulses of the contacts.
 void restart(context::Model& model, context::Work& work, runtime::Pool& pool) noexcept {
     (void)linearise(model, work, pool, LastLaws::none);
     adopt_laws(model, work.newton, pool, true);
@@ -305,7 +305,8 @@ Status end_softened(context::StepContext& ctx) noexcept {
     return status;
 }
 
-/// Solve with contacts 1,024 and 32 times softer first, each a start for the next (newton.h).
+/// Solve with contacts softer by factors of 1,024 and 32 first. Each solution is the start for the
+/// next one (newton.h).
 Status from_soft(context::StepContext& ctx) noexcept {
     constexpr double kRough = 1e-2;  // tolerance of a softer system as a start for the next
     for (const double soften : {1024.0, 32.0}) {  // powers of two: undone exactly

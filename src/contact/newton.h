@@ -59,7 +59,7 @@ void reserve_newton(const context::Model& model, context::Newton& newton);
 /// Linearise the contact laws about the solution of the last step.
 void begin_newton(context::Model& model, context::Work& work, runtime::Pool& pool) noexcept;
 
-/// Keep the contacts of a solved step that will be solved again (step/guard.h).
+/// Store the contacts of a solved step that will be solved again (step/guard.h).
 /// @return false if the step is not solved: restart_newton() must not be called.
 [[nodiscard]] bool save_contact_solution(context::Model& model, context::Work& work) noexcept;
 /// Linearise the contact laws about the contacts of save_contact_solution() instead of those of the
@@ -68,7 +68,7 @@ void restart_newton(context::StepContext& ctx) noexcept;
 
 /// Perform stages 6 and 7, with the right-hand side of assemble_rows().
 /// @param settled_later  True if settle_newton() follows, after iterations of rigid joints. The
-/// solution is then left as it is, neither refined nor measured.
+/// solution is then neither refined nor measured here.
 [[nodiscard]] Status solve_newton(context::StepContext& ctx, bool settled_later = false) noexcept;
 /// Measure v₊ and λ after end-of-step constraint iterations. Refine them if their residual is above
 /// solution_tolerance or if no iteration has refined them. Iterate again if contacts no longer

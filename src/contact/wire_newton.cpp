@@ -190,7 +190,7 @@ double wire_merit(const context::WireNewton& wire, std::size_t contacts, double 
     return sum;
 }
 
-/// Return ψ of convex_phase.h.
+/// Return the slope ψ of convex_phase.h for one line.
 double wire_slope(const context::WireNewton& wire, std::size_t contacts, double t) noexcept {
     double sum = 0.0;
     for (std::int32_t k = 0; k + 1 < wire.nodes; ++k) {
@@ -271,7 +271,7 @@ void renew_wire_laws(context::WireNewton& wire, std::size_t contacts) noexcept {
     }
 }
 
-/// Iterate to convergence.
+/// Iterate one line to convergence.
 /// @return false if the iterations did not converge.
 bool iterate_wire(const context::Model& model, context::Work& work, const View& v,
                   std::int32_t chain) noexcept {
@@ -322,7 +322,7 @@ void adopt_wire(context::Model& model, context::Work& work, const View& v,
     }
 }
 
-/// True if a chain is unsettled in the global iterate.
+/// True if the residual of a chain exceeds that of converged lines in the global iterate.
 bool is_unsettled(const context::Model& model, const context::Work& work, const View& v,
                   std::int32_t chain) noexcept {
     const context::WireChains& chains = work.newton.chains;
