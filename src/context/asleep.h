@@ -17,7 +17,7 @@ inline constexpr std::int32_t kMaxQuiet = 1'000'000'000;
 /// Allocate the arrays of sleep; part of prepare(). @throws std::bad_alloc.
 void reserve_sleep(const Model& model, Sleep& sleep);
 
-/// Wake all bodies without a new analysis; part of prepare().
+/// Wake all bodies, without a new analysis. Part of prepare().
 void wake_all(Model& model, StepStats& stats) noexcept;
 
 /// Validate flags after a restore; any values are accepted. A body that cannot move is awake. Sets

@@ -31,8 +31,8 @@ class EventLog {
         }
     }
 
-    /// Hold events, at most `most` of them, until release(), since the step that they belong to may
-    /// fail. @throws std::bad_alloc.
+    /// Defer events until release(), because their step may fail. At most `most` events are
+    /// deferred. @throws std::bad_alloc.
     void hold_back(std::size_t most) {
         pending_.clear();
         pending_.reserve(most);
