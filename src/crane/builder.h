@@ -91,7 +91,7 @@ class Builder {
     std::map<std::int32_t, RouteBody> route_bodies_;
 };
 
-/// Return the rotation of z of a joint's frame to −y, so that the angle grows when a link is
+/// Return the rotation that maps z of a joint's frame to −y, so that the angle grows when a link is
 /// raised.
 [[nodiscard]] Quat hinge_turn();
 
