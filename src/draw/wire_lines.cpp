@@ -52,8 +52,8 @@ void WireReader::read_cable(std::size_t index, const record::Frame& frame, WireL
     }
 }
 
-/// Read a changed wire. If the wire lies on a wheel between two pieces, a chord joins them, with
-/// the tension of the previous piece.
+/// Read a wire whose nodes differ from the start. If the wire lies on a wheel between two pieces, a
+/// chord joins them, with the tension of the previous piece.
 void WireReader::read_wire(const record::RecordedWire& wire, const record::Frame& frame,
                            const std::vector<float>& pulls, WireLine& out) {
     for (std::size_t i = 0; i < wire.pieces.size(); ++i) {
