@@ -53,7 +53,7 @@ void begin_shape_edit(context::StepContext& ctx) noexcept;
     return {-piece_energy(ctx, id), energy_of_interaction(ctx, id)};
 }
 
-/// Finish an addition after it was written into the model.
+/// Update all data after an added body or interaction has been written into the model.
 void settle_body(context::StepContext& ctx, std::int32_t body) noexcept;
 void settle_interaction(context::StepContext& ctx, std::int32_t id) noexcept;
 void settle_shape(context::StepContext& ctx, std::int32_t shape) noexcept;

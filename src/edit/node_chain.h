@@ -56,8 +56,8 @@ struct NodeChain {
 [[nodiscard]] NodeChain nearby_chain(const context::StepContext& ctx,
                                      const NodeSurroundings& place) noexcept;
 
-/// Return the chain with the same material without the node: the piece before it extends to the
-/// next node.
+/// Return a chain of equal material without the node. The piece before the node extends to the next
+/// node.
 [[nodiscard]] NodeChain without_node(const NodeChain& chain) noexcept;
 
 /// Return kinetic and elastic energy [J].

@@ -40,8 +40,8 @@ struct NodeLinks {
 /// determined by a drum.
 [[nodiscard]] bool is_of_material(const context::StepContext& ctx, std::int32_t element) noexcept;
 
-/// True if a drum pays the element out; drum_side() is then its end at the fairlead, which no node
-/// holds.
+/// True if an element is at a drum. Then drum_side() is its end at the fairlead, to which no node
+/// belongs.
 [[nodiscard]] bool is_wound(const context::StepContext& ctx, std::int32_t element) noexcept;
 [[nodiscard]] std::size_t drum_side(const context::StepContext& ctx, std::int32_t element) noexcept;
 /// Return the velocity due to material that enters at the fairlead [m/s].
@@ -59,7 +59,7 @@ struct NodeLinks {
 /// straight part.
 [[nodiscard]] double length_of(const context::StepContext& ctx, std::int32_t id) noexcept;
 [[nodiscard]] double length_beyond_chord(const context::StepContext& ctx, std::int32_t id) noexcept;
-/// Return the fraction of the straight part at which a fraction of an element ends.
+/// Return the fraction of the straight part that corresponds to a fraction of the whole element.
 [[nodiscard]] double straight_fraction(const context::StepContext& ctx, std::int32_t id,
                                        double share) noexcept;
 /// Return the attachment point of an element in the frame of its body [m].
@@ -103,7 +103,7 @@ void add_mass(context::StepContext& ctx, std::int32_t body, double more,
 /// True if an interaction resists bending of a wire.
 [[nodiscard]] bool is_bend(const context::StepContext& ctx, std::int32_t id) noexcept;
 
-/// Set the length at the node of a bend: half of the pieces before and behind it.
+/// Set the length of a bend, which is half of the lengths of the pieces before and behind its node.
 void set_bend(context::StepContext& ctx, std::int32_t id, std::int32_t one,
               std::int32_t other) noexcept;
 

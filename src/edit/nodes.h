@@ -75,9 +75,9 @@ struct NodeLedger {
 [[nodiscard]] NodeLedger begin_node_edit(const context::StepContext& ctx,
                                          const NodeSurroundings& place) noexcept;
 
-/// Finish the insertion of n, the other element and the bend at n. `old` ends at n, and all have
-/// their masses, lengths and forces. @param old  The earlier element, e or f. @param mass  Its
-/// earlier mass [kg].
+/// Finish the insertion of node n, with the second element and the bend at n. Element `old` must
+/// end at n, and all must have their masses, lengths and forces. @param old  The earlier element, e
+/// or f. @param mass  Its earlier mass [kg].
 void settle_node(context::StepContext& ctx, const NodeSurroundings& place, std::int32_t old,
                  double share, double mass) noexcept;
 
@@ -93,7 +93,7 @@ inline constexpr double kKeptMass = 1e-2;
 [[nodiscard]] constexpr bool exceeds_half(double has, double half) noexcept {
     return has > (1.0 + 1e-3) * half;
 }
-/// Apply release_node() if the remaining element lies on a drum.
+/// Apply release_node() if the remaining element is at a drum.
 [[nodiscard]] bool release_drum_node(context::StepContext& ctx, const NodeSurroundings& place,
                                      double bend) noexcept;
 
