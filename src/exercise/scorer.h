@@ -44,7 +44,7 @@ class Scorer {
     [[nodiscard]] const Result& result() const noexcept { return result_; }
     /// Return the frozen value of an output; NaN if it is not frozen.
     [[nodiscard]] double frozen_value(std::string_view output) const noexcept;
-    /// Set an output that has no channel at a value from its owner.
+    /// Freeze an output that has no channel at a given value.
     void freeze_output(const std::string& output, double value) { frozen_[output] = value; }
 
     /// Largest number of entries in a result; later ones are counted in tallies only.
@@ -60,8 +60,8 @@ class Scorer {
         bool active = false;
     };
     [[nodiscard]] std::vector<Watch> make_watches(const auto& list) const;
-    /// Return 1 if the trigger is active, else 0; for events their number. @param shown  Use the
-    /// values on displays, which may be frozen.
+    /// Return 1 if the condition of a trigger is met, else 0; for events the number of events.
+    /// @param shown  Use the values on displays, which may be frozen.
     double sample(const Trigger& trigger, Watch& watch, std::span<const double> values, bool shown);
     void update_alarms(double time, std::span<const double> values);
     void update_penalties(double time, std::span<const double> values);
