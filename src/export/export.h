@@ -19,8 +19,8 @@ namespace hawser::exporting {
 /// Indices of frames, ascending.
 using Frames = std::vector<std::size_t>;
 
-/// Return the first frame of the last branch, which begins where the run last went back; 0 if it
-/// never did.
+/// Return the first frame of the last branch, which begins at the last return to a saved state; 0
+/// if there was none.
 [[nodiscard]] inline std::size_t first_frame(const record::Recording& recording) {
     return recording.takes.empty() ? 0 : recording.takes.back().frames;
 }

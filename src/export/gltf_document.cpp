@@ -29,8 +29,8 @@ nlohmann::json material(const char* name, double r, double g, double b, bool bot
               {"roughnessFactor", 0.75}}}};
 }
 
-/// Select the material of a body. A body counts as a hull if it is long and not thin, unlike a boom
-/// or a crate.
+/// Select the material of a body. A body counts as a hull if it is long but not thin. Booms are
+/// thin, and crates are not long.
 int material_of(const record::RecordedBody& body) {
     const double reach = body.half_size.maxCoeff();
     if (reach > 8.0 && body.half_size.sum() - reach > 5.0) return kHull;
