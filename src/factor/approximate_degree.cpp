@@ -26,7 +26,7 @@ void ApproximateDegree::remove(std::int32_t node) noexcept {
     (before >= 0 ? next_[at(before)] : head_[at(degree_[at(node)])]) = after;
 }
 
-/// Append a variable and its twins to the order.
+/// Append a variable and the variables merged with it to the order.
 void ApproximateDegree::finish(std::int32_t variable) noexcept {
     for (std::int32_t v = variable; v >= 0; v = twin_[at(v)]) *order_++ = v;
 }
@@ -282,7 +282,7 @@ void ApproximateDegree::join_twins(std::int32_t pivot) noexcept {
     }
 }
 
-/// Set the degrees of the remaining variables of the element and drop the others.
+/// Set the degrees of the remaining variables of the element and remove the eliminated ones.
 void ApproximateDegree::close_element(std::int32_t pivot) noexcept {
     const std::size_t p = at(pivot);
     std::int32_t to = start_[p];

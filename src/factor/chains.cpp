@@ -95,7 +95,8 @@ double ChainFinder::plan_cost(int size, double most) {
     return total + 0.5 * longest;
 }
 
-/// Compute the figures of a run from its neighbourhood.
+/// Compute the properties of a run that determine its cost (reach, scalars, hubs), from its
+/// neighbourhood.
 ChainFinder::Stretch ChainFinder::describe(const Pattern& pattern, const BodyGraph& graph,
                                            const Wires& wires, std::int32_t begin,
                                            std::int32_t end) {
@@ -184,7 +185,7 @@ void ChainFinder::append(const Pattern& pattern, const BodyGraph& graph, const W
     out.reach.push_back(static_cast<std::int8_t>(run.reach));
 }
 
-/// Find the cheapest pieces of runs_; no pieces if fronts are cheaper.
+/// Divide runs_ into the pieces with the least cost; no pieces if fronts are cheaper.
 void ChainFinder::cut_best(std::int32_t bodies, std::int32_t longest, int size) {
     best_cut_.clear();
     double best_cost = kFrontCost * bodies;

@@ -51,7 +51,8 @@ class Columns {
     [[nodiscard]] std::int32_t parent(std::int32_t node) const noexcept {
         return parent_[static_cast<std::size_t>(node)];
     }
-    /// Return the nodes behind it in which it has entries, in the order of elimination.
+    /// Return the rows of a column: the later nodes in which it has entries, in the order of
+    /// elimination.
     [[nodiscard]] std::span<const std::int32_t> rows(std::int32_t node) const noexcept {
         const auto n = static_cast<std::size_t>(node);
         return {pool_.data() + begin_[n], static_cast<std::size_t>(count_[n])};

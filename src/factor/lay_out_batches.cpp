@@ -19,7 +19,7 @@ std::int32_t round_up_to_tile(std::int32_t scalars) {
 
 }  // namespace
 
-/// Find the boundary nodes of each chain, sorted by first touch.
+/// Find the boundary nodes of each chain, sorted by the first step that touches them.
 void BatchBuilder::find_touches(const Job& job) {
     const Chains& chains = job.chains;
     const std::size_t n = job.pattern.size.size();
@@ -43,7 +43,7 @@ void BatchBuilder::find_touches(const Job& job) {
     }
 }
 
-/// Sort the chains so that alike chains are adjacent.
+/// Sort the chains so that chains of equal structure are adjacent.
 void BatchBuilder::sort_chains(const Chains& chains) {
     order_.clear();
     for (std::int32_t c = 0; c < chains.count(); ++c) {

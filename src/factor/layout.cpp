@@ -112,7 +112,7 @@ void Layout::find_unchanged_fronts(const Columns& columns, const Symbolic& s, bo
     }
 }
 
-/// Fill in sizes, addresses and update rows.
+/// Set sizes, addresses and update rows of all fronts.
 void Layout::lay_out_fronts(const Columns& columns, Symbolic& s) {
     const std::size_t count = supernodes_.parent.size();
     s.fronts.resize(count);

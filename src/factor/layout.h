@@ -42,7 +42,8 @@ class Layout {
     static constexpr std::int32_t kWide = 8;
     static_assert(kWide >= kMaxBlock);
 
-    /// Return the node of the last pivot. Its structure covers every pivot's rows behind the front.
+    /// Return the node of the last pivot of a front. Its structure contains the rows of every pivot
+    /// behind the front.
     [[nodiscard]] static std::int32_t last_node(const Symbolic& s, const Front& front) noexcept {
         return s.order[static_cast<std::size_t>(front.node_end - 1)];
     }

@@ -117,7 +117,7 @@ void MinimumDegree::run(const Pattern& pattern, std::vector<std::int32_t>& order
     }
 }
 
-/// Append a node and its twins to the order.
+/// Append a node and the nodes merged with it to the order.
 void MinimumDegree::finish(std::int32_t head) noexcept {
     heads_[at(head / 64)] &= ~bit(head);
     for (std::int32_t v = head; v >= 0; v = twin_[at(v)]) {
@@ -141,7 +141,7 @@ std::int32_t MinimumDegree::list_heads(const std::uint64_t* own, std::uint32_t i
     return count;
 }
 
-/// Eliminate the pivot and its twins, then each neighbour without other neighbours.
+/// Eliminate the pivot and the nodes merged with it, then each neighbour without other neighbours.
 void MinimumDegree::eliminate(std::int32_t pivot, const Kernels& kernels) noexcept {
     remove(pivot);
     finish(pivot);

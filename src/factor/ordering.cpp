@@ -57,7 +57,7 @@ void Orderer::order_by_amd(const Pattern& pattern, std::vector<std::int32_t>& or
     place_rows(pattern, order);
 }
 
-/// Find the boundary of each chain, each node once.
+/// Find the boundary of each chain. Each node is listed once.
 void Orderer::find_boundaries(const Pattern& pattern, const Chains& chains) {
     mark_.assign(index_outside_chains_.size(), -1);
     boundary_.clear();

@@ -62,7 +62,7 @@ void Analysis::visit(Meeting& m, std::int32_t node) const noexcept {
     }
 }
 
-/// Find the bodies that stay but need another position, and the rows that must stay behind them.
+/// Find the bodies that need another position, and the rows that must remain behind them.
 void Analysis::choose_moves(const Pattern& next) {
     const std::int32_t n = next.nodes();
     placing_.assign(at(n), 0);
@@ -138,7 +138,8 @@ void Analysis::collect_nodes_outside_chains(const Pattern& next) {
     at_branch_meeting_.swap(spare_);
 }
 
-/// Return the key before the first pivot of a front that keeps its position.
+/// Return the sort key that places a node before the first pivot of a front that keeps its
+/// position.
 std::int64_t Analysis::key_before_front(std::int32_t front) const noexcept {
     for (; front >= 0; front = symbolic_.fronts[at(front)].parent) {
         const Front& f = symbolic_.fronts[at(front)];

@@ -86,7 +86,8 @@ class Analysis {
     /// Assign separate memory to every update matrix from the next call on (partial.h).
     void separate_updates(bool keep) noexcept { symbolic_.updates_kept = keep; }
 
-    /// Use the order of the caller: update() makes no other order while it fits.
+    /// Set whether the caller's order is fixed. update() then computes no other order as long as
+    /// this order fits the pattern.
     void set_fixed_order(bool given) noexcept { order_fixed_ = given; }
 
     /// Set the executor for the next calls; nullptr: none. Results do not depend on it.
@@ -102,7 +103,7 @@ class Analysis {
     /// @return false, after a new plan(), if it belongs to another pattern.
     bool resume(const Pattern& pattern, const AnalysisState& state);
 
-    /// Update the analysis to another pattern. A node of another size or sign counts as new.
+    /// Update the analysis to a changed pattern. A node of another size or sign counts as new.
     /// @param old_of_new  For each node its former index, −1: new, each former node at most once.
     ///        Empty: nodes keep their indices, further ones are new.
     /// @throws std::bad_alloc; plan() again then.

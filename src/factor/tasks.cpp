@@ -7,7 +7,7 @@
 namespace hawser::factor {
 namespace {
 
-/// Return the flops of the steps that a chain takes part in.
+/// Return the flops of all batch steps that contain a chain.
 std::int64_t chain_flops(const Symbolic& s, const Front& front) {
     const Batch& batch = s.batches[at(front.batch)];
     std::int64_t flops = 0;

@@ -50,8 +50,8 @@ class Unsymmetric {
     /// @throws std::bad_alloc.
     void reserve(const Symbolic& symbolic);
 
-    /// Close a set of columns (nodes, any order, duplicates allowed; DirtyParts::column() of each
-    /// block) under "is an ancestor of". @cost O(marked fronts).
+    /// Mark the fronts of a set of columns and of all their ancestors. Columns are nodes in any
+    /// order, with duplicates: DirtyParts::column() of each block. @cost O(marked fronts).
     void find(const Symbolic& symbolic, std::span<const std::int32_t> columns) noexcept;
 
     [[nodiscard]] bool is(std::int32_t front) const noexcept {

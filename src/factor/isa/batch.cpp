@@ -79,7 +79,7 @@ HAWSER_INLINE void factor_triangle(const Columns<kSides>& m, int c, int h, Trian
     }
 }
 
-/// Solve rows [r, r + R) below that triangle.
+/// Solve rows [r, r + R) below the triangle of factor_triangle().
 template <int R, int N, int kSides>
 HAWSER_INLINE void solve_below(const Columns<kSides>& m, int c, int r, int h,
                                const Triangle<N, kSides>& t) {
@@ -209,7 +209,7 @@ inline void store_tails(const FactorView& view, const Batch& batch, double* cons
     }
 }
 
-/// Return the sum of whole numbers in a vector.
+/// Return the sum of the integers in a vector.
 HAWSER_INLINE int count(const V8& v) { return static_cast<int>(sum(v)); }
 
 template <int kSides>

@@ -47,7 +47,7 @@ constexpr Tile kAtOnce = {4, 2};
 constexpr int kRowStep = kPartLanes > 4 ? kPartLanes : 4;
 constexpr int kStepParts = kRowStep / kPartLanes;
 
-/// Return n rounded up to whole steps.
+/// Return n rounded up to a multiple of kRowStep.
 HAWSER_INLINE int round_up_to_step(int n) { return (n + kRowStep - 1) / kRowStep * kRowStep; }
 
 /// The pivot columns of a front.

@@ -55,13 +55,13 @@ HAWSER_INLINE RigidStep rigid_step(const factor::FactorView& view, std::int32_t 
             view.slot_sign + step.slot, step.q / kTile};
 }
 
-/// Add the block of the matrix to a.
+/// Add the block of the matrix to the registers a.
 HAWSER_INLINE void add_block(const RigidStep& m, RigidBlock& a) {
     for (int i = 0; i < kRigid; ++i)
         for (int j = 0; j <= i; ++j) a[i][j] += load(m.panel + i * kRigidStride + kLanes * j);
 }
 
-/// Load the updates of earlier steps of the body into a.
+/// Load the updates of earlier steps for the body's block into the registers a.
 HAWSER_INLINE void load_block(const double* window, RigidBlock& a) {
     for (int i = 0; i < kRigid; ++i)
         for (int j = 0; j <= i; ++j)
@@ -184,7 +184,7 @@ HAWSER_INLINE bool is_rigid(const factor::FactorView& view, const factor::Batch&
     return batch.body == kRigid && view.batch_steps[k].p == kRigid;
 }
 
-/// Eliminate the pivots of the first of several consecutive rigid steps. Its window is in memory.
+/// Eliminate the pivots of the first of several consecutive rigid steps, whose window is in memory.
 inline void begin_rigid(const RigidStep& m, const Shift& shift, const double* window, V8& bad) {
     RigidBlock a;
     if (shift.before > 0)
