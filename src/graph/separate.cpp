@@ -179,7 +179,8 @@ bool Partitioner::separates_parts(std::int32_t place) const noexcept {
     return false;
 }
 
-/// Set the segments, and mark the nodes with neighbours outside their segment as separators.
+/// Assign the nodes to segments, and mark the nodes with neighbours outside their segment as
+/// separators.
 void Partitioner::assign() {
     segment_.resize(line_.size());
     part_.resize(line_.size());
