@@ -60,15 +60,15 @@ class FastWaves {
         return reach_[static_cast<std::size_t>(first)];
     }
     [[nodiscard]] double reach() const noexcept { return on() ? reach_.back() : 0.0; }
-    /// Return Σ a, a bound of the elevation [m].
+    /// Return Σ a of all components, a bound of the elevation [m].
     [[nodiscard]] double highest() const noexcept { return highest_; }
     /// Return the groups to sum for velocity and acceleration at z' = −depth.
     [[nodiscard]] const FastExtent& extent(double depth) const noexcept {
         const double row = depth * rows_per_metre_;
         return extents_[row < kExtents - 1 ? static_cast<std::size_t>(row) : kExtents - 1];
     }
-    /// Return the number of groups of the elevation, for points under water at z' = −depth or
-    /// deeper.
+    /// Return the number of groups to sum for the elevation above points under water at z' = −depth
+    /// or deeper.
     [[nodiscard]] int stretching_groups(double depth) const noexcept {
         return extent(depth).stretching;
     }

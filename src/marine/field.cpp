@@ -63,7 +63,8 @@ double WaterField::still_depth(double z, double surface) const noexcept {
     return -stretched(sea_->depth(), z, surface);
 }
 
-/// Return the number of groups for the elevation at a point: all if a wave can uncover the point.
+/// Return the number of groups to sum for the elevation at a point: all groups if a wave can
+/// uncover the point.
 int WaterField::surface_groups(const FieldPoint& point) const noexcept {
     const double lowest = now_->level - now_->waves * fast_.highest();
     if (!stretch_by_few_ || !(point.top < lowest)) return fast_.groups();

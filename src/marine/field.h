@@ -48,7 +48,8 @@ template <class Flow>
     return (1.0 - fraction) * flow(i - 1) + fraction * flow(i);
 }
 
-/// Add the sums of waves to the water at a point, with all amplitudes times the factor of the time.
+/// Add the sums of waves to the water at a point, with all amplitudes multiplied by the wave factor
+/// of the present time.
 inline void add_waves(const WaveSums& s, const SeaMoment& now, double density,
                       WaterPoint& out) noexcept {
     for (int k = 0; k < 3; ++k) {

@@ -70,7 +70,7 @@ void HullWater::add_force(const Vec3& push, const Vec3& moment) noexcept {
     }
 }
 
-/// Add a force and moment at the reference point.
+/// Add a force and a moment that act at the reference point of the coefficients.
 void HullWater::add_at_reference(const Vec6& f) noexcept {
     const Vec3 push = frame_ * f.head<3>();
     const Vec3 arm = frame_ * def_->coefficients->reference;

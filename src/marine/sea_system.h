@@ -50,12 +50,12 @@ struct LineTable {
 };
 /// Return the index of the parameter `length` by kind of element, −1: none.
 [[nodiscard]] std::array<int, 64> length_params();
-/// Return the definition of the lines' part of a sea; null: no line.
+/// Return the definition of the lines in a sea for their loads; null if no line is in the sea.
 [[nodiscard]] std::shared_ptr<const LineSea> line_part(const SeaDef& def, double gravity,
                                                        const LineTable& table);
 /// Add the load of a point to that of a body.
 void add_point(const PointLoad& from, const BodyLoad& to) noexcept;
-/// List the sorts of the lines of a sea. @throws SeaError
+/// List the different sets of line coefficients of a sea. @throws SeaError
 [[nodiscard]] LineTable line_table(const World& world, const SeaDef& def);
 
 /// Nodes of lines in the water.
