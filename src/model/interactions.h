@@ -209,8 +209,8 @@ struct Interactions {
     void append_empty(InteractionKind kind);
     /// Set the loads of a friction, which are existing interactions.
     void set_loads(int id, const std::array<FrictionLoad, kMaxFrictionLoads>& loads_in);
-    /// Remove an interaction. Its slot keeps no bodies and no rows. Friction that it loads loses
-    /// this load.
+    /// Remove an interaction. Its slot keeps no bodies and no rows. If it is a load of a friction,
+    /// the friction loses this load.
     void remove(int id, Bodies& bodies_in) noexcept;
     /// Remove all interactions with an index ≥ `kept`. None of them may be a motor, a friction or a
     /// winch stretch.
@@ -295,7 +295,7 @@ struct Interactions {
     void write_rows(int id, const Bodies& bodies_in, double h);
     void enlist(int id, const Bodies& bodies_in);
     void write_data(int id) noexcept;
-    /// Call f<K>(rows) for the rows at the present poses.
+    /// Evaluate the rows at the present poses and call f<K>(rows), where K is the kind.
     template <class F>
     void evaluated(int id, const Bodies& bodies_in, F&& f) const noexcept;
     void write_loads(int id);
@@ -308,12 +308,13 @@ struct Interactions {
 /// the last analysis.
 [[nodiscard]] bool may_complete(const Interactions& in, int id, double h) noexcept;
 
-/// True if a kind allows the end-of-step iteration.
+/// True if a kind allows end-of-step constraint iterations.
 [[nodiscard]] bool kind_completes(InteractionKind kind) noexcept;
-/// True if kind and inputs allow the end-of-step iteration, for any rows.
+/// True if the kind and the inputs of an interaction allow end-of-step constraint iterations, for
+/// any compliance of its rows.
 [[nodiscard]] bool may_ever_complete(const Interactions& in, int id) noexcept;
 
-/// Fill in the defaults that a kind derives from the initial poses.
+/// Set the defaults that a kind derives from the initial poses.
 void complete(InteractionDef& def, const Vec3* positions, double distance);
 
 }  // namespace hawser::model
