@@ -254,7 +254,7 @@ context::MonitorPart sample(context::Model& model, context::State& state, runtim
 
 namespace {
 
-/// Call f(row, true if a line, violation, its rate) for the active rows of springs.
+/// Call f(row, is_line, violation, rate of the violation) for the active rows of springs.
 template <class F>
 void each_spring(const context::Model& model, const context::State& state, const View& v,
                  F&& f) noexcept {
