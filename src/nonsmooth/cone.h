@@ -78,7 +78,7 @@ struct Law {
 /// Project an impulse to the nearest one in the cone K: λ_n ≥ 0, ‖λ_t‖ ≤ μ λ_n.
 void project(double friction, double lambda[3]) noexcept;
 
-/// Return the law of sticking, r = 0.
+/// Return the linear law of a sticking contact, r = 0.
 [[nodiscard]] Law sticking_law(const Cone& cone) noexcept;
 
 /// True if two sliding laws with exact coupling have directions ŷ more than 90° apart.
