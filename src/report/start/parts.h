@@ -58,7 +58,7 @@ void check_gaps(const World& world, const JointRows& rows, Findings& out);
 /// Find joints, motors and prescribed motions that are redundant or contradictory
 /// (repetitions.cpp).
 void check_repetitions(const World& world, JointRows& rows, Findings& out);
-/// Check for ranges that start outside or are disjoint (joints.cpp).
+/// Check for ranges that are violated at the start or disjoint (joints.cpp).
 void check_ranges(const World& world, Findings& out);
 /// Check for motors that friction holds (joints.cpp).
 void check_motor_friction(const World& world, Findings& out);
