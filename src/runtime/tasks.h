@@ -39,7 +39,7 @@ class Pool final : public base::Executor {
     Pool(const Pool&) = delete;
     Pool& operator=(const Pool&) = delete;
 
-    /// Wake the workers; until pause() they spin for work.
+    /// Wake the workers. Until pause() they wait actively for tasks.
     void resume() noexcept;
     /// Let the workers sleep.
     void pause() noexcept;
@@ -47,7 +47,8 @@ class Pool final : public base::Executor {
     /// Let stopping() return true until clear_stop(). Called by any thread or a signal handler.
     void stop() noexcept { stopping_.store(true, std::memory_order_relaxed); }
     void clear_stop() noexcept { stopping_.store(false, std::memory_order_relaxed); }
-    /// Let stopping() return false until this ends, so that changes of the state are completed.
+    /// Block stop requests: stopping() returns false until the block ends, so that changes of the
+    /// state are completed.
     void block_stop(bool on) noexcept { stop_blocked_.store(on, std::memory_order_relaxed); }
     [[nodiscard]] bool stopping() const noexcept override {
         return stopping_.load(std::memory_order_relaxed) &&
@@ -57,7 +58,8 @@ class Pool final : public base::Executor {
     /// Return the CPU time of a thread since its start [s]; 0: the calling thread.
     [[nodiscard]] double cpu_seconds(int thread) noexcept;
 
-    /// Start recording loops and tasks in `trace`; nullptr ends it. Call between loops only.
+    /// Start to record loops and tasks in `trace`; null ends the recording. Call between loops
+    /// only.
     void record(Trace* trace) noexcept { trace_ = trace; }
 
     void run(int count, Task task, void* context) noexcept override;

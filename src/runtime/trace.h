@@ -59,7 +59,7 @@ class Trace {
     /// Store the graph of the next loop. Call on the thread that runs the loops.
     void announce(const base::TaskOrder& order) noexcept;
     [[nodiscard]] int threads() const noexcept { return static_cast<int>(ring_.size()); }
-    /// Return the time up to which spans may be missing [s].
+    /// Return the latest time before which spans may be missing [s].
     [[nodiscard]] double lost_until() const noexcept;
     /// Copy all spans that begin at `from` [s] or later and the graphs of their loops. Spans are
     /// sorted by their begin, and by descending length for equal begins.
