@@ -302,8 +302,8 @@ void expand_cranes(Description& out, const Scope& scope);
 /// Read the routes of one scope: lines over bollards and sheaves. All bodies must have been read
 /// (routes.cpp).
 void expand_routes(Description& out, const Scope& scope);
-/// Read the sea. All bodies must have been read (sea.cpp). @param waters  Number of those in copy
-/// 0.
+/// Read the sea. All bodies must have been read (sea.cpp). @param waters  Number of cables in water
+/// of copy 0.
 void expand_sea(Description& out, const Document& document, std::size_t waters);
 /// Store the water data of a cable if a section of it is in water (sea.cpp).
 void store_water(Description& out, const CableWater& water);

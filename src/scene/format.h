@@ -40,7 +40,7 @@ struct Format {
     ShapePtr line_type;
     std::vector<ShapePtr> lists;  ///< Shapes of list_formats(), in their order.
 
-    /// Return the shape of the list with this key of list_formats().
+    /// Return the schema of the list with this key of list_formats().
     [[nodiscard]] const ShapePtr& list(std::string_view key) const;
 };
 
@@ -63,24 +63,24 @@ HAWSER_SCENE_SECTIONS(HAWSER_LIST_SHAPE)
 /// Return the keys of the outermost object of a scene, a part and a state.
 [[nodiscard]] const std::set<std::string>& outermost_keys();
 
-/// Return the shape of the settings of a simulation. See format_settings.cpp.
+/// Return the schema of the settings of a simulation (format_settings.cpp).
 [[nodiscard]] ShapePtr settings_shape();
-/// Return the largest value of a setting in a scene if it is less than the limit of a world.
+/// Return the largest value of a setting in a scene, if it is less than the limit of a world.
 [[nodiscard]] double largest_scene_value(const SettingInfo& setting);
 
-/// Return the shape of a line type. See format_cables.cpp.
+/// Return the schema of a line type (format_cables.cpp).
 [[nodiscard]] ShapePtr line_type_shape();
-/// Return the shape of a load that the hook of a crane may carry. See format_cranes.cpp.
+/// Return the schema of a load that the hook of a crane may carry (format_cranes.cpp).
 [[nodiscard]] ShapePtr crane_load_shape();
-/// Return the shape of the control of a vessel. See format_vessel_control.cpp.
+/// Return the schema of the control of a vessel (format_vessel_control.cpp).
 [[nodiscard]] ShapePtr vessel_control_shape();
-/// Return the shapes of the data of a ship for DNV-ST-0111, and of a file of them. See
-/// format_dp_ship.cpp.
+/// Return the schema of the data of a ship for DNV-ST-0111. The next function returns that of a
+/// file with these data (format_dp_ship.cpp).
 [[nodiscard]] ShapePtr dp_ship_shape();
 [[nodiscard]] ShapePtr dp_file_shape();
-/// Return the shape of the sea. See format_sea.cpp.
+/// Return the schema of the sea (format_sea.cpp).
 [[nodiscard]] ShapePtr sea_shape();
-/// Return the shape of an entry of "hulls" (format_hulls.cpp).
+/// Return the schema of an entry of "hulls" (format_hulls.cpp).
 [[nodiscard]] ShapePtr water_hull_shape();
 [[nodiscard]] std::vector<Field> line_water_fields();
 

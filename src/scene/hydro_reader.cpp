@@ -119,7 +119,7 @@ std::string seconds_text(double seconds) {
     return text + " s";
 }
 
-/// Describe the end of a reader that returned no message.
+/// Describe why a reader program returned no message.
 std::string describe_failure(const SpawnResult& run, const std::string& program,
                              const ReaderLimits& limits) {
     const std::string damaged =

@@ -97,7 +97,7 @@ InputDef read_input(Description& out, const Scope& scope, const Json& json,
     return def;
 }
 
-/// Read an input of a signal. The signal exists only after the world is built.
+/// Read an input that sets a signal. The signal exists only after the world is built.
 SignalInput read_lever(const Scope& scope, const Json& json, const SourceLocation& location) {
     SignalInput out;
     out.name = scope.prefix + json["name"].get<std::string>();

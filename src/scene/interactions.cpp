@@ -12,7 +12,7 @@ namespace {
 /// decimals.
 constexpr double kNodeTolerance = 2e-6;
 
-/// True if the kind joins two points. A joint's point has no default.
+/// True if the kind connects two points that the scene must define. A joint's point has no default.
 bool needs_points(const KindInfo& kind) {
     return kind.uses_points && kind.bodies == 2 && kind.rows >= 3;
 }

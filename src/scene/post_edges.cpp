@@ -60,7 +60,7 @@ std::string words(const Vec3& v) {
     return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", v.x(), v.y(), v.z());
 }
 
-/// Return the edge next to two points.
+/// Return the edge with the smallest distance to two points.
 ShapeEdge edge_near(const std::vector<ShapeEdge>& edges, const Vec3& a, const Vec3& b,
                     const SourceLocation& location) {
     if (!((b - a).norm() > 0.0)) throw_error(location, "give two different points");

@@ -53,7 +53,7 @@ EdgeAxis edge_axis(const BodyDef& body, const Json& json, const SourceLocation& 
     return {centre - end, centre + end};
 }
 
-/// Return the axis, or all axes that "edge_of" names.
+/// Return the axis of a bollard, or all axes that its key "edge_of" selects.
 std::vector<EdgeAxis> edge_axes(const Description& out, BodyId body, const Json& json,
                                 const SourceLocation& location) {
     for (const char* edge : {"edge", "edge_of"})

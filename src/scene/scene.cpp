@@ -322,7 +322,7 @@ std::optional<Scene> make_scene(Json root, const std::filesystem::path& file,
     return scene;
 }
 
-/// Read and make with a list of mistakes.
+/// Read a document and make the scene, with a list of mistakes.
 template <class Read>
 std::optional<Scene> try_scene(const Read& read, const std::filesystem::path& file,
                                const Options& options, std::vector<SceneError>& found) {
