@@ -15,7 +15,7 @@ void begin_analysis(context::Model& model, context::State& state);
 /// @throws std::bad_alloc, LimitError.
 void analyse_system(context::Model& model, context::Work& work, runtime::Pool& pool,
                     const factor::AnalysisState* state);
-/// Set the statistics of an analysis.
+/// Write the figures of an analysis into the statistics.
 void count_analysis(context::Model& model, StepStats& stats) noexcept;
 /// Count one growth if the model and its system need more memory than in any earlier step.
 void count_growth(context::Model& model, StepStats& stats) noexcept;

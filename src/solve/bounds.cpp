@@ -61,7 +61,7 @@ context::BoundedRow along(const context::Newton& n, std::size_t i, double t) noe
     return {a.lambda + t * (b.lambda - a.lambda), a.r + t * (b.r - a.r)};
 }
 
-/// Return true for a taut line that pulls and has no other law.
+/// Return true for a line under tension that has no replacement law.
 bool pulls_on(const View& v, std::int32_t id) noexcept {
     constexpr int kOther = model::kRange | model::kMotor | model::kFriction;
     const double lambda = v.lambda[v.row_begin[id]];
@@ -90,7 +90,8 @@ SwitchRequest request_of(const context::Model& model, const context::Newton& new
     const bool across = !was_active && !active && projected != lambda;
     return {was_active, active, across, projected};
 }
-/// Return true for rows that never switch: broken or replaced rows, and ranges with equal ends.
+/// Return true for rows that never switch: rows that are broken or replaced, and ranges with equal
+/// ends.
 bool stays(const context::Model& model, const View& v, std::int32_t id,
            const ImpulseRange& range) noexcept {
     return v.parted[id] || model.wires.is_replaced(id) ||

@@ -42,21 +42,22 @@ void hold_bounds(context::Model& model, context::Newton& newton, double time) no
 
 /// Read λ and r at the full step of an iteration.
 void take_bounds(context::Model& model, context::Newton& newton) noexcept;
-/// Start the next iteration at a fraction t of the way.
+/// Start the next iteration at the fraction t of the way from the last iterate to the solution.
 void keep_bounds(context::Newton& newton, double t) noexcept;
-/// Return Σ (W + Σ) (λ − P)² at a fraction t of the way [J].
+/// Return Σ (W + Σ) (λ − P)² over bounded rows, at the fraction t of the way from the last iterate
+/// to the solution [J].
 [[nodiscard]] double bounds_merit(const context::Model& model, const context::Newton& newton,
                                   double t) noexcept;
 
-/// Return the part of the rows in the slope of the convex phase, at a fraction t of the way [J]
-/// (convex_phase.h).
+/// Return the contribution of bounded rows to the slope of the convex phase, at the fraction t of
+/// the way [J] (convex_phase.h).
 [[nodiscard]] double bounds_slope(const context::Model& model, const context::Newton& newton,
                                   double t) noexcept;
 
 inline constexpr std::int32_t kAnyRows = 0x7fffffff;
 
-/// Return the largest relative distance of friction at its bound from the bound by its present
-/// loads. It is the part of joints in the residual of a step.
+/// Return the largest relative difference between the impulse of a friction at its bound and the
+/// bound for its present loads. It is the contribution of joints to the residual of a step.
 [[nodiscard]] double bounds_map(const context::Model& model,
                                 const context::Newton& newton) noexcept;
 
@@ -81,7 +82,7 @@ void show_held(context::Model& model) noexcept;
 [[nodiscard]] bool any_asks(const context::Model& model, const context::Newton& newton,
                             const assembly::View& v) noexcept;
 
-/// Move the anchors of friction that has slid, after the step.
+/// Move the friction anchors of joints that have slid. Call after the step.
 void move_anchors(context::Model& model) noexcept;
 
 }  // namespace hawser::solve

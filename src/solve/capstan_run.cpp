@@ -77,7 +77,7 @@ void find_speeds(std::size_t n, context::RunPoint* place, const context::RunPart
     }
 }
 
-/// Change the statuses that the solution contradicts: parts between pulling and slack, turning
+/// Change the statuses that do not match the solution. Parts change between taut and slack, turning
 /// points between sticking and sliding in either direction.
 /// @param most  Maximum number of changes.
 /// @return the number of changes.

@@ -45,8 +45,8 @@ double impulse_times(const assembly::View& v, std::int32_t id, Weights weights,
     return work;
 }
 
-/// Return −λ·(G v of prescribed velocities): the work of carriers on elastic or rigid rows, which
-/// transfer it to the bodies or store it.
+/// Return −λ·(G v of prescribed velocities): the work of bodies with a prescribed velocity on
+/// elastic or rigid rows. The rows transfer it to other bodies or store it.
 double work_of_carriers(const context::Model& model, const assembly::View& v, std::int32_t id,
                         bool elastic_rows_only) noexcept {
     const model::RowState s = model.interactions.row_state(id, model.bodies);

@@ -40,8 +40,8 @@ void find_joints(context::Model& model, context::JointWork& joints);
 /// Begin a step: clear the marks of rejected joints.
 void begin_completion(context::Model& model) noexcept;
 
-/// Choose the joints that this step completes, by their forces in the last step, and mark their
-/// records.
+/// Choose the joints for the end-of-step constraint iterations of this step by their forces in the
+/// last step, and mark their records.
 void choose_completed(context::Model& model, const context::State& state,
                       runtime::Pool& pool) noexcept;
 

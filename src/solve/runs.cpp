@@ -60,7 +60,8 @@ double mobility_of(const model::Bodies& b, const View& v, std::int32_t body, con
     return sum;
 }
 
-/// Read the terms of a part for its slides. All other bodies that it pulls respond independently.
+/// Read the coefficients of a part of a run for its slides. All other bodies at the part count as
+/// independent.
 void read_part(const context::Model& model, const View& v, std::int32_t id, std::int32_t slide_0,
                std::int32_t slide_1, context::RunPart& p, double* entry_0,
                double* entry_1) noexcept {

@@ -18,7 +18,7 @@
 
 namespace hawser::solve {
 
-/// Choose the next laws of rejected wires from the rejected solution.
+/// Choose the next replacement laws of the elements of a rejected wire, from the rejected solution.
 void plan_wires(context::Model& model, const context::Before& kept, std::int32_t wire) noexcept;
 
 /// Overwrite the results of evaluate() for rejected wires of one row block.
