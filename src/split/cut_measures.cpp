@@ -16,7 +16,7 @@
 namespace hawser::split {
 namespace {
 
-/// Set the impulses of the original to the mean of its sides.
+/// Set the impulses of the original interaction to the mean of its sides.
 void average_sides(model::Interactions& in, const context::Cut& cut) noexcept {
     double active = 0.0;
     for (int r = 0; r < in.rows[at(cut.id)]; ++r) {

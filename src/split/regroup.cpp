@@ -64,7 +64,7 @@ void mark_uncuttable(const context::Model& model, assembly::PartGraph& graph) {
     }
 }
 
-/// Number the groups from the user: they are the first parts, in the order of their first bodies.
+/// Number the groups of the user. They are the first parts, in the order of their first bodies.
 void number_groups(context::Model& model) {
     context::Regroup& r = model.regroup;
     const auto bodies = at(context::body_count(model));
@@ -79,7 +79,7 @@ void number_groups(context::Model& model) {
     }
 }
 
-/// Return the part of a body's group from the user; −1: the body is free.
+/// Return the part that the user's group of a body has; −1: the user has set no group.
 std::int32_t part_by_hand(const context::Model& model, std::int32_t body) noexcept {
     const context::Regroup& r = model.regroup;
     const std::int32_t name = r.by_hand[at(body)];
@@ -129,7 +129,7 @@ bool due(const context::Model& model, const context::State& state) noexcept {
     return age > 0 && (age == context::Regroup::kSettle || age % model.def.regroup_every == 0);
 }
 
-/// Run the part of prepare() that depends on groups.
+/// Perform the part of prepare() that depends on groups.
 void remake_cuts(context::StepContext& ctx) {
     make_cuts(ctx.model);
     ctx.model.cuts.asked = 0;  // interfaces have new indices

@@ -102,7 +102,7 @@ std::int64_t assign_groups(context::Model& model);
 /// Set the multipliers of duplicated interactions to those of their originals.
 void follow_cuts(context::Model& model) noexcept;
 
-/// Build the graph of the user's model, for all callers that choose parts. @throws std::bad_alloc.
+/// Build the graph of the user's model for a partition. @throws std::bad_alloc.
 void read_graph(const context::Model& model, assembly::PartGraph& graph);
 
 /// Set the weights from the state; rows are evaluated at the present poses. The state does not
