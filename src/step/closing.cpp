@@ -25,7 +25,7 @@ constexpr double kTurned = 0.03;
 constexpr double kFarTurn = 0.7;  ///< Rotation beyond which directions have changed too much [rad].
 constexpr int kMaxClosings = 12;
 
-/// True if a joint that the step has linearised may be open.
+/// True if a joint may be open because the step has linearised it.
 bool may_be_open(const context::Model& model, const StepStats& stats) noexcept {
     const model::Interactions& in = model.interactions;
     const std::vector<std::int32_t>& joints = model.completion.rigid;

@@ -48,8 +48,8 @@ void make_resistances(context::StepContext& ctx) {
     if (c.resistances.bytes() > held) ++ctx.work.stats.growths;
 }
 
-/// Set targets for the acceleration at the start: approaching points continue, sliding points keep
-/// sliding.
+/// Set the targets of a contact in the trial step at the start. Approaching points keep
+/// approaching, and sliding points keep sliding.
 void ask_for_acceleration(Cone& c, double gap) noexcept {
     constexpr double kSlow = 0.05;   // [m/s]
     constexpr double kClose = 1e-6;  // [m]
@@ -59,7 +59,7 @@ void ask_for_acceleration(Cone& c, double gap) noexcept {
     c.b[2] = slides ? 0.0 : c.u[2];
 }
 
-/// Set targets for the acceleration at the start: rolling and spinning continue.
+/// Set the targets of a resistance in the trial step at the start. Rolling and spinning continue.
 void ask_for_acceleration(nonsmooth::Resistance& a) noexcept {
     constexpr double kSlow = 0.05;  // [rad/s]
     a.b[0] = std::fabs(a.u[0]) > kSlow ? 0.0 : a.u[0];

@@ -25,7 +25,7 @@ enum class Phase : std::uint8_t {
 /// Count the energy that contacts absorbed from bodies in this step, before bodies move.
 void count_contact_work(context::StepContext& ctx) noexcept;
 
-/// Store the friction memory and the output for readers, before bodies move.
+/// Store the friction memory of contacts, and the output for readers. Call before bodies move.
 void remember_contacts(context::Model& model, context::State& state, runtime::Pool& pool) noexcept;
 
 }  // namespace hawser::step

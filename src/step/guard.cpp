@@ -62,7 +62,7 @@ void exchange_states(context::Model& model, context::Before& kept) noexcept {
     }
 }
 
-/// Mark the rows of wires that are to be bounded.
+/// Mark the elements of wires whose replacement level requires bounded rows.
 void replace(context::Model& model) noexcept {
     context::Wires& w = model.wires;
     constexpr int kFirstBound = 4;

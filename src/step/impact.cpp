@@ -42,7 +42,8 @@ bool hits(const context::Model& model, const context::State& state, std::size_t 
            state.contacts.contacts[k].gap + model.def.step * speed < 0.0;
 }
 
-/// Set the law of every contact for this stage.
+/// Set the contact laws of an impact.
+/// @param scale  Factor of the restitution.
 void set_laws(context::Model& model, const context::State& state, double scale) noexcept {
     for (std::size_t k = 0; k < model.system.contacts.count(); ++k) {
         Cone& c = model.system.contacts.cones[k];

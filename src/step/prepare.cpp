@@ -16,7 +16,8 @@ namespace {
 
 using assembly::Contacts;
 
-/// Rebuild after a failed step, from the order of the last analysis and at its poses.
+/// Rebuild the analysed system after a failed step, with the order of the last analysis and at its
+/// poses.
 void rebuild_undone(context::StepContext& ctx) {
     const bool all = ctx.state.repair == context::PendingRepair::all ||
                      ctx.state.repair == context::PendingRepair::all_follow;

@@ -45,8 +45,8 @@ struct Members {
     }
 };
 
-/// Call f with the bodies of each interaction, contact and segment, which join islands. Friction
-/// belongs to its loads, even if they have no common body.
+/// Call f with the bodies of each interaction, contact and segment. These bodies belong to one
+/// island. A friction belongs to the island of its loads, even if they have no common body.
 template <class F>
 void each_bond(const context::Model& model, const context::State& state, F&& f) noexcept {
     const model::Interactions& in = model.interactions;
@@ -108,7 +108,7 @@ bool set_asleep(context::Model& model, StepStats& stats, std::int32_t body, bool
     return true;
 }
 
-/// True if an island has to wake.
+/// True if a sleeping island must wake in this step.
 bool disturbed(const context::Model& model, const context::State& state) noexcept {
     const model::Bodies& b = model.bodies;
     for (const std::int32_t body : b.moving)
@@ -152,7 +152,7 @@ void reanalyse(context::StepContext& ctx) {
     ctx.model.interactions.active = active;
 }
 
-/// Analyse after a finished step. If it fails, the next step does it.
+/// Analyse the system after a finished step. If this fails, the next step analyses it.
 void analyse_after_step(context::StepContext& ctx) noexcept {
     ctx.state.analysed_x = ctx.model.bodies.x;
     ctx.state.analysed_r = ctx.model.bodies.r;

@@ -33,7 +33,8 @@
 
 namespace hawser::step {
 
-/// Wake disturbed islands and separate the contacts of the others, before the step is solved.
+/// Wake disturbed islands, and move the contacts of the sleeping ones behind the active contacts.
+/// Call before the step is solved.
 [[nodiscard]] Status wake_disturbed(context::StepContext& ctx) noexcept;
 
 /// Count the steps at rest of each body, and let islands fall asleep, after a successful step.
