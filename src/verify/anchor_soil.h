@@ -9,7 +9,8 @@
 
 namespace hawser::verify {
 
-/// Describe the first anchor whose bounds in the last step do not follow from its drag and line.
+/// Describe the first anchor whose bounds in the last step do not agree with its drag distance and
+/// line angle.
 /// @return empty: none.
 [[nodiscard]] std::string anchor_fault(const World& world);
 

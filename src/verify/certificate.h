@@ -35,7 +35,7 @@
 
 namespace hawser::verify {
 
-/// Return a × as a matrix.
+/// Return the matrix of the cross product a ×.
 [[nodiscard]] Mat3 cross_matrix(const Vec3& a);
 
 /// Return the label of a body or an interaction in a message: its name, or `what` and its index.
@@ -87,8 +87,9 @@ class Verifier : public Observer {
 
   private:
     [[nodiscard]] double natural_map(const World& world, const ContactView& contact);
-    /// Check μ, Σ, b along the normal. @param speed  Normal velocity before the step; > 0:
-    /// separating. @param speeds  Sum of the magnitudes of its terms, for its rounding.
+    /// Check the friction μ, the compliance Σ and the right-hand side b of a contact along the
+    /// normal. @param speed  Normal velocity before the step; > 0: separating. @param speeds  Sum
+    /// of the magnitudes of its terms, for its rounding.
     void check_law(const World& world, const ContactView& contact, double mobility, double speed,
                    double speeds);
     /// Return the natural map of the resistance to rolling and spinning.
@@ -100,11 +101,11 @@ class Verifier : public Observer {
     /// Describe the row with the largest excess: its name, its force, its bound.
     [[nodiscard]] std::string describe_worst_bound(const World& world) const;
     void add_interactions(const World& world);
-    /// True if the tables contain the present bodies and interactions. update_tables() updates the
-    /// tables.
+    /// True if the tables contain all present bodies and interactions. Otherwise call
+    /// update_tables().
     [[nodiscard]] bool covers(const World& world) const;
     void update_tables(const World& world);
-    /// Add the loads of systems.
+    /// Add the loads of systems to the momentum balance.
     void add_loads(const World& world);
     /// True if the body sleeps during the whole step.
     [[nodiscard]] bool sleeps(const World& world, BodyId body) const;

@@ -194,7 +194,7 @@ void StateVerifier::add_springs_and_drag(const World& world) {
     }
 }
 
-/// Check the loss of kinetic and gravity energy without work of a force.
+/// Check for a loss of kinetic and gravity energy that no work of a force explains.
 std::string StateVerifier::check_loss(const World& world, double kinetic_now) {
     const double h = world.settings().step, forgotten = std::min(1.0, h / limit::kMemory);
     if (loss_ends_) return {};

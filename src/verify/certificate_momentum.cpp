@@ -38,7 +38,7 @@ Vec3 free_spin(const Mat3& inertia, const Vec3& w, double h) {
     return u;
 }
 
-// Return the fraction of the velocity after the step in the drag (docs/theory/step.md). A body with
+// Return the weight θ of the velocity after the step in the drag (docs/theory/step.md). A body with
 // drag only then slows down by exp(-z).
 double late_fraction(double z) {
     if (z < 1e-2) return 0.5 + z / 12.0 - z * z * z / 720.0;

@@ -73,7 +73,8 @@ class StateVerifier {
     [[nodiscard]] double kinetic(const World& world) const;
     [[nodiscard]] double gravity(const World& world) const;
     [[nodiscard]] double elastic(const World& world) const;
-    /// Add springs and drag, which `lost` counts in addition to sources.
+    /// Add the work of springs and drag, which the account of lost energy counts in addition to
+    /// sources.
     void add_springs_and_drag(const World& world);
     [[nodiscard]] std::string check_loss(const World& world, double kinetic_now);
     void add_sources(const World& world);

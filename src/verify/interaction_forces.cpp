@@ -144,7 +144,8 @@ void Forces::hydrostatic(std::span<const double> f) {
     result.on[0].torque -= f[2] * (q * Vec3::UnitX()).cross(up);
 }
 
-// Add the forces of a part of a line. @return false if the kind is no part of a line.
+// Add the forces of a part of a route or of a wire at a guide. @return false if the kind is no such
+// part.
 bool Forces::piece_of_line(std::span<const double> f) {
     switch (def().kind) {
         case InteractionKind::WinchStretch:

@@ -130,7 +130,7 @@ double angle_of(const Attached& on) {
 
 double travel_of(const Attached& on) { return on.axis(0, 2).dot(on.point(1) - on.point(0)); }
 
-// Return the norm of the rows of a load that are in metres [N].
+// Return the norm of the force in the rows of a load that are in metres [N].
 double load_size(const World& world, InteractionId id) {
     const std::string_view units = kind_info(world.interaction_def(id).kind).row_units;
     const std::span<const double> f = world.force(id);
@@ -286,7 +286,7 @@ double motor_speed(const Attached& on) {
                     a.angular.cross(where - on.center(0)));
 }
 
-/// Return the range of a motor with a power of at most `power` [W].
+/// Return a force range, reduced so that a motor has a power of at most `power` [W].
 ForceRange with_power(const Attached& on, double power, ForceRange range) {
     if (!(power < 1e30)) return range;
     const double speed = motor_speed(on);

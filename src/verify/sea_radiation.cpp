@@ -34,7 +34,7 @@ M6 damping_at(const WaveCoefficients& c, double omega) {
     return part(4.0 * last, c.damping.back() / 64.0, 5.0 * last, M6::Zero());
 }
 
-/// Return the frequencies between which B is linear.
+/// Return the frequencies that bound the intervals in which B is linear.
 std::vector<double> frequency_breaks(const WaveCoefficients& c) {
     std::vector<double> out{0.0};
     out.insert(out.end(), c.frequency.begin(), c.frequency.end());
