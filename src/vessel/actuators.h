@@ -22,7 +22,7 @@ struct Limit {
 /// Move `now` towards `target`: first order with a time constant, limited in rate.
 /// @return True if the rate is at its limit.
 bool follow(double& now, double target, double rate, double lag, double step) noexcept;
-/// Return an equal angle between −π and π [rad].
+/// Return the equivalent angle between −π and π [rad].
 [[nodiscard]] double wrapped(double angle) noexcept;
 
 /// State of a propulsor.
@@ -58,7 +58,7 @@ class Propulsor {
                                       double& along) const noexcept;
     /// Compute the force on the ship. It depends on u, v, r and the density of the flow alone.
     [[nodiscard]] Wrench force(const PropulsorState& s, const Flow& flow) const noexcept;
-    /// Compute the same from the thrust of open() [N].
+    /// Compute the force on the ship from the thrust of open() [N].
     [[nodiscard]] Wrench push(const PropulsorState& s, double thrust) const noexcept;
     /// Return the power that it would take in a step without a bus [W].
     /// @param rated  Power of an ideal one at full order.
