@@ -116,7 +116,7 @@ struct LaneRows {
         if constexpr (K::kGeometry == Geometry::line) line(refs, rows, v, start);
     }
 
-    /// Compute G u, one entry per row, for u by body.
+    /// Compute G u of eight interactions, one entry per row. @param u  Velocities of their bodies.
     HAWSER_INLINE static void products(const Rows<B, R, W8>& rows, const V8 (&u)[B][D],
                                        V8 (&out)[R]) {
         for (int r = 0; r < R; ++r) {
