@@ -270,7 +270,7 @@ HAWSER_INLINE V3T<T> select_greater(const T& a, const T& b, const V3T<T>& x, con
             select_greater(a, b, x.z, y.z)};
 }
 HAWSER_INLINE W8 norm(const V3T<W8>& a) { return root(dot(a, a)); }
-/// Sum of the lanes, in a fixed order.
+/// Return the sum of the lanes, added in a fixed order.
 HAWSER_INLINE double sum(const V8& v) {
     return ((lane(v, 0) + lane(v, 4)) + (lane(v, 2) + lane(v, 6))) +
            ((lane(v, 1) + lane(v, 5)) + (lane(v, 3) + lane(v, 7)));
