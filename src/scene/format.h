@@ -51,7 +51,7 @@ struct ListFormat {
     const char* doc;
     ShapePtr (*shape)();  ///< Shape of an entry.
 };
-/// Return all lists, in the order of the reference page.
+/// Return the formats of all lists of a scene, in the order of the reference page.
 [[nodiscard]] std::span<const ListFormat> list_formats();
 // Shapes of the entries.
 #define HAWSER_LIST_SHAPE(key, item, entries, doc) [[nodiscard]] ShapePtr item##_shape();
