@@ -157,7 +157,7 @@ const double* columns_at(const View& v, std::int32_t id, std::int32_t body) noex
     return v.jacobian + v.jac_begin[id] + (first == body ? 0 : v.dof[first]);
 }
 
-/// Set the data of the problem for the chain of elements [begin, end).
+/// Set the data of the tridiagonal problem for the chain of elements [begin, end).
 void read_chain(context::Model& model, context::Newton& newton, const View& v, std::int32_t begin,
                 std::int32_t end) noexcept {
     context::WireChains& chains = newton.chains;
