@@ -187,7 +187,8 @@ double piece_mass(const World& world, InteractionId id) {
 
 namespace {
 
-/// Add the effect of an element's consistent mass on the changes of velocity, as impulses.
+/// Add the impulses of the consistent mass of an element: the mass times the changes of velocity in
+/// the step.
 void add_piece(const World& world, InteractionId id, std::span<const Twist> before, Wrenches& out) {
     const double mass = piece_mass(world, id);
     if (!(mass > 0.0)) return;
