@@ -58,8 +58,8 @@ class Allocation {
     explicit Allocation(std::vector<AllocatedThruster> thrusters);
 
     /// Compute the forces of least cost for τ = (X, Y, N).
-    /// @param available  Fraction of each capacity that a thruster has now, 0 … 1, by index; 0:
-    /// failed; null: all have 1.
+    /// @param available  Available fraction of the capacity of each thruster, 0 … 1; 0: failed;
+    /// null: 1 for all.
     /// @param sectors  In and out: sector that each thruster uses; −1: none yet.
     void allocate(const Vec3& tau, const double* available, std::int32_t* sectors) noexcept;
     /// Return the force of a thruster after allocate(), in the marine frame [N].

@@ -167,7 +167,8 @@ Vec3 Control::demand(const ControlSense& sense, double h) noexcept {
     return tau - feed_;
 }
 
-/// Sum the error, but for axes in which the thrust falls short and the error would raise it.
+/// Integrate the position error of each axis, except if the thrust of this axis is too small and
+/// the error would increase the integral.
 void Control::integrate(const Vec3& tau, double h) noexcept {
     const ControlMode m = mode();
     if (m == ControlMode::off || m == ControlMode::joystick) return;
@@ -235,7 +236,7 @@ void Control::find_available(const ControlledActuators& act, double h) noexcept 
     }
 }
 
-/// Order the angle of an azimuth by the allocation.
+/// Order an azimuth thruster to the angle of the allocation.
 void Control::order_angle(PropulsorState& s, std::size_t i) noexcept {
     const AllocatedThruster& t = allocation_.thrusters()[i];
     const double x = allocation_.x(i), y = allocation_.y(i);

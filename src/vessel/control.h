@@ -51,14 +51,14 @@ class Control {
     /// @param mass  Diagonal of M with added mass for surge, sway and yaw.
     Control(const VesselDef& def, const Vec3& mass);
 
-    /// Choose mode and orders, and allocate. @return Force that acts directly (VesselControl::
-    /// direct), else 0.
+    /// Choose the mode and the orders, and allocate the demand to the propulsors. @return Force
+    /// that acts directly (VesselControl:: direct), else 0.
     [[nodiscard]] Vec3 step(Prestep& now, const ControlSense& sense,
                             ControlledActuators act) noexcept;
     void visit(StateVisitor& visitor);
     void check(StateRules& rules) const;
     void signals(SignalTable& table);
-    /// Return the names of its signals, which propulsors and rudders must not have.
+    /// Return the names of the signals of the control, which propulsors and rudders must not have.
     [[nodiscard]] static const std::vector<std::string>& signal_names();
     /// Return the reason why a mode is not possible; "" if it is.
     [[nodiscard]] const char* reason_against(ControlMode mode) const noexcept;

@@ -34,9 +34,10 @@ class PowerBus {
     [[nodiscard]] bool any() const noexcept { return !boards_.empty(); }
     /// Return the rated power of an ideal propulsor on the bus; 0 if it is not on the bus [W].
     [[nodiscard]] double rated_power(std::size_t propulsor) const noexcept;
-    /// Set the power that a propulsor would take at its shaft [W].
+    /// Set the power that a propulsor demands at its shaft [W].
     void demand(std::size_t propulsor, double power) noexcept;
-    /// Compute all grants. Reports sheddings and failures that begin.
+    /// Grant power to all consumers. Send events for consumers from which power begins to be
+    /// withheld, and for failures.
     void grant_power(Prestep& now, BodyId body) noexcept;
     /// Return the power that a propulsor may take at its shaft, 1e300 without a bus [W].
     [[nodiscard]] double granted_power(std::size_t propulsor) const noexcept;

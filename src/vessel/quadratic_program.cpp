@@ -42,7 +42,8 @@ int QuadraticProgram::max_violated() const noexcept {
     return worst;
 }
 
-/// Compute z (step_) and r (slopes_) of the constraint: x moves along −z, multipliers along −r.
+/// Compute the directions z (step_) and r (slopes_) for a constraint: x moves along −z, the
+/// multipliers along −r.
 void QuadraticProgram::direction(int index) noexcept {
     const Constraint& c = constraints_[static_cast<std::size_t>(index)];
     normal_.setZero(n_);

@@ -14,8 +14,8 @@ struct MainSizes {
     double density = 1025.0;                         ///< [kg/m³].
 };
 
-/// Set heave, roll and pitch of a ship for which they are not published: it stays upright unless
-/// loaded.
+/// Set assumed coefficients of heave, roll and pitch for a ship without published ones, so that it
+/// floats upright.
 /// @param roll  Set roll, too.
 void set_default_stability(PublishedShip& ship, const MainSizes& sizes, bool roll);
 

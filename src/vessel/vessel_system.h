@@ -87,7 +87,7 @@ class VesselSystem final : public System {
     void advance_propulsors(Prestep& now, const Flow& flow) noexcept;
     /// Compute `thrust_fraction` of all propulsors.
     void update_losses(const Prestep& now, double density) noexcept;
-    /// Advance the control. @return a force that acts directly.
+    /// Advance the control by one step. @return a force that acts on the ship directly.
     [[nodiscard]] Wrench control(Prestep& now, const Motion& m) noexcept;
 
     VesselDef def_;
