@@ -54,8 +54,7 @@ InteractionId nearest_element(const World& world, const GuideDef& def) {
     return best;
 }
 
-/// Return the elements that already have its slide.
-/// @throws DefError
+/// Return the elements of the guide that are already attached to its slide. @throws DefError
 Guide find_existing_guide(const World& world, const GuideDef& def) {
     Guide out;
     out.slide = def.slide;

@@ -156,7 +156,7 @@ std::vector<double> contact_arcs(const RouteDef& def, const std::vector<Corner>&
 
 /// Return the interaction of a part between two corners.
 /// @param lies  Stretched length with half of the arcs at its ends [m].
-/// @param own  Its length without tension [m].
+/// @param own  Rest length [m].
 /// @param to_end  True if the line ends behind the part.
 InteractionDef line_part(const RouteDef& def, const Corner& a, const Corner& b,
                          const Straight& straight, double lies, double own, bool to_end) {

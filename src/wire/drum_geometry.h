@@ -58,15 +58,15 @@ struct DrumGeometry {
         /// Position of the level wind along the axis from the middle, −w/2 to w/2 [m].
         double across = 0.0;
     };
-    /// Find the end of a length of wire.
+    /// Find the layer and wrap in which the end of a stored length of wire lies.
     /// @param length  [m]; negative lengths and NaN count as 0. Lengths beyond the capacity fill
     ///        further layers, up to kMaxLayers.
     [[nodiscard]] Place wire_end(double length) const noexcept;
     /// Return the radius at which the wire leaves the drum while `length` is stored on it [m].
     [[nodiscard]] double leaving_radius(double length) const noexcept;
-    /// Return the angle by which the drum turns from empty to a length [rad].
+    /// Return the angle by which the drum turns from empty to a stored length [rad].
     [[nodiscard]] double angle(double length) const noexcept;
-    /// Return the length of wire on the drum after a turn from empty [m].
+    /// Return the length of wire on the drum after it has turned by an angle from empty [m].
     [[nodiscard]] double length(double angle) const noexcept;
     /// Return the inertia of the wire on the drum about its axis [kg m²].
     /// @param mass_per_length  [kg/m].

@@ -134,7 +134,7 @@ bool wire_met_wheel(const Passing& at, double step) {
     return at.gap - step * at.rate > 0.0 || at.gap > -kDeep * at.length;
 }
 
-/// Return the straight piece of wire that results from removing the node between two elements.
+/// Return the straight piece that would replace two elements if the node between them were removed.
 Piece without_node(const World& world, InteractionId before, InteractionId behind) {
     const Piece first = wire_piece_at(world, before), second = wire_piece_at(world, behind);
     return {{first.at[0], second.at[1]}, {first.speed[0], second.speed[1]}};

@@ -134,7 +134,7 @@ double GuideSystem::straight(const World& world, std::size_t side) const noexcep
     return std::sqrt(std::max(0.0, separation - def_.radius * def_.radius) + along * along);
 }
 
-/// Sample the result of the last step before nodes are inserted or removed.
+/// Read the result of the last step, before nodes are inserted or removed.
 void GuideSystem::sample(const World& world) noexcept {
     if (has_run_off()) {
         tension_ = {};
@@ -192,7 +192,7 @@ double GuideSystem::pressing(const World& world, double slack) const noexcept {
     return 0.5 * (tension_[0] + tension_[1]) * (angle_ + slack) - weight.dot(outward);
 }
 
-/// Load the ends with the mass of the elements at the guide that no node carries.
+/// Apply the mass, weight and drag of the elements at the guide that no node carries to their ends.
 void GuideSystem::load_end_masses(const World& world, Loads& loads) const noexcept {
     if (!(def_.element_length > 0.0) || parted_ != 0) return;
     double moved = 0.0, pull = 0.0;

@@ -15,10 +15,10 @@
 
 namespace hawser::wire {
 
-/// Return the shape between the origin and (x, z), x ≥ 0.
+/// Return the shape of a chain that hangs between the origin and (x, z), x ≥ 0.
 [[nodiscard]] Plane hang_between(const Chain& chain, double x, double z);
-/// Return the shape from the origin straight down (up if it floats). Its last node carries half an
-/// element.
+/// Return the shape of a chain that hangs straight down from the origin, or up if it floats. Its
+/// last node carries half an element.
 [[nodiscard]] Plane hang_down(const Chain& chain);
 
 }  // namespace hawser::wire

@@ -27,7 +27,8 @@ namespace hawser::wire {
 /// @return none if the wire does not reach the bottom or a weight is negative.
 [[nodiscard]] std::optional<Plane> rest_between(const Chain& chain, double x, double first,
                                                 double last, double friction);
-/// Find the shape from an end at height `first` with the other end free; none as above.
+/// Find the shape of a chain with one end at height `first` and the other end free on the bottom.
+/// @return as for rest_between().
 [[nodiscard]] std::optional<Plane> rest_with_free_end(const Chain& chain, double first);
 
 }  // namespace hawser::wire

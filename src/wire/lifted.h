@@ -45,7 +45,7 @@ class Lifted {
         double z = 0.0, x = 0.0, x_h = 0.0, x_v = 0.0, z_v = 0.0;
         std::size_t count = 0;
     };
-    /// Sum up the lifted part.
+    /// Compute the sums over the elements of the lifted part.
     /// @param h  Horizontal pull [N].
     /// @param v  Vertical pull at the end, from base() [N].
     [[nodiscard]] Sums sum_elements(double h, double v) const;
@@ -54,21 +54,23 @@ class Lifted {
     /// [N].
     double match_height(double h);
 
-    /// Return the vertical pull at the end from which the others are counted [N].
+    /// Return the reference for vertical pulls at the end: the values v of this class are relative
+    /// to it [N].
     [[nodiscard]] double base() const { return base_; }
     /// Return the vertical pull of element e for a pull v of the end [N].
     [[nodiscard]] double pull_at(std::size_t e, double v) const { return v + fall_[e]; }
     /// Write the shape without horizontal pull: hanging elements, and slack elements inclined by
     /// `lean`.
     void write_dropped(double lean, std::vector<Vec3>& chord, std::vector<double>& tension) const;
-    /// Write chords of its elements, downwards from the end, and tensions; v from base().
+    /// Write the chords of the elements, downwards from the end, and their tensions. v is relative
+    /// to base().
     void write(double h, double v, std::vector<Vec3>& chord, std::vector<double>& tension) const;
 
   private:
     void drop();
 
-    /// Count pulls from the lowest hanging element. Near a fold their last digits decide, and the
-    /// sum of all weights loses digits.
+    /// Set base() so that pulls are relative to that of the lowest hanging element. Near a fold
+    /// their last digits decide, and the sum of all weights loses digits.
     void count_from_below();
 
     const Chain& chain_;

@@ -32,9 +32,9 @@ class PassedPost {
         /// Gap between surface and line [m]; fraction along the line, from its first end.
         double gap, fraction;
     };
-    /// Return true if a wire lies on it.
+    /// Return true if a wire lies on the bollard.
     [[nodiscard]] virtual bool carries(WireId wire) const noexcept = 0;
-    /// Find the nearest point of a line.
+    /// Return the gap between the bollard and a line, and the nearest point on the line.
     [[nodiscard]] virtual Separation separation(const World& world,
                                                 const std::array<Vec3, 2>& line) const = 0;
 

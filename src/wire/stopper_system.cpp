@@ -159,7 +159,8 @@ void StopperSystem::close_on_wire(NodeEdits& nodes) noexcept {
     set_state(StopperState::closing);
 }
 
-/// Remove nodes that are no longer needed. A wire that stays bent does not keep them forever.
+/// Remove nodes that are no longer needed. A node at which the wire remains bent is removed after a
+/// time limit.
 void StopperSystem::remove_idle_nodes(NodeEdits& nodes) noexcept {
     if (++idle_steps_ % kTry != 0) return;
     const double bend = idle_steps_ > kPatience ? std::numbers::pi : kStraight;

@@ -16,7 +16,7 @@ namespace hawser::wire {
 /// @return none if the node would lift or other nodes would lie.
 [[nodiscard]] std::optional<Plane> touch_once(const Chain& chain, double x, double sunk,
                                               double last);
-/// Return the shape counted from the other end.
+/// Return the shape with its nodes in reversed order.
 [[nodiscard]] Plane reversed(const Plane& shape);
 
 }  // namespace hawser::wire

@@ -23,7 +23,7 @@ std::span<const char* const> winch_modes() noexcept {
 }  // namespace hawser
 
 namespace hawser::wire {
-/// Return true if no more wire can be hauled in.
+/// Return true if the wire is hauled in completely.
 bool WinchSystem::is_hauled_in() const noexcept {
     if (hauled_in_) return true;
     if (wheel_) return stored_ >= wheel_->locker;
