@@ -24,7 +24,7 @@ std::int32_t next_index(std::int32_t vacant, int count) noexcept {
     return vacant < 0 ? count : vacant;
 }
 
-/// Store a definition at an index, at the end or not. Capacity has been reserved.
+/// Store a definition at an index of a list, which may be its end. Capacity has been reserved.
 template <class T>
 void store_at(std::vector<T>& list, std::int32_t place, T&& value) noexcept {
     if (at(place) == list.size())
@@ -174,7 +174,8 @@ const Removed& World::remove_interaction(InteractionId id) {
 const Removed& World::remove_shape(ShapeId id) { return remove_object(*impl_, id, "remove_shape"); }
 const Removed& World::remove_input(InputId id) { return remove_object(*impl_, id, "remove_input"); }
 
-/// Reserve capacity for all objects, because removing a hull may remove any of them.
+/// Reserve capacity for the removal of all objects, because the removal of a hull may remove any of
+/// them.
 void WorldImpl::reserve_removal() {
     edit::reserve_edit(ctx);
     ctx.model.bodies.reserve_more();

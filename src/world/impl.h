@@ -208,8 +208,8 @@ struct WorldImpl final : private world::InputAccess {
     std::vector<ForceInput> force_inputs;
     void add_up_force(BodyId body, int component) noexcept;
     [[nodiscard]] double user_force(std::size_t body, int component) const noexcept;
-    /// Remove input forces from the bodies for a snapshot, and add them again. After reading a
-    /// snapshot, bodies have the user forces only.
+    /// Remove the forces of inputs from the bodies for a snapshot. The next function adds them
+    /// again. After reading a snapshot, bodies have the user forces only.
     void remove_user_forces() noexcept;
     void add_up_forces() noexcept;
     void set_user_forces() noexcept;  ///< Restore user forces from the definitions.
@@ -267,8 +267,8 @@ struct WorldImpl final : private world::InputAccess {
     world::Use use;
 
     void apply_input(std::size_t index, double value);
-    /// Return the current value at the target of an input: its value unless another call set it
-    /// since.
+    /// Return the current value at the target of an input. It differs from the value of the input
+    /// if another call has set the target since.
     [[nodiscard]] double applied(const InputDef& input) const;
     /// Wake the target of an input.
     void disturb(const InputDef& input) noexcept;

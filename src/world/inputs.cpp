@@ -19,7 +19,7 @@ using world::lookup;
 
 namespace {
 
-/// Reject a nominal size or spring of an input that no display could use.
+/// Reject a nominal value or a spring value of an input that a display could not use.
 void check_display(const InputDef& def, const world::Where& where) {
     if (!(def.nominal >= 0.0) || !std::isfinite(def.nominal))
         throw DefError(where.text() + ": nominal = " + world::number(def.nominal) +

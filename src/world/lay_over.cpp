@@ -57,8 +57,7 @@ struct Parts {
     std::array<ShapeId, 2> capsule;
 };
 
-/// Add the parts, all or none.
-/// @param then  Further call that may throw.
+/// Add the parts of an element at a guide, all or none. @param then  Further call that may throw.
 template <class F>
 Parts add_parts(World& world, const WireTrim& trim, const InteractionDef& before,
                 const InteractionDef& behind, F&& then) {
@@ -170,8 +169,8 @@ void WorldImpl::drop_folded(std::int32_t bend) noexcept {
         remove(ctx.model.interactions.id(bend));
 }
 
-/// Return the wire of two parts.
-/// @throws DefError if they are not results of lay_over().
+/// Return the wire to which two parts belong. @throws DefError if they are not results of
+/// lay_over().
 world::Wire& WorldImpl::wire_on_guide(InteractionId before, InteractionId behind,
                                       const InteractionDef& element) {
     const InteractionDef &a = ctx.model.interactions.def[at(before.index)],

@@ -81,7 +81,7 @@ class Names {
     [[nodiscard]] bool contains(std::string_view name) const noexcept {
         return map_.find(name) != map_.end();
     }
-    /// Return the index of a name; −1: unused.
+    /// Return the index of a name; −1 if the name is unused.
     [[nodiscard]] std::int32_t find(std::string_view name) const noexcept {
         const auto found = map_.find(name);
         return found == map_.end() ? -1 : found->second;

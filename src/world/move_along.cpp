@@ -33,7 +33,8 @@ Part part_at(const context::StepContext& ctx, InteractionId id, std::size_t plac
     return out;
 }
 
-/// Check that they are two parts with enough length.
+/// Check that two interactions are the parts of an element at a guide and have enough length.
+/// @throws DefError
 /// @throws DefError
 void check_move(const World& world, const model::Interactions& in, InteractionId before,
                 InteractionId behind, double along, double fed) {

@@ -11,8 +11,7 @@
 
 namespace hawser {
 
-/// Check that an element can have a node.
-/// @throws DefError with the remedy.
+/// Check that a node can be inserted in an element. @throws DefError with the remedy.
 void WorldImpl::check_node(InteractionId element, double share, double mass) const {
     const model::Interactions& in = ctx.model.interactions;
     const std::size_t e = index_of(element);

@@ -55,8 +55,8 @@ void list_cuts(const assembly::PartGraph& g, const model::Interactions& in,
     }
 }
 
-/// Return the cost of the largest part and the separators as a fraction of all. Costs change with
-/// the contacts.
+/// Return the cost of the largest part and the separators as a fraction of the total cost. A
+/// fraction is used because costs change with the contacts.
 double makespan(const graph::Partition& p) {
     double longest = 0.0, sum = static_cast<double>(p.separator_cost);
     for (const std::int64_t cost : p.cost) {
@@ -150,7 +150,7 @@ graph::Partition find_separators(const assembly::PartGraph& g, const PartitionRe
     return p;
 }
 
-/// Find parts with cuts between them.
+/// Find a partition whose parts are separated by cuts.
 graph::Partition find_split(const assembly::PartGraph& g, const PartitionRequest& request,
                             PartitionView& view) {
     graph::Partition p;

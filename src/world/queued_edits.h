@@ -26,7 +26,7 @@ class QueuedEdits final : public Edits::Hands {
     void remove(WireId id) noexcept override { queue_edit(id); }
     void part(InteractionId id) noexcept override { queue_edit(Part{id}); }
 
-    /// Set the system of the following edits.
+    /// Set the system that requests the following edits.
     void begin_system(std::string_view name) noexcept { system_ = name; }
     void clear() noexcept;
     [[nodiscard]] std::size_t size() const noexcept { return list_.size(); }

@@ -68,7 +68,7 @@ void visit_motion(Context& ctx, F&& f) {
     f(ctx.model.wires.recoil);
 }
 
-/// Visit the single values of the state: f(value).
+/// Call f(value) for each single value of the state.
 template <class Context, class F>
 void visit_values(Context& ctx, F&& f) {
     f(ctx.state.step);
@@ -88,7 +88,7 @@ void visit_values(Context& ctx, F&& f) {
     f(ctx.work.stats.event_count);
 }
 
-/// Visit remembered contacts: f(array).
+/// Call f(array) for each array of stored contacts.
 template <class Context, class F>
 void visit_contacts(Context& ctx, F&& f) {
     f(ctx.model.collider.last_contacts());
@@ -202,7 +202,7 @@ struct SavedState {
     std::vector<double> inputs;
 };
 
-/// Allocate the arrays of an elimination order.
+/// Allocate the arrays of an elimination order with the sizes of a header.
 [[nodiscard]] factor::AnalysisState capacity_for_order(const Header& header);
 
 /// Check that a world can continue from a state: valid indices, finite numbers, consistent counts

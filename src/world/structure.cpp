@@ -19,7 +19,8 @@
 namespace hawser {
 namespace {
 
-/// Return a body with a number of entries, which fills an index until all objects have theirs.
+/// Return a placeholder body of a given number of degrees of freedom. It occupies an index until
+/// all objects have theirs.
 BodyDef placeholder(int room) {
     BodyDef def;
     def.kind = room == 6   ? BodyKind::rigid

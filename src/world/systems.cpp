@@ -45,7 +45,7 @@ class NumberCheck final : public StateVisitor {
     bool all_finite_ = true;
 };
 
-/// Call f(data, bytes) for the arrays of a system's state.
+/// Call f(data, bytes) for each array of a system's state.
 template <class F>
 void visit(System& system, bool around_step, F&& f) {
     Visitor visitor(around_step, [&f](void* data, std::size_t size) { f(data, size); });

@@ -51,8 +51,9 @@ class InputAccess {
     /// done so.
     /// @return false if allocation fails.
     [[nodiscard]] virtual bool begin_edits() noexcept = 0;
-    /// Remove the forces of inputs in body frames from the applied forces, and add them again with
-    /// the current inputs and poses. During a step they are rotated into world axes.
+    /// Remove the forces of inputs in body frames from the applied forces. The next function adds
+    /// them again, with the current inputs and poses. During a step they are rotated into world
+    /// axes.
     virtual void unrotate_forces() noexcept = 0;
     virtual void rotate_forces() noexcept = 0;
     /// Return the number of inputs of the world.
@@ -85,10 +86,10 @@ class Systems final : public context::Actors {
     /// @throws DefError with the nearest name.
     [[nodiscard]] const SystemSignal& signal(std::string_view name) const;
 
-    /// Set the world that systems see in a step.
+    /// Set the world that is passed to systems in a step.
     void use(const World& world) noexcept { world_ = &world; }
-    /// Call f for the objects that each system holds, with its name.
-    /// @throws std::bad_alloc, and exceptions of f.
+    /// Call f for the objects that each system refers to, with the name of the system. @throws
+    /// std::bad_alloc, and exceptions of f.
     template <class F>
     void for_each_held(F&& f) const {
         for (const auto& s : list_) {
@@ -145,7 +146,7 @@ class Systems final : public context::Actors {
     void accept(context::StepContext& ctx) noexcept override;
     void go_back(context::StepContext& ctx) noexcept override;
 
-    /// Return a hash of names and sizes of states.
+    /// Return a hash of the names of all systems and the sizes of their states.
     [[nodiscard]] std::uint64_t layout() const;
     [[nodiscard]] static std::uint64_t no_layout() noexcept;  ///< Layout without systems.
     [[nodiscard]] std::size_t state_bytes() const;
@@ -154,7 +155,7 @@ class Systems final : public context::Actors {
     /// Check the states read by restore().
     /// @throws DefError with the names of system and quantity.
     void check_states(const World& world) const;
-    /// Continue a hash with all states.
+    /// Continue a hash with the states of all systems.
     [[nodiscard]] std::uint64_t hash(std::uint64_t h) const;
 
     BadLoad bad;

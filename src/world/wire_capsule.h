@@ -17,7 +17,7 @@ namespace hawser::world {
 [[nodiscard]] std::optional<ShapeDef> element_capsule(const World& world, const WireTrim& trim,
                                                       const std::array<BodyId, 2>& body,
                                                       const std::array<Vec3, 2>& point);
-/// Return the capsule of a defined element.
+/// Return the capsule of an element with this definition.
 [[nodiscard]] inline std::optional<ShapeDef> element_capsule(const World& world,
                                                              const WireTrim& trim,
                                                              const InteractionDef& element) {

@@ -125,7 +125,8 @@ void WorldImpl::follow_definition(BodyId lump) noexcept {
     body_defs[at(lump.index)].linear_damping = edit::damping_of(ctx, lump.index);
 }
 
-/// Move the objects that begin at a node to another node at its position, which has been added.
+/// Divide a wire at a node: attach the objects that begin at this node to the node `end`, which has
+/// been added at the same position.
 void WorldImpl::split_wire_at_node(const edit::NodeSurroundings& place, BodyId end) noexcept {
     model::Interactions& in = ctx.model.interactions;
     const BodyId node = ctx.model.bodies.id(place.node), far = in.def[at(place.second)].body[1];
@@ -171,8 +172,8 @@ bool WorldImpl::is_carried(const world::Wire& wire, std::size_t element) const n
     return systems.carried_mass(wire.elements[element]) != 0.0;
 }
 
-/// Find the point of a cut next to an element with is_carried(), whose nodes have no mass to
-/// divide. The cut is a quarter into the nearest element beyond.
+/// Find the point of a cut near an element with is_carried(), whose nodes have no mass to divide.
+/// The cut is in the nearest element beyond, at a quarter of its length.
 /// @param node  Its index.
 /// @param s  [m].
 /// @return the element, and the fraction in it.

@@ -110,7 +110,7 @@ void WorldImpl::open_gear(InteractionId element, BodyId lump) {
 
 namespace {
 
-/// Return the node of a released end.
+/// Return the definition of the node at a released end.
 BodyDef freed_body(const World& w, const context::StepContext& c, std::int32_t element,
                    std::size_t side, const edit::NodeFraction& node_fraction) {
     const BodyDef& next = w.body_def(c.model.interactions.def[at(element)].body[1 - side]);
@@ -126,7 +126,8 @@ BodyDef freed_body(const World& w, const context::StepContext& c, std::int32_t e
     return out;
 }
 
-/// Return the element between other bodies without a drum, with the data of the next element.
+/// Return an element between two bodies that replaces an element at a drum, with the data of the
+/// next element.
 InteractionDef element_without_drum(const context::StepContext& c,
                                     const std::array<std::int32_t, 2>& element, std::size_t side,
                                     BodyId lump, double mass) {
@@ -218,7 +219,7 @@ std::optional<ShapeDef> capsule_like(const Impl& m, std::int32_t next_element) {
     return out;
 }
 
-/// Restore the mass to the last bit, which scaling back would not.
+/// Restore the mass of a node to the last bit. Scaling back would not give equal bits.
 template <class Impl>
 void restore_mass(Impl& m, World& world, BodyId lump, const BodyDef& was) {
     BodyDef& now = m.body_defs[at(lump.index)];

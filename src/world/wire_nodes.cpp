@@ -31,7 +31,7 @@ void reserve_node(world::Wire& wire) {
     base::reserve_more(wire.shapes, 1);
 }
 
-/// Insert a node. Capacity has been reserved.
+/// Insert a node into the lists of a wire. Capacity has been reserved.
 /// @param made  The node and the objects added with it.
 /// @param first  True if the new element comes before the existing one.
 void put_node(world::Wire& wire, InteractionId element, const world::Wire& made,

@@ -49,7 +49,7 @@ WireId WorldWires::add(const WireDef& def) {
     return id;
 }
 
-/// Report a wire part by part, in the order of addition.
+/// Report an added wire to the listener part by part, in the order of addition.
 void WorldImpl::report_wire(const world::Wire& made) const noexcept {
     if (listener == nullptr) return;
     try {
@@ -250,8 +250,8 @@ double WorldWiresView::tension(WireId id, double s) const {
     return world_->intact(element) ? std::max(0.0, -world_->force(element)[0]) : 0.0;
 }
 
-/// Update the wire assignment for recoil of a new element.
-/// @throws std::bad_alloc.
+/// Update the assignment of elements to wires for the recoil of a new element. @throws
+/// std::bad_alloc.
 void WorldImpl::update_wire_of(InteractionId element) {
     const std::vector<std::int32_t>& added = ctx.state.edits.interactions;
     if (!ctx.state.started || std::find(added.begin(), added.end(), element.index) != added.end())
