@@ -35,7 +35,6 @@ Part part_at(const context::StepContext& ctx, InteractionId id, std::size_t plac
 
 /// Check that two interactions are the parts of an element at a guide and have enough length.
 /// @throws DefError
-/// @throws DefError
 void check_move(const World& world, const model::Interactions& in, InteractionId before,
                 InteractionId behind, double along, double fed) {
     const InteractionDef &a = world.interaction_def(before), &b = world.interaction_def(behind);
