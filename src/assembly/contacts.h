@@ -73,7 +73,7 @@ class Contacts {
     /// Begin a step with `count` active contacts, followed by `asleep` sleeping contacts, which
     /// have no rows and keep their memory. @throws std::bad_alloc if the number grows.
     void begin(std::size_t count, std::size_t asleep);
-    /// Mark contact `index` of the set of this step as sleeping.
+    /// Mark contact `index` of this step as sleeping.
     void set_asleep(std::size_t index, std::int32_t previous) noexcept {
         next_[index] = previous >= 0 ? memory[static_cast<std::size_t>(previous)] : kNoMemory;
     }
@@ -165,7 +165,7 @@ class Contacts {
     /// True if the blocks match the present bodies and links.
     [[nodiscard]] bool has_blocks() const noexcept;
     [[nodiscard]] std::int32_t block_of(std::int32_t a, std::int32_t b) const noexcept;
-    /// True if contacts act on the same bodies as in the previous call.
+    /// True if contacts act on the bodies on which they acted in the previous call.
     [[nodiscard]] bool same_bodies() noexcept;
     // Find the blocks on which contacts act (step of connect()). The list functions below then
     // build the lists.

@@ -119,8 +119,8 @@ inline T completed_stiffness(const T& s4) {
     return select_greater(beyond, one(s4), one(s4), beyond);
 }
 
-/// Compute scale × projected arm stiffness of the force f, magnitude nf, at arm r, length nr. Zero
-/// if either is zero.
+/// Compute `scale` times the projected stiffness of a force f of magnitude nf at an arm r of length
+/// nr (see the head of this file). The result is zero if nf or nr is zero.
 template <class T>
 inline void arm_stiffness(const V3T<T>& f, const T& nf, const V3T<T>& r, const T& nr,
                           const T& scale, T* out) {

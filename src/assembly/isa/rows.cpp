@@ -23,7 +23,8 @@ constexpr int kSlots = kMaxInteractionBodies;
 template <class K>
 constexpr bool kCompactKind = requires { requires K::kMayBeCompact; };
 
-/// Return the fraction of the geometric stiffness that applies to an interaction with the force nf.
+/// Return the fraction of the geometric stiffness that is used for an interaction whose force has
+/// the magnitude nf.
 double fade(const View& view, std::int32_t id, double nf) {
     if (!view.completed[id]) return 1.0;
     return completed_stiffness(4.0 * view.h * view.h * nf * view.vibration[id]);
