@@ -77,7 +77,8 @@ bool same_pair(const KeptContact& a, const KeptContact& b) noexcept {
     return a.shape[0] == b.shape[0] && a.shape[1] == b.shape[1];
 }
 
-/// Match the contacts [a, b) with the contacts [p, q) of the last step of the same two shapes.
+/// Match the contacts [a, b) with the contacts [p, q) of the last step, which are those of the same
+/// pair of shapes.
 void match_pair(std::vector<Contact>& contacts, const base::Array<KeptContact>& now,
                 const base::Array<KeptContact>& last, std::size_t a, std::size_t b, std::size_t p,
                 std::size_t q, double radius, base::Array<std::uint8_t>& taken) noexcept {
