@@ -88,8 +88,8 @@ void settle_node(context::StepContext& ctx, const NodeSurroundings& place, std::
                                 double bend) noexcept;
 /// Fraction of half an element that a node between two elements loaded by drums or guides keeps.
 inline constexpr double kKeptMass = 1e-2;
-/// True if a node that transfers half an element has more mass than this half, apart from rounding.
-/// @param has, half  [kg].
+/// True if the mass of a node exceeds half of the mass of an element, apart from rounding.
+/// @param has  Mass of the node [kg]. @param half  Half of the mass of the element [kg].
 [[nodiscard]] constexpr bool exceeds_half(double has, double half) noexcept {
     return has > (1.0 + 1e-3) * half;
 }
