@@ -115,7 +115,8 @@ inline void factor_columns(const Columns<kSides> m, int c, int n, V8& bad) {
         });
 }
 
-/// Compute next = shifted window − L21 W21ᵀ. `l` and `w` point to the first update row.
+/// Compute the window of the next step: the shifted window minus L21 W21ᵀ. `l` and `w` point to the
+/// first update row.
 inline void update_window(const double* l, const double* w, long stride, const BatchStep& step,
                           const Shift& shift, const double* window, double* next) {
     for (int i = 0; i < step.q / kTile; ++i) {
