@@ -148,7 +148,8 @@ class HullWater {
     }
     /// Sample the water velocity at the cells of the hull that belong to a task.
     void flow_past(const WaterField& field, int chunk) noexcept;
-    /// Sum the triangles of a task. All corners must have their pressures.
+    /// Compute the forces on the triangles of a task, and their sum. The pressures at all corners
+    /// must have been computed.
     void sum(int chunk) noexcept;
     /// Sum the parts of the tasks, and add the forces at the centre of mass.
     void finish(const WaterField& field, double air) noexcept;
