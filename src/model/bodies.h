@@ -109,7 +109,7 @@ struct Bodies {
 
   private:
     void write(int body, const BodyDef& def) noexcept;
-    /// Enter a body in the lists of moving, rigid and kinematic bodies.
+    /// Add a body to the lists of moving, rigid and kinematic bodies to which its kind belongs.
     void enlist(int body) noexcept;
 };
 

@@ -270,8 +270,8 @@ struct Interactions {
                                                      const Bodies& bodies_in) const noexcept;
     /// Return the angles of wheel_angles() including whole turns [rad].
     [[nodiscard]] std::array<double, 2> wrapped(int id, const Bodies& bodies_in) const noexcept;
-    /// Count the whole turns of the angles of wheel_angles(). @param before  Angles before bodies
-    /// moved or were replaced, by less than half a turn.
+    /// Update the number of whole turns in the angles of wheel_angles(). @param before  Angles
+    /// before bodies moved or were replaced, by less than half a turn.
     void follow_turns(int id, const std::array<double, 2>& before,
                       const Bodies& bodies_in) noexcept;
     /// Return the coordinate of the hinge, slider or scalar body that the interaction holds,
