@@ -12,7 +12,8 @@
 namespace hawser::monitor {
 namespace {
 
-/// Return the edge length of a cube with the same mass and inertia [m]; infinite for other bodies.
+/// Return the size of a rigid body: the edge of a cube with its mass and inertia [m]. It is
+/// infinite for other bodies.
 double size_of(const model::Bodies& b, std::int32_t body) noexcept {
     if (b.dof(body) != 6) return std::numeric_limits<double>::infinity();
     const double* s = &b.inertia[9 * at(body)];
