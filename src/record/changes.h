@@ -81,7 +81,7 @@ class ChangeBytes : public ChangeListener {
     bool bodies_changed_ = false, failed_ = false;
 };
 
-/// Repeat recorded changes in a world in the same state.
+/// Apply recorded changes to a world in the state in which they were recorded.
 /// @throws BadBytes if the bytes are not from ChangeBytes, DefError if the world rejects a change.
 void apply_changes(std::span<const std::byte> bytes, World& world);
 
