@@ -44,7 +44,8 @@ class Pool final : public base::Executor {
     /// Let the workers sleep.
     void pause() noexcept;
 
-    /// Let stopping() return true until clear_stop(). Called by any thread or a signal handler.
+    /// Request that stopping() returns true until clear_stop(). Any thread or a signal handler may
+    /// call it.
     void stop() noexcept { stopping_.store(true, std::memory_order_relaxed); }
     void clear_stop() noexcept { stopping_.store(false, std::memory_order_relaxed); }
     /// Block stop requests: stopping() returns false until the block ends, so that changes of the
