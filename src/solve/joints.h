@@ -25,7 +25,7 @@ inline constexpr double kResolvedVibration = 1.5;
     return square;
 }
 /// Return s² of a joint under its impulse, s = h |p| max(r/I).
-/// @param k  Its index among the joints.
+/// @param k  Index of the joint.
 [[nodiscard]] inline double squared_vibration(const context::Model& model, std::int32_t k,
                                               const double* lambdas) noexcept {
     const context::Completion& c = model.completion;
