@@ -12,8 +12,8 @@ namespace hawser::step {
 /// failure. @throws std::bad_alloc, LimitError.
 void repair(context::StepContext& ctx);
 
-/// Bring the analysed system up to date with the state: rebuild after a failed step, analyse
-/// additions. Saves an undo copy first. @throws std::bad_alloc, LimitError.
+/// Update the analysed system to the state: rebuild it after a failed step, and analyse additions.
+/// An undo copy is saved first. @throws std::bad_alloc, LimitError.
 void make_ready(context::StepContext& ctx);
 
 /// Restores the saved state on destruction without done(). If nested, the outer one does it.

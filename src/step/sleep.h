@@ -37,7 +37,8 @@ namespace hawser::step {
 /// Call before the step is solved.
 [[nodiscard]] Status wake_disturbed(context::StepContext& ctx) noexcept;
 
-/// Count the steps at rest of each body, and let islands fall asleep, after a successful step.
+/// Update the number of steps at rest of each body, and let islands fall asleep. Call after a
+/// successful step.
 void fall_asleep(context::StepContext& ctx) noexcept;
 
 }  // namespace hawser::step
