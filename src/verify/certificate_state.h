@@ -49,7 +49,7 @@ class StateVerifier {
     /// Count an impulse of the geometric stiffness of an interaction in this step. It may dissipate
     /// energy, unless the interaction is a rigid joint. @param impulse  On `body`.
     void add_stiffness(InteractionId id, BodyId body, const Wrench& impulse);
-    /// Count an impulse in this step as a force that may dissipate energy.
+    /// Add the work of an impulse in this step to the forces that may dissipate energy.
     void add_impulse(BodyId body, const Wrench& impulse);
     /// Check the state after a step. @return a description of the failure; empty: none.
     [[nodiscard]] std::string after_step(const World& world);

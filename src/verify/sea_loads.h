@@ -24,7 +24,7 @@ class SeaVerifier {
     /// Read inputs and time of the next step.
     void before_step(const World& world);
     /// Compare the loads of a step.
-    /// @param pose, before  Of all bodies at its start.
+    /// @param pose, before  Poses and twists of all bodies at the start of the step.
     /// @return the largest difference of a load of the sea from the computed one, relative to its
     ///        size and the body's; 0 without a sea.
     [[nodiscard]] double after_step(const World& world, const std::vector<Pose>& pose,
