@@ -101,8 +101,8 @@ class VesselSystem final : public System {
     std::vector<Rudder> rudders_;
     Surface surface_;  ///< Water surface, updated in each step.
     // Scratch of water_force().
-    std::vector<double> thrusts_;  ///< Of propulsors in open water [N].
-    std::vector<Wrench> pushes_;   ///< Of propulsors, then of rudders.
+    std::vector<double> thrusts_;  ///< Thrusts of propulsors in open water [N].
+    std::vector<Wrench> pushes_;   ///< Forces of propulsors, then of rudders.
     bool has_losses_ = false;
     std::vector<FedLine> lines_;
     std::unique_ptr<Control> control_;  ///< Null: VesselControl::active is false.
