@@ -39,7 +39,8 @@ class GuideSystem final : public System {
     /// @param stop  Input: friction force in addition to that of the angle.
     GuideSystem(GuideDef def, const Guide& ids, InputId stop,
                 const std::array<double, 2>& material);
-    /// Visit the data of a guide at a bollard that vary: the wire on it and its geometry.
+    /// Call the visitor for the data of a guide at a bollard that vary: the wire on it and its
+    /// geometry.
     void visit_geometry(StateVisitor& visitor);
     /// Check the numbers of visit_geometry().
     void check_position(const World& world, StateRules& rules) const;
