@@ -46,7 +46,7 @@ class Names {
   public:
     using Map = std::unordered_map<std::string, std::int32_t, NameHash, std::equal_to<>>;
     Names() = default;
-    /// Copy the names from another world, without the reserve.
+    /// Copy the names from another world. Spare entries are not copied.
     Names(const Names& from) : map_(from.map_) {}
     Names& operator=(const Names& from) {
         map_ = from.map_;

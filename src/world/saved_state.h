@@ -29,8 +29,8 @@ struct Header {
     std::uint64_t system_bytes = 0;
 };
 
-/// Visit groups that follow the state. They come first, because the numbers of ghost bodies and
-/// duplicated rows depend on them.
+/// Call f(array) for the data of groups that follow the state. They are first, because the numbers
+/// of ghost bodies and duplicated rows depend on them.
 template <class Groups, class F>
 void visit_groups(Groups& groups, F&& f) {
     f(groups.parts.part.data(), groups.parts.part.size() * sizeof(std::int32_t));
@@ -98,7 +98,7 @@ void visit_contacts(Context& ctx, F&& f) {
     f(ctx.model.system.contacts.link_used);
 }
 
-/// Visit every array of the state with f(pointer, bytes).
+/// Call f(pointer, bytes) for every array of the state.
 template <class Context, class Order, class F>
 void visit_state(Context& ctx, std::vector<double>& inputs, Order& order, F&& f) {
     auto array = [&](auto& a) { f(a.data(), a.size() * sizeof(a[0])); };

@@ -174,9 +174,9 @@ bool WorldImpl::is_carried(const world::Wire& wire, std::size_t element) const n
 
 /// Find the point of a cut near an element with is_carried(), whose nodes have no mass to divide.
 /// The cut is in the nearest element beyond, at a quarter of its length.
-/// @param node  Its index.
-/// @param s  [m].
-/// @return the element, and the fraction in it.
+/// @param node  Index of the node at the cut.
+/// @param s  Material coordinate of the cut [m].
+/// @return the element, and the fraction of its length at which the cut lies.
 std::pair<InteractionId, double> WorldImpl::cut_beside_carried(const world::Wire& wire,
                                                                std::size_t node,
                                                                double s) const noexcept {
