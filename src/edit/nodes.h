@@ -51,8 +51,8 @@ struct NodeDef {
     double mass = 0.0;          ///< Mass [kg].
     Vec3 position{0, 0, 0};     ///< Position [m].
     Vec3 velocity{0, 0, 0};     ///< Velocity [m/s].
-    Vec3 damping{0, 0, 0};      ///< Drag that it takes over from both ends [N s/m].
-    double of_end[2] = {0, 0};  ///< Fraction of the loads on the end nodes that it takes over.
+    Vec3 damping{0, 0, 0};      ///< Drag of both end nodes that the new node receives [N s/m].
+    double of_end[2] = {0, 0};  ///< Fractions of the loads of both end nodes [1].
 };
 
 /// Energies before an edit [J].
