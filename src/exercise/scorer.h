@@ -55,7 +55,7 @@ class Scorer {
     struct Watch {
         /// Channels of its conditions, or the channel of its events.
         std::vector<std::size_t> channels;
-        double held_time = 0.0;  ///< Time for which all conditions have held [s].
+        double held_time = 0.0;  ///< Time for which all conditions have been met [s].
         bool holds = false;      ///< True if all conditions hold.
         bool active = false;
     };
