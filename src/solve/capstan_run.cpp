@@ -8,7 +8,7 @@
 namespace hawser::solve {
 namespace {
 
-/// Relative rounding of the impulses whose difference acts at a place.
+/// Relative rounding of the impulses whose difference acts at a turning point.
 constexpr double kRounding = 2e-15;
 
 /// Write the speed w of a turning point as a linear function of the impulses before and behind it.
@@ -93,7 +93,7 @@ int switch_run(std::size_t n, context::RunPoint* place, context::RunPart* part, 
         switched += pulls != p.pulls ? 1 : 0;
         p.pulls = pulls;
     }
-    std::int32_t before = 0;  // former side of the place before
+    std::int32_t before = 0;  // former side of the previous point
     for (std::size_t k = 0; k < n && switched < most; ++k) {
         context::RunPoint& p = place[k];
         const std::int32_t was = p.side, behind = k + 1 < n ? place[k + 1].side : 0;
@@ -104,12 +104,12 @@ int switch_run(std::size_t n, context::RunPoint* place, context::RunPart* part, 
         if (p.side == 0) {
             const double force =
                 p.mass * (w - p.free) - p.before * part[k].lambda - p.behind * part[k + 1].lambda;
-            // Behind a place that has slid, places are at their bounds.
+            // Points behind one that has slid are at their bounds.
             constexpr double beyond = 1.0 + kCapstanAtBound;
             if (force > beyond * (p.high + load)) side = 1;
             if (force < beyond * (p.low - load)) side = -1;
         } else {
-            // A sliding place continues while its spring requires more.
+            // A point continues to slide while its spring requires more than the bound.
             const double bound = p.side > 0 ? p.high + load : p.low - load;
             const double noise =
                 kRounding * (std::fabs(part[k].lambda) + std::fabs(part[k + 1].lambda)) / p.mass;
