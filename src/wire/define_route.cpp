@@ -24,7 +24,7 @@ constexpr double kPi = 3.14159265358979323846;
 /// limits: the force that accelerates the slide, and rounding.
 constexpr double kSlideMass = 1e-6;
 
-/// An end or place of the line.
+/// An end or a turning point of the line.
 struct Corner {
     BodyId body{}, slide{};
     Vec3 point = Vec3::Zero();  ///< In the body's frame.

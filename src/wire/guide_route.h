@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file guide_route.h
-/// A guide as a route (hawser/route.h) of one place: the line between the ends of the element that
-/// passes it.
+/// A guide as a route (hawser/route.h) with one turning point: the line between the ends of the
+/// element that passes it.
 
 #include <hawser/guide.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file lifted.h
-/// The part of a wire that an end above a level bottom lifts from it.
+/// The part of a wire between the level bottom and an end above it.
 
 #include "wire/chain.h"
 
@@ -16,7 +16,8 @@ class Lifted {
     /// Create the part of a chain that is lifted from the bottom.
     /// @param chain  Counted from this end; must outlive this object.
     /// @param height  Height of the end [m], ≥ 0.
-    /// @param kept  Elements at the other end that cannot hang: those that rise from under it.
+    /// @param kept  Number of elements at the other end that cannot hang, because they rise from an
+    ///        end below the bottom.
     Lifted(const Chain& chain, double height, std::size_t kept)
         : chain_(chain),
           max_lifted_(chain.elements() - kept),
@@ -32,8 +33,8 @@ class Lifted {
         double v = 0.0;           ///< Vertical pull at the end [N].
         double rise = 0.0;        ///< Height of the lowest hanging node over the bottom [m].
         std::size_t leaning = 0;  ///< Number of slack elements below that span `rise`.
-        double slack = 0.0;       ///< Their length [m].
-        double lean = 0.0;        ///< Their reach along the bottom [m].
+        double slack = 0.0;       ///< Length of the slack elements [m].
+        double lean = 0.0;        ///< Horizontal distance that they cover [m].
     };
     [[nodiscard]] const Drop& dropped() const { return drop_; }
     /// Return the number of elements off the bottom, without horizontal pull.

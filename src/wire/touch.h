@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file touch.h
-/// A taut wire with its first end slightly under a level bottom and only its first node on it. The
-/// first element pulls that node down, so the rest may lift more than the total weight.
+/// A taut wire whose first end lies slightly below a level bottom, and of which only the first node
+/// touches the bottom. The first element pulls this node down, so the pull at the other end may
+/// exceed the weight of the wire.
 
 #include "wire/chain.h"
 
