@@ -21,7 +21,7 @@ namespace {
 /// A part at the place, and the bend about the node at its other end.
 struct Part {
     std::int32_t id = -1, bend = -1;
-    std::size_t place = 0, slot = 0;  ///< Slots of the place in the part and in the bend.
+    std::size_t place = 0, slot = 0;  ///< Indices of the point in the part and in the bend.
 };
 
 Part part_at(const context::StepContext& ctx, InteractionId id, std::size_t place) noexcept {

@@ -187,7 +187,7 @@ class Systems final : public context::Actors {
     const World* world_ = nullptr;
     std::vector<std::unique_ptr<System>> list_;
     std::vector<SystemSignal> signals_;
-    mutable HoldTable held_;  ///< Scratch of for_each_held(), with its memory kept.
+    mutable HoldTable held_;  ///< Scratch of for_each_held(); its memory is reused.
     bool acted_ = false;      ///< True if systems have acted in the current step.
     bool editing_ = false;    ///< True during begin_step().
     std::vector<std::byte> step_start_states_;  ///< States at the start of the step, …

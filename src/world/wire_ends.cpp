@@ -172,7 +172,7 @@ void end_at_node(world::Wire& wire, std::size_t side, const world::Wire& made, I
     for (const ShapeId id : made.shapes) wire.shapes.push_back(id);
 }
 
-/// Share of a node at the end of an element in a release.
+/// Fraction of an element's mass and loads that a node gets if the end of the element is released.
 struct EndFraction {
     edit::NodeFraction node_fraction;
     double carried;             ///< Mass of the element that its winch carries [kg].
