@@ -3,8 +3,8 @@
 /// @file frame_swap.h
 /// Transfer the newest frame from the stepping thread to the sending thread.
 ///
-/// Three buffers: the writer fills one, the reader reads one, the third is in the middle. When the
-/// writer or the reader has finished, it exchanges its buffer for the middle one by one atomic
+/// The writer fills one buffer, the reader reads a second one, and a middle buffer is idle. When
+/// the writer or the reader has finished, it exchanges its buffer for the middle one in one atomic
 /// operation. The writer never waits, and the reader always gets the newest complete frame; older
 /// ones are overwritten.
 

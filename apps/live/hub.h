@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file hub.h
-/// Data that the stepping thread and the sending thread share.
+/// Data that the stepping thread and the sending thread exchange.
 ///
 /// ```
 ///     steps                                                     sends
