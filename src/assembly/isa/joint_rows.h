@@ -3,7 +3,7 @@
 /// @file joint_rows.h
 /// Version of evaluate() for eight compact joints (model/arms.h) with consecutive indices, one per
 /// lane. Arrays by joint are then read without gathers. If the joints connect consecutive bodies,
-/// as in a chain, arrays by body are, too:
+/// as in a chain, arrays by body are read without gathers, too:
 /// ```
 ///   joint l:   body b + l ──●── body b + l + 1
 /// ```
