@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file places.h
-/// Slots for objects that are added and removed. An object keeps its slot for its life. A vacated
-/// slot is reused by the next object that fits, with a new generation (hawser/id.h).
+/// Slots for objects that are added and removed. An object keeps its slot until it is
+/// removed. The next object that fits reuses a vacated slot with a new generation (hawser/id.h).
 ///
 /// The first vacant slot is reused, so that slots depend only on the order of additions and
 /// removals.
