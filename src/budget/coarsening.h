@@ -4,15 +4,15 @@
 /// Coarsening of wires so that steps meet their budget (docs/theory/deadlines.md). It is the first
 /// measure of degradation.
 ///
-/// The demand x of a step is its requirement over its limit; it exceeds 1 if the step was cut. The
-/// estimate of x is its mean plus twice its deviation, as for rates (deadline.h). If the estimate
-/// exceeds 1, wires become coarser by one level. Nodes are removed one at a time. Another level
-/// follows only if the mean exceeds 1 and no longer decreases; for peaks, iterations are cut. If
-/// the mean stays below kLowerLevelFraction, wires become finer by one level. Steps with an
-/// analysis are not counted, because the removal of nodes causes them.
+/// The demand x of a step is its time or work over the limit; it exceeds 1 if iterations were cut.
+/// The estimate of x is its mean plus twice its deviation, as for rates (deadline.h). If the
+/// estimate exceeds 1, wires become coarser by one level. Nodes are removed one at a time. Another
+/// level follows only if the mean exceeds 1 and no longer decreases; for short peaks, iterations
+/// are cut. If the mean stays below kLowerLevelFraction, wires become finer by one level. Steps
+/// with an analysis are not counted, because the removal of nodes causes them.
 ///
-/// While wires could become coarser but have not, and for kAct steps after a change, steps are
-/// solved completely.
+/// Until wires have become coarser for the first time, if they can, and for kAct steps after a
+/// change, steps are solved completely.
 ///
 /// Limits: the estimates are not part of the state. The level is recorded (Degradation::wires).
 
