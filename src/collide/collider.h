@@ -19,7 +19,7 @@
 ///
 /// Limits: a speed of more than margin/h that first arises within the step is not covered. The
 /// solver keeps a shape on one side of the tangent plane at the closest points. Fast shapes can
-/// therefore touch beside an edge that they would just have missed.
+/// therefore touch the plane next to an edge that they would have missed.
 
 #include "base/executor.h"
 #include "base/memory.h"

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file triangle_contact.h
-/// A convex shape against one triangle of a surface.
+/// Compute the contact of a convex shape with one triangle of a surface.
 ///
 /// Interior edges. A shape that slides over flat ground must not catch on interior edges. Let m be
 /// a normal out of the surface at an edge or a vertex v. It belongs to a nearest point only if no
 /// neighbouring vertex w rises towards it: m · (w − v) ≤ 0. If one does, the normal of the triangle
-/// replaces m, and only points over the triangle along its normal touch. The neighbours cover the
-/// rest. If a shape overlaps a surface, it has no nearest point; the same rule then applies to the
-/// normal of least penetration. A two-sided triangle that a shape does not overlap adds nothing:
-/// any point over it lies beyond it.
+/// replaces m, and only points over the triangle along its normal touch. The neighbouring
+/// triangles have the other points. If a shape overlaps a surface, it has no nearest point; the
+/// same rule then applies to the normal of least penetration. A two-sided triangle that a shape
+/// does not overlap adds nothing: any point over it lies beyond it.
 ///
-/// A shape may overlap triangles of a surface although none of them accepts a point. Example: its
-/// deepest point of each lies over another one. Then it is pushed along the normal of the nearest
-/// triangle.
+/// A shape may overlap triangles of a surface although none of them accepts a point. For
+/// example, the deepest point of each triangle lies over another triangle. The shape is then pushed
+/// along the normal of the nearest triangle.
 
 #include "collide/narrow/manifold.h"
 
