@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file ordering.h
-/// The order of elimination.
+/// Compute the order of elimination.
 ///
-/// Minimum degree on the graph of blocks, which is 4-6 times smaller than the graph of scalars.
-/// Degrees count scalars. They are exact up to MinimumDegree::kMaximum nodes (minimum_degree.h).
-/// Above, they are bounds (approximate_degree.h; the AMD library if all nodes have one size).
+/// The method is minimum degree on the graph of blocks, which is 4-6 times smaller than the graph
+/// of scalars. Degrees count scalars. They are exact up to MinimumDegree::kMaximum nodes
+/// (minimum_degree.h). For larger graphs they are bounds (approximate_degree.h; the AMD library if
+/// all nodes have one size).
 ///
 /// A repair for stability follows: a negative node (constraint rows) comes after at least one of
 /// its positive neighbours. With compliance near zero its own diagonal is not a usable pivot (Gill,

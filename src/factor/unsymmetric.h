@@ -5,7 +5,8 @@
 /// triangles L and U, on the fronts and the schedule of LDLᵀ.
 ///
 /// A front is *unsymmetric* if it contains such a block or if one of its children is unsymmetric,
-/// since its update matrix then is. So the set is closed under "is an ancestor of". A batch of
+/// because the update matrix of such a child is unsymmetric. All ancestors of an unsymmetric front
+/// are therefore unsymmetric. A batch of
 /// chains (batches.h) is one unit, but parents of its chains without such blocks stay symmetric.
 /// All other fronts stay LDLᵀ with U = Lᵀ at unchanged cost.
 ///

@@ -9,8 +9,8 @@
 ///
 /// An unsymmetric front has two *sides* of one shape: side 0 holds the lower half, side 1 the
 /// upper half transposed. With unscaled columns W₀ = L D and W₁ = (D U)ᵀ the Schur complement is
-/// C −= L (D U) = L W₁ᵀ, and transposed Cᵀ −= Uᵀ W₀ᵀ. So each side is updated with the unscaled
-/// columns of the other. A symmetric front has one side, which is its own other.
+/// C −= L (D U) = L W₁ᵀ, and transposed Cᵀ −= Uᵀ W₀ᵀ. Each side is therefore updated with the
+/// unscaled columns of the other side. A symmetric front has one side, which takes both roles.
 #include "factor/kernels.h"
 
 #include "base/lanes.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file rigid_steps.h
-/// Steps of a symmetric batch (factor/batches.h) that eliminate one rigid body without rows: six
-/// pivots. Most steps of chains and cables with condensed joints are of this form.
+/// Steps of a symmetric batch (factor/batches.h) that eliminate one rigid body without rows, which
+/// has six pivots. Most steps of chains and cables with condensed joints are of this form.
 ///
 /// The pivots form one chain of dependent operations: six times a division, a product and a sum.
-/// This takes about as long as all products of the step. No other operation of the step can precede
-/// them, but they need only the first two rows of tiles of the window. So these tiles come first,
-/// and the pivots of the next step are eliminated between the other tiles:
+/// This takes about as long as all products of the step. All other operations of the step need
+/// the pivots. The pivots need only the first two rows of tiles of the window. These tiles are
+/// therefore computed first, and the pivots of the next step are eliminated between the others:
 ///
 /// ```
 ///   rows k │ window k: body │ pivots k + 1: 0     1     2     3     4     5 │ rows k + 1 │ …

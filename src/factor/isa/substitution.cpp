@@ -3,8 +3,8 @@
 ///
 /// Blocks have up to eight pivots, and their number is a constant of the loops. The triangle of a
 /// block is a chain of dependent operations and stays in one vector. The rows below it are
-/// independent vectors. Vectors start at multiples of eight rows of the panel, so the first update
-/// rows may share one with the last pivots.
+/// independent vectors. Vectors start at multiples of eight rows of the panel, so one vector may
+/// contain the last pivots and the first update rows.
 #include "factor/isa/substitution.h"
 
 #include "base/lanes.h"
