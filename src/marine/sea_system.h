@@ -7,10 +7,11 @@
 /// definition and of the wires' nodes. Several threads compute their loads, each into separate
 /// entries. Loads are then added in that order, so that no sum depends on threads.
 ///
-/// *Lines.* The definition gives each element of that time a sort (its coefficients). A later
-/// element has the sort of the element before it on its wire, or of the first known one behind it
-/// at the beginning of a wire. A wire that was cut off keeps its own elements. If a body held an
-/// end of the line at the definition, the half element at the body has no water.
+/// *Lines.* The definition gives each existing element a sort (its coefficients). An element that
+/// is inserted later has the sort of the previous element of its wire; at the beginning of a wire
+/// it has that of the next element with a known sort. The elements of a wire that is cut off keep
+/// their sorts. If the line ends on a body at the definition, the half element at the body gets no
+/// loads of the water.
 
 #include <hawser/line_sea.h>
 #include <hawser/sea.h>
