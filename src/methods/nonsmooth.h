@@ -4,8 +4,8 @@
 /// Declare the methods for contacts with friction, see WorldDef::nonsmooth. Each method has one
 /// file.
 ///
-/// All methods share the rows: contacts are cones (nonsmooth/cone.h) whose linear laws λ = p − S u
-/// enter the matrix. They also share the stages newton_solve(), continue_with_factor() and
+/// All methods use the same rows: contacts are cones (nonsmooth/cone.h) whose linear laws λ = p − S
+/// u enter the matrix. They also use the same stages newton_solve(), continue_with_factor() and
 /// refine(). StepStats::natural_map is the residual of the exact law for every method, so that
 /// methods can be compared.
 
