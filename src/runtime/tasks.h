@@ -8,14 +8,14 @@
 /// tasks to threads varies; the results do not. A worker that is still waking delays no other: a
 /// batch is done when its tasks are done.
 ///
-/// Each thread begins with a contiguous part of the tasks, by an atomic ticket of its own, and then
-/// helps the next threads:
+/// Each thread begins with a contiguous part of the tasks, which it claims by an atomic counter of
+/// this part. Then it claims tasks of the next threads:
 ///
-///     thread 0   0 1 2 3 |               then 4, 5, … where thread 1 has not come to them
+///     thread 0   0 1 2 3 |               then 4, 5, … if thread 1 has not claimed them
 ///     thread 1           | 4 5 6 7       then 0, 1, …
 ///
-/// *Locality.* Loops over the same items, in this step and the next, then find them in the cache of
-/// the core that wrote them. Between cores a cache line takes a tenth of a microsecond.
+/// *Locality.* Later loops over the same items therefore find them in the cache of the core that
+/// wrote them. The transfer of a cache line between cores costs a tenth of a microsecond.
 
 #include "base/executor.h"
 
