@@ -11,18 +11,18 @@
 ///     h F_min    h F_max      a motor
 ///    −B          B            friction, B = h F + Σ factor ‖λ of what loads it‖
 /// ```
-/// Inside, r = 0: the row is solved for. At an end it is *inactive*: its equation is left out and λ
-/// is fixed at `held`. As for contacts, the sign of λ + r/(W + Σ) decides between the two, with W
-/// its part of G M⁻¹ Gᵀ. One Newton method finds both. Each iteration solves with the statuses of
-/// the last one, then changes the statuses that the solution contradicts. A changed status changes
-/// the matrix. A bound that moves with a load changes only the right-hand side. An inactive row may
-/// move to the other end of its range, such as a reversed motor.
+/// Inside its bounds a row is active: r = 0 is one of the equations. At a bound it is *inactive*:
+/// its equation is omitted, and λ is fixed at `held`. As for contacts, the sign of λ + r/(W + Σ)
+/// decides between the two, with W its part of G M⁻¹ Gᵀ. Each iteration of Newton's method solves
+/// with the statuses of the last one, then changes the statuses that the solution contradicts. A
+/// changed status changes the matrix. A bound that moves with a load changes only the right-hand
+/// side. An inactive row may move to the other end of its range, such as a reversed motor.
 ///
 /// *Power.* A motor with a power limit P obeys λ w₊ ≤ h P. Here w₊ is the speed of its row after
 /// the step. This bound follows the solution as the bounds of friction do (impulse_range.cpp).
 ///
-/// *Loads.* The bound of friction lags an iteration behind its load. If friction itself makes a
-/// fraction s of its load, this takes log(1e-6)/log(s) iterations, each at the cost of a
+/// *Loads.* The bound of friction follows its load one iteration late. If friction itself causes a
+/// fraction s of its load, convergence takes log(1e-6)/log(s) iterations, each at the cost of a
 /// substitution. Example: a line round a bollard has s = tanh(μδ/2); three turns at μ = 0.3 need
 /// 2,000 iterations. While no status changes, λ is affine in the bounds. Anderson's acceleration
 /// then ends after one iteration more than the number of coupled bounds (nonsmooth/anderson.h).
