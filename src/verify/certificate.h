@@ -5,21 +5,21 @@
 /// (docs/theory/newton.md).
 ///
 /// Contacts: the Jacobian of every point comes from poses, position and shapes. With v₊ and the
-/// impulses it gives the natural map; resistance to rolling and spinning has its own natural map.
+/// impulses the natural map follows; resistance to rolling and spinning has its own natural map.
 /// The largest is compared with StepStats::natural_map. The values μ, Σ and the target velocity b
 /// along the normal are computed from the materials, gap and velocities.
 ///
-/// Momentum of bodies: translation and rotation with gyroscopic terms. Its change is compared
-/// with all impulses. These are gravity, applied forces, drag, contacts, row forces of
-/// interactions, geometric stiffness and damping of joints (interaction_forces.h). If rounding
-/// decides on an interaction's force, its bodies are omitted in that step.
+/// Momentum of bodies: translation and rotation with gyroscopic terms. The change of momentum is
+/// compared with the sum of all impulses. These are gravity, applied forces, drag, contacts, row
+/// forces of interactions, geometric stiffness and damping of joints (interaction_forces.h). If
+/// rounding decides on an interaction's force, its bodies are omitted in that step.
 ///
 /// Water: loads of the sea on lines, bodies and hulls (sea_loads.h).
 ///
 /// States: energy, joints, lines and rotations (certificate_state.h).
 ///
 /// Bounds: one-sided rows only pull, and motors stay in their range. Friction in joints stays
-/// within the bound from its loads. Limits push only at an end.
+/// within the bound that follows from its loads. Ranges push only at an end.
 
 #include "verify/certificate_state.h"
 #include "verify/interaction_forces.h"
