@@ -6,8 +6,7 @@
 /// ```
 ///      flange          layer k turns at r_k = R + d/2 + (k − 1) p
 ///        |  o o o o o  |   k = 2    d  diameter of the wire
-///        | o o o o o o |   k = 1    p  pitch of the layers: d, or √3/2 d where wires lie in
-///        grooves
+///        | o o o o o o |   k = 1    p  pitch of layers: d, or √3/2 d in grooves
 ///        |=============|   - - R    R  radius of the bare drum
 ///        |<---- w ---->|   n = ⌊w/d⌋ wraps a layer
 /// ```
@@ -17,7 +16,7 @@
 /// ```
 /// The length L on the drum ends in the first layer K with S(K) ≥ L. A wrap is a ring of round wire
 /// with the moment of inertia ρ 2π r (r² + 3 d²/16) about the drum's axis (a torus: m (r² + ¾ a²),
-/// a = d/2). The wire on the drum has the sum over its wraps.
+/// a = d/2). The moment of inertia of the wire on the drum is the sum over its wraps.
 ///
 /// At a flange the wire climbs from one layer to the next. Over the wire of one wrap, half before
 /// the end of the layer and half behind, the radius at which it leaves (leaving_radius()) changes

@@ -6,9 +6,9 @@
 /// ```
 ///     b ──── f ──── n ── part ──( )── part ──        n the node next to the guide
 /// ```
-/// The node before a free end b can give its mass only to b (edit/node_drum.cpp). So it does not
-/// run through, and less than an element of wire remains there. It runs off with everything
-/// attached to it.
+/// The node before a free end b can transfer its mass only to b (edit/node_drum.cpp). It therefore
+/// does not run through the guide. When less than an element of wire remains, the end b runs off
+/// the guide with everything attached to it.
 
 #include <hawser/interactions.h>
 

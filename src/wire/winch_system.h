@@ -15,10 +15,10 @@
 ///
 /// *Nodes.* The element at the drum has the material a [m], a' = −L'. Half of it acts on its
 /// first node by a load with its weight, mass and drag. The other half acts on the fairlead and,
-/// along the wire, on the drum. So the tension at the fairlead is that of the element plus the
-/// weight of half of it. Both halves change with a as the inertia of the wound wire does. A node
-/// inserted with a piece f takes f from a, and half of f goes to each of two nodes. The load on the
-/// fairlead is unchanged.
+/// along the wire, on the drum. The tension at the fairlead is therefore that of the element plus
+/// the weight of half of it. Both halves change with a as the inertia of the wound wire does. A
+/// node inserted with a piece f takes f from a, and half of f goes to each of two nodes. The load
+/// on the fairlead is unchanged.
 ///
 /// *Clutch.* An engaged clutch adds the motor's inertia J_m to A. A motor at rest is accelerated
 /// in one step, (J + J_m) ω₊ = J ω, by the force −J_m ω/h in addition to A. The loss counts as work
