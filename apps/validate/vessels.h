@@ -2,7 +2,7 @@
 #pragma once
 /// @file vessels.h
 /// Cases of `hawser validate vessels`: published ships at a step of 1/60 s against their equations
-/// of motion integrated apart (Runge-Kutta, error below 1e-4).
+/// of motion integrated separately (Runge-Kutta, error below 1e-4).
 
 #include "validate/robust.h"
 

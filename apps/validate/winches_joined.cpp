@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wires that are cut and joined at once against those that were not.
+// Wires that are cut and joined at once, compared with uncut wires.
 #include "validate/cases.h"
 #include "validate/tools.h"
 #include "validate/uniform.h"
