@@ -13,8 +13,8 @@
 /// three of a wire at each border) are processed after all row blocks.
 ///
 /// ```
-///   bodies        0 ······│·······│·······     strips are tasks: no other strip reads the output
-///   interactions    ─── ──┼── ────┼─ ─────     of a strip before the shared bodies are processed
+///   bodies        0 ······│·······│·······     row blocks are tasks: no other row block reads
+///   interactions    ─── ──┼── ────┼─ ─────     the output before the shared bodies are processed
 ///   shared        S      S S     S S
 /// ```
 /// Row blocks depend on the scene alone, so that sums merged by row block do not depend on threads.
