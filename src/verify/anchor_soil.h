@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file anchor_soil.h
-/// Check the bounds of anchors in the soil against the law of hawser/anchor.h, by its text.
+/// Check the bounds of anchors in the soil against the law that hawser/anchor.h documents.
 
 #include <hawser/world.h>
 
