@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 Compare non-dimensional values of vessels with those of
-// published ships.
+// SPDX-License-Identifier: Apache-2.0
+/// Compare non-dimensional values of vessels with those of published ships.
 #include <hawser/sea.h>
 #include <hawser/vessel.h>
 #include <hawser/world.h>
