@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file root.h
-/// Root of a growing function.
+/// Root of an increasing function.
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Orders of a winch to its motor, brake and clutch.
+/// Commands of a winch to its motor, brake and clutch.
 #include "wire/band_brake.h"
 #include "wire/bounds.h"
 #include "wire/winch_system.h"
