@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// An element of a wire is laid over a fairlead, roller or bollard (hawser/guide.h).
+/// Division of a wire element by a fairlead, roller or bollard (hawser/guide.h).
 #include <hawser/world.h>
 
 #include "context/context.h"
