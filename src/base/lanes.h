@@ -146,7 +146,7 @@ HAWSER_INLINE void add_first(double* to, const double* from, int n) {
     if ((n & 1) != 0) to[i] += from[i];
 #endif
 }
-/// Add a constant number of entries, without a branch that depends on it.
+/// Add N entries. N is known to the compiler, so no branch depends on it at run time.
 template <int N>
 HAWSER_INLINE void add_first(double* to, const double* from) {
     static_assert(N >= 1 && N <= kLanes);
