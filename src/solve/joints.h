@@ -24,7 +24,8 @@ inline constexpr double kResolvedVibration = 1.5;
     for (int r = 0; r < joint.rows; ++r) square += p[r] * p[r];
     return square;
 }
-/// Return s² of a joint under its impulse, s = h |p| max(r/I).
+/// Return the square of s = h |p| max(r/I), the vibration ratio (hω)² of a joint with the impulse
+/// p.
 /// @param k  Index of the joint.
 [[nodiscard]] inline double squared_vibration(const context::Model& model, std::int32_t k,
                                               const double* lambdas) noexcept {
