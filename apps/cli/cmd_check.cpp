@@ -62,7 +62,7 @@ struct Checked {
     [[nodiscard]] bool is_good() const { return scene && start.errors() == 0; }
 };
 
-/// Read an exercise: check its scene, and find points that cannot be reached.
+/// Read an exercise, check its scene, and find points that no run can award.
 void read_exercise(const SceneOptions& options, Checked& out) {
     try {
         exercise::Loaded loaded = exercise::load_file(options.file, options.options());

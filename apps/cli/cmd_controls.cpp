@@ -52,7 +52,7 @@ struct Candidate {
     double nominal = 0.0;
 };
 
-/// True for signals of systems that are rounded to whole numbers or compared with a half.
+/// True if a system rounds the signal to a whole number or compares it with 0.5.
 bool is_whole_signal(std::string_view signal) {
     constexpr std::array<std::string_view, 4> kWhole = {"mode", "take", "close", "up"};
     const std::string_view name = signal.substr(signal.rfind('.') + 1);
@@ -75,7 +75,7 @@ Candidate random_input_from(const World& world, InputId id) {
             def.nominal};
 }
 
-/// Return the range of the signal over the factor, narrowed by that of the input.
+/// Return the range of the signal divided by the factor, restricted to the range of the input.
 Candidate random_input_from(const World& world, const scene::SignalInput& lever) {
     Candidate out{{.name = lever.name,
                    .min = lever.min,

@@ -153,7 +153,7 @@ void check_files(const ExerciseOptions& options, const scene::Scene& scene) {
     check_outputs(inputs, outputs);
 }
 
-/// Save the states that are due and have not been saved.
+/// Save each state whose time has been reached, unless it has been saved.
 void save_due(const std::vector<std::pair<double, std::string>>& saves, double now,
               std::vector<bool>& saved, const Session& session) {
     for (std::size_t i = 0; i < saves.size(); ++i)

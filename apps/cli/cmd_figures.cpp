@@ -43,8 +43,8 @@ struct FiguresOptions {
     double max_gflop = 20.0;
 };
 
-/// Return the scene of the figures. It is searched in the current folder, in all folders above the
-/// program (built), and in their share/hawser (installed).
+/// Return the path of the default scene. Search the current folder, all folders above the program
+/// (if built) and their share/hawser (if installed).
 std::string default_scene() {
     std::vector<std::filesystem::path> places{"."};
     std::error_code error;

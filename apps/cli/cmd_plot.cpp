@@ -62,7 +62,7 @@ std::size_t frame_at(const record::Recording& recording, std::optional<double> t
     return best;
 }
 
-/// Return the pixels per point for readable text in a picture of the given size.
+/// Return the number of pixels per point, so that text is readable in a picture of the given size.
 double pixels_per_point(const PlotOptions& options) {
     constexpr double kUsualWidth = 1280.0;  // Usual width [points]
     const int width = options.size.empty() ? 2560 : std::atoi(options.size.c_str());

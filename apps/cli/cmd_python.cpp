@@ -37,7 +37,8 @@ of a table (hawser run --csv), or of the tensions of a recording. Runs python3 -
 
 Exit codes: 0 printed, 1 wrong option or file.)";
 
-/// Let Python find the package in the build folder of this program, if it is there.
+/// Add the package in the build folder of this program to Python's search path, if that folder
+/// exists.
 void add_package_path() {
     std::error_code error;
     const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);

@@ -39,7 +39,8 @@ struct ReplayOptions {
     bool quiet = false;
 };
 
-// Recordings hash the state with the instruction set, so another set always differs.
+// True if the recording has the instruction set of this program. With another one every hash
+// differs, because the state hash includes its name.
 bool same_instruction_set(const record::Recording& recording) {
     if (recording.settings.instruction_set == instruction_set()) return true;
     fmt::print(stderr,

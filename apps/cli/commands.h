@@ -19,13 +19,13 @@ inline constexpr int kInterrupted = 130;
 /// Function that main() calls after the command line was read; returns the exit code.
 using Command = std::function<int()>;
 
-/// Return the command line as typed, with the program's name without folder. main() sets it. Files
-/// state it as their origin.
+/// Return the command line as typed, with the program's name without folder. main() sets it.
+/// Written files contain it as their origin.
 [[nodiscard]] std::string& command_line();
 
 inline constexpr int kMostThreads = 256;  ///< Limit of WorldDef::threads.
 
-/// Return a check of an option. Its message states the expected values.
+/// Return a validator of an option. Its message states the expected values.
 [[nodiscard]] CLI::Validator positive();
 [[nodiscard]] CLI::Validator not_negative();
 [[nodiscard]] CLI::Validator finite();

@@ -21,8 +21,8 @@ enum class Ordering : std::uint8_t {
 /// True if the program was built with METIS.
 [[nodiscard]] bool metis_available();
 
-/// Return an order with rows after their bodies. @throws std::runtime_error for METIS if it is not
-/// available.
+/// Return an elimination order in which rows follow their bodies. @throws std::runtime_error for
+/// METIS if it is not available.
 [[nodiscard]] std::vector<std::int32_t> elimination_order(const BlockPattern& pattern,
                                                           Ordering ordering);
 

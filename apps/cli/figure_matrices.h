@@ -29,15 +29,16 @@ struct OrderedMatrix {
     [[nodiscard]] double longest_seconds() const;  ///< Return the largest time of a part.
 };
 
-/// Order a matrix. @param parts  Number of parts of the graph, each with its own order; 0: the
-/// graph as a whole.
+/// Order a matrix.
+/// @param parts  Number of parts of the graph, each ordered separately; 0: order the whole graph.
 [[nodiscard]] OrderedMatrix order_matrix(const draw::BlockGraph& graph, std::int32_t parts,
                                          Ordering ordering);
 
-/// Measure factorisations in turns, so that disturbances affect all matrices. A sample writes the
-/// values and factors on one thread, and is measured by processor time. Values are random; times do
-/// not depend on them. A matrix with long times gets fewer samples. @throws std::runtime_error if a
-/// factorisation fails. @param max_flops  Orders that need more are not factored: samples stays 0.
+/// Measure the factorisations alternately, so that disturbances affect all matrices. A sample
+/// writes the values and factors on one thread, and is measured by processor time. Values are
+/// random; times do not depend on them. A matrix with long times gets fewer samples. @throws
+/// std::runtime_error if a factorisation fails. @param max_flops  Orders that need more are not
+/// factored: samples stays 0.
 void time_matrices(const std::vector<OrderedMatrix*>& matrices, int samples, double max_flops);
 
 }  // namespace hawser::cli

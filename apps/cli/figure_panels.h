@@ -24,8 +24,8 @@ struct Panel {
 /// Return a panel of a matrix without fill.
 [[nodiscard]] Panel matrix_panel(const std::string& name, const std::string& title,
                                  const OrderedMatrix& matrix);
-/// Return a panel of a matrix with the fill of its factor, sizes, work and time. If there is no
-/// order, it shows the reason.
+/// Return a panel of a matrix with the fill of its factor, sizes, work and time. Without an order,
+/// the panel shows the reason.
 [[nodiscard]] Panel fill_panel(const std::string& name, const std::string& title,
                                const OrderedMatrix& matrix);
 /// Return a panel of a graph. @param parts  Colour by part, mark cuts and separators.

@@ -11,7 +11,7 @@
 namespace hawser::cli {
 namespace {
 
-/// Round to nanometres, without −0.
+/// Round a length to nanometres. A result of −0 becomes 0.
 double without_sign(double length) { return std::round(1e9 * length) / 1e9 + 0.0; }
 
 void print_hull(const World& world, const SeaDef& sea, const WaterHull& hull) {

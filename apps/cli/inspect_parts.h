@@ -12,10 +12,10 @@ namespace hawser::cli {
 /// order, on the same block matrix.
 void print_orders(const SystemView& view);
 
-/// Print the groups of a world that is coupled in parts; print no text for other worlds.
+/// Print the groups of a world with approximate coupling; print nothing for other worlds.
 void print_groups(const World& world);
 
-/// Print parts with separators, and parts with cuts, of the present state.
+/// Print the partitions of the present state, with separators and with cuts.
 void print_parts(const World& world, int parts);
 
 }  // namespace hawser::cli

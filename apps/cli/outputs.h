@@ -35,9 +35,9 @@ struct TemporaryFile {
     }
 };
 
-/// Return the file to which a run with a report is recorded; "": none. It is `record`. If that is
-/// empty, it is a file beside the report that `temporary` removes later, because pictures need a
-/// recording.
+/// Return the file for the recording of a run with a report; "": none. It is `record`, or, if
+/// `record` is empty, a temporary file beside the report, because the pictures of the report need a
+/// recording. `temporary` removes this file later.
 [[nodiscard]] inline std::string recording_for(const std::string& record, const std::string& report,
                                                TemporaryFile& temporary) {
     if (!record.empty() || report.empty()) return record;

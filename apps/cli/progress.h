@@ -21,7 +21,7 @@ class Progress {
 
     /// Update the progress. Cheap: reads the clock and writes rarely.
     void update(std::int64_t done, const std::string& note = {});
-    /// End the bar's line.
+    /// End the line of the progress bar.
     void close();
 
   private:

@@ -13,10 +13,10 @@ namespace hawser::cli {
 class Pacer {
   public:
     explicit Pacer(double step);
-    /// Wait until the next frame is due. Call after each step.
+    /// Wait until the time of the next frame. Call after each step.
     void wait();
     [[nodiscard]] std::int64_t frames_missed() const noexcept { return missed_; }
-    /// Return the largest delay [s].
+    /// Return the largest delay of a frame [s].
     [[nodiscard]] double lateness_max() const noexcept { return lateness_max_; }
 
   private:
@@ -28,7 +28,7 @@ class Pacer {
 };
 
 /// Request real-time scheduling (SCHED_FIFO) and restrict the process to `threads` processors.
-/// Later threads inherit both. @return a text about the granted and rejected requests.
+/// Later threads inherit both. @return a text that states which requests succeeded.
 [[nodiscard]] std::string request_realtime(int threads);
 
 }  // namespace hawser::cli

@@ -16,9 +16,10 @@ namespace hawser::cli {
 class RepeatedContacts {
   public:
     RepeatedContacts(const record::Recording& recording, int threads);
-    /// Step to a frame, which must not precede the last requested one. @throws
-    /// record::RecordingError if a step fails, or reaches another state than the recorded one.
+    /// Repeat the recording up to a frame, which must not precede the frame of the last call.
     /// @param index  Index of the frame in the recording; branches before it are repeated, too.
+    /// @throws record::RecordingError if a step fails, or reaches another state than the recorded
+    /// one.
     const exporting::ContactForces& at(const record::Frame& frame, std::size_t index);
 
   private:

@@ -32,7 +32,7 @@ struct SceneOptions {
 
     /// Add the options of a scene. @param required  True if the scene must be named.
     void add_to(CLI::App& command, bool required = true);
-    /// Add options that change the scene, if its start depends on them.
+    /// Add the options that change a scene before it starts.
     void add_changes_to(CLI::App& command);
     /// Load the scene. @throws scene::SceneError of the first mistake, with the number of further
     /// mistakes.

@@ -45,7 +45,7 @@ class Drag final : public System {
     double rate_;
 };
 
-/// Replace the sea by one at rest: no waves, gusts and tide.
+/// Replace the sea by a sea without waves, gusts and tide.
 void still_sea(World& world) {
     const SeaDef* found = find_sea(world);
     if (found == nullptr) return;
@@ -66,9 +66,9 @@ void still_sea(World& world) {
     world.set_system_signal("sea.level", in.level);
 }
 
-/// Fix all drums. A drum that pays out would not come to rest, and a state file does not contain
-/// the wire on drums. A winch with an active motor keeps it at zero speed, because its brake may be
-/// too weak. Others use the brake.
+/// Hold all drums. A drum that pays out would not come to rest, and a state file does not contain
+/// the wire on drums. A winch with an active motor is held by this motor at zero speed, because its
+/// brake may be too weak. The other winches are held by their brakes.
 void hold_winches(World& world) {
     for (const SystemSignal& s : world.system_signals()) {
         if (!s.input || record::signal_words(world, s).empty()) continue;
@@ -82,8 +82,8 @@ void hold_winches(World& world) {
     }
 }
 
-/// Return a copy of a world without systems, with drag on its bodies, for any method of solving
-/// contacts. No object of a scene file's world has been removed, so that ids are equal in both.
+/// Return a copy of a world without systems and with drag on its bodies, for any contact solver.
+/// Ids are equal in both worlds, because no object of a scene file's world has been removed.
 World with_dragged_bodies(const World& from, double stop_time) {
     World world(from.settings());
     for (const BodyId id : from.bodies()) {

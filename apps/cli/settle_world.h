@@ -10,9 +10,10 @@ namespace hawser::cli {
 /// True if forces move the body: rigid bodies, nodes, scalar bodies.
 [[nodiscard]] bool moves(const World& world, BodyId body);
 
-/// Return the scene at rest, with all its systems. The sea has no waves and gusts, its present
-/// level, and its mean current and wind. Winches with an active motor hold at zero speed, others by
-/// their brakes. @throws DefError if a system cannot be cloned.
+/// Return a copy of the world for the search of a rest position, with all its systems. Waves and
+/// gusts of the sea are off; its present level, mean current and mean wind remain. Winches with an
+/// active motor hold at zero speed, others by their brakes.
+/// @throws DefError if a system cannot be cloned.
 [[nodiscard]] World still_world(const World& from);
 
 /// Return a world with the same definitions and drag on every body. Drag alone would stop it within

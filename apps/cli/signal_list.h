@@ -11,8 +11,8 @@
 
 namespace hawser::cli {
 
-/// Return one line for each signal, inputs first: name, unit, and its target with its range or its
-/// source.
+/// Return one line for each signal, inputs first. Columns are name, unit, and the target with its
+/// range (inputs) or the source (outputs).
 [[nodiscard]] std::string signal_lines(const World& world);
 
 /// Return {"inputs": [{name, unit, min, max, value, sets}], "outputs": [{name, unit, kind,

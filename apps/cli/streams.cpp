@@ -24,7 +24,7 @@ struct Stream {
 
 Stream g_out{STDOUT_FILENO}, g_error{STDERR_FILENO};
 
-/// Write to the stream. Always report all bytes as written, so that no print fails.
+/// Write to the stream. The result always counts all bytes as written, so that no print fails.
 extern "C" ssize_t write_to_stream(void* cookie, const char* from, std::size_t size) {
     auto& stream = *static_cast<Stream*>(cookie);
     for (std::size_t done = 0; done < size && stream.write_error == 0;) {

@@ -9,9 +9,9 @@
 
 namespace hawser::cli {
 
-/// Prepare the streams. Call first in main(). SIGPIPE is ignored: a run continues if nobody reads
-/// its report. SIGXFSZ is ignored, too: a file at its size limit (ulimit -f) fails like one on a
-/// full disk, with a message.
+/// Prepare the streams. Call first in main(). SIGPIPE is ignored, so that a run continues if its
+/// report has no reader. SIGXFSZ is ignored, so that a write beyond the size limit (ulimit -f)
+/// fails with a message, as on a full disk.
 void open_streams() noexcept;
 
 /// Finish the streams. Call last. @param code  Exit code of the program. @return the code, or

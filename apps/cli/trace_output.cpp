@@ -20,7 +20,7 @@ constexpr std::size_t kTraceSpans = std::size_t{1} << 18;
 
 bool is_picture(const std::string& file) { return file.ends_with(".svg"); }
 
-/// Predict the speed-up by more threads after a run with one thread: the median over the steps.
+/// Predict the speed-up with more threads from a run on one thread, as the median over the steps.
 std::string predict_more_threads(const TraceView& trace) {
     const PoolCosts costs = measure_pool_costs();
     std::string line = "  simulated   ";

@@ -15,7 +15,7 @@ bool to_number(const std::string& text, double& value) {
     return end != text.c_str() && *end == '\0' && std::isfinite(value);
 }
 
-/// Return the reason why `text` is no finite number ≥ 0 (or > 0); empty if it is one.
+/// Return the reason why `text` is not a finite number ≥ 0 (or > 0); empty if it is such a number.
 std::string number_fault(const std::string& text, bool zero_too) {
     double value = 0.0;
     if (to_number(text, value) && (value > 0.0 || (zero_too && value == 0.0))) return {};

@@ -33,14 +33,15 @@ namespace hawser::cli {
 
 namespace {
 
-/// True if the first bytes are those of a recording: docs/recording.md.
+/// True if the file begins with the signature of a recording (docs/recording.md).
 bool is_recording(const std::string& file) {
     std::ifstream in(file, std::ios::binary);
     std::string head(8, '\0');
     return in.read(head.data(), 8) && head == "HAWSERRC";
 }
 
-/// Open an address with the desktop's program. If there is none, the printed address is enough.
+/// Open an address in the browser of the desktop. Without a desktop, the user opens the printed
+/// address.
 void open_browser(const std::string& address) {
     std::string program = "xdg-open", argument = address;
     char* const argv[] = {program.data(), argument.data(), nullptr};

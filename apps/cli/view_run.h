@@ -20,7 +20,9 @@ struct ViewOptions {
     bool rt = false, paused = false, start_at_once = false, open = false;
 };
 
-/// Serve until a signal. @return the exit code. @throws std::exception
+/// Serve the page until a signal ends the program.
+/// @return the exit code.
+/// @throws std::exception
 int view(const ViewOptions& options);
 
 }  // namespace hawser::cli

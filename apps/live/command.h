@@ -43,7 +43,7 @@ template <std::size_t N>
 class ShortText {
   public:
     static constexpr std::size_t kMaximum = N;
-    /// Assign a text. @return false if it is too long; the old text then stays.
+    /// Assign a text. @return false if the text is too long; the old text then remains.
     bool assign(std::string_view text) noexcept {
         if (text.size() > N) return false;
         size_ = static_cast<std::uint16_t>(text.size());

@@ -77,7 +77,7 @@ void Driver::send_state() {
     reported_ = out_.flush();
 }
 
-/// Update the plan after objects were added or removed, by the last step or by commands.
+/// Update the frame plan after the last step or a command has added or removed objects.
 void Driver::follow_pieces() {
     if (plan_.current(session_.world())) return;
     FramePlan next = FramePlan::of(session_.scene());
@@ -158,7 +158,8 @@ void Driver::step() {
     after_exercise_step();
 }
 
-/// Report an exercise's progress, if there is one, and pause at its end. Later steps have no score.
+/// Report the progress of the exercise, and pause at its end. Without an exercise, do nothing.
+/// Steps after the end have no score.
 void Driver::after_exercise_step() {
     if (!lesson_) return;
     lesson_->report_news(session_.world(), out_);

@@ -55,8 +55,8 @@ class Driver {
 
     /// Run until `stop` returns true. @throws std::exception if a recording cannot be written.
     void run(const std::function<bool()>& stop);
-    /// Perform pending commands, one step if the run is not paused, and publish a frame; without a
-    /// clock.
+    /// Perform pending commands, make one step unless the run is paused, and publish a frame. This
+    /// function does not wait for the clock.
     void advance();
     [[nodiscard]] bool paused() const noexcept { return playing_.paused(); }
     [[nodiscard]] const DriverFigures& figures() const noexcept { return figures_; }
@@ -79,8 +79,8 @@ class Driver {
     void note(const Command& command);
     void save(const std::string& name);
     void restore(const Command& command);
-    /// Check the time that saving and restoring need. @throws DefError if it would exceed a fifth
-    /// of all time.
+    /// Check that saving and restoring states need at most a fifth of the run time. @throws
+    /// DefError otherwise.
     void afford_states(const char* what) const;
     void count_states(double begun);
     Lesson& lesson();

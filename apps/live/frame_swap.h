@@ -3,8 +3,8 @@
 /// @file frame_swap.h
 /// Transfer the newest frame from the stepping thread to the sending thread.
 ///
-/// Three buffers: the writer fills one, the reader reads one, the third is in the middle. When the
-/// writer or the reader has finished, it exchanges its buffer for the middle one by one atomic
+/// The writer fills one buffer, the reader reads a second one, and a middle buffer is idle. When
+/// the writer or the reader has finished, it exchanges its buffer for the middle one in one atomic
 /// operation. The writer never waits, and the reader always gets the newest complete frame; older
 /// ones are overwritten.
 
@@ -26,8 +26,8 @@ class FrameSwap {
     void publish() noexcept {
         writing_ = middle_.exchange(writing_ | kFresh, std::memory_order_acq_rel) & kIndex;
     }
-    /// Return the newest frame. It belongs to the reader until the next call. @return null if there
-    /// is no new frame since the last call.
+    /// Return the newest frame, which the reader may use until the next call.
+    /// @return null if there is no new frame since the last call.
     [[nodiscard]] const Bytes* newest_frame() noexcept {
         if ((middle_.load(std::memory_order_relaxed) & kFresh) == 0) return nullptr;
         reading_ = middle_.exchange(reading_, std::memory_order_acq_rel) & kIndex;

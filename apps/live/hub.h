@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file hub.h
-/// Data that the stepping thread and the sending thread share.
+/// Data that the stepping thread and the sending thread exchange.
 ///
 /// ```
 ///     steps                                                     sends
@@ -39,7 +39,8 @@ struct Message {
 
 class Hub {
   public:
-    /// Create the descriptor. @throws std::runtime_error if the kernel has no free descriptor.
+    /// Create the hub with its event descriptor. @throws std::runtime_error if the kernel has no
+    /// free descriptor.
     Hub();
     ~Hub();
     Hub(const Hub&) = delete;

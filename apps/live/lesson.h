@@ -31,8 +31,8 @@ namespace hawser::live {
 
 class Lesson {
   public:
-    /// Connect an exercise. @param exercise, run  Must outlive this object; `run` belongs to this
-    /// exercise.
+    /// Connect an exercise with its run. @param exercise, run  Must outlive this object; `run`
+    /// belongs to this exercise.
     Lesson(const exercise::Exercise& exercise, exercise::Run& run) noexcept
         : exercise_(exercise), run_(run) {}
 
@@ -48,11 +48,12 @@ class Lesson {
     [[nodiscard]] int mark() { return run_.mark(); }
     void return_to_mark(int mark);
 
-    /// Report news: entries at once; points, seconds and active items four times a second.
+    /// Send changes of the exercise: entries at once; points, seconds and active items four times a
+    /// second.
     void report_news(const World& world, Outbox& out);
-    /// Report everything, after commands.
+    /// Send the whole state of the exercise. Call after commands.
     void send_now(Outbox& out);
-    /// Return the outputs whose frame values are those of frozen displays.
+    /// Return the outputs of displays that a fault has frozen; their frame values are replaced.
     [[nodiscard]] const std::vector<ShownOutput>& frozen(const World& world, const FramePlan& plan);
 
   private:

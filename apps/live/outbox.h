@@ -20,8 +20,8 @@ class Outbox {
   public:
     explicit Outbox(Hub& hub) noexcept : hub_(hub) {}
 
-    /// Send an event. If the queue is full, the event is omitted and counted: without a few events
-    /// a client still shows the correct state. @param control  True: only for roles with control.
+    /// Send an event. If the queue is full, the event is omitted and counted: the state that a
+    /// client shows does not depend on events. @param control  True: only for roles with control.
     void event(double time, const std::string& kind, const std::string& name, double value,
                const std::string& words, bool control = false);
     /// Send a client's command to all clients.
@@ -29,7 +29,7 @@ class Outbox {
     void answer(const Command& to);  ///< Send `ok` if the message had an id.
     void reject(const Command& to, const std::string& reason);
     void send(std::uint32_t client, const Json& message);
-    /// Send a report (HTML), or refuse one that exceeds the queue of a client.
+    /// Send a report (HTML), or an error if the report exceeds the queue of a client.
     void report(const Command& to, std::string html);
 
     void scene(std::string text) { scene_ = std::move(text); }
@@ -37,7 +37,8 @@ class Outbox {
     void timeline(const Json& message);
     void exercise(const Json& message);
     void faults(const Json& message);
-    /// Retry unsent messages. @return true if clients have the newest scene.
+    /// Try to send waiting messages again. @return true if the newest scene has been sent to the
+    /// clients.
     bool flush();
 
   private:

@@ -10,10 +10,10 @@ namespace hawser::live {
 class Pace {
   public:
     using Clock = std::chrono::steady_clock;
-    /// Restart: the next step is due at once.
+    /// Restart the clock, so that the next step is due at once.
     void begin() noexcept { due_ = Clock::now(); }
     /// Record a step of this length [s]. If it is late by more than a quarter of a second, restart
-    /// the clock. Steps therefore never follow each other at full speed to catch up.
+    /// the clock. A delay is therefore not made up by steps at full speed.
     void record_step(double step, double rate) noexcept {
         due_ +=
             std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(step / rate));

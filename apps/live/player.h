@@ -21,12 +21,13 @@ class Player {
     /// no frame. @param debriefing  Debriefing of an exercise; empty for scenes.
     Player(const record::Recording& recording, Hub& hub, Debriefing debriefing = {});
 
-    /// Serve the recording to the clients of the hub until `stop` returns true.
+    /// Send frames of the recording to the clients of the hub until `stop` returns true.
     void run(const std::function<bool()>& stop);
-    /// Perform pending commands, move to the next frame during playback, and publish a frame;
-    /// without a clock.
+    /// Perform pending commands, move to the next frame during playback, and publish a frame. This
+    /// function does not wait for the clock.
     void advance();
-    /// Return the frame at or before a time, in the last branch that has one.
+    /// Return the index of the last frame at or before a time, in the last branch with such a
+    /// frame.
     [[nodiscard]] std::size_t frame_at(double time) const;
     /// Return the fault of the recording's scene; "": none.
     [[nodiscard]] const std::string& fault() const noexcept { return scene_.fault(); }

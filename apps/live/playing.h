@@ -18,7 +18,7 @@ class Playing {
     explicit Playing(bool paused = false) : paused_(paused) {}
 
     [[nodiscard]] bool paused() const noexcept { return paused_; }
-    /// True if steps are due: not paused, or single steps were requested.
+    /// True if the run is not paused or single steps were requested.
     [[nodiscard]] bool is_running() const noexcept { return !paused_ || steps_left_ > 0; }
     [[nodiscard]] double rate() const noexcept {
         return rate_;
@@ -30,7 +30,7 @@ class Playing {
         paused_ = true;
         steps_left_ = 0;
     }
-    /// Restart the clock: the next step is due at once.
+    /// Restart the clock, so that the next step is due at once.
     void begin_clock() noexcept { pace_.begin(); }
     /// Discard requested single steps.
     void forget_steps() noexcept { steps_left_ = 0; }
@@ -58,8 +58,8 @@ class Playing {
         pace_.begin();
     }
 
-    /// Record that a step was taken, also a failed one. The next step is due after it. @param step
-    /// Its length [s].
+    /// Record the time of a completed or failed step. The next step is due after this length.
+    /// @param step Its length [s].
     void record_step(double step) noexcept { pace_.record_step(step, rate_); }
     /// Count a requested single step. @return true if it was the last one.
     bool count_step() noexcept {
@@ -68,9 +68,9 @@ class Playing {
         return steps_left_ == 0;
     }
 
-    /// Wait until the next step is due. The wait has slices, so that commands are performed at once
-    /// also at low rates. If no step is due, wait one slice. `take` performs pending commands and
-    /// returns true to end the wait.
+    /// Wait until the next step is due. The wait is divided into slices, so that commands are
+    /// performed at once even at low rates. If the run is paused, wait one slice. `take` performs
+    /// pending commands and returns true to end the wait.
     template <class Take>
     void wait(Take&& take) {
         if (!is_running()) {
@@ -86,7 +86,7 @@ class Playing {
         }
     }
 
-    /// Note that a frame has just been shown.
+    /// Record that a frame is shown now.
     void note_shown() noexcept { shown_ = Pace::Clock::now(); }
     /// True if 100 ms have passed since the last frame. A paused scene is sent ten times a second,
     /// so that new clients receive it.

@@ -25,7 +25,8 @@ Vec3 on_body(const Pose& pose, const Vec3& point) {
 
 }  // namespace
 
-/// Add a wire if it is one of `wires`. @return true if it was added.
+/// Add the points and tensions of the wire called `name`, if `wires` contains it. @return true if
+/// it was added.
 bool RecordedScene::add_recorded(const record::Frame& frame, std::string_view name,
                                  const std::vector<record::RecordedWire>* wires,
                                  const std::vector<float>& pulls, std::vector<float>& points,
@@ -87,8 +88,8 @@ void RecordedScene::add_wire(const record::Frame& frame, std::size_t wire,
     }
 }
 
-/// Return the values of inputs at a step. They were set before in this branch. If the state at the
-/// start of the branch had them, they were set in the branch before.
+/// Return the values of inputs before a step of the branch of frame `index`. An input that this
+/// branch has not set yet has the value of the earlier branches at the state from which it started.
 std::vector<float> RecordedScene::inputs_at(std::size_t index, std::int64_t step) const {
     std::vector<float> out;
     for (const InputSource& input : plan_.inputs)

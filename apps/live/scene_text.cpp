@@ -229,7 +229,8 @@ const char* to_string(BodyKind kind) noexcept {
     return "";
 }
 
-/// Light of the pictures, from the key "plot" of the scene's document. Angles in rad.
+/// Return the light of the pictures from the key "plot" of the scene's document, with angles in
+/// rad.
 Json light_json(const scene::Scene& scene) {
     constexpr double kDegree = std::numbers::pi / 180.0;
     Json out{{"light", "day"},

@@ -32,7 +32,7 @@ struct SceneNotes {
 [[nodiscard]] Json lengths(const Vec3& v);
 [[nodiscard]] Json turn(const Quat& q);
 [[nodiscard]] double shorter(double value, double unit);
-/// Return null if the value stands for no limit.
+/// Return the value, or null if it means that there is no limit.
 [[nodiscard]] Json limit(double value);
 [[nodiscard]] Json vertices_of(const std::vector<Vec3>& points);
 [[nodiscard]] Json triangles_of(const std::vector<std::array<std::int32_t, 3>>& triangles);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kPropulsors[] = {"shaft", "azimuth", "tunnel", "cycloidal"};
 
-/// Return the thrust ahead at rest with a full order [N], within the limits of power.
+/// Return the thrust ahead of a ship at rest with a full order [N], within the limits of power.
 double full_thrust(const PropulsorDef& p, double density) {
     if (p.propeller.diameter <= 0.0) return p.thrust;
     const double pitch = p.propeller.pitch;

@@ -27,8 +27,8 @@ std::string machine_name() {
     return gethostname(name.data(), name.size() - 1) == 0 ? std::string(name.data()) : "";
 }
 
-/// Lower the priority below that of the stepping thread. Keep off its reserved processors, and
-/// block signals.
+/// Lower the priority of this thread below that of the stepping thread. Exclude the processors
+/// reserved for stepping, and block signals.
 void lower_this_thread() {
     sigset_t all;
     sigfillset(&all);

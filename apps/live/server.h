@@ -22,7 +22,7 @@ namespace hawser::live {
 
 class Server {
   public:
-    /// Listen and start the server's thread. @throws ServerError
+    /// Start to listen, and start the server's thread. @throws ServerError
     Server(Hub& hub, ServerOptions options);
     /// Close all connections and wait for the thread.
     ~Server();

@@ -28,8 +28,8 @@ struct HostNames {
 [[nodiscard]] HostNames host_names(const std::string& address, std::uint16_t port,
                                    const std::string& host_name);
 [[nodiscard]] bool host_allowed(const HostNames& names, std::string_view host);
-/// True if a request may come from this origin. @param origin  Empty: the client is no browser; it
-/// needs a token, too.
+/// True if the server accepts a request from this origin.
+/// @param origin  Empty: the client is not a browser. Every client also needs a token.
 [[nodiscard]] bool origin_allowed(std::string_view origin, std::string_view host);
 
 /// Return the file of the page at a target; null: none. Other files are never searched.

@@ -23,9 +23,9 @@ double sag(const std::string& name, std::size_t node, double* speed) {
     return -0.5 * (first + s.world.pose(id).position.z());
 }
 
-/// Return the load P at which a column of n elements no longer returns to straight [N]. The first
-/// mode starts with 1 µm. Bisection around the load π² EI/L² of a smooth column finds the load from
-/// which it grows.
+/// Return the buckling load P of a column of n elements [N]. The column starts in the first mode
+/// with 1 µm. Bisection around the load π² EI/L² of a continuous column finds the least load at
+/// which the mode grows.
 double buckling_load(int elements) {
     constexpr double kLength = 10.0, kStiffness = 1e9, kBending = 1e5;
     constexpr double kSmooth = kPi * kPi * kBending / (kLength * kLength);

@@ -63,7 +63,7 @@ LineModes line_modes(const World& world, const scene::Cable& cable,
 }
 
 /// Return the frequency of a mode [Hz] from the zeros of its modal coordinate. The initial
-/// amplitude is small against the elements.
+/// amplitude is small compared with the elements.
 double measured_frequency(scene::Scene& s, const LineModes& m, Eigen::Index mode,
                           const Vec3& direction) {
     constexpr double kAmplitude =

@@ -7,29 +7,29 @@
 
 namespace hawser::validate {
 
-// Cases in pendulum.cpp.
+// Check pendulums against closed forms (pendulum.cpp).
 void case_pendulum_period(Report& report);
 void case_pendulum_a01(Report& report);
-// Cases in mechanisms.cpp.
+// Check mechanisms with closed loops against reference solutions (mechanisms.cpp).
 void case_n_four_bar(Report& report);
 void case_andrews(Report& report);
 void case_bricard(Report& report);
 void case_slider_crank(Report& report);
-// Cases in spin.cpp.
+// Check the rotation of free and supported rigid bodies (spin.cpp).
 void case_dzhanibekov(Report& report);
 void case_heavy_top(Report& report);
-// Cases in cables.cpp.
+// Check cables at rest and their vibration (cables.cpp).
 void case_catenary(Report& report);
 void case_hanging_chain(Report& report);
 void case_taut_string(Report& report);
-// Cases in momentum.cpp.
+// Check the conservation of momentum (momentum.cpp).
 void case_momentum(Report& report);
-// Cases in beams.cpp.
+// Check the bending and buckling of wires (beams.cpp).
 void case_beams(Report& report);
 void case_euler_column(Report& report);
-// Cases in contact.cpp.
+// Check the friction of a wire round a cylinder (contact.cpp).
 void case_capstan(Report& report);
-// Cases in routes.cpp.
+// Check routes, contacts and limits of joints (routes.cpp and files of the case's name).
 void check_posts(Report& report);  ///< Part of "capstan".
 void case_tackle(Report& report);
 void case_incline(Report& report);
@@ -44,16 +44,16 @@ void case_joint_friction(Report& report);
 void case_bollard(Report& report);
 void case_joint_limits(Report& report);
 void case_motor_limits(Report& report);
-// Cases in resistance.cpp.
+// Check the rolling resistance of balls (resistance.cpp).
 void case_rolling_resistance(Report& report);
-// Cases in winches.cpp.
+// Check winches and drums (winches.cpp).
 void case_winches(Report& report);
-// Parts of case_winches(), in winches_limits.cpp and winches_joined.cpp.
+// Add the checks of winches_limits.cpp and winches_joined.cpp to case_winches().
 void report_winch_limits(Report& report);
 void report_joined_wires(Report& report);
-// Cases in cranes.cpp.
+// Check the statics of cranes (cranes.cpp).
 void case_cranes(Report& report);
-// Cases in scheme.cpp.
+// Check properties of the integration scheme (scheme.cpp).
 void case_static_violation(Report& report);
 void case_violation_decay(Report& report);
 void case_linear_invariant(Report& report);

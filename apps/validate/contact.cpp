@@ -23,7 +23,7 @@ std::array<BodyId, kHeadings> bodies(const World& world, const char* name) {
     return ids;
 }
 
-/// Return the value farthest from `wanted` among those of all headings.
+/// Return the value with the largest distance from `wanted` among all headings.
 double farthest_from(double wanted, const std::array<double, kHeadings>& values) {
     return *std::max_element(values.begin(), values.end(), [&](double a, double b) {
         return std::abs(a - wanted) < std::abs(b - wanted);
@@ -36,7 +36,7 @@ struct Figures {
     std::vector<double> work, sliding;  ///< Work and number of sliding contacts of each step.
 };
 
-/// Step and collect figures of the solver.
+/// Run `steps` steps and collect statistics of the solver.
 void run(World& world, long steps, Figures& figures) {
     for (long k = 0; k < steps; ++k) {
         advance(world, 1);

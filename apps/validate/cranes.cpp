@@ -63,8 +63,8 @@ struct Quay {
     void run(double seconds) { advance(w, std::lround(seconds / kCraneStep)); }
 };
 
-/// Return the length of the line of knuckle_crane() from its geometry: from the drum over the
-/// knuckle's sheave, along the jib, and two falls. The hook hangs one sheave diameter lower [m].
+/// Return the length of the hoist line of knuckle_crane() from its geometry [m]: from the drum over
+/// the knuckle's sheave, along the jib, and two falls. The hook hangs one sheave diameter lower.
 double line_length(const KnuckleCraneDef& d) {
     const double r = d.hoist.sheave_radius, x = d.boom.length - d.hoist.drum.x();
     const double z = d.hoist.drum.z(), first = std::sqrt(x * x + z * z - r * r);
@@ -73,7 +73,7 @@ double line_length(const KnuckleCraneDef& d) {
            r * (comes - d.jib_angle + 0.5 * kPi + d.boom_angle + d.jib_angle + 2.0);
 }
 
-/// Return the force of a cylinder that balances a moment.
+/// Return the force of a cylinder that balances a moment about the pin.
 double push_against(const CraneCylinder& c, const Vec3& pin, double angle, double moment) {
     const double co = std::cos(angle), si = std::sin(angle);
     const Vec3 head(c.head.x() * co - c.head.z() * si, 0, c.head.x() * si + c.head.z() * co);
@@ -172,7 +172,7 @@ void report_lattice(Report& report) {
                    5e-3, "largest, hoisting and lowering; means of 20 s");
 }
 
-/// Read the control file of a scene: values by time.
+/// Read the control file of a scene. The result maps times to inputs and values.
 std::multimap<double, std::pair<std::string, double>> read_control_values(const std::string& file) {
     std::ifstream in(file);
     std::multimap<double, std::pair<std::string, double>> out;

@@ -9,10 +9,10 @@
 namespace hawser::validate {
 
 void set_data_folder(std::string folder);
-/// Return the folder of data; "": none was given.
+/// Return the folder of measured data; "" if the option --data is absent.
 [[nodiscard]] const std::string& data_folder();
-/// Return the path of a file in it. @throws std::runtime_error if there is no folder or no such
-/// file.
+/// Return the path of a file in data_folder(). @throws std::runtime_error if there is no folder or
+/// no such file.
 [[nodiscard]] std::string data_file(const std::string& name);
 /// Return the columns of numbers of a text file, separated by tabs or spaces. Lines without numbers
 /// are skipped; an entry that is no number becomes NaN. @throws std::runtime_error

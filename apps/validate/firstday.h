@@ -12,16 +12,16 @@ namespace hawser::validate {
 /// Return the cases of the group "firstday"; they take at most two minutes together.
 [[nodiscard]] std::span<const Case> firstday_cases();
 
-// Cases in firstday_lines.cpp.
+// Check chains and lines at their start (firstday_lines.cpp).
 void case_first_chains(Report& report);
 void case_first_lines(Report& report);
-// Cases in firstday_hulls.cpp.
+// Check hulls in waves and current (firstday_hulls.cpp).
 void case_first_waves(Report& report);
 void case_first_drag(Report& report);
 void case_first_memory(Report& report);
-// Cases in firstday_checks.cpp.
+// Check the warnings of `hawser check` (firstday_checks.cpp).
 void case_first_warnings(Report& report);
-// Cases in firstday_winches.cpp.
+// Check winches, routes and guides (firstday_winches.cpp).
 void case_first_winches(Report& report);
 void case_first_routes(Report& report);
 

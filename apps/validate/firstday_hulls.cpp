@@ -100,7 +100,8 @@ double mean_drift(double period, double amplitude, double a33, double b33) {
     return sum / static_cast<double>(count) / spring.compliance[0];
 }
 
-/// Return the drag of a current on a box of 20 x 10 x 8 m at a draught, over ½ρ C_dA u².
+/// Return the drag force of a current on a box of 20 x 10 x 8 m at a draught, divided by ½ρ C_dA
+/// u².
 Vec3 current_drag(double draught, double mass, double design, double step, const Vec3& flow) {
     World w(WorldDef{.step = step, .gravity = Vec3(0, 0, -kGravity)});
     const bool held = mass <= 0.0;

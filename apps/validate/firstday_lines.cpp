@@ -84,8 +84,9 @@ scene::Scene line_scene(const Line& line, double step, const char* shape = "hang
         "first_line", options);
 }
 
-/// Return the tension at the higher end of an elastic catenary of weight w, span x, rise z and
-/// length L. Bisection of H finds it; V follows from the rise for each H.
+/// Return the tension at the higher end of an elastic catenary of weight w, horizontal distance x,
+/// rise z and length L. The horizontal tension H is found by bisection; the vertical tension V
+/// follows from the rise for each H.
 double catenary_top(double w, double EA, double x, double z, double length) {
     const auto at = [&](double h, double v, double& dx, double& dz) {
         // V at the upper end; s from there down.

@@ -117,7 +117,8 @@ void report_drum(Report& report, double step) {
                    "relative; r (m + rho (L - half an element)) g");
 }
 
-/// Check that the light side of a line over two eyes moves up to its eye and stops there.
+/// Check that the end of a line over two eyes with the smaller load moves up to its eye and stops
+/// there.
 void report_eye(Report& report, double step) {
     constexpr double kLight = 12.0, kHeavy = 90.0, kLeft = 3.0, kRight = 2.0;
     World w(WorldDef{.step = step});
@@ -173,8 +174,8 @@ void report_bollard(Report& report, double step) {
                    {0.0}, {w.pose(b).position.z() - before}, 1e-4, "absolute; it is held", 1.0);
 }
 
-/// Check a wire over the top of a wheel at the origin, first horizontal, then down. @return True if
-/// a guide of this radius is rejected by a message that names the other side.
+/// Check a wire that runs horizontally to the top of a wheel at the origin, and down behind it.
+/// @return True if a guide of this radius is rejected by a message that names the other side.
 bool refuses_side(double radius) {
     World w;
     const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kFourBarRate = 3.5 / 3.0 * kGravity;  // θ̈ = rate sin θ, N = 2 [1/s²]
 
-/// Return the time of one turn: ∫ dθ/√(1 + 2 rate (1 − cos θ)). The trapezoidal rule converges
-/// geometrically for a periodic integrand.
+/// Return the time of one revolution: ∫ dθ/√(1 + 2 rate (1 − cos θ)). The trapezoidal rule
+/// converges geometrically for a periodic integrand.
 double revolution_time() {
     constexpr int kPoints = 2000;
     double sum = 0.0;

@@ -11,8 +11,8 @@
 namespace hawser::validate {
 namespace {
 
-/// Return the largest distance of a contact force from Coulomb's cone, over the largest force. It
-/// is computed from the contacts, independently of the solver.
+/// Return the largest distance of a contact force from Coulomb's cone, divided by the largest
+/// force. It is computed from the contacts, independently of the solver.
 double outside_cone(const World& world, double friction) {
     double worst = 0.0, scale = 1e-300;
     for (const ContactView& c : world.contacts()) {

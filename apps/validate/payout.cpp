@@ -59,7 +59,7 @@ struct Lowered : Changes {
     Grade grade = Grade::good;
 };
 
-/// Lower by `way`, wait, haul up again.
+/// Lower an anchor by `way`, wait, and haul it up again.
 Lowered lower_and_haul(double way, double element, double damping, int end) {
     Lowering d(element, damping, end);
     Lowered r;

@@ -44,7 +44,7 @@ inline WireDef trial_line(int elements, double element, double damping) {
     return def;
 }
 
-/// Return its winch in the mode `speed`.
+/// Return the winch of the trial wire, in the mode `speed`.
 inline WinchDef trial_winch(WireId wire, int end = 0) {
     return {.name = "winch",
             .wire = wire,

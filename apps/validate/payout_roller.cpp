@@ -71,7 +71,7 @@ struct RollerRun : Changes {
     Grade grade = Grade::good;
 };
 
-/// Lower by `way` at `speed`, wait, haul up again.
+/// Lower an anchor by `way` at `speed`, wait, and haul it up again.
 RollerRun lower_over_roller(double way, double speed, double element, double damping) {
     OverRoller d(element, damping);
     RollerRun r;

@@ -62,12 +62,13 @@ class Report {
     Check& compare(std::string quantity, std::vector<double> reference, std::vector<double> ours,
                    double tolerance, std::string reason, double scale = 0.0);
 
-    /// Run `simulate` at each step and compare every quantity, with the observed order.
+    /// Run `simulate` at several steps. Compare every quantity with its reference, and compute the
+    /// order of convergence.
     void converge(const std::vector<Target>& targets,
                   const std::function<Result(double step)>& simulate,
                   const Steps& steps = kAbout960);
 
-    /// Record that the case threw, which is a failed check.
+    /// Record a failed check because the case has thrown an exception.
     void fail(std::string message);
 
     [[nodiscard]] const std::vector<Check>& checks() const noexcept { return checks_; }

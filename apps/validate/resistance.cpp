@@ -28,7 +28,7 @@ double farthest_from_wanted(double wanted, const std::vector<double>& values) {
     });
 }
 
-/// Check balls at rest: their displacement and rotation after the first second.
+/// Check balls at rest on a slope. Report their displacement and rotation after the first second.
 void report_hold(Report& report) {
     scene::Scene s = open_scene("rolling_resistance", 1.0 / 60.0);
     const std::vector<BodyId> balls = group(s.world, "hold", 8);

@@ -20,14 +20,14 @@ struct Case {
 /// Return the cases of the group "robust".
 [[nodiscard]] std::span<const Case> robust_cases();
 
-// Cases in robust_wires.cpp.
+// Check wires with under-resolved vibration (robust_wires.cpp).
 void case_zigzag_wires(Report& report);
 void case_long_wire(Report& report);
 void case_wire_sway(Report& report);
 void case_wires_come_taut(Report& report);
-// Cases in robust_damping.cpp.
+// Check the order of dampers in the step (robust_damping.cpp).
 void case_damping_orders(Report& report);
-// Cases in robust_joints.cpp, robust_loops.cpp.
+// Check redundant joints and loops (robust_joints.cpp, robust_loops.cpp).
 void case_repeated_joints(Report& report);
 void case_overconstrained(Report& report);
 void case_ships_on_chain(Report& report);

@@ -35,7 +35,8 @@ World still_world(double step) {
     return World(def);
 }
 
-/// Return the error of 1 kg on 100 N/m and 2 N s/m, from 0.1 m away [m].
+/// Return the error of a mass of 1 kg on a spring of 100 N/m with a damper of 2 N s/m, released at
+/// 0.1 m [m].
 double damper_error(double step) {
     World w = still_world(step);
     const BodyId wall = w.add_body({.name = "wall", .kind = BodyKind::fixed});
@@ -53,7 +54,8 @@ double damper_error(double step) {
         [](double t) { return 0.1 * damped_oscillation(1.0, 10.0, t); });
 }
 
-/// Return the error of 2 kg thrown at 3 m/s against 4 N s/m, under 1 N along its path [m].
+/// Return the error of a mass of 2 kg that starts at 3 m/s, with a drag of 4 N s/m and a force of 1
+/// N along its path [m].
 double drag_error(double step) {
     World w = still_world(step);
     const BodyId ball = w.add_body({.name = "ball",
@@ -67,8 +69,8 @@ double drag_error(double step) {
         [](double t) { return 0.25 * t + (3.0 - 0.25) / 2.0 * (1.0 - std::exp(-2.0 * t)); });
 }
 
-/// Return the error of a hull of 2,000 t, heave period 6 s, damped by a tenth of critical, from 1 m
-/// too high [m].
+/// Return the error of the heave of a hull that is released 1 m above its rest position [m]. The
+/// hull has 2,000 t, a heave period of 6 s and a tenth of critical damping.
 double heave_error(double step) {
     constexpr double kMass = 2e6, kRate = 2.0 * kPi / 6.0, kShare = 0.1;
     World w = still_world(step);

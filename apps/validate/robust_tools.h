@@ -11,7 +11,7 @@ namespace hawser::validate {
 
 inline constexpr double kRobustStep = 1.0 / 60.0;  ///< The user's step [s].
 
-/// Return a solid box. @param half  Half edges [m].
+/// Return the definition of a solid box. @param half  Half edges [m].
 inline BodyDef solid_box(const Vec3& position, double mass, const Vec3& half) {
     const Vec3 s = half.cwiseProduct(half);
     return {.position = position,

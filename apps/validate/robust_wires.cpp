@@ -147,7 +147,7 @@ struct Worst {
     }
 };
 
-/// Run all wires of a ratio and a bend.
+/// Run the wires with a given ratio of stiffnesses and a given bend, and report them.
 void run_zigzag_wires(Report& report, double ratio, double bend) {
     Worst created, calm, lively, most;
     double few = 0.0, many = 0.0;
@@ -227,8 +227,8 @@ Sway sway(double steps_a_period) {
     return out;
 }
 
-/// Report the tension of the last element and the position of a cable's free end, at the end of a
-/// scene.
+/// Run a scene to its end. Report the tension of the last element and the position of the cable's
+/// free end.
 void settle(Report& report, const std::string& scene, double step, const std::string& damping,
             double tension, double place) {
     std::vector<std::string> set;

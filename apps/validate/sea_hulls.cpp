@@ -39,7 +39,8 @@ struct FloatingBox {
     }
 };
 
-/// Return ω of x_{k+1} + x_{k−1} = 2 cos(ωh) x_k, about its mean.
+/// Return the angular frequency ω that fits the samples x by x_{k+1} + x_{k−1} = 2 cos(ωh) x_k,
+/// about their mean.
 double discrete_frequency(const std::vector<double>& x, double h) {
     double above = 0.0, below = 0.0;
     for (std::size_t k = 1; k + 1 < x.size(); ++k) {

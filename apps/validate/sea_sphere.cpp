@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kSphereStep = 0.01, kSphereBelow = 2.0;
 
-/// Return the height of the centre of the sphere, one sample for each step.
+/// Run a world, and return the height of the centre of the sphere after each step.
 std::vector<double> heights(World& w, double duration) {
     const BodyId sphere = body(w, "sphere");
     std::vector<double> out;
@@ -31,7 +31,7 @@ std::vector<double> heights(World& w, double duration) {
     return out;
 }
 
-/// Find the times at which a signal passes 0, up or down, and its extremes.
+/// Find the times at which a signal passes 0 in either direction, and its extremes between them.
 void find_crossings(const std::vector<double>& z, std::vector<double>& at,
                     std::vector<double>& extreme) {
     for (std::size_t i = 0; i + 1 < z.size(); ++i) {
@@ -48,7 +48,7 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
     return most;
 }
 
-/// Simulate the scene's sphere with other coefficients.
+/// Simulate the sphere of the scene with other wave coefficients.
 std::vector<double> with_coefficients(WaveCoefficients c) {
     World w(WorldDef{.step = kSphereStep});
     const double mass = 261.8e3;

@@ -67,8 +67,7 @@ double fastest_wet(const World& w, std::span<const BodyId> bodies) {
     return most;
 }
 
-/// Apply f − D v − A v̇ of a load, with v̇ of the previous step, as a program without block
-/// matrices does.
+/// Apply f − D v − A v̇ of a load as an explicit force, with v̇ of the previous step.
 void apply_explicitly(World& w, const LoadView& load, const Twist& before) {
     const auto n = static_cast<int>(load.force.size());
     const Twist now = w.velocity(load.body);
@@ -87,9 +86,9 @@ void apply_explicitly(World& w, const LoadView& load, const Twist& before) {
     w.set_force(load.body, Vec3(f[0], f[1], f[2]), Vec3(f[3], f[4], f[5]));
 }
 
-/// Return the number of steps until a body reaches 1,000 m/s if the terms are applied as explicit
-/// forces; 0: it does not. The terms come from a second world with the sea, which is set to the
-/// state of this one.
+/// Return the number of steps until a body reaches 1,000 m/s if the sea loads are applied as
+/// explicit forces; 0 if it does not. The loads are computed by a second world with the sea, which
+/// is set to the present state before each step.
 int explicit_steps(const WetCase& c, int most) {
     World wet(WorldDef{}), dry(WorldDef{});
     const std::vector<BodyId> bodies = c.build(wet, true);

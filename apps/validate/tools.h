@@ -33,7 +33,7 @@ class Chance {
     std::uint64_t state_;
 };
 
-/// Open scenes/NAME.json. Folders searched, in this order: the one in the environment variable
+/// Open scenes/NAME.json. The folders are searched in this order: that of the environment variable
 /// HAWSER_SCENES, ./scenes, ../share/hawser/scenes beside the program, and the source tree.
 [[nodiscard]] scene::Scene open_scene(const std::string& name, double step,
                                       const std::vector<std::string>& set = {});

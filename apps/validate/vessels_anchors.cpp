@@ -167,7 +167,7 @@ constexpr Clay kClay[] = {{1, 1.700, 241.7e3},    {5, 4.127, 471.0e3},    {10, 6
                           {20, 10.801, 1101.7e3}, {30, 14.126, 1415.9e3}, {40, 16.898, 1677.9e3},
                           {60, 21.280, 2092.0e3}};
 
-/// Haul the buoy slowly and store the tension at drag distances.
+/// Haul the buoy slowly. Return the signal `what` at each drag distance of kClay.
 std::vector<double> drag_through(const AnchorDef& def, const char* what) {
     Moored m(def, 1e4, 0.0);
     std::vector<double> out;

@@ -110,7 +110,8 @@ void report_drift(Report& report) {
                    {-std::atan2(s.axes()(1, 0), s.axes()(0, 0))}, 5e-3, kFine);
 }
 
-/// Zero crossings after a release from heave, roll or pitch.
+/// Return the times of the zero crossings after a release from a displacement in heave, roll or
+/// pitch.
 std::vector<double> crossings(int motion) {
     Supply s;
     Quat turn = Quat::Identity();

@@ -17,7 +17,8 @@ namespace {
 
 constexpr double kShaftStep = 1.0 / 60.0;
 
-/// Pull of a Ka4-70 in nozzle 19A at 5 MW, D 4 m, density 1025, free revolutions.
+/// Check the bollard pull of a Ka4-70 propeller in nozzle 19A at 5 MW, with D = 4 m, density 1025
+/// and free revolutions.
 void report_pull(Report& report) {
     constexpr double kPulls[2][8] = {{919.2, 824.0, 744.6, 676.1, 614.2, 555.1, 495.8, 433.9},
                                      {916.8, 824.3, 745.0, 674.4, 608.5, 544.0, 478.3, 409.2}};
@@ -74,9 +75,9 @@ struct CrashStop {
     }
 };
 
-/// Check the energy of the shaft from full ahead until the ship stops: motor = water + change of
-/// kinetic energy. The work of the water is a sum over samples of the series, independent of the
-/// shaft's solver.
+/// Check the energy of the shaft from full ahead until the ship stops. The work of the motor must
+/// equal the work on the water plus the change of kinetic energy. The work on the water is a sum
+/// over samples of the propeller series, independent of the shaft's solver.
 void report_crash_stop(Report& report, double speed, double inertia) {
     CrashStop s(speed, inertia);
     s.world.set_system_signal("ship.main", 1.0);

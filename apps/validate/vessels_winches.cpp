@@ -28,7 +28,7 @@ WinchDef aided_winch(WireId wire) {
             .brake_static = 5e6};
 }
 
-/// Return the amplitude of a load of 20 t below a ship that heaves by 1.5 m.
+/// Return the heave amplitude of a load of 20 t below a ship that heaves by 1.5 m.
 double load_heave(double frequency, WinchMode mode, double max_speed) {
     constexpr double kHeave = 1.5, kHigh = 60.0;
     World w{WorldDef{.step = kAidStep}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wires that are cut and joined at once against those that were not.
+// Wires that are cut and joined at once, compared with uncut wires.
 #include "validate/cases.h"
 #include "validate/tools.h"
 #include "validate/uniform.h"
@@ -45,8 +45,8 @@ WireDef random_wire(Uniform& random, double length) {
 
 }  // namespace
 
-/// Compare the tensions of a span that was cut and spliced at once with those of an uncut one. Do
-/// the same for a weight's wire that was cut and shackled.
+/// Compare the tensions of a cut and spliced span with those of an uncut one. Repeat the comparison
+/// for the wire of a weight that was cut and shackled.
 void report_joined_wires(Report& report) {
     Uniform random(5);
     double spliced = 0.0, shackled = 0.0;

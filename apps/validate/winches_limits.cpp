@@ -124,7 +124,8 @@ WinchDef random_winch(Uniform& random) {
     return def;
 }
 
-/// Check the holding force of a fastening after some wraps: link e^(2 pi mu n) at the wire.
+/// Check the holding force of the fastening of a wire. At the wire it is the strength of the weak
+/// link times e^(2πμn) behind n wraps.
 void report_weak_links(Report& report) {
     Uniform random(2);
     double worst = 0.0, links = 0.0, parted = 0.0;

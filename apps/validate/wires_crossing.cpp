@@ -39,8 +39,8 @@ Piece pose_between(const std::array<Piece, 2>& x, double t) {
     return {x[0][0] + t * (x[1][0] - x[0][0]), x[0][1] + t * (x[1][1] - x[0][1])};
 }
 
-/// True if two pieces passed through each other from one pose to the next. Bisection finds the
-/// moments at which they lie in a plane; they must cross at such a moment.
+/// True if two wire pieces passed through each other between two poses. Pieces can only cross at a
+/// time at which they lie in a plane; bisection finds these times.
 bool wires_passed(const std::array<Piece, 2>& a, const std::array<Piece, 2>& b) {
     constexpr int kParts = 32, kHalvings = 40;
     const auto volume = [&](double t) {
@@ -62,7 +62,7 @@ bool wires_passed(const std::array<Piece, 2>& a, const std::array<Piece, 2>& b) 
     return false;
 }
 
-/// True if the boxes around the motions of two pieces are separate.
+/// True if the boxes around the motions of two pieces do not overlap.
 bool boxes_separate(const std::array<Piece, 2>& a, const std::array<Piece, 2>& b) {
     const auto least = [](const std::array<Piece, 2>& x) {
         return x[0][0].cwiseMin(x[0][1]).cwiseMin(x[1][0].cwiseMin(x[1][1])).eval();

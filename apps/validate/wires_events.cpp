@@ -128,8 +128,8 @@ void edit(FreeWire& f, Dice& dice, Edits& sum) {
     sum.angular += after.angular - before.angular;
 }
 
-/// Check a free wire. @param steps_too  True: steps between the edits must also conserve angular
-/// momentum.
+/// Check momentum, angular momentum and energy of a free wire while nodes are inserted and removed.
+/// @param steps_too  True: also check that the steps between the edits conserve angular momentum.
 void check_free_wire(Report& report, double spin, bool steps_too) {
     constexpr long kEdits = 10'000;
     FreeWire f(40, spin);

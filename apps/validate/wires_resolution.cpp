@@ -85,8 +85,8 @@ struct Spanned {
     }
 };
 
-/// Check that the wire finds its resolution, with a small change of tension in each edit, and then
-/// keeps it.
+/// Check that a wire at rest adapts its elements, with a small change of tension in each edit, and
+/// then does not change them again.
 void check_at_rest(Report& report, double pull, double element) {
     Spanned s(pull, element, {.min_length = 2.5, .max_length = 20.0});
     const double allowed = std::max(0.003 * pull, 50.0);

@@ -69,8 +69,8 @@ World broken_wire_world(const Pieces& p, double step, WireId& wire) {
     return w;
 }
 
-/// Return the mean speed of the last node of each piece during its recoil, until the axial wave
-/// reaches the piece's other end [m/s].
+/// Return the mean recoil speed of the last node of each piece, until the axial wave reaches the
+/// other end of the piece [m/s].
 std::array<double, 2> recoil_speeds(const Pieces& p, double step) {
     WireId wire;
     World w = broken_wire_world(p, step, wire);
@@ -160,7 +160,8 @@ struct Passing {
     double crest = 0.0, middle = 0.0;  ///< Times at which its crest and its first moment pass [s].
 };
 
-/// Compute the passing times from the displacement of a node, sampled every step from time h on.
+/// Compute the times at which a pulse passes a node, from the displacement of the node, sampled
+/// every step from time h on.
 Passing passing(const std::vector<double>& z, double step, double half_width) {
     const auto most = static_cast<std::size_t>(std::max_element(z.begin(), z.end()) - z.begin());
     const double a = z[most - 1], b = z[most], d = z[most + 1];

@@ -7,8 +7,7 @@
 
 namespace hawser::assembly {
 
-/// Find friction of scalar bodies whose loads are spans of a line that runs through at the same
-/// body.
+/// Find capstans: frictions of a slide whose loads are the two spans of a line that runs over it.
 void System::find_capstans(const model::Interactions& in, const WorldDef& def) {
     capstans.clear();
     capstan_entries.clear();

@@ -42,7 +42,7 @@ double mobility(const model::Bodies& bodies, const model::Interactions& in, int 
     return sum;
 }
 
-/// Compute the Jacobians at the present poses, which decide the forms.
+/// Compute the Jacobians at the present poses, by which the forms of rows are chosen.
 void System::evaluate(const model::Bodies& bodies, model::Interactions& interactions,
                       const WorldDef& def) {
     const View v = view(const_cast<model::Bodies&>(bodies), interactions, def);

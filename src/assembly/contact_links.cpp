@@ -12,7 +12,7 @@
 
 namespace hawser::assembly {
 
-/// Remove the links of bodies that no longer touch.
+/// Remove the links of pairs of bodies that are no longer in contact.
 void Contacts::drop_links() noexcept {
     const auto touches = [&](std::int32_t b) {
         return std::binary_search(touching_.begin(), touching_.end(), b);

@@ -29,13 +29,14 @@ void tangents(const V3& n, V3& t1, V3& t2) {
     t2 = cross(n, t1);
 }
 
-/// True if a body that holds a segment carries points of the segment along as it turns. Fixed
-/// bodies do not.
+/// True if a body that holds a segment moves points of the segment when it turns. Fixed bodies do
+/// not.
 bool carries(const model::Bodies& b, std::int32_t body) {
     return b.turns(body) && b.kind[at(body)] != BodyKind::fixed;
 }
 
-/// Return the end of a segment that carries(); −1 if both are point masses or fixed.
+/// Return the body at an end of a segment for which carries() is true; −1 if both are point masses
+/// or fixed.
 std::int32_t carrier_of(const model::Bodies& b, std::int32_t first, std::int32_t second) {
     return carries(b, first) ? first : carries(b, second) ? second : -1;
 }
@@ -54,7 +55,7 @@ V3 anchor_point(const model::Bodies& b, const ContactMemory& m, int side) {
     return body_position(b, first) + offset;
 }
 
-/// Set the anchor of a side to a point of the world.
+/// Set the anchor of a side to a point given in the world frame.
 void set_anchor(const model::Bodies& b, ContactMemory& m, int side, const V3& p) {
     const std::int32_t first = m.body[side][0], second = m.body[side][1];
     if (second >= 0) {
@@ -86,10 +87,10 @@ void take_sides(const ContactRow& row, ContactMemory& m) {
 
 V3 tangential(const V3& v, const V3& n) { return v - dot(v, n) * n; }
 
-/// Return the arm of slot i, from the centre of its body to the point at which its part of a
-/// contact at p acts. For a point mass this is its position. A body that shares a side with a point
-/// mass has the remainder, so that the resultant of the side acts at p. Momentum and angular
-/// momentum are then those of the force at p.
+/// Return the arm of slot i of a contact at p: the vector from the centre of its body to the point
+/// at which its part of the force acts. On a point mass the force acts at its position. If a body
+/// and a point mass form one side, the arm of the body is such that the resultant of the side acts
+/// at p. Momentum and angular momentum are then those of the force at p.
 V3 arm_of(const collide::Contact& in, int i, const model::Bodies& bodies, const V3& p) {
     const std::int32_t body = in.body[i];
     const int begin = i < in.side_0 ? 0 : in.side_0, end = i < in.side_0 ? in.side_0 : in.slots;
@@ -116,8 +117,8 @@ double slot_mobility(const model::Bodies& b, const ContactSlot& s) {
     return s.weight * s.weight * sum;
 }
 
-/// Keep the anchors of a contact at the point p, or set new ones if it has none or has rolled away
-/// from them. @return g_t, the tangential part of anchor 1 minus anchor 0.
+/// Keep the friction anchors of a contact at the point p. Set new anchors if the contact has none,
+/// or if p has rolled away from them. @return g_t, the tangential part of anchor 1 minus anchor 0.
 V3 hold(const ContactRow& row, const model::Bodies& bodies, const V3& n, const V3& p,
         ContactMemory& m) {
     V3 gap_t{0, 0, 0};

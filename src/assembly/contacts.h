@@ -70,10 +70,10 @@ class Contacts {
     /// Set the bodies that have shapes. Call if they change. @throws std::bad_alloc.
     Blocks set_bodies(std::span<const std::int32_t> touching, const model::Bodies& bodies);
 
-    /// Begin a step with `count` contacts, followed by `asleep` sleeping ones without rows that
-    /// keep their memory. @throws std::bad_alloc if the number grows.
+    /// Begin a step with `count` active contacts, followed by `asleep` sleeping contacts, which
+    /// have no rows and keep their memory. @throws std::bad_alloc if the number grows.
     void begin(std::size_t count, std::size_t asleep);
-    /// Mark contact `index` of the set of this step as sleeping.
+    /// Mark contact `index` of this step as sleeping.
     void set_asleep(std::size_t index, std::int32_t previous) noexcept {
         next_[index] = previous >= 0 ? memory[static_cast<std::size_t>(previous)] : kNoMemory;
     }
@@ -82,7 +82,8 @@ class Contacts {
     /// Connect contacts with blocks and bodies, after all set(). @return false if pairs touch that
     /// are not links yet. Then call relink(), analyse the system, and call this again.
     [[nodiscard]] bool connect(std::int64_t step) noexcept;
-    /// Add the missing links and drop those long unused. @throws std::bad_alloc.
+    /// Add the missing links, and drop links that have not been used for many steps. @throws
+    /// std::bad_alloc.
     void relink(std::int64_t step);
 
     /// Remove contacts of the last step with their rows and memories. @param stays  1 for each
@@ -103,7 +104,8 @@ class Contacts {
     /// Make blocks for the present links. @throws std::bad_alloc.
     void make_blocks();
 
-    /// Compute u, λ and the impulses on bodies at velocities v; null: at rest.
+    /// Compute u, λ and the impulses on bodies for contacts [begin, end).
+    /// @param v  Velocities of the bodies; null: at rest.
     void update(const double* v, std::int32_t begin, std::int32_t end) noexcept;
     /// Compute u, λ and the impulses on bodies of resistances [begin, end), after update() of the
     /// contacts.
@@ -125,7 +127,7 @@ class Contacts {
     void write_blocks(std::int32_t begin, std::int32_t end) noexcept;
 
     /// Store the memory of contacts [begin, end) for the next step, after the solve and before the
-    /// bodies move. Call keep() after all ranges.
+    /// bodies move. Call keep() after all ranges have been stored.
     void remember(const model::Bodies& bodies, double h, std::int32_t begin,
                   std::int32_t end) noexcept;
     void keep(double h) noexcept;
@@ -163,9 +165,10 @@ class Contacts {
     /// True if the blocks match the present bodies and links.
     [[nodiscard]] bool has_blocks() const noexcept;
     [[nodiscard]] std::int32_t block_of(std::int32_t a, std::int32_t b) const noexcept;
-    /// True if contacts act on the same bodies as at the previous call.
+    /// True if contacts act on the bodies on which they acted in the previous call.
     [[nodiscard]] bool same_bodies() noexcept;
-    // Steps of connect(): find the blocks on which contacts act, and make the lists from them.
+    // Find the blocks on which contacts act (step of connect()). The list functions below then
+    // build the lists.
     [[nodiscard]] bool find_blocks(std::int64_t step) noexcept;
     void list_terms() noexcept;
     void list_slots() noexcept;

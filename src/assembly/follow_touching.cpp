@@ -10,8 +10,8 @@
 namespace hawser::assembly {
 namespace {
 
-/// Return the index of the only additional entry of one of two ascending lists; −1 if they differ
-/// in another way.
+/// Compare two ascending lists. Return the index of the entry that `more` has in addition to
+/// `less`; −1 if the lists differ in another way.
 std::ptrdiff_t extra(std::span<const std::int32_t> more, std::span<const std::int32_t> less) {
     if (more.size() != less.size() + 1) return -1;
     const auto k = std::mismatch(less.begin(), less.end(), more.begin()).second - more.begin();
@@ -26,8 +26,8 @@ void System::list_skew_ops() {
         if (ops[i].kind == Op::contact) skew_ops_.push_back(static_cast<std::int32_t>(i));
 }
 
-/// Shift the op ranges of pieces if ops from `from` on moved. An inserted op belongs to the piece
-/// of the op before it.
+/// Shift the op ranges of all pieces after ops from `from` on have moved. An inserted op belongs to
+/// the piece of the op before it.
 void System::shift_pieces(std::int64_t from, std::int64_t by) noexcept {
     for (auto* ranges : {&piece_ops_, &step_ops_})
         for (OpRange& r : *ranges) {
@@ -36,8 +36,8 @@ void System::shift_pieces(std::int64_t from, std::int64_t by) noexcept {
         }
 }
 
-/// Add the own block of a body whose column is in an ordinary front. Its op comes after those of
-/// interactions in the column and before those of links.
+/// Add the own block of a body whose column is in an ordinary front. Its op is placed behind the
+/// ops of interactions in the column and before the ops of links.
 void System::add_own_block(std::int32_t block, std::int32_t node) {
     const std::int64_t place = symbolic.column_address(symbolic.position[at(node)]);
     const std::int32_t body = member_of_node_[at(node)];

@@ -88,7 +88,7 @@ inline void block_times(const double* block, int dof, const double* u, double* o
     if (dof == 6) store3(out + 3, mul6(block + 6, load3(u + 3)));
 }
 
-/// Return u of the text above. @param s4  4 s.
+/// Return the factor u that is defined in the text at the head of this file. @param s4  4 s.
 template <class T>
 inline T unresolved(const T& s4) {
     const T beyond = positive_part(T(s4 - constant(s4, 16.0)));
@@ -119,8 +119,8 @@ inline T completed_stiffness(const T& s4) {
     return select_greater(beyond, one(s4), one(s4), beyond);
 }
 
-/// Compute scale × projected arm stiffness of the force f, magnitude nf, at arm r, length nr. Zero
-/// if either is zero.
+/// Compute `scale` times the projected stiffness of a force f of magnitude nf at an arm r of length
+/// nr (see the head of this file). The result is zero if nf or nr is zero.
 template <class T>
 inline void arm_stiffness(const V3T<T>& f, const T& nf, const V3T<T>& r, const T& nr,
                           const T& scale, T* out) {
@@ -147,8 +147,8 @@ template <class T>
 struct JointTerms {
     T stiff, damping, back;
 };
-/// Compute the terms. The vibration rate of a completed joint has a negative sign: its stiffness
-/// fades in, and it has no damping.
+/// Compute the terms of geometric stiffness of a joint. The vibration rate of a completed joint has
+/// a negative sign: its stiffness fades in, and it has no damping.
 template <class T>
 inline JointTerms<T> joint_terms(const assembly::View& view, const T& nf, const T& n0, const T& n1,
                                  const T& marked_vibration) {

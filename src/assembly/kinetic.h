@@ -42,8 +42,8 @@ namespace hawser::assembly {
     return dof < 6 ? sum : sum + spin_energy(&bodies.inertia[9 * i], &bodies.r[9 * i], v + 3);
 }
 
-/// Return the difference of kinetic energy between an element as two end nodes and as a straight
-/// piece [J]: ½ μ |v₁ − v₀|². See View::pair_mass. @param velocity  Packed.
+/// Return the kinetic energy of the mass of an element on its two end nodes, minus that of a
+/// straight bar with this mass [J]: ½ μ |v₁ − v₀|². See View::pair_mass. @param velocity  Packed.
 [[nodiscard]] double pair_energy(const assembly::View& view, std::int32_t id,
                                  const double* velocity) noexcept;
 

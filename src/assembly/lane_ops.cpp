@@ -10,8 +10,9 @@ namespace {
 constexpr std::uint32_t kAllLanes = 0xff;
 static_assert(factor::kLaneCount == 8);
 
-/// Encode the properties that ops of several lanes must share in one number. If a joint may
-/// exchange its slots (`turns`), the order of slots does not matter.
+/// Return a number that encodes the properties of an op. Ops with equal numbers may be executed in
+/// several lanes together. If a joint may exchange its slots (`turns`), their order does not
+/// matter.
 std::uint64_t lane_key(const OpParts& op, int rows, bool turns) noexcept {
     const bool swap = turns && op.a > op.b;
     auto key = static_cast<std::uint32_t>(op.kind) << 8 |
@@ -47,9 +48,9 @@ void LaneSharer::begin(std::int64_t panel, std::size_t done) noexcept {
     first_.clear();
 }
 
-/// Find the first entry of keys_ with the same properties and this lane free. @return its index; if
-/// there is none, their number, with `key.again` set if the properties exist. Chains are alike, so
-/// that it is mostly the entry after the one of the previous op.
+/// Find the first entry of keys_ that has the properties of `key` and in which this lane is free.
+/// @return its index; if there is none, their number, with `key.again` set if the properties exist.
+/// Chains are alike, so that it is mostly the entry after the one of the previous op.
 std::size_t LaneSharer::find(Key& key, std::size_t lane) const noexcept {
     const auto same = [&](const Key& k) {
         return k.address == key.address && k.what == key.what && k.to_b == key.to_b;

@@ -65,10 +65,10 @@ HAWSER_ROWS bool semidefinite_of(const double* m, int n) noexcept {
     return true;
 }
 
-/// Factorise with the largest pivot first, which limits the growth of rounding to a small factor.
-/// In the order of the rows, a small pivot d leaves 1e-16/d in later ones. Example: E − t tᵀ, the
-/// added mass of a straight piece of wire. Its last pivot is 0. For a wire nearly in a plane of two
-/// axes it would be −1e-12.
+/// Factorise with the largest pivot first, which limits the growth of rounding errors to a small
+/// factor. In the order of the rows, a small pivot d would cause errors of 1e-16/d in later pivots.
+/// Example: E − t tᵀ, the added mass of a straight piece of wire. Its last pivot is 0. For a wire
+/// nearly in a plane of two axes it would be −1e-12.
 ///
 /// Squares below the smallest normal number lose digits. For t = (1, 1e-160, 0) the diagonal entry
 /// 1e-320 has four digits, and its off-diagonal neighbour all of them. Therefore `floor` is added
@@ -149,7 +149,8 @@ double trace_of_three(double* m, const double* s) noexcept {
 }
 
 /// True if the leading minors of three rows show that a matrix is positive definite, and its pivots
-/// exceed kRounding of the diagonal. It needs no division. False: not known.
+/// exceed kRounding of the diagonal. The test needs no division. If the result is false, the matrix
+/// may still be positive definite.
 bool plainly_definite(const double* m) noexcept {
     constexpr double kSmall = 1e-90,
                      kLarge = 1e90;  // products of three entries stay normal numbers

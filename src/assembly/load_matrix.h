@@ -12,7 +12,7 @@ namespace hawser::assembly {
 /// Return the number of entries of the triangle of `n` rows.
 [[nodiscard]] constexpr int entries_of(int n) noexcept { return n * (n + 1) / 2; }
 
-/// Return uᵀ S v.
+/// Return uᵀ S v for a symmetric matrix S of order n.
 [[nodiscard]] double product(const double* s, int n, const double* u, const double* v) noexcept;
 /// Add factor S v to out.
 void add_product(const double* s, int n, double factor, const double* v, double* out) noexcept;

@@ -52,12 +52,12 @@ class LoadStore {
         double water = 0.0;   ///< Impulses of water loads · v̄.
     };
 
-    /// Prepare for the present bodies; loads stay. @throws std::bad_alloc.
+    /// Prepare for the present bodies. Loads of remaining bodies are kept. @throws std::bad_alloc.
     void prepare(const model::Bodies& bodies);
     /// Set loads to zero before systems act. No effect if no system acted.
     void clear() noexcept;
 
-    // Functions that systems call in their prestep().
+    // Return the load of a body, to which a system adds in its prestep().
     BodyLoad of(BodyId id) noexcept;
     void reserve(std::span<const BodyId> bodies) noexcept;
     /// Set the system of the following loads. Several threads may add loads only after share(true).
@@ -73,16 +73,16 @@ class LoadStore {
         repeat_now_ = repeatable;
         repeats_ = repeats_ || repeatable;
     }
-    /// Note that an input of an element of this body has changed: repeatable loads that it has in
-    /// this step differ from loads in the state after the change.
+    /// Mark a body as changed, because an input of one of its elements has changed. Repeatable
+    /// loads that it has in this step differ from the loads in the state after the change.
     void alter(std::int32_t body) noexcept;
     void share(bool parallel) noexcept { parallel_ = parallel; }
     /// True if the system has loaded a body.
     [[nodiscard]] bool touched() const noexcept { return touched_.load(std::memory_order_relaxed); }
     [[nodiscard]] bool out_of_memory() const noexcept { return out_of_memory_; }
 
-    /// Return the fault in the loads of the last system: the body with the smallest index, and a
-    /// reason; "" if none.
+    /// Return the first fault in the loads of the last system: the body with the smallest index,
+    /// and a reason; "" if there is no fault.
     [[nodiscard]] BadLoad fault(base::Executor& executor) noexcept;
     /// Compute θ and B after all systems have acted. Wakes loaded bodies.
     void finish(model::Bodies& bodies, double h, base::Executor& executor) noexcept;
@@ -97,25 +97,26 @@ class LoadStore {
     [[nodiscard]] bool loaded(std::int32_t body) const noexcept {
         return any_ && used(entry_of_[static_cast<std::size_t>(body)]);
     }
-    /// Set the pointers of a view to the coupling matrices of loads.
+    /// Set the pointers of a view to the coupling matrices of the loads.
     void show(assembly::View& view) const noexcept;
     /// Add loads to the blocks and right-hand sides of bodies [begin, end).
     void add_terms(const assembly::View& view, std::int32_t begin, std::int32_t end) const noexcept;
-    /// Return the terms of one body: for the right-hand side, h f + (A + (h²/4) K − h (1 − θ) D) v,
-    /// and for the matrix. @return true if it has a load.
+    /// Compute the terms of one body: h f + (A + (h²/4) K − h (1 − θ) D) v for the right-hand side
+    /// (`impulse`), and the block for the matrix. @return true if the body has a load.
     bool terms_of(std::int32_t body, double h, const double* v, double* impulse,
                   const double** block) const noexcept;
-    /// Add (M + B)⁻¹ (p + h f − h D v) to v of a loaded body: the effect of an impulse p and its
-    /// load.
+    /// Add (M + B)⁻¹ (p + h f − h D v) to v of a loaded body, which is the effect of an impulse p
+    /// and the load of the body.
     void push(const model::Bodies& bodies, std::int32_t body, double h, const double* p,
               double* v) const noexcept;
-    /// Copy the load of a body of another world.
+    /// Copy the load of body `its` of another world to body `mine`.
     void copy_entry(const LoadStore& from, std::int32_t its, std::int32_t mine) noexcept;
 
     /// Return ½ vᵀA v of all loads of the step [J].
     [[nodiscard]] double added_energy(const model::Bodies& bodies, const double* v,
                                       base::Executor& executor) noexcept;
-    /// Count the change of ½ vᵀA v due to the change of A since the last step as work of systems.
+    /// Compute the change of ½ vᵀA v due to the change of A since the last step, and count it as
+    /// work of systems.
     void count_change(const model::Bodies& bodies, base::Executor& executor) noexcept;
     /// Measure the energies of loads from v to the velocities of the solved step.
     void measure(const model::Bodies& bodies, double h, const double* v, const double* next,
@@ -148,7 +149,7 @@ class LoadStore {
     Works sum(base::Executor& executor, F&& f) noexcept;
     [[nodiscard]] double added_between(const model::Bodies& bodies, const double* v,
                                        std::int32_t begin, std::int32_t end) const noexcept;
-    /// Add the energies of bodies [begin, end) between v and u.
+    /// Compute the energies of the loads on bodies [begin, end) between the velocities v and u.
     void works(const model::Bodies& bodies, double h, const double* v, const double* u,
                std::int32_t begin, std::int32_t end, Works& sum) const noexcept;
 
@@ -163,15 +164,14 @@ class LoadStore {
         double water[69] = {};   ///< Sum of the loads of water up to now.
         double before[69] = {};  ///< Sum of all loads when the present water system began.
     };
-    // Functions on one entry, all in load_water.cpp.
-    /// True if the next load of the present system is the first one that requires separate sums of
-    /// water.
+    // True if the next load of the present system requires a separate sum of water loads for this
+    // entry, which does not exist yet. (This and the next functions are in load_water.cpp.)
     [[nodiscard]] bool needs_shared(std::size_t entry) const noexcept;
-    /// Allocate both parts. @return false if allocation fails.
+    /// Allocate the separate sums of an entry. @return false if allocation fails.
     bool make_shared(std::size_t entry) noexcept;
-    /// Note that the present system begins to load an entry, and separate the part of water.
+    /// Record that the present system begins to load an entry, and separate the loads of water.
     void note_source(std::size_t entry) noexcept;
-    /// Complete the part of water after all systems have acted.
+    /// Complete the sum of water loads after all systems have acted.
     void finish_water(std::size_t entry) noexcept;
     /// Return f, A, D, K of the water loads of an entry; null: none.
     [[nodiscard]] const double* water_of(std::size_t entry) const noexcept;

@@ -84,7 +84,7 @@ void OpHistory::compare_bodies(const OpSources& now) {
     }
 }
 
-/// Compare two sorted lists: the numbers of blocks that stay keep their order.
+/// Compare two sorted lists. Numbers of blocks that remain keep their order.
 void OpHistory::compare_blocks(std::span<const ContactBlock> now) {
     block_now_.clear();
     const auto same = [](const ContactBlock& a, const ContactBlock& b) {

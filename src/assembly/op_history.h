@@ -49,9 +49,9 @@ class OpHistory {
     /// Find the unchanged part, and store the sources of the next list. @throws std::bad_alloc.
     /// Without a call of done(), the next call finds nothing.
     void follow(const OpSources& now);
-    /// Report that the new list is complete: the next follow() compares with it.
+    /// Mark the new list as complete, so that the next follow() compares with it.
     void done() noexcept { known_ = true; }
-    /// Report that the list is about to be changed in place.
+    /// Discard the stored list. Call before the list is changed in place.
     void forget() noexcept { known_ = false; }
     /// Report that the list was changed, with the new numbers of contact blocks. @throws
     /// std::bad_alloc

@@ -66,7 +66,7 @@ void System::list_interaction(const model::Interactions& in, std::int32_t id, in
     }
 }
 
-/// Call sink(row node, op) for the own column of a kept interaction.
+/// Call sink(row node, op) for each op in the column of the multipliers of a kept interaction.
 template <class Sink>
 void System::list_kept(const model::Interactions& in, std::int32_t id, Sink&& sink) const {
     const Slots slots(*this, in, id);
@@ -137,7 +137,7 @@ void System::place_columns() {
             column_slot_[at(step_begin_[at(step)]++)] = {symbolic.batch_steps[at(step)].panel, k};
 }
 
-/// List the ops of the columns of an ordinary front at one address, from `column` on in
+/// List the ops of all columns at one address of an ordinary front, starting with entry `column` of
 /// column_slot_. @return the first column after them.
 std::size_t System::list_slot(std::size_t column, const model::Bodies& bodies,
                               const model::Interactions& in) {
@@ -177,8 +177,8 @@ std::size_t System::list_step(std::size_t column, const model::Bodies& bodies,
     return column;
 }
 
-/// Copy the ops of a step from the step `before` of the last list. @return the first column after
-/// them.
+/// Copy the ops of a batch step from the step `before` of the last list. @return the index of the
+/// first column behind them.
 std::size_t System::carry_step(std::size_t column, std::int32_t step, std::int32_t before) {
     const OpRange& from = steps_before_[at(before)];
     const std::int64_t place = column_slot_[column].first, moved = history_.moved(step);

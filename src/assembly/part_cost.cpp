@@ -6,7 +6,7 @@
 namespace hawser::assembly {
 namespace {
 
-/// Return the neighbour of a row node that is eliminated first: the row follows it.
+/// Return the neighbour of a row node that is eliminated first. The row follows it in the order.
 std::int32_t body_of_rows(const factor::Pattern& pattern, const factor::Symbolic& symbolic,
                           std::int32_t node) {
     std::int32_t best = -1;

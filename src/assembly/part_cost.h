@@ -10,12 +10,12 @@
 
 namespace hawser::assembly {
 
-/// Return the flops of eliminating the pivots of each body in the present fronts, with zeros of
-/// merged fronts. Kept interactions directly after a body are included. Bodies without a node have
-/// 0.
+/// Return, for each body, the flops of eliminating its pivots in the present fronts, including the
+/// zeros of merged fronts. Kept interactions directly after a body are included. Bodies without a
+/// node have 0.
 [[nodiscard]] std::vector<std::int64_t> body_flops(const System& system, int bodies);
 
-/// Return flops of the own pivots of each node of the pattern.
+/// Return the flops of eliminating the pivots of each node of the pattern.
 [[nodiscard]] std::vector<std::int64_t> node_flops(const factor::Pattern& pattern,
                                                    const factor::Symbolic& symbolic);
 

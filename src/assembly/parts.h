@@ -44,12 +44,12 @@ class PartGraph {
     /// Forbid a cut of interaction i.
     void keep_whole(std::int32_t i) noexcept;
     /// Compute weights from the impulses of the last step, from velocities, and from the rows as
-    /// last evaluated. @param cut  Interactions that are cut at present, ascending. The cut causes
-    /// their violation, which therefore does not count against it. It is the cost of a repair: a
-    /// row that regains its own compliance pulls its bodies back into position.
+    /// last evaluated. @param cut  Interactions that are cut at present, ascending. The cut has
+    /// caused their violation, which therefore does not increase their weight. It is the cost of a
+    /// repair, because a row that becomes exact again pulls its bodies back into position.
     void weigh(const model::Bodies& bodies, const model::Interactions& interactions,
                std::span<const std::int32_t> cut, const WorldDef& def);
-    /// Add the weight of a body in contact. Call after weigh().
+    /// Add the weight of a contact to a body. Call after weigh().
     void touch(std::int32_t body) noexcept;
     /// Flops of the pivots of each body, including rows that follow it; empty if unknown.
     std::vector<std::int64_t> cost;

@@ -12,8 +12,8 @@
 namespace hawser::assembly {
 
 /// Return the part of each node of the pattern, or graph::kSeparator. No edge of the pattern joins
-/// two parts. graph::Partitioner distributes the positive nodes. A negative node joins those of its
-/// positive neighbours that are in a part; if none is, it stays in the separator. @param known
+/// two parts. graph::Partitioner distributes the positive nodes. A negative node gets the part of
+/// its positive neighbours; if all of them are separators, it is a separator as well. @param known
 /// Analysis of this pattern, whose exact flops are then balanced; null: use the model. @throws
 /// std::bad_alloc.
 [[nodiscard]] std::vector<std::int32_t> pattern_parts(const factor::Pattern& pattern,

@@ -29,7 +29,7 @@ Q operator*(const Q& a, const Q& b) {
     return {a.w * b.w - dot(a.v, b.v), a.w * b.v + b.w * a.v + cross(a.v, b.v)};
 }
 Q conjugate(const Q& a) { return {a.w, -a.v}; }
-/// Return the rotation of a small vector by the Cayley map, and the inverse.
+/// Return the quaternion of a small rotation vector g by the Cayley map.
 Q turn_by(const V3& g) {
     const double s = 1.0 / std::sqrt(1.0 + 0.25 * dot(g, g));
     return {s, (0.5 * s) * g};
@@ -37,7 +37,7 @@ Q turn_by(const V3& g) {
 
 bool resists(const collide::Surface& s) { return s.rolling > 0.0 || s.torsional > 0.0; }
 
-/// Return the mean inverse inertia about the axes.
+/// Return the mean inverse moment of inertia of a body over its axes.
 double rotation_mobility(const model::Bodies& b, std::int32_t body) {
     const double* i = &b.inv_inertia[9 * at(body)];
     return (i[0] + i[4] + i[8]) / 3.0;
@@ -103,7 +103,8 @@ const ResistanceMemory* Resistances::find(std::int32_t contact) const noexcept {
     return contact >= 0 && found != memory.end() && found->contact == contact ? &*found : nullptr;
 }
 
-/// Compute g of this step, and the reference orientation for it.
+/// Compute the rotation g of a contact in this step, and the reference orientation that measures
+/// it.
 void Resistances::recall_turn(std::size_t index, std::int32_t previous, const ContactRow& contact,
                               const model::Bodies& bodies) noexcept {
     ResistanceMemory& m = next_[index];

@@ -37,22 +37,22 @@ struct ResistanceMemory {
 
 class Resistances {
   public:
-    /// Find the resistances of the contacts of a step, after Contacts::set() of all. @throws
-    /// std::bad_alloc.
+    /// Find the resistances of the contacts of a step. Call after Contacts::set() of all contacts.
+    /// @throws std::bad_alloc.
     void begin(const collide::ContactSet& set, base::Array<ContactRow>& contacts,
                const model::Bodies& bodies, double h);
     [[nodiscard]] std::size_t count() const noexcept { return laws.size(); }
     /// Set λ to the values of the last step.
     void recall(const base::Array<ContactRow>& contacts) noexcept;
-    /// Apply Contacts::scatter() and collect() to three more entries per resistance, from x and u
-    /// on.
+    /// Apply Contacts::scatter() and collect() to the resistances: three entries for each, from x
+    /// and u on.
     void scatter(const base::Array<ContactRow>& contacts, const double* x, double* solution,
                  const std::int32_t* offset) const noexcept;
     void collect(const base::Array<ContactRow>& contacts, const double* solution,
                  const std::int32_t* offset, double* u) const noexcept;
     /// Store the memory, after the solve and before the bodies move.
     void remember(const base::Array<ContactRow>& contacts, double h) noexcept;
-    /// Return the memory of a contact of the set of the last step; null if there is none.
+    /// Return the resistance memory of contact `contact` of the last step; null if there is none.
     [[nodiscard]] const ResistanceMemory* find(std::int32_t contact) const noexcept;
     [[nodiscard]] std::size_t bytes() const noexcept;
 

@@ -9,8 +9,8 @@
 namespace hawser::assembly {
 namespace {
 
-/// Return |r|/I of one body of an interaction, I the mean moment of inertia across its arm r, see
-/// geo.h.
+/// Return |r|/I of one body of an interaction, where I is the mean moment of inertia across its arm
+/// r (geo.h).
 double arm_rate(const model::Bodies& bodies, const model::Interactions& in, int id, int b) {
     const std::int32_t body = in.body[at(kMaxInteractionBodies * id + b)];
     const Vec3& arm = in.def[at(id)].point[at(b)];

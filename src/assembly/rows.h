@@ -27,14 +27,14 @@ namespace hawser::assembly {
     return sum;
 }
 
-/// Return G v₊ of a one-row interaction.
+/// Return G v₊ of an interaction with one row.
 [[nodiscard]] double row_speed(const assembly::View& v, std::int32_t id) noexcept;
 
 /// Guard of the active flags of ranges. evaluate_rows() overwrites these flags; the destructor
 /// restores their values.
 class KeptRanges {
   public:
-    /// Save the flags.
+    /// Save the active flags; the destructor restores them.
     /// @param buffer  Buffer with one value for each interaction that may be inactive. Only one
     /// guard at a time may use it.
     KeptRanges(std::span<double> buffer, double* active,

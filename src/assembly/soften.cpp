@@ -6,8 +6,8 @@
 ///     side
 /// ```
 /// (docs/theory/splits.md). Rows at the same body act together: W is multiplied by the number of
-/// rows that are stiff compared with the body. A body held by others has a larger effective mass,
-/// which is on the safe side.
+/// rows that are stiff compared with the body. A body with other interactions has a larger
+/// effective mass, which adds a margin.
 #include "assembly/mobility.h"
 #include "assembly/system.h"
 #include "base/index.h"

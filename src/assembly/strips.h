@@ -13,8 +13,8 @@
 /// three of a wire at each border) are processed after all row blocks.
 ///
 /// ```
-///   bodies        0 ······│·······│·······     strips are tasks: no other strip reads the output
-///   interactions    ─── ──┼── ────┼─ ─────     of a strip before the shared bodies are processed
+///   bodies        0 ······│·······│·······     row blocks are tasks: no other row block reads
+///   interactions    ─── ──┼── ────┼─ ─────     the output before the shared bodies are processed
 ///   shared        S      S S     S S
 /// ```
 /// Row blocks depend on the scene alone, so that sums merged by row block do not depend on threads.
@@ -40,8 +40,10 @@ struct PoolRange {
 
 class RowBlocks {
   public:
-    /// Build the strips. @param dof  Degrees of freedom by body. @param rests  1 for each
-    /// interaction to leave out. @throws std::bad_alloc.
+    /// Build the row blocks.
+    /// @param dof  Degrees of freedom by body.
+    /// @param rests  1 for each interaction to leave out.
+    /// @throws std::bad_alloc.
     void build(std::span<const std::uint8_t> dof, std::span<const std::uint8_t> rests,
                const model::Interactions& interactions);
 
@@ -55,7 +57,7 @@ class RowBlocks {
     [[nodiscard]] std::span<const PoolRange> pools(int strip) const noexcept {
         return part(pools_, pool_begin_, strip);
     }
-    /// Return the number of groups of shared bodies, with some hundred bodies each.
+    /// Return the number of groups of shared bodies. A group has a few hundred bodies.
     [[nodiscard]] int groups() const noexcept { return static_cast<int>(group_begin_.size()) - 1; }
     [[nodiscard]] std::span<const IndexRange> shared(int group) const noexcept {
         return part(shared_, group_begin_, group);

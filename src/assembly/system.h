@@ -81,9 +81,9 @@ class System {
         std::vector<std::int32_t> node_of_body, node_of_interaction;
         bool ordered = false, updates_kept = false;
     };
-    /// Store the analysis. @throws std::bad_alloc
+    /// Save the data from which an analysis starts. @throws std::bad_alloc
     void keep(Kept& out) const;
-    /// Return to kept data. The system is complete only after the next analyse().
+    /// Restore saved data. The system is complete only after the next analyse().
     void go_back(Kept& to) noexcept;
     /// Limit of the memory of the factorisation [B]. @throws LimitError from analyse() and relink()
     /// if more is needed.
@@ -128,7 +128,8 @@ class System {
     std::vector<std::int32_t> breakable;
     std::vector<double> breaking_load;  ///< Breaking load of each breakable interaction [N].
 
-    /// Write the blocks of one of numeric.pieces() into its panels, which are zero.
+    /// Write the blocks of one piece (an entry of numeric.pieces()) into its panels, which must be
+    /// zero.
     void write_blocks(const View& view, int piece, double* panel) const noexcept;
     /// Add the unsymmetric contributions of sliding contacts to one piece with unsymmetric fronts
     /// (factor/unsymmetric.h). write_blocks() wrote the symmetric part to both halves.
@@ -152,8 +153,8 @@ class System {
         return rests_[static_cast<std::size_t>(id)] != 0;
     }
     [[nodiscard]] std::size_t bytes() const noexcept;
-    /// @return true if the system and a model of `model` bytes need more memory [B] than at any
-    ///        call before. This counts as one growth.
+    /// Return true if the system and a model of `model` bytes need more memory [B] than at any
+    /// earlier call. This counts as one growth.
     [[nodiscard]] bool grew(std::size_t model) noexcept {
         const std::size_t held = bytes() + model, before = held_;
         held_ = std::max(held, before);
@@ -175,12 +176,12 @@ class System {
     /// Set the mobilities of dampers and the fractions of damping that depend on them.
     void split_damping(const model::Bodies& bodies, model::Interactions& interactions,
                        double h) const;
-    /// Set min_sigma of the rows of sides.
+    /// Set min_sigma of the rows of duplicated interactions at cuts.
     void soften_sides(const model::Bodies& bodies, model::Interactions& interactions, double h);
     void choose_forms(const model::Bodies& bodies, model::Interactions& interactions,
                       const WorldDef& def);
-    /// Build the nodes and edges of the next pattern, and the previous node of each. @return the
-    /// number of nodes added and removed.
+    /// Build the nodes and edges of the next pattern, and the previous index of each node. @return
+    /// the number of nodes added and removed.
     std::int32_t build_pattern(const model::Bodies& bodies,
                                const model::Interactions& interactions);
     void find_islands(const model::Interactions& interactions);

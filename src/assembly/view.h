@@ -244,8 +244,10 @@ struct View {
     return model::packed_rows(view.jacobian + view.jac_begin[id], view.arms[id] != 0, buffer);
 }
 
-/// Add a row G v = c without the rest of its interaction to the right-hand side in the vector of
-/// the solver. @param jac  Packed row. @return the next row.
+/// Add one row G v = c, without the other rows of its interaction, to the right-hand side in the
+/// solver's vector.
+/// @param jac  Packed row.
+/// @return the next row.
 inline const double* ask_of_row(const View& v, std::int32_t id, int row, const double* jac,
                                 double c) noexcept {
     const std::int32_t kept = v.interaction_offset[id];
@@ -291,7 +293,7 @@ struct Turning {
     double change = 0.0;  ///< Largest change of a right-hand side [m/s or rad/s].
     double gap = 0.0;     ///< Largest violation at the end of the step [m or rad].
     double spin = 0.0;    ///< Largest spin of a turning body [rad/s].
-    /// Keep the larger of both; NaN is kept.
+    /// Set each value to the larger of both; NaN is kept.
     void add(const Turning& other) noexcept {
         if (!(other.change <= change)) change = other.change;
         if (!(other.gap <= gap)) gap = other.gap;

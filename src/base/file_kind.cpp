@@ -178,7 +178,7 @@ FileKind kind_of_xml(std::string_view text) {
     return FileKind::xml;
 }
 
-/// True if text has a heading such as "--- LINE TYPES ---", or begins like a MoorDyn file.
+/// True if the text has a heading such as "--- LINE TYPES ---", or starts like a MoorDyn file.
 bool is_moordyn(std::string_view text) {
     if (text.substr(0, 400).find("MoorDyn") != std::string_view::npos && text.starts_with("--"))
         return true;

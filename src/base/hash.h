@@ -20,10 +20,10 @@ inline constexpr std::uint64_t kFnvStart = 0xcbf29ce484222325ULL;
     return hash;
 }
 
-/// Compute a checksum of 64 bits. Processes eight bytes at a time in four independent lanes: about
-/// one multiplication per word. Each step is a bijection of its lane, so that every change within
-/// one word changes the result. Other changes remain undetected with probability 2^−64. Not for
-/// keys that an adversary chooses.
+/// Compute a checksum of 64 bits. Eight bytes are processed at a time in four independent lanes,
+/// with about one multiplication per word. Each step is a bijection of its lane, so that every
+/// change within one word changes the result. Other changes remain undetected with probability
+/// 2^−64. Do not use it for keys that an adversary chooses.
 [[nodiscard]] inline std::uint64_t checksum(const void* data, std::size_t size,
                                             std::uint64_t hash = kFnvStart) noexcept {
     constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15ULL;  // 2^64 / golden ratio

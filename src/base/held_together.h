@@ -25,7 +25,7 @@ class LinkedGroups {
                 group_of_body_[group(def.body[b])] = group(def.body[0]);
         }
     }
-    /// Return the number of a body's group: the index of one of its bodies.
+    /// Return the number of the group of a body, which is the index of one body of the group.
     [[nodiscard]] std::size_t group(BodyId id) const {
         auto at = static_cast<std::size_t>(id.index);
         while (group_of_body_[at] != at) at = group_of_body_[at];

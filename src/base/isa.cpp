@@ -26,8 +26,8 @@ Isa best_of_machine() noexcept {
     return best;
 }
 
-/// Find the requested instruction set. If none is available under that name, set `found` to `best`
-/// and return false.
+/// Find the instruction set called `wish`. If it does not exist or exceeds `best`, set `found` to
+/// `best` and return false.
 bool find_isa(const char* wish, Isa best, Isa& found) noexcept {
     found = best;
     if (wish == nullptr || *wish == '\0') return true;

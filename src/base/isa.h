@@ -16,8 +16,8 @@ struct IsaChoice {
     std::string problem;
 };
 
-/// Choose the requested instruction set, which may be any up to `best`. @param wish  Its name; null
-/// or empty: use `best`.
+/// Choose the requested instruction set, which must not exceed `best`. @param wish  Name of the
+/// instruction set; null or empty: use `best`.
 [[nodiscard]] IsaChoice choose_isa(const char* wish, Isa best);
 
 /// Return the instruction set that the environment variable HAWSER_ISA names. If it is unset or

@@ -61,9 +61,9 @@ inline constexpr bool kExactLoads = true;
 #else
 inline constexpr bool kExactLoads = false;
 #endif
-/// Load p[0..n), n > 0; other lanes are undefined. Without masks a whole vector is read. Another
-/// thread may be writing behind p + n; the result is not used, but the thread sanitizer cannot
-/// detect this.
+/// Load p[0..n), n > 0; the other lanes are undefined. On processors without masks a whole vector
+/// is read. Another thread may be writing behind p + n; the result is not used, but the thread
+/// sanitizer cannot detect this.
 HAWSER_INLINE V8 load_at_least(const double* p, int n) {
     return kExactLoads ? load_first(p, n) : load(p);
 }
@@ -146,7 +146,7 @@ HAWSER_INLINE void add_first(double* to, const double* from, int n) {
     if ((n & 1) != 0) to[i] += from[i];
 #endif
 }
-/// Add a constant number of entries, without a branch that depends on it.
+/// Add N entries. N is known to the compiler, so no branch depends on it at run time.
 template <int N>
 HAWSER_INLINE void add_first(double* to, const double* from) {
     static_assert(N >= 1 && N <= kLanes);

@@ -17,7 +17,8 @@ inline constexpr std::size_t kAlign = 64;  ///< One cache line or one AVX-512 re
 inline constexpr std::size_t kHuge = std::size_t{1} << 22;
 inline constexpr std::size_t kHugePage = std::size_t{1} << 21;
 
-/// Request huge pages. Advice only; no effect if the system has none.
+/// Request huge pages for a range of memory. The request is advice and has no effect on systems
+/// without huge pages.
 void request_huge_pages(void* begin, std::size_t bytes) noexcept;
 
 /// Standard allocator with 64-byte alignment.

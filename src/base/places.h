@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file places.h
-/// Slots for objects that are added and removed. An object keeps its slot for its life. A vacated
-/// slot is reused by the next object that fits, with a new generation (hawser/id.h).
+/// Slots for objects that are added and removed. An object keeps its slot until it is
+/// removed. The next object that fits reuses a vacated slot with a new generation (hawser/id.h).
 ///
 /// The first vacant slot is reused, so that slots depend only on the order of additions and
 /// removals.
@@ -49,14 +49,13 @@ class Slots {
         generation_.push_back(0);
         return count() - 1;
     }
-    /// Return the first vacant slot that fits; −1 if there is none. @param fits  Predicate of a
-    /// slot.
+    /// Return the first vacant slot for which `fits` is true; −1 if there is none.
     template <class F>
     [[nodiscard]] std::int32_t find_vacant(F&& fits) const noexcept {
         const auto found = std::find_if(vacant_.begin(), vacant_.end(), fits);
         return found == vacant_.end() ? -1 : *found;
     }
-    /// Occupy a vacant slot.
+    /// Mark a vacant slot as occupied.
     void take(std::int32_t place) noexcept {
         vacant_.erase(std::lower_bound(vacant_.begin(), vacant_.end(), place));
     }
@@ -71,7 +70,7 @@ class Slots {
     void set_generations(const std::vector<std::int32_t>& from) noexcept {
         std::copy_n(from.begin(), std::min(from.size(), generation_.size()), generation_.begin());
     }
-    /// Remove the slots from `kept` on.
+    /// Remove all slots with an index ≥ `kept`.
     void truncate(std::int32_t kept) noexcept {
         generation_.resize(at(kept));
         vacant_.erase(std::lower_bound(vacant_.begin(), vacant_.end(), kept), vacant_.end());

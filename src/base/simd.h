@@ -55,10 +55,10 @@ HAWSER_INLINE V8 positive_part(const V8& v) { return v > 0.0 ? v : V8{}; }
 HAWSER_INLINE V8 select_greater(const V8& a, const V8& b, const V8& x, const V8& y) {
     return a > b ? x : y;
 }
-// Not _mm512_sqrt_pd: g++ 12 warns falsely inside it.
+// Return √v lane by lane. This avoids _mm512_sqrt_pd, inside which g++ 12 warns falsely.
 HAWSER_INLINE V8 root(const V8& v) { return _mm512_maskz_sqrt_pd(0xff, v); }
-/// Replace pivots that have the wrong sign or are not finite by the sign. With kKeep, finite
-/// non-zero pivots stay.
+/// Replace pivots that have the wrong sign or are not finite by `sign`. With kKeep, finite non-zero
+/// pivots are not replaced.
 /// @return 1 in lanes with the wrong sign or a value that is not finite.
 template <bool kKeep>
 HAWSER_INLINE V8 fix_pivot(V8& d, double sign) {
@@ -247,7 +247,8 @@ HAWSER_INLINE bool any(const V8& v) {
 #endif
 #endif
 }
-// Scalar versions of functions used by templates over vectors and numbers.
+// Return √v. This and the next functions are scalar versions, for templates over vectors and
+// numbers.
 HAWSER_INLINE double root(double v) { return __builtin_sqrt(v); }
 HAWSER_INLINE double select_greater(double a, double b, double x, double y) {
     return a > b ? x : y;
@@ -269,7 +270,7 @@ HAWSER_INLINE V3T<T> select_greater(const T& a, const T& b, const V3T<T>& x, con
             select_greater(a, b, x.z, y.z)};
 }
 HAWSER_INLINE W8 norm(const V3T<W8>& a) { return root(dot(a, a)); }
-/// Sum of the lanes, in a fixed order.
+/// Return the sum of the lanes, added in a fixed order.
 HAWSER_INLINE double sum(const V8& v) {
     return ((lane(v, 0) + lane(v, 4)) + (lane(v, 2) + lane(v, 6))) +
            ((lane(v, 1) + lane(v, 5)) + (lane(v, 3) + lane(v, 7)));

@@ -23,9 +23,10 @@ inline bool are_parallel(const V3& a, const V3& b) {
     return dot(across, across) < 1e-24;
 }
 
-/// Compute the tangent points of a line on two wheels. If a centre lies within the other circle, or
-/// the line along an axis, no tangent exists. Then q is set to unit vectors perpendicular to the
-/// axes. @param d  Vector from the first centre to the second [m]. @param n  Axes, unit vectors.
+/// Compute the tangent points of a line on two wheels. No tangent exists if a centre lies within
+/// the other circle or the line is along an axis. Then q is set to unit vectors perpendicular to
+/// the axes. @param d  Vector from the first centre to the second [m]. @param n  Axes, unit
+/// vectors.
 /// @param s  Signed radii [m]. @param straight  Approximate direction of the line from the first
 /// wheel to the second. @param q  Output, see above.
 inline void tangent_between_wheels(const V3& d, const V3 (&n)[2], const double (&s)[2],

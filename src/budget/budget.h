@@ -31,7 +31,8 @@ struct Limits {
 
 class Budget {
   public:
-    /// Begin a solve. @param spent  Consumption up to the first iteration.
+    /// Set the limits of a solve.
+    /// @param spent  Consumption up to the first iteration.
     void begin(const Limits& limits, const Spent& spent) noexcept {
         limits_ = limits;
         last_ = spent;
@@ -43,13 +44,14 @@ class Budget {
     [[nodiscard]] bool needs_time() const noexcept {
         return !limits_.imposed.any() && limits_.seconds > 0.0;
     }
-    /// True if a solve that the budget ends keeps the present factorisation, because another one
-    /// would not fit.
+    /// True if the budget ends the solve early: it keeps the present factorisation, because another
+    /// one would exceed the budget.
     [[nodiscard]] bool exits_early() const noexcept {
         return limits_.imposed.any() ? limits_.imposed.hasty : limits_.seconds > 0.0;
     }
 
-    /// Decide after each iteration. @param iterations  Number of finished iterations.
+    /// Return true if another iteration is expected to keep the limits. Call after each iteration.
+    /// @param iterations  Number of finished iterations.
     [[nodiscard]] bool allows_iteration(const Spent& spent, int iterations) noexcept {
         if (limits_.imposed.any()) {
             const int most = limits_.imposed.iterations;
@@ -66,7 +68,7 @@ class Budget {
             return set_cause(DegradedBy::prediction, limits_.foreseen);
         return true;
     }
-    /// Report the end of the solve. @param seconds  Time spent, including the work after the last
+    /// Record the end of a solve. @param seconds  Time spent, including the work after the last
     /// allows_iteration().
     void record_end_of_solve(double seconds) noexcept { finish_ = seconds - last_.seconds; }
 

@@ -4,15 +4,15 @@
 /// Coarsening of wires so that steps meet their budget (docs/theory/deadlines.md). It is the first
 /// measure of degradation.
 ///
-/// The demand x of a step is its requirement over its limit; it exceeds 1 if the step was cut. The
-/// estimate of x is its mean plus twice its deviation, as for rates (deadline.h). If the estimate
-/// exceeds 1, wires become coarser by one level. Nodes are removed one at a time. Another level
-/// follows only if the mean exceeds 1 and no longer decreases; for peaks, iterations are cut. If
-/// the mean stays below kLowerLevelFraction, wires become finer by one level. Steps with an
-/// analysis are not counted, because the removal of nodes causes them.
+/// The demand x of a step is its time or work over the limit; it exceeds 1 if iterations were cut.
+/// The estimate of x is its mean plus twice its deviation, as for rates (deadline.h). If the
+/// estimate exceeds 1, wires become coarser by one level. Nodes are removed one at a time. Another
+/// level follows only if the mean exceeds 1 and no longer decreases; for short peaks, iterations
+/// are cut. If the mean stays below kLowerLevelFraction, wires become finer by one level. Steps
+/// with an analysis are not counted, because the removal of nodes causes them.
 ///
-/// While wires could become coarser but have not, and for kAct steps after a change, steps are
-/// solved completely.
+/// Until wires have become coarser for the first time, if they can, and for kAct steps after a
+/// change, steps are solved completely.
 ///
 /// Limits: the estimates are not part of the state. The level is recorded (Degradation::wires).
 
@@ -32,11 +32,11 @@ class Coarsening {
 
     bool possible = false;  ///< True if a system would remove more nodes at a higher level.
     [[nodiscard]] int level() const noexcept { return level_; }
-    /// True if no other measure may be used yet.
+    /// True if wires must be coarsened before any other measure is used.
     [[nodiscard]] bool comes_first() const noexcept {
         return possible && (level_ == 0 || (level_ == 1 && rises_ && since_ < kAct));
     }
-    /// Process a step without analysis. @param demand  x.
+    /// Record a step without analysis. @param demand  Time of the step divided by the budget.
     void add_sample(double demand) noexcept {
         rate_.add_sample(demand);
         mean_ = rate_.samples() == 1 ? demand : mean_ + 0.125 * (demand - mean_);

@@ -2,20 +2,20 @@
 #pragma once
 /// @file cut_levels.h
 /// Choice of the interfaces between groups that a step couples compliantly
-/// (docs/theory/deadlines.md). It applies if friction with one iteration does not meet the
-/// deadline.
+/// (docs/theory/deadlines.md). Interfaces become compliant if a step with one iteration of
+/// friction still misses the deadline.
 ///
-/// Level l couples the first l interfaces in this way. They are ordered by the cost of a cut, with
+/// Level l couples the first l interfaces compliantly. They are ordered by the cost of a cut, with
 /// the weights of the partitioner (docs/partition.md). Interfaces with the least net force and
 /// relative velocity come first.
 ///
 /// The saving of a level is predicted. Its matrix is analysed once, in the first step with known
 /// forces, for its flops and nnz(L). Its time follows from them (deadline.h). A level is used only
-/// if it is predicted to be cheaper than the present one. Wires have nearly no fill in their exact
-/// factorisation. A split saves nothing there, and none is made.
+/// if it is predicted to be cheaper than the present one. The exact factorisation of wires has
+/// nearly no fill-in. A split of wires saves nothing and is not made.
 ///
-/// Limits: a change of level needs an analysis of the system in that step. Therefore a level stays
-/// for at least kStay steps. A lower one follows only if it fits with a margin of 10 %.
+/// Limits: a change of level needs an analysis of the system in that step. A level is therefore
+/// used for at least kStay steps. A lower level follows only if it fits with a margin of 10 %.
 
 #include "budget/deadline.h"
 
@@ -39,7 +39,8 @@ class CutLevels {
         double matrix = 0.0;
     };
 
-    /// Set the levels, level 0 first. @param levels  Empty: none are known.
+    /// Set the sets of interfaces that may be cut, level 0 first.
+    /// @param levels  Empty: no levels are known.
     void set(std::vector<Level> levels);
     [[nodiscard]] bool known() const noexcept { return !levels_.empty(); }
     [[nodiscard]] const std::vector<Level>& levels() const noexcept { return levels_; }

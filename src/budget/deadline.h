@@ -63,7 +63,7 @@ class Rate {
     [[nodiscard]] int samples() const noexcept { return samples_; }
     [[nodiscard]] bool known() const noexcept { return samples_ > 0; }
     [[nodiscard]] double upper_estimate() const noexcept { return mean_ + 2.0 * deviation_; }
-    /// Lower the estimate a little, for lack of samples.
+    /// Lower the estimate slightly if no samples are available.
     void lower_estimate(double least) noexcept;
 
   private:
@@ -87,7 +87,7 @@ class Deadline {
     [[nodiscard]] double predict(const Load& load, int iterations) const noexcept;
     /// Predict the CPU time of a further iteration [s].
     [[nodiscard]] double predict_next(const Load& load) const noexcept;
-    /// Report that another iteration did not seem to fit.
+    /// Record that an iteration was refused because its predicted time exceeded the limit.
     void record_refusal() noexcept;
     /// Predict the time of the stage `start` [s].
     [[nodiscard]] double predict_start(const Load& load) const noexcept {

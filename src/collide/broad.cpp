@@ -30,9 +30,9 @@ bool boxes_overlap(const Bounds& a, const Bounds& b) noexcept {
            b.low[1] <= a.high[1] && a.low[2] <= b.high[2] && b.low[2] <= a.high[2];
 }
 
-/// True if a shape can come closer to a plane than the margin within the step. The swept box of the
-/// shape covers its own motion and half of the margin. The other half and the motion of the plane
-/// are added.
+/// True if the distance of a shape to a plane can become smaller than the margin within the step.
+/// The swept box of the shape includes its motion and half of the margin. The motion of the plane
+/// and the other half are added here.
 bool meets_plane(const Placed& plane, const Placed& s, double h, double margin) noexcept {
     const double* r = plane.at.r;
     double least = 0.0;
@@ -46,9 +46,9 @@ bool meets_plane(const Placed& plane, const Placed& s, double h, double margin) 
     return !(least > 0.5 * margin + h * own);
 }
 
-/// True if a shape was removed or its line has broken. Such slots have no size and must not count
-/// in the median. A wire that loses most of its nodes leaves many of them, and every other shape
-/// would count as large.
+/// True if a shape was removed or its line has broken. Such slots have no size and are excluded
+/// from the median. Otherwise, after a wire has lost most of its nodes, all other shapes would
+/// count as large.
 bool is_vacant_or_broken(const Placed& p) noexcept { return p.swept.low[0] > p.swept.high[0]; }
 
 double extent(const Placed& p) noexcept {
@@ -57,8 +57,8 @@ double extent(const Placed& p) noexcept {
     return e;
 }
 
-/// List the small shapes, those that were small before in the order of the last sweep. Little
-/// sorting is then left.
+/// List the small shapes. Shapes that were small in the last step keep the order of its sweep, so
+/// that little sorting remains.
 void list_small(std::vector<std::uint8_t>& is_large, std::vector<std::int32_t>& small) {
     constexpr std::uint8_t kListed = 2;
     std::size_t kept = 0;

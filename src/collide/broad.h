@@ -29,7 +29,7 @@ struct Pair {
 
 class Broad {
   public:
-    /// Choose the large shapes by their boxes. @throws std::bad_alloc.
+    /// Choose the large shapes by the size of their boxes. @throws std::bad_alloc.
     void prepare(const base::Array<Placed>& placed);
     /// Find all pairs that the filter allows, ascending. @param most  Maximum number of pairs; the
     /// search stops if it is exceeded. @throws std::bad_alloc, LimitError.

@@ -8,7 +8,7 @@
 namespace hawser::collide {
 namespace {
 
-/// Collide the same pair in reversed order.
+/// Call kFunction with the shapes of the pair exchanged, and exchange the sides of the result.
 template <Collide kFunction>
 void collide_swapped(const Geometry& a, const Placement& pa, const Geometry& b, const Placement& pb,
                      double margin, Manifold& out) noexcept {

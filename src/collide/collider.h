@@ -19,7 +19,7 @@
 ///
 /// Limits: a speed of more than margin/h that first arises within the step is not covered. The
 /// solver keeps a shape on one side of the tangent plane at the closest points. Fast shapes can
-/// therefore touch beside an edge that they would just have missed.
+/// therefore touch the plane next to an edge that they would have missed.
 
 #include "base/executor.h"
 #include "base/memory.h"
@@ -58,27 +58,27 @@ class Collider {
         slots.reserve_more();
         base::reserve_more(new_, shapes_.size() + 2);  // all of them may be removed
     }
-    /// Remove a shape that nothing touches. The caller removes the memory of its contacts: see
+    /// Remove a shape without contacts. The caller first removes the stored contacts by
     /// forget_contacts().
     void remove(std::int32_t shape) noexcept;
     /// Attach a segment to other bodies. One of them may hold it at a point of its frame [m]. The
-    /// caller removes the memory of its contacts: see forget_contacts().
+    /// caller first removes the stored contacts by forget_contacts().
     void attach_segment(std::int32_t shape, std::int32_t first, std::int32_t second,
                         const Vec3& point, const model::Bodies& bodies) noexcept;
-    /// Remove the places from `kept` on, whose shapes have not touched anything yet.
+    /// Remove all slots with an index ≥ `kept`. Their shapes must not have had contacts yet.
     void truncate(std::int32_t kept) noexcept;
-    /// Call f with each other shape whose box meets the box of a shape, both at the present poses
-    /// and with the margin. The result does not depend on earlier steps. @param f  Called with the
-    /// Shape.
+    /// Call f for each shape whose box overlaps the box of a given shape. Boxes are at the present
+    /// poses and include the margin. The result does not depend on earlier steps. @param f  Called
+    /// with the Shape.
     template <class F>
     void each_near(std::int32_t shape, const model::Bodies& bodies, double h, F&& f) const;
     base::Slots slots;
     [[nodiscard]] int count() const noexcept { return static_cast<int>(shapes_.size()); }
     [[nodiscard]] const std::vector<Shape>& shapes() const noexcept { return shapes_; }
 
-    /// Set up for the present shapes, materials and interactions. Keeps a pointer to
-    /// `interactions`: a segment of a parted line touches nothing, and a segment held by a body
-    /// begins at the end of the line.
+    /// Prepare for the present shapes, materials and interactions. The collider keeps a pointer to
+    /// `interactions`, for two reasons: the segment of a broken line has no contacts, and a segment
+    /// held by a body begins at the end of the line.
     /// @throws std::bad_alloc.
     void prepare(const model::Bodies& bodies, const model::Interactions& interactions, double h);
 
@@ -92,15 +92,16 @@ class Collider {
     [[nodiscard]] const BoundMet& limit_reached() const noexcept { return over_; }
     /// @return true if all boxes in the last collide() were finite; else a motion diverges.
     [[nodiscard]] bool finite() const noexcept { return finite_; }
-    /// Accept the contacts of the last collide() after the step is done. Contact::previous then
-    /// counts them. Before that, collide() may be called again if a failed step is repeated.
+    /// Accept the contacts of the last collide() as those of the last step, to which
+    /// Contact::previous refers. Call after the step is complete. Before this call, collide() may
+    /// be repeated if a step failed.
     void keep() noexcept {
         last_contacts_.swap(found_);
         last_awake_count_ = found_awake_;
     }
-    /// Move contacts that act on a body asleep behind the others. Their other bodies have no
-    /// freedom or sleep too. @param asleep  1 for a body asleep. @return false if memory could not
-    /// grow.
+    /// Move contacts of sleeping bodies behind the others. The other bodies of such contacts have
+    /// no freedom or sleep as well. @param asleep  1 for a sleeping body. @return false if memory
+    /// could not grow.
     [[nodiscard]] bool set_aside(ContactSet& out, const base::Array<std::uint8_t>& asleep) noexcept;
     /// Return the contacts of the last completed step, in the order of its set. A restored world
     /// needs them to continue with the same bits.
@@ -109,11 +110,10 @@ class Collider {
         return last_contacts_;
     }
 
-    /// Remove the memory of contacts of last_contacts() that no longer apply. @param stays  For
-    /// each contact: 0 to remove it.
+    /// Remove stored contacts from last_contacts(). @param stays  For each contact: 0 to remove it.
     void forget_contacts(const std::vector<std::uint8_t>& stays) noexcept;
-    /// Return the number of contacts in last_contacts() that took part in the step: they come
-    /// first.
+    /// Return the number of contacts in last_contacts() that took part in the step. They are first
+    /// in the list.
     [[nodiscard]] std::size_t& last_awake_count() noexcept { return last_awake_count_; }
     [[nodiscard]] const std::size_t& last_awake_count() const noexcept { return last_awake_count_; }
 
@@ -126,9 +126,9 @@ class Collider {
         base::Array<KeptContact> contacts;
         std::size_t awake = 0;
     };
-    /// Store the state. @throws std::bad_alloc
+    /// Save the state of the collider. @throws std::bad_alloc
     void keep(Kept& out) const;
-    /// Return to a copy. Call prepare() before the next use.
+    /// Restore a saved state. Call prepare() before the next use.
     void restore_shapes(Kept& to) noexcept;
 
     /// Return the placement of each shape in the last collide().

@@ -92,7 +92,7 @@ std::vector<Piece> edges_of_mesh(const ShapeData& mesh) {
     return out;
 }
 
-/// True if two pieces at a vertex belong to one edge.
+/// True if two pieces that meet at a vertex belong to one edge.
 bool continues_straight(const ShapeData& data, const Piece& a, const Piece& b, int vertex) {
     const auto other = [&](const Piece& p) {
         const int v = p.vertex[0] == vertex ? p.vertex[1] : p.vertex[0];
@@ -105,7 +105,7 @@ bool continues_straight(const ShapeData& data, const Piece& a, const Piece& b, i
                           (same(a.normal[0], b.normal[1]) && same(a.normal[1], b.normal[0])));
 }
 
-/// Join two pieces if an edge continues straight.
+/// Join the pieces of edges that continue straight at a vertex.
 void join(const ShapeData& data, std::vector<Piece>& pieces) {
     for (std::size_t i = 0; i < pieces.size(); ++i)
         for (std::size_t j = i + 1; j < pieces.size();) {

@@ -21,7 +21,7 @@ void find_guide_neighbours(const std::vector<Shape>& shapes,
     std::sort(out.begin(), out.end());
 }
 
-/// Call f(a, b) for each two bodies that a segment, a joint or a guide holds together.
+/// Call f(a, b) for each pair of bodies that a segment, a joint or a guide connects.
 template <class F>
 void each_joined(const std::vector<Shape>& shapes, const model::Interactions& interactions,
                  const Beside& beside, F&& f) {

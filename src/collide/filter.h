@@ -3,15 +3,15 @@
 /// @file filter.h
 /// Filter of pairs of shapes that may touch.
 ///
-/// Excluded pairs are two shapes of one body (a segment belongs to both its nodes) and shapes
-/// without freedom. Also excluded are shapes of bodies that a segment or one of these joints holds
-/// together: ball, hinge, prismatic, cylindrical, universal, lock. Such shapes overlap by design.
-/// Along a wire this excludes neighbours and their neighbours. Lines, distances and springs exclude
-/// nothing: two ships joined by a tow line touch.
+/// Two shapes of one body are excluded (a segment belongs to both its nodes), and two shapes of
+/// which none moves. Also excluded are shapes of bodies that are connected by a segment or by one
+/// of these joints: ball, hinge, prismatic, cylindrical, universal, lock. Such shapes overlap by
+/// design. Along a wire this excludes neighbours and their neighbours. Lines, distances and
+/// springs exclude nothing: two ships joined by a tow line can touch.
 ///
-/// A body that holds the end of a wire (Shape::held) does not belong to the wire. Other wires that
-/// end on it touch this one, and so do parts of the body away from the end (touch()). Nodes on
-/// either side of a guide are neighbours.
+/// A body on which a wire ends (Shape::held) does not belong to the wire. The wire can touch other
+/// wires that end on this body, and parts of the body away from the end (touch()). Nodes on both
+/// sides of a guide are neighbours.
 
 #include "collide/placing.h"
 #include "model/interactions.h"
@@ -38,9 +38,8 @@ class Filter {
                 if (x >= 0 && y >= 0 && (x == y || joined(x, y))) return false;
         return true;
     }
-    /// True if one of two shapes is a segment that a body holds, and the other belongs to that
-    /// body. The other shape may also belong to a body that a joint holds to it, or be a segment
-    /// held by either.
+    /// True if one shape is a segment that a body holds, and the other shape belongs to this body,
+    /// to a body jointed to it, or to a segment held by either body.
     [[nodiscard]] bool share_host(std::int32_t a, std::int32_t b) const noexcept {
         const Entry& p = entries_[static_cast<std::size_t>(a)];
         const Entry& q = entries_[static_cast<std::size_t>(b)];

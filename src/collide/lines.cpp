@@ -9,8 +9,8 @@
 
 namespace hawser::collide {
 
-/// Find the owners of nodes, see is_duplicate(). Bodies that hold a segment may also hold segments
-/// of other wires.
+/// Find the segment that owns the node at each end of each segment, see is_duplicate(). An end that
+/// a body holds has no owner, because the body may hold segments of several wires.
 void Collider::find_owners(int body_count) {
     std::vector<std::int32_t>& owner = of_body_;
     owner.assign(at(body_count), -1);
@@ -27,9 +27,9 @@ void Collider::find_owners(int body_count) {
     }
 }
 
-/// Find the stretch between the two ends of each segment; of several the one with the lowest id. A
-/// node may have the same body on both sides. If a body holds the segment, the order of the ends
-/// therefore matters.
+/// Find the stretch between the two ends of each segment. If there are several, use the one with
+/// the lowest id. If a body holds the segment, the order of the ends must agree, because a node may
+/// have the same body on both sides.
 void Collider::find_lines(const model::Interactions& interactions, int body_count) {
     of_body_.assign(at(body_count), -1);  // last line with this lower end
     lines_of_bodies_.clear();

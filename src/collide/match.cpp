@@ -54,8 +54,8 @@ Side side_of(const Contact& c, int s) noexcept {
     return s == 0 ? Side{c.side_0, c.body[0]} : Side{c.slots - c.side_0, c.body[c.side_0]};
 }
 
-/// True if `o`, whose side t belongs to the owner, is the same contact as `c`, whose side s is a
-/// segment.
+/// True if contact `o` is a duplicate of contact `c`. Side t of `o` belongs to the owner of a node,
+/// side s of `c` is another segment.
 bool same_contact(const Contact& c, int s, const Contact& o, int t) noexcept {
     const Side mine = side_of(c, s), its = side_of(o, t);
     if (its.slots != 1 || its.body != mine.body) return false;
@@ -77,7 +77,8 @@ bool same_pair(const KeptContact& a, const KeptContact& b) noexcept {
     return a.shape[0] == b.shape[0] && a.shape[1] == b.shape[1];
 }
 
-/// Match the contacts [a, b) with the contacts [p, q) of the last step of the same two shapes.
+/// Match the contacts [a, b) with the contacts [p, q) of the last step, which are those of the same
+/// pair of shapes.
 void match_pair(std::vector<Contact>& contacts, const base::Array<KeptContact>& now,
                 const base::Array<KeptContact>& last, std::size_t a, std::size_t b, std::size_t p,
                 std::size_t q, double radius, base::Array<std::uint8_t>& taken) noexcept {

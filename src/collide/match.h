@@ -20,9 +20,9 @@ struct KeptContact {
     double at[3];           ///< Point on side 1, see local_point() [m].
 };
 
-/// Compute the point of a contact on side 1. If the shape belongs to a body with an orientation, it
-/// is in the frame of the shape. Otherwise it is relative to the middle of the segment or the
-/// centre of the sphere, in world axes.
+/// Compute the point of a contact on side 1. If the shape belongs to a body with an orientation,
+/// the point is in the frame of the shape. Otherwise it is relative to the middle of the segment or
+/// the centre of the sphere, in world axes.
 void local_point(const Contact& contact, const Shape& side, const Placed& placed,
                  double* out) noexcept;
 

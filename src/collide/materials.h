@@ -17,7 +17,7 @@ class Materials {
     Materials();
     /// Add a checked definition. @return its index.
     std::int32_t add(const MaterialDef& def);
-    /// Add a pair; a later one of the same two materials replaces it.
+    /// Add a pair of materials. It replaces an earlier pair of the same materials.
     void add_pair(const MaterialPairDef& def);
     [[nodiscard]] int count() const noexcept { return static_cast<int>(defs_.size()); }
     [[nodiscard]] const MaterialDef& def(int index) const {
@@ -29,8 +29,9 @@ class Materials {
     [[nodiscard]] static std::int32_t surface(std::int32_t a, std::int32_t b) noexcept {
         return a < b ? b * (b + 1) / 2 + a : a * (a + 1) / 2 + b;
     }
-    /// Compute all surfaces, by that index, for a step of `h`: mixing rules of <hawser/shapes.h>,
-    /// then the pairs. Tangential stiffnesses act in series, like normal ones.
+    /// Compute the surfaces of all pairs of materials for a step of `h`: first by the mixing rules
+    /// of <hawser/shapes.h>, then by the given pairs. Tangential stiffnesses act in series, like
+    /// normal ones.
     void surfaces(double h, std::vector<Surface>& out) const;
 
   private:

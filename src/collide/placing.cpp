@@ -39,7 +39,8 @@ void frame_with_axis(const V3& axis, double* r) noexcept {
     }
 }
 
-/// True if the element along a segment still exists. Edits happen before the next preparation.
+/// True if the stretch between the ends of a segment still exists. Edits may have removed it since
+/// the last preparation.
 bool has_line(const Shape& s, const model::Interactions* lines) noexcept {
     if (lines == nullptr || s.line < 0 || s.line >= lines->count() || lines->gone(s.line))
         return false;

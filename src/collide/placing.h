@@ -42,7 +42,7 @@ struct Motion {
 };
 [[nodiscard]] Motion motion_of(const model::Bodies& bodies, std::int32_t body) noexcept;
 
-/// Return Shape::held of a shape: the end of its segment that a body holds, 0 or 1; −1 if there is
+/// Return which end of the segment of a shape a body holds (Shape::held), 0 or 1; −1 if there is
 /// none.
 [[nodiscard]] std::int32_t held_segment_end(const Shape& shape,
                                             const model::Bodies& bodies) noexcept;
@@ -67,9 +67,9 @@ struct Placed {
 
 /// Place a shape at the present poses. `swept` contains every pose of the shape during a step of h
 /// at the present velocities. A rotation counts as |ω| times the largest arm. Half of the margin is
-/// added, or of its own margin if larger. The boxes of shapes that can come closer than the margin
-/// within the step thus intersect. @param lines  Interactions for Shape::line; null: none. @param
-/// placed  Data of the last step; the box is kept if nothing moved.
+/// added, or half of the shape's own margin if that is larger. If two shapes can come closer than
+/// the margin within the step, their boxes therefore intersect. @param lines  Interactions for
+/// Shape::line; null: none. @param placed  Data of the last step; the box is kept if nothing moved.
 void place(const Shape& shape, const model::Bodies& bodies, const model::Interactions* lines,
            double h, double margin, Placed& placed) noexcept;
 

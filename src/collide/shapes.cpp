@@ -19,8 +19,8 @@ Placement local_frame(const ShapeDef& def) {
     return p;
 }
 
-/// Return Shape::thickness of a shape other than a segment. Shapes that lines may touch are wider
-/// than lines.
+/// Return Shape::thickness of a shape other than a segment. It is infinite for kinds whose overlap
+/// is not monitored: capsule (links of lines may lie across each other), plane, heightfield, mesh.
 double contact_thickness(const Geometry& geometry) {
     switch (geometry.kind) {
         case ShapeKind::capsule:  // links of lines, which may lie across each other

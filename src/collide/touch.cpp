@@ -22,9 +22,9 @@ constexpr double kAtEnd = 1e-9;
 constexpr double kBeside = 2.0;
 constexpr double kSameNormal = 0.95;  ///< Cosine of 18°.
 
-/// Add the slots of one side from c.slots on. @param on  Point on the surface. @param inward  Unit
-/// vector from there into the shape. @return position on a segment, from −1 at its first end to 1;
-/// else 0.
+/// Append the slots of one side to the contact. @param on  Point on the surface. @param inward
+/// Unit vector from there into the shape. @return position on a segment, from −1 at its first end
+/// to 1; else 0.
 double add_side(Contact& c, const Shape& s, const Placed& p, const double* on,
                 const V3& inward) noexcept {
     auto add = [&](std::int32_t body, double weight) {
@@ -64,7 +64,8 @@ V3 velocity(const Placed& p, double place, const V3& point) noexcept {
            place * load3(p.stretch);
 }
 
-/// True if a segment is held within the sphere around another shape, or near it.
+/// True if the point at which a body holds a segment lies within the bounding sphere of another
+/// shape, enlarged by the radius and the margin.
 bool is_near_held_end(const Shape& s, const Placed& p, const Placed& other,
                       double margin) noexcept {
     if (other.unbounded) return true;
@@ -84,8 +85,8 @@ double area(const ManifoldPoint& a, const ManifoldPoint& b, const ManifoldPoint&
     return generic::norm(generic::cross(load3(b.on[0]) - o, load3(c.on[0]) - o));
 }
 
-/// Choose kMaxPoints points from the list `of`, which has more than that many. In a tie the first
-/// one applies.
+/// Choose kMaxPoints points from the list `of` of `count` > kMaxPoints points. If points are equal,
+/// choose the first.
 void choose_points(const Manifold& m, const int* of, int count, bool* keep) noexcept {
     int chosen[kMaxPoints] = {of[0], -1, -1, -1};
     for (int i = 1; i < count; ++i)

@@ -31,7 +31,7 @@ Along residual_along(const double* from, const double u[3], const double lambda[
     return a;
 }
 
-/// Shorten two tangential components to a radius.
+/// Scale two tangential components down to the length `radius` if they are longer.
 void shorten_step_to(double radius, double& a, double& b) noexcept {
     const double length = std::sqrt(a * a + b * b);
     if (length <= radius) return;
@@ -45,7 +45,7 @@ double slope_along(const Along& a, const double impulse[3]) noexcept {
     return sum;
 }
 
-/// Return the part of a resistance in the slope ψ.
+/// Return the contribution of a resistance to the slope ψ.
 /// @param normal  Impulse that determines the bounds.
 double resistance_slope(const Resistance& r, double normal, const double* from, double t) noexcept {
     const Along a = residual_along(from, r.u, r.lambda, t);

@@ -38,8 +38,8 @@ namespace hawser::contact {
 /// Return a contact with the linear law of the convex phase.
 [[nodiscard]] nonsmooth::Cone convex_cone(const nonsmooth::Cone& cone) noexcept;
 
-/// Return the part of a contact in ψ, at a fraction t of the way from u and λ in `from` to those of
-/// the cone [J].
+/// Return the contribution of a contact to the derivative ψ, at a fraction t of the way from u and
+/// λ in `from` to those of the cone [J].
 [[nodiscard]] double contact_slope(const nonsmooth::Cone& cone, const double from[6],
                                    double t) noexcept;
 

@@ -16,9 +16,9 @@ using assembly::Contacts;
 using nonsmooth::Cone;
 using nonsmooth::Resistance;
 
-/// True if a law differs from that in the matrix by so little that a hundredth of the defect at
-/// most stays after the iteration. A unit of impulse changes u by W + Σ at most, and u_n by Σ_n if
-/// the contact is closed.
+/// True if the difference of a law from the law in the matrix leaves at most a hundredth of the
+/// defect after the iteration. A unit of impulse changes u by at most W + Σ, and u_n by at most Σ_n
+/// if the contact is closed.
 bool is_close(const Cone& c, const nonsmooth::Law& law) noexcept {
     constexpr double kClose = 0.01;
     double normal = 0.0, tangential = 0.0;
@@ -30,7 +30,8 @@ bool is_close(const Cone& c, const nonsmooth::Law& law) noexcept {
     return normal * c.sigma_n <= kClose && tangential * (c.mobility + c.sigma_t) <= kClose;
 }
 
-/// Keep S of the law in the matrix, through the impulse of another law at the iterate.
+/// Keep the slope S of the law in the matrix, and shift its offset so that the impulse at the
+/// iterate is that of another law.
 void keep_law_slope(Cone& c, const nonsmooth::Law& law) noexcept {
     for (int i = 0; i < 3; ++i) {
         c.p[i] = law.p[i];
@@ -150,7 +151,7 @@ void return_to_fraction(context::Model& model, const context::Newton& newton, do
 
 namespace {
 
-/// Return the part of resistances in contacts_merit().
+/// Return the contribution of resistances to contacts_merit().
 double resistance_merit(const context::Model& model, const context::Newton& newton,
                         double t) noexcept {
     const Contacts& contacts = model.system.contacts;

@@ -14,21 +14,23 @@ void adopt_laws(context::Model& model, const context::Newton& newton, runtime::P
                 bool first) noexcept;
 
 /// Adopt the new laws of contacts if they differ by much from the laws in the matrix. Other
-/// contacts keep S; their p follows, so that the impulse at the iterate is that of the new law.
+/// contacts keep the slope S of the law in the matrix; their offset p is changed so that the
+/// impulse at the iterate is that of the new law.
 void adopt_changed_laws(context::Model& model, const context::Newton& newton,
                         runtime::Pool& pool) noexcept;
 
-/// Keep v₊, λ, and u, λ of the contacts, to come back to.
+/// Store v₊, λ, and u, λ of the contacts, for a later return to this iterate.
 void save_iterate(context::Model& model, context::Newton& newton) noexcept;
 
-/// Set u and λ of the contacts to those of the iterate kept.
+/// Set u and λ of the contacts to the values that save_iterate() stored.
 void recall_contacts(context::Model& model, const context::Newton& newton) noexcept;
 
-/// Return to a fraction t of the way from the stored iterate. The laws' p follow, so that λ = p − S
-/// u.
+/// Set the iterate to the fraction t of the way from the stored iterate to the present one. The
+/// offsets p of the laws are updated, so that λ = p − S u.
 void return_to_fraction(context::Model& model, const context::Newton& newton, double t) noexcept;
 
-/// Return Σ (W + Σ) ‖λ − P‖² over contacts, at a fraction t of the way: an energy [J].
+/// Return Σ (W + Σ) ‖λ − P‖² over contacts, at a fraction t of the way from the stored iterate. The
+/// value is an energy [J].
 [[nodiscard]] double contacts_merit(const context::Model& model, const context::Newton& newton,
                                     double t) noexcept;
 

@@ -27,7 +27,7 @@ void multiply_scaled(const double* s, const double* u, double* out) noexcept {
 double scale_of(const Cone& c) noexcept { return std::sqrt(c.mobility + c.sigma_n); }
 double scale_of(const Resistance& a) noexcept { return std::sqrt(a.mobility + a.sigma); }
 
-/// Compute the scaled p' − S' u − λ of all rows.
+/// Compute the defects p' − S' u − λ of all rows with the new laws, in scaled form.
 void find_defects(const context::Model& model, const context::Newton& newton, double* w) noexcept {
     const assembly::Contacts& contacts = model.system.contacts;
     for (std::size_t k = 0; k < contacts.count(); ++k, w += 3) {
@@ -49,7 +49,7 @@ void find_defects(const context::Model& model, const context::Newton& newton, do
     }
 }
 
-/// Call f(scale) for every row in turn.
+/// Call f(scale) for every row of the contacts, in their order.
 template <class F>
 void each_scale(const assembly::Contacts& contacts, F&& f) noexcept {
     for (const Cone& c : contacts.cones)
@@ -58,7 +58,7 @@ void each_scale(const assembly::Contacts& contacts, F&& f) noexcept {
         for (int i = 0; i < 3; ++i) f(scale_of(a));
 }
 
-/// Compute y = x + scaled (S' − S) u.
+/// Compute y = x + (S' − S) u, where the last term is scaled.
 void add_changes(const context::Model& model, const context::Newton& newton, const double* u,
                  const double* x, double* y) noexcept {
     const assembly::Contacts& contacts = model.system.contacts;

@@ -19,7 +19,8 @@ namespace hawser::contact {
 
 inline constexpr int kKrylovLimit = 4;  ///< Substitutions; beyond, factoring costs as little.
 
-/// Find the impulses for the laws about the iterate and add them to the contacts' p.
+/// Find the impulses that satisfy the laws about the iterate by GMRES, and add them to the offsets
+/// p of the contacts.
 /// @return false if kKrylovLimit substitutions do not suffice.
 [[nodiscard]] bool find_impulses(context::StepContext& ctx) noexcept;
 

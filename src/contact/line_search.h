@@ -22,7 +22,7 @@ struct LineStep {
 /// leaves the cycle, a different one each time.
 class Cycle {
   public:
-    /// Return the fraction to move, 0: as found by the line search.
+    /// Return the fraction of the way to move; 0 if a line search must determine it.
     /// @param merit  Merit of the last iterate.
     double next_fraction(double merit) noexcept {
         constexpr double kSame = 1e-3;
@@ -38,7 +38,7 @@ class Cycle {
     std::size_t fractions_used_ = 0;
 };
 
-/// Move a given fraction of the way from the stored iterate.
+/// Move by a given fraction of the way from the stored iterate to the solution.
 LineStep move_fraction(context::Model& model, const context::Newton& newton,
                        double fraction) noexcept;
 

@@ -73,8 +73,7 @@ struct NewtonOptions {
 };
 
 /// Complete the joints (step/completion.h) about an iterate close to the solution. The next
-/// iteration then serves as an end-of-step constraint iteration, which needs no substitution of its
-/// own.
+/// iteration then includes an end-of-step constraint iteration at no additional substitution.
 void complete_iterate(context::StepContext& ctx) noexcept {
     constexpr double kClose = 1e-2;
     if (!(ctx.work.stats.natural_map <= kClose)) return;
@@ -111,7 +110,7 @@ Progress begin_iterations(context::StepContext& ctx, nonsmooth::Coupling couplin
     return p;
 }
 
-/// Solve with the laws about the iterate.
+/// Solve once with the laws linearised about the iterate.
 Status solve_iteration(context::StepContext& ctx, const NewtonOptions& course,
                        const Progress& p) noexcept {
     context::Newton& newton = ctx.work.newton;
@@ -133,7 +132,8 @@ Status solve_iteration(context::StepContext& ctx, const NewtonOptions& course,
     return solve::newton_solve(ctx, p.iteration == 0, p.iteration == 0);
 }
 
-/// Move to the solution of the laws, or a fraction of the way to it, and store it.
+/// Move to the solution of the linear laws, or a fraction of the way to it, and store the new
+/// iterate.
 Status store_next_iterate(context::StepContext& ctx, const NewtonOptions& course,
                           Progress& p) noexcept {
     context::Newton& newton = ctx.work.newton;
@@ -160,9 +160,9 @@ Status store_next_iterate(context::StepContext& ctx, const NewtonOptions& course
     return Status::ok;
 }
 
-/// Switch rows that request it.
-/// @param stop  The budget allows no other iteration: requesting rows switch after the step.
-/// @return the number of requesting rows.
+/// Switch the bounded rows whose status does not match the iterate.
+/// @param stop  True if the budget allows no other iteration: such rows switch after the step.
+/// @return the number of such rows.
 std::int32_t switch_rows(context::StepContext& ctx, bool stop, bool last) noexcept {
     const std::int32_t most = last ? 0 : solve::kAnyRows;
     const std::int32_t asking =
@@ -187,8 +187,8 @@ void choose_phase(const context::Model& model, context::Work& work, Progress& p)
     }
 }
 
-/// Leave the convex phase after a failed factorisation, since its laws are stiffer than the exact
-/// ones. The remaining iterations use exact laws and start from the iterate.
+/// Leave the convex phase after a failed factorisation, because the laws of this phase are stiffer
+/// than the exact ones. The remaining iterations start from the present iterate and use exact laws.
 /// @return false: the failed iteration was exact.
 bool end_convex_phase(context::StepContext& ctx, Progress& p) noexcept {
     if (!ctx.work.newton.convex) return false;
@@ -248,7 +248,7 @@ Status iterate(context::StepContext& ctx, nonsmooth::Coupling coupling, double t
     return status;
 }
 
-/// Restart from the velocities and impulses of the contacts.
+/// Restart the iterations from the present velocities and impulses of the contacts.
 void restart(context::Model& model, context::Work& work, runtime::Pool& pool) noexcept {
     (void)linearise(model, work, pool, LastLaws::none);
     adopt_laws(model, work.newton, pool, true);
@@ -266,7 +266,7 @@ void soften_by(context::Model& model, double factor) noexcept {
     for (nonsmooth::Resistance& a : model.system.contacts.resistances.laws) a.sigma *= factor;
 }
 
-/// Set lagged coupling and the impulses of the last step, with contacts at rest.
+/// Set lagged coupling and the impulses of the last step for all contacts, with velocities u = 0.
 void begin_lagged(context::StepContext& ctx) noexcept {
     restore_last_step(ctx.model, ctx.work.contact_speed);
     for (Cone& c : ctx.model.system.contacts.cones) {
@@ -278,9 +278,10 @@ void begin_lagged(context::StepContext& ctx) noexcept {
     restart(ctx.model, ctx.work, ctx.pool);
 }
 
-/// End a step whose lagged matrix, positive but for rounding, has wrong pivots: contacts so stiff
-/// that the masses of other bodies are lost. Solve once with contacts softer by powers of 1,024
-/// until the pivots are right. Pivots that stay wrong are not due to contacts.
+/// End a step whose matrix with lagged coupling has wrong pivots. Without rounding this matrix is
+/// positive definite. The pivots are wrong if contacts are so stiff that rounding removes the
+/// masses of other bodies. Therefore solve once with contacts softer by powers of 1,024, until the
+/// pivots are right. Pivots that remain wrong have another cause.
 Status end_softened(context::StepContext& ctx) noexcept {
     constexpr double kSofter = 1024.0;
     constexpr int kMaximum = 3;
@@ -304,7 +305,8 @@ Status end_softened(context::StepContext& ctx) noexcept {
     return status;
 }
 
-/// Solve with contacts 1,024 and 32 times softer first, each a start for the next (newton.h).
+/// Solve with contacts softer by factors of 1,024 and 32 first. Each solution is the start for the
+/// next one (newton.h).
 Status from_soft(context::StepContext& ctx) noexcept {
     constexpr double kRough = 1e-2;  // tolerance of a softer system as a start for the next
     for (const double soften : {1024.0, 32.0}) {  // powers of two: undone exactly
@@ -378,8 +380,8 @@ bool rows_request_switch(context::StepContext& ctx) noexcept {
            solve::asking_rows(ctx.model, ctx.work, ctx.model.contact_floor) > 0;
 }
 
-/// Refine the solution. A residual above its tolerance shows factors of laws that are too far from
-/// those of the iterate. In this case factor with the iterate's laws and refine again.
+/// Refine the solution. If the residual then exceeds its tolerance, the laws in the factors differ
+/// too much from the laws of the iterate. Factor with the laws of the iterate and refine again.
 Status refine_iterate(context::StepContext& ctx) noexcept {
     Status status = solve::refine(ctx);
     const StepStats& stats = ctx.work.stats;
@@ -390,8 +392,8 @@ Status refine_iterate(context::StepContext& ctx) noexcept {
     return status == Status::ok ? solve::refine(ctx) : status;
 }
 
-/// Repeat iterations until the refined iterate obeys the laws of contact. After a line search that
-/// shortened the last iteration, an iterate may obey these laws before refinement, but not after
+/// Repeat iterations until the refined iterate satisfies the contact laws. If a line search has
+/// shortened the last iteration, an iterate may satisfy these laws before refinement, but not after
 /// it.
 Status certify(context::StepContext& ctx) noexcept {
     constexpr int kMaximum = 8;
@@ -409,8 +411,8 @@ Status certify(context::StepContext& ctx) noexcept {
     return Status::ok;
 }
 
-/// Repeat iterations until no row requests to switch. A line search may have ended the iterations
-/// when no row requested it yet, before the solution was reached.
+/// Repeat iterations until no row has to switch its status. Rows may still have to switch if a line
+/// search ended the iterations before the solution was reached.
 Status settle_rows(context::StepContext& ctx) noexcept {
     constexpr int kMaximum = 8;
     const double tolerance = ctx.model.def.contact_tolerance;

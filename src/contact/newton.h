@@ -56,29 +56,30 @@ namespace hawser::contact {
 /// @throws std::bad_alloc.
 void reserve_newton(const context::Model& model, context::Newton& newton);
 
-/// Linearise about the last step's solution.
+/// Linearise the contact laws about the solution of the last step.
 void begin_newton(context::Model& model, context::Work& work, runtime::Pool& pool) noexcept;
 
-/// Keep the contacts of a solved step that will be solved again (step/guard.h).
+/// Store the contacts of a solved step that will be solved again (step/guard.h).
 /// @return false if the step is not solved: restart_newton() must not be called.
 [[nodiscard]] bool save_contact_solution(context::Model& model, context::Work& work) noexcept;
-/// Linearise about the contacts kept instead of those of the last step. Call after
-/// start_contacts().
+/// Linearise the contact laws about the contacts of save_contact_solution() instead of those of the
+/// last step. Call after start_contacts().
 void restart_newton(context::StepContext& ctx) noexcept;
 
 /// Perform stages 6 and 7, with the right-hand side of assemble_rows().
 /// @param settled_later  True if settle_newton() follows, after iterations of rigid joints. The
-/// solution is then left as it is, neither refined nor measured.
+/// solution is then neither refined nor measured here.
 [[nodiscard]] Status solve_newton(context::StepContext& ctx, bool settled_later = false) noexcept;
 /// Measure v₊ and λ after end-of-step constraint iterations. Refine them if their residual is above
-/// solution_tolerance or if no iteration has refined them. Iterate again if contacts no longer obey
-/// their law.
+/// solution_tolerance or if no iteration has refined them. Iterate again if contacts no longer
+/// satisfy their law.
 [[nodiscard]] Status settle_newton(context::StepContext& ctx) noexcept;
-/// Return true if rows at their bounds, or lines, request to switch in the current solution, for
-/// example after end-of-step constraint iterations. False in a step that is not solved or was cut.
+/// Return true if the status of a bounded row or line does not match the current solution, for
+/// example after end-of-step constraint iterations. Return false if the step is not solved, or if
+/// the budget ended it early.
 [[nodiscard]] bool rows_request_switch(context::StepContext& ctx) noexcept;
-/// Switch the rows that request it and iterate again, with contacts, until no row does. After eight
-/// repetitions StepStats::flips_left counts the rows that still request it.
+/// Switch the rows whose status does not match the solution and iterate again, with contacts, until
+/// all match. After eight repetitions StepStats::flips_left counts the rows that do not match.
 [[nodiscard]] Status settle_rows(context::StepContext& ctx) noexcept;
 
 }  // namespace hawser::contact

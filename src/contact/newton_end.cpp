@@ -20,8 +20,7 @@ namespace {
 using assembly::Contacts;
 using nonsmooth::Cone;
 
-/// Return to the best stored iterate. Its rows are satisfied to rounding, like those of the current
-/// one.
+/// Restore the best stored iterate. Its rows are satisfied to rounding, as in the current iterate.
 void restore_best_iterate(context::Model& model, context::Work& work,
                           runtime::Pool& pool) noexcept {
     const assembly::View v = context::row_view(model);

@@ -9,12 +9,14 @@
 
 namespace hawser::contact {
 
-/// End the iterations with time for one more factorisation.
+/// End the iterations by one more factorisation with lagged laws, if the budget has time for it.
 [[nodiscard]] Status end_with_lagged_laws(context::StepContext& ctx) noexcept;
-/// End them without: the law in the matrix is shifted through the projected impulse.
+/// End the iterations without another factorisation: shift the law in the matrix so that it
+/// contains the projected impulse.
 void end_at_best_iterate(context::Model& model, context::Work& work, runtime::Pool& pool) noexcept;
 
-/// Project the impulses of all contacts onto their friction cones; the laws in the matrix follow.
+/// Project the impulses of all contacts onto their friction cones, and shift the laws in the matrix
+/// accordingly.
 void project_all(context::Model& model) noexcept;
 
 /// Set velocities and impulses of contacts to the end of the last step.

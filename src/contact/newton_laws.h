@@ -9,7 +9,7 @@
 
 namespace hawser::contact {
 
-/// Linearise a contact about the iterate; see linearise().
+/// Replace the law of a contact by its linearisation about the iterate; see linearise().
 /// @param law  In: law of the last iterate; out: the new one.
 /// @param changes  Number of changes of its status in these iterations.
 void renew_law(nonsmooth::Cone& cone, nonsmooth::Law& law, std::uint8_t& changes) noexcept;
@@ -27,7 +27,8 @@ enum class LastLaws : std::uint8_t {
 /// @return the number of contacts whose status changed.
 std::int32_t linearise(context::Model& model, context::Work& work, runtime::Pool& pool,
                        LastLaws last) noexcept;
-/// Return Σ (W + Σ) ‖λ − P‖² over all, at a fraction t of the way: an energy [J].
+/// Return Σ (W + Σ) ‖λ − P‖² over contacts and bounded rows, at a fraction t of the way from the
+/// stored iterate [J].
 [[nodiscard]] double merit(const context::Model& model, const context::Newton& newton,
                            double t) noexcept;
 

@@ -28,7 +28,7 @@ constexpr std::int64_t kFlopsOfNode = 500;  ///< Flops per node and iteration.
 
 // --- The problem ------------------------------------------------------------------------------
 
-/// Compute a += factor × E, 3×3.
+/// Add factor × E to a 3×3 matrix a.
 void add_scaled_identity(double factor, double* a) noexcept {
     for (int i = 0; i < 3; ++i) a[4 * i] += factor;
 }
@@ -91,7 +91,7 @@ bool read_elements(const context::Model& model, context::Newton& newton, const V
     return true;
 }
 
-/// Add the blocks of the nodes; fixed ones keep their velocity.
+/// Add the blocks of the nodes. Fixed nodes keep their velocity.
 void read_nodes(const context::Newton& newton, context::WireNewton& wire, const View& v,
                 std::int32_t chain, const context::Model& model) noexcept {
     const context::WireChains& chains = newton.chains;
@@ -190,7 +190,7 @@ double wire_merit(const context::WireNewton& wire, std::size_t contacts, double 
     return sum;
 }
 
-/// Return ψ of convex_phase.h.
+/// Return the slope ψ of convex_phase.h for one line.
 double wire_slope(const context::WireNewton& wire, std::size_t contacts, double t) noexcept {
     double sum = 0.0;
     for (std::int32_t k = 0; k + 1 < wire.nodes; ++k) {
@@ -233,8 +233,8 @@ void save_wire_iterate(context::WireNewton& wire, std::size_t contacts, double t
     }
 }
 
-/// Switch elements that request it.
-/// @return their number.
+/// Switch elements whose status (taut or slack) does not match the solution.
+/// @return number of such elements.
 std::int32_t switch_elements(const context::Model& model, const View& v,
                              context::WireNewton& wire) noexcept {
     std::int32_t asking = 0;
@@ -271,7 +271,7 @@ void renew_wire_laws(context::WireNewton& wire, std::size_t contacts) noexcept {
     }
 }
 
-/// Iterate to convergence.
+/// Iterate one line to convergence.
 /// @return false if the iterations did not converge.
 bool iterate_wire(const context::Model& model, context::Work& work, const View& v,
                   std::int32_t chain) noexcept {
@@ -322,7 +322,7 @@ void adopt_wire(context::Model& model, context::Work& work, const View& v,
     }
 }
 
-/// True if a chain is unsettled in the global iterate.
+/// True if the residual of a chain exceeds that of converged lines in the global iterate.
 bool is_unsettled(const context::Model& model, const context::Work& work, const View& v,
                   std::int32_t chain) noexcept {
     const context::WireChains& chains = work.newton.chains;

@@ -61,7 +61,8 @@ void add_contact(const context::WireContact& c, const assembly::ContactRow& row,
     }
 }
 
-/// Compute the results of the velocities δv of the nodes.
+/// Compute λ and r of the elements, and u and λ of the contacts, from the velocity changes δv of
+/// the nodes.
 void complete_chain_solution(const context::Model& model, context::WireNewton& wire,
                              std::int32_t chain) noexcept {
     for (std::int32_t k = 0; k + 1 < wire.nodes; ++k) {

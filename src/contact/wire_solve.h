@@ -11,13 +11,14 @@
 
 namespace hawser::contact {
 
-/// Number of contacts of a chain.
+/// Return the number of contacts of a chain.
 [[nodiscard]] inline std::size_t chain_contact_count(const context::WireNewton& wire,
                                                      std::int32_t chain) noexcept {
     return at(wire.begin[at(chain) + 1] - wire.begin[at(chain)]);
 }
 
-/// Solve with the laws and statuses in `wire`; the result is in the elements and cones.
+/// Solve one chain with the laws and statuses in `wire`. The result is written to its elements and
+/// cones.
 /// @return false if the matrix is singular.
 [[nodiscard]] bool solve_wire(const context::Model& model, context::WireNewton& wire,
                               std::int32_t chain) noexcept;

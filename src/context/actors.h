@@ -11,8 +11,8 @@ struct StepContext;
 
 class Actors {
   public:
-    /// Run each system once, in order. Loads and inputs go to the context. Before any change, the
-    /// states of systems are saved. @return ok, or the status that ends the step.
+    /// Run each system once, in order. Systems write loads and inputs to the context. Their states
+    /// are saved before they change. @return ok, or the status that ends the step.
     [[nodiscard]] virtual Status act(StepContext& ctx) noexcept = 0;
     /// Discard the saved states after a successful step.
     virtual void accept(StepContext& ctx) noexcept = 0;

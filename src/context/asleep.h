@@ -17,7 +17,7 @@ inline constexpr std::int32_t kMaxQuiet = 1'000'000'000;
 /// Allocate the arrays of sleep; part of prepare(). @throws std::bad_alloc.
 void reserve_sleep(const Model& model, Sleep& sleep);
 
-/// Wake all bodies without a new analysis; part of prepare().
+/// Wake all bodies, without a new analysis. Part of prepare().
 void wake_all(Model& model, StepStats& stats) noexcept;
 
 /// Validate flags after a restore; any values are accepted. A body that cannot move is awake. Sets
@@ -27,8 +27,8 @@ void check_asleep(Model& model, StepStats& stats) noexcept;
 /// Wake the island of a moving body that is changed from outside the step.
 void wake_island(Model& model, std::int32_t body) noexcept;
 
-/// Wake all bodies. Call if something was moved or removed, because contacts then no longer show
-/// which bodies rested on it.
+/// Wake all bodies. Call after a body was moved or removed, because contacts then do not show which
+/// bodies had rested on it.
 void wake_islands_of(Model& model) noexcept;
 
 }  // namespace hawser::context

@@ -8,19 +8,20 @@
 
 namespace hawser::context {
 
-/// True if some interactions have copies, even if no cut is in force.
+/// True if some interactions are duplicated for cuts, even if no cut is active.
 [[nodiscard]] bool has_cuts(const Model& model) noexcept;
 
-/// Return the number of bodies or interactions without ghost bodies and copies.
+/// Return the number of bodies or interactions, excluding ghost bodies and duplicated interactions.
 [[nodiscard]] std::int32_t body_count(const Model& model) noexcept;
 
 [[nodiscard]] std::int32_t interaction_count(const Model& model) noexcept;
 
-/// Return the number of rows without those of copies. Rows of empty slots count.
+/// Return the number of rows, excluding those of duplicated interactions. Rows of empty slots
+/// count.
 [[nodiscard]] std::int32_t user_rows(const Model& model) noexcept;
 
-/// Return the interaction that reports events of this one. It is the interaction itself; the
-/// original for the first copy; −1 for other copies.
+/// Return the interaction under whose name events of this one are reported: itself if it is not a
+/// copy, the original if it is the first copy of a cut interaction, −1 for other copies.
 [[nodiscard]] std::int32_t reporting_interaction(const Model& model, std::int32_t id) noexcept;
 
 /// Return the original of a copy, or the interaction itself if it is not a copy.

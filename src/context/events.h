@@ -31,14 +31,14 @@ class EventLog {
         }
     }
 
-    /// Hold events, at most `most` of them, until release(), since the step that they belong to may
-    /// fail. @throws std::bad_alloc.
+    /// Defer events until release(), because their step may fail. At most `most` events are
+    /// deferred. @throws std::bad_alloc.
     void hold_back(std::size_t most) {
         pending_.clear();
         pending_.reserve(most);
         is_holding_ = true;
     }
-    /// Log the held events if the step succeeded, else discard them.
+    /// Log the deferred events if the step succeeded; otherwise discard them.
     void release(bool happened) noexcept {
         if (!is_holding_) return;
         is_holding_ = false;

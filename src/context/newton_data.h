@@ -27,7 +27,7 @@ struct BoundedRow {
 };
 
 /// Scratch of the solve for contacts and bounded rows, see newton.h.
-/// Scratch of solve/runs.cpp: a place that a line runs over, and a part between two of them.
+/// Scratch of solve/runs.cpp: a turning point of a line, and a part between two points.
 struct RunPoint {
     double mass, free, hold, sigma;  ///< m, ẇ without forces, and c and Σ of its friction.
     double before, behind;           ///< Entries of the two parts' rows.

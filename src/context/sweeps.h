@@ -39,7 +39,7 @@ void each(std::span<const assembly::IndexRange> ranges, F&& f) noexcept {
     for (const assembly::IndexRange& r : ranges) f(r.begin, r.end);
 }
 
-/// Call rows(strip) and then own(begin, end, slot) for the row block's own bodies, row block by row
+/// Call rows(block) for each row block, followed by own(begin, end, slot) for the bodies of this
 /// block. Then call own() for the shared bodies. The last argument of own() is an index in
 /// ctx.work.solve.norms; it equals `strip` in the calls that follow rows().
 template <class Rows, class Own>

@@ -10,8 +10,8 @@ namespace hawser::context {
 /// Return a view of all bodies and interactions, with the loads of systems on bodies.
 [[nodiscard]] assembly::View view(StepContext& ctx) noexcept;
 
-/// Return a view without the couplings by loads of systems (View::coupled). It serves code that
-/// reads rows and velocities. Kernels for body terms and for the matrix use view().
+/// Return a view without the couplings by loads of systems (View::coupled), for code that reads
+/// rows and velocities. Kernels for body terms and for the matrix use view().
 [[nodiscard]] assembly::View row_view(Model& model) noexcept;
 
 }  // namespace hawser::context

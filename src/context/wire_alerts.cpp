@@ -31,7 +31,7 @@ double wave_travel_time(const Model& model, std::int32_t id) noexcept {
     return std::sqrt(in.epsilon[at(in.row_begin[at(id)])] * mass / std::max(lumps, 1.0));
 }
 
-/// Return the number of steps that a wave needs from end to end of a wire, plus one.
+/// Return the number of steps of an axial wave from end to end of a wire, plus one.
 std::int32_t recoil_steps(const Model& model, std::int32_t wire) noexcept {
     const Wires& w = model.wires;
     double time = 0.0;

@@ -49,7 +49,7 @@ class Builder {
 
     /// Add the slewing column on its bearing, with motor and brake.
     Link add_column();
-    /// Add a boom or jib on a pin. @param turn  Its orientation in the world.
+    /// Add a boom or jib on a pin. @param turn  Orientation of the boom or jib in the world.
     Link add_link(const char* what, const CraneLink& def, const Vec3& pin, const Quat& turn);
     Link add_box(const char* what, double mass, const Vec3& half_size, const Vec3& pin,
                  const Quat& turn, const Vec3& centre, const Vec3& damping = Vec3::Zero());
@@ -59,7 +59,8 @@ class Builder {
     /// of the links.
     void add_hinge(const char* what, const Link& a, const Link& b, const Vec3& at, const Quat& turn,
                    const HingeParts& parts);
-    /// Add a cylinder with its stroke and motor. @param tension  Its force at the start [N].
+    /// Add a cylinder with its stroke and motor. @param tension  Force of the cylinder at the start
+    /// [N].
     void add_cylinder(const char* what, const CraneCylinder& def, const Link& a, const Link& b,
                       double tension);
     /// Add a drum with motor and brake. @return the drum.
@@ -91,7 +92,7 @@ class Builder {
     std::map<std::int32_t, RouteBody> route_bodies_;
 };
 
-/// Return the rotation of z of a joint's frame to −y, so that the angle grows when a link is
+/// Return the rotation that maps z of a joint's frame to −y, so that the angle grows when a link is
 /// raised.
 [[nodiscard]] Quat hinge_turn();
 

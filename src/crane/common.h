@@ -93,9 +93,9 @@ void check_load_bodies(const World& world, const HookLoads& takes);
     return sling.set("breaking_load", load.breaking_load);
 }
 
-/// Return the index of fall k in the parts of the route; k starts at 1. Before the falls the line
-/// comes from the drum, over the knuckle if there is one. Between falls 1 and 2, 3 and 4 … it
-/// passes under a hook sheave.
+/// Return the index of fall k in the parts of the route; k starts at 1. The parts before the falls
+/// run from the drum, over the knuckle if there is one. One part lies under a hook sheave between
+/// falls 1 and 2, 3 and 4, and so on.
 [[nodiscard]] constexpr int part_of_fall(int k, bool knuckle) noexcept {
     return (knuckle ? 2 : 1) + k + k / 2;
 }

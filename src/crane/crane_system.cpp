@@ -142,7 +142,7 @@ void CraneSystem::measure_load(const Prestep& now) noexcept {
         utilisation_ = kMaxShown;
 }
 
-/// Update the level of the alarm.
+/// Update the alarm step (0 to 2) from the utilisation.
 void CraneSystem::update_alarm(Prestep& now) noexcept {
     const CraneRating& r = definition_.rating;
     if (r.curve.empty()) return;

@@ -3,12 +3,12 @@
 ///
 /// ```
 ///   drum ──▸ head 1       head 2        head 3         each sheave of the head turns the
-///            │   ▴────────╯ │  ▴────────╯ │            line about +y: it comes down ahead,
-///            ▾   │          ▾  │          ▾            passes under a sheave of the hook, goes
-///            hook 1        hook 2        dead end      up behind, and over the next head sheave
+///            │   ▴────────╯ │  ▴────────╯ │            line about +y: the line runs down in
+///            ▾   │          ▾  │          ▾            front, under a sheave of the hook, up
+///            hook 1        hook 2        dead end      behind, and over the next head sheave
 /// ```
-/// Even numbers of falls end at the head, odd ones at the hook. Sheaves of one block are side by
-/// side along y.
+/// Even numbers of falls end at the head, odd ones at the hook. Sheaves of one block have a
+/// common axis along y.
 ///
 /// A sheave of the hook is modelled by two eyes at a distance of one diameter, each with the square
 /// root of its efficiency. The tensions at both sides are those of a sheave, for any orientation of

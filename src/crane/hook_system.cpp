@@ -46,7 +46,8 @@ void HookSystem::signals(SignalTable& table) {
     table.output("state", "1", as_);
 }
 
-/// Return the requested load. A modified state may hold any value; invalid ones count as 0.
+/// Return the number of the requested load. A modified saved state may contain any value; invalid
+/// values count as 0.
 int HookSystem::requested_load() const noexcept {
     const int most = static_cast<int>(def_.loads.size());
     return attach_request_ >= 0.0 && attach_request_ <= most
@@ -54,7 +55,7 @@ int HookSystem::requested_load() const noexcept {
                : 0;
 }
 
-/// Measure the forces of the legs. @return true if at least one of them holds.
+/// Measure the forces of the legs. @return true if at least one leg is attached and intact.
 bool HookSystem::measure_load(const World& world) noexcept {
     const CraneLoad& load = load_of(attached_load_);
     const Vec3 point = world.world_point(def_.body, def_.point);

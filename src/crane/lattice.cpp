@@ -11,7 +11,7 @@ namespace hawser {
 namespace crane {
 namespace {
 
-/// Return the line tension of an empty hook [N].
+/// Return the tension of the hoist line with an empty hook [N].
 double empty_line(const Builder& b, const LatticeCraneDef& def) {
     return def.hook.mass * b.gravity().norm() / def.hoist.falls;
 }

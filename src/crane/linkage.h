@@ -37,7 +37,8 @@ struct Linkage {
         const double cosine = std::clamp((a * a + b * b - l * l) / (2.0 * a * b), -1.0, 1.0);
         return angle + (lever > 0.0 ? 1.0 : -1.0) * (std::acos(cosine) - phi);
     }
-    /// Return the angles at the ends of its stroke, the smaller one first [rad].
+    /// Return the angles of the joint at both ends of the cylinder's stroke, the smaller one first
+    /// [rad].
     [[nodiscard]] std::pair<double, double> angle_range(const CraneCylinder& c) const {
         const double in = angle_at(c.min_length), out = angle_at(c.max_length);
         return {std::min(in, out), std::max(in, out)};

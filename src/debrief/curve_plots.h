@@ -10,8 +10,8 @@
 
 namespace hawser::debrief {
 
-/// Draw one panel for each display, at most twelve, with the limits that the exercise compares it
-/// with. @return no value if there are no displays or fewer than two samples.
+/// Draw one panel for each display, at most twelve, with the limits of the exercise for it. @return
+/// no value if there are no displays or fewer than two samples.
 [[nodiscard]] std::optional<draw::Drawing> plot_curves(const exercise::Exercise& exercise,
                                                        const exercise::Result& result,
                                                        const exercise::Curves& curves);

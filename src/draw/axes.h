@@ -17,7 +17,7 @@ struct Range {
     [[nodiscard]] double span() const noexcept { return high - low; }
 };
 
-/// Return the smallest range that holds all finite values; {0, 1} if there are none.
+/// Return the smallest range that contains all finite values; {0, 1} if there are none.
 [[nodiscard]] Range range_of(std::span<const double> values);
 /// Return a range widened at both ends by the fraction `fraction` of its span, and to a span of at
 /// least `least`.

@@ -20,16 +20,16 @@ struct Command {
         actions{};  ///< Other actions: "cut tow at 120 m, winch.mode render"; empty if none.
 };
 
-/// Return the commands by time: the first moments with other actions, and the first moments at
-/// which only inputs changed. The last entry counts the omitted ones. Inputs that systems drive are
-/// left out.
+/// Return the commands in the order of time: the first times with actions other than inputs, and
+/// the first times at which only inputs changed. The last entry counts the omitted ones. Inputs
+/// that systems drive are left out.
 [[nodiscard]] std::vector<Command> list_commands_by_time(const record::Recording& recording);
 
 /// Draw a dashed line at each moment, with letters along the top of the panel.
 void mark_commands(Drawing& drawing, const Axes& axes, const std::vector<Command>& commands);
 
 inline constexpr double kCommandLine = 17.0;  ///< Height of a line of list_commands [points].
-/// List the moments below `at`, one line each.
+/// Write the commands below the point `at`, one line each.
 void list_commands(Drawing& drawing, Point at, const std::vector<Command>& commands);
 
 }  // namespace hawser::draw

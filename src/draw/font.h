@@ -15,7 +15,7 @@ struct Glyph {
     std::vector<std::vector<Point>> contours;
 };
 
-/// Return the glyph of a code point; a hollow box if the typeface has none.
+/// Return the glyph of a code point; a hollow box if the typeface lacks it.
 [[nodiscard]] const Glyph& glyph(char32_t code);
 
 }  // namespace hawser::draw

@@ -40,7 +40,7 @@ Bounds body_bounds(const record::RecordedBody& body, const Pose& pose) {
     return bounds;
 }
 
-// Return a side view of the body's longer horizontal extent, with equal scales on both axes.
+// Return the axes of a side view along the body's longer horizontal extent, with equal scales.
 Axes panel(const View& view, const Bounds& body, Point at, double height) {
     const double wide = body.high[view.right] - body.low[view.right];
     const double high = body.high[2] - body.low[2];

@@ -35,7 +35,7 @@ Range value_range(const record::Series& series, int k, double factor) {
     return widened(range_of(values), 0.08, factor * (k < 3 ? kMinMetres : kMinDegrees));
 }
 
-// Use millimetres if no motion exceeds a centimetre.
+// Return the unit of lengths: millimetres if no motion exceeds a centimetre, else metres.
 record::Unit length_unit(const record::Series& series, int k) {
     double largest = 0.0;
     for (const record::BodySeries& s : series.bodies)

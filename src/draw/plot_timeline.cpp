@@ -19,8 +19,8 @@ double height_of(const Timeline& t) { return t.threads * (kLine + kGap) + kGap; 
 
 }  // namespace
 
-/// Return a colour that is distinct also with a colour-vision deficiency (Okabe and Ito); grey for
-/// the rest.
+/// Return the colour of a kind of work, distinct also with a colour-vision deficiency (Okabe and
+/// Ito); grey for other work.
 Color color_of(Work work) noexcept {
     constexpr std::array<Color, kWorkCount> kColors{{{240, 228, 66, 255},
                                                      {0, 158, 115, 255},

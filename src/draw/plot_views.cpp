@@ -129,7 +129,7 @@ void mark_broken_elements(Drawing& drawing, Point at, const record::Recording& r
     drawing.text(at, text + ".", 12.0, Anchor::start, kBrokenColor);
 }
 
-/// Arrange one panel as large as the picture allows; both axes have equal scales.
+/// Arrange one panel of the largest size that fits the picture, with equal scales on both axes.
 Layout arrange_one_panel(const Bounds& b, const ViewOptions& options, double margin) {
     const Vec3 extent = b.high - b.low;
     const int across = extent.x() >= extent.y() ? 0 : 1;

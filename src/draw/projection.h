@@ -37,8 +37,8 @@ struct Bounds {
 /// True if a joint of Recording::joints has been removed by the time of the frame.
 [[nodiscard]] bool is_removed(const record::Frame& frame, std::size_t joint);
 
-/// Return the bodies that a picture draws: bodies with a size, and points that are no nodes of a
-/// cable. The world itself is excluded, and so are drums, which have no position.
+/// Return one mark per body that a picture draws. Drawn are bodies with a size, and points that are
+/// not nodes of a cable. The world itself is not drawn, nor are drums, which have no position.
 [[nodiscard]] std::vector<bool> visible_bodies(const record::Recording& recording);
 
 void add_to_bounds(const record::Recording& recording, const record::Frame& frame, Bounds& bounds);

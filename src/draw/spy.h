@@ -21,9 +21,9 @@ struct FactorBlocks {
     std::vector<bool> fill;           ///< True if the block is fill: not in the matrix.
 };
 
-/// Eliminate the block graph symbolically. The rows of a column are its own neighbours, and the
-/// rows of the columns whose first row it is. Source: George and Liu, "Computer Solution of Large
-/// Sparse Positive Definite Systems", 1981.
+/// Eliminate the block graph symbolically. The rows of a column are its neighbours in the graph,
+/// and the rows of all columns whose first row is this column. Source: George and Liu, "Computer
+/// Solution of Large Sparse Positive Definite Systems", 1981.
 /// @throws std::runtime_error if there are more than `limit` blocks.
 [[nodiscard]] FactorBlocks factor_blocks(const SystemView& view, std::int64_t limit = 50'000'000);
 /// Eliminate neighbours in compressed rows symbolically, in any order.

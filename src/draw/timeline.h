@@ -55,8 +55,8 @@ struct Timeline {
 [[nodiscard]] Timeline timeline_of(const TraceView& trace, std::int64_t step);
 /// Return the step of median duration. @throws std::out_of_range if there is none.
 [[nodiscard]] std::int64_t typical_step(const TraceView& trace);
-/// Simulate on several threads a step that ran on one thread. Code between loops counts for the
-/// following loop.
+/// Simulate the timeline of a step on several threads from a run on one thread. The time of code
+/// between loops is added to the following loop.
 [[nodiscard]] Timeline simulated_timeline(const TraceView& trace, std::int64_t step, int threads,
                                           const PoolCosts& costs);
 

@@ -15,8 +15,8 @@ struct Water {
     std::optional<double> seabed;
 };
 
-/// Read the water of a frame from the scene's document and its shapes. The level is that of the
-/// frame, with tide and user settings. Waves are left out, because recordings do not hold them.
+/// Return the water of a frame, from the scene's document and its shapes. The level is that of the
+/// frame, with tide and user settings. Waves are omitted, because recordings do not contain them.
 [[nodiscard]] Water water_of(const record::Recording& recording, const record::Frame& frame);
 
 }  // namespace hawser::draw

@@ -22,7 +22,7 @@ WireReader::WireReader(const record::Recording& recording)
 }
 
 /// Read a cable in its initial form. A drum has no position, so a cable from a drum has one element
-/// more than drawn segments; the last ones correspond.
+/// more than drawn segments: segments correspond to elements from the last one backwards.
 void WireReader::read_cable(std::size_t index, const record::Frame& frame, WireLine& out) const {
     const record::RecordedCable& cable = recording_.cables[index];
     std::vector<Vec3> points;
@@ -52,8 +52,8 @@ void WireReader::read_cable(std::size_t index, const record::Frame& frame, WireL
     }
 }
 
-/// Read a changed wire. If the wire lies on a wheel between two pieces, a chord joins them, with
-/// the tension of the previous piece.
+/// Read a wire whose nodes differ from the start. If the wire lies on a wheel between two pieces, a
+/// chord joins them, with the tension of the previous piece.
 void WireReader::read_wire(const record::RecordedWire& wire, const record::Frame& frame,
                            const std::vector<float>& pulls, WireLine& out) {
     for (std::size_t i = 0; i < wire.pieces.size(); ++i) {

@@ -31,8 +31,8 @@ struct WireLine {
 class WireReader {
   public:
     explicit WireReader(const record::Recording& recording);
-    /// Read the cables of the scene in its order, in their state in the frame. Then pieces that
-    /// were cut off follow, and lines other than wires that were added after the start.
+    /// Read the cables of the scene in its order, in their state in the frame. Pieces that were cut
+    /// off follow, then lines other than wires that were added after the start.
     /// @param out  Buffer of the caller.
     void read(const record::Frame& frame, std::vector<WireLine>& out) const;
 

@@ -53,7 +53,8 @@ void disturb_bodies(context::StepContext& ctx, std::int32_t id) noexcept {
                              ctx.model.interactions.body[kMaxInteractionBodies * at(id) + b]);
 }
 
-/// Keep the remaining entries of an array with an entry per contact of the last step.
+/// Remove the entries of deleted contacts from an array with one entry per contact of the last
+/// step.
 template <class A>
 void compact(A& array, const std::vector<std::uint8_t>& stays, std::size_t each) noexcept {
     std::size_t n = 0;

@@ -3,13 +3,13 @@
 /// @file edits.h
 /// Addition and removal of bodies, interactions and shapes between the steps of a running world.
 ///
-/// The arrays of the model have a slot for each (base/places.h), so that objects that stay keep
-/// their index, multipliers and memory. The consequences of an edit are treated here:
+/// The arrays of the model have a slot for each object (base/places.h), so that remaining objects
+/// keep their index, multipliers and memory. The consequences of an edit are treated here:
 ///
 /// 1. Contacts of a removed shape are deleted, with their friction and the links of bodies
 ///    without shapes (assembly/contacts.h).
 /// 2. Sleep. Only the islands near an edit wake. These contain the bodies of a changed
-///    interaction, bodies that lay on a removed shape, or bodies near an added one.
+///    interaction, bodies in contact with a removed shape, or bodies near an added one.
 /// 3. Energy of an added or removed object counts as edited (hawser::Energy). It is the energy
 ///    at the midpoint between two poses, where the balance is evaluated. The monitors thus
 ///    continue without a break.
@@ -18,7 +18,7 @@
 ///
 /// The next step, or an earlier use of the system, analyses it: the order of elimination is
 /// repaired (factor/repair.h). If only shapes changed, the collider and the contacts follow. The
-/// system then stays, unless other bodies may touch as a result (prepare.h).
+/// system is then analysed again only if other pairs of bodies may touch as a result (prepare.h).
 
 #include "context/ledger.h"
 
@@ -53,7 +53,7 @@ void begin_shape_edit(context::StepContext& ctx) noexcept;
     return {-piece_energy(ctx, id), energy_of_interaction(ctx, id)};
 }
 
-/// Finish an addition after it was written into the model.
+/// Update all data after an added body or interaction has been written into the model.
 void settle_body(context::StepContext& ctx, std::int32_t body) noexcept;
 void settle_interaction(context::StepContext& ctx, std::int32_t id) noexcept;
 void settle_shape(context::StepContext& ctx, std::int32_t shape) noexcept;

@@ -56,8 +56,8 @@ struct NodeChain {
 [[nodiscard]] NodeChain nearby_chain(const context::StepContext& ctx,
                                      const NodeSurroundings& place) noexcept;
 
-/// Return the chain with the same material without the node: the piece before it extends to the
-/// next node.
+/// Return a chain of equal material without the node. The piece before the node extends to the next
+/// node.
 [[nodiscard]] NodeChain without_node(const NodeChain& chain) noexcept;
 
 /// Return kinetic and elastic energy [J].
@@ -69,10 +69,12 @@ struct NodeMomentum {
     Vec3 linear{0, 0, 0};   ///< Momentum [N s].
     Vec3 angular{0, 0, 0};  ///< Angular momentum [N m s].
 };
-/// Compute the momenta. @param about  Reference point of angular momentum [m].
+/// Compute linear and angular momentum of the nodes of a chain.
+/// @param about  Reference point of angular momentum [m].
 [[nodiscard]] NodeMomentum momentum_of(const NodeChain& chain, const Vec3& about) noexcept;
 
-/// Set the rest lengths with which the pieces near free nodes keep their forces at the poses.
+/// Set the rest lengths of the pieces at free nodes so that they keep their forces at the present
+/// poses.
 void fit_lengths(NodeChain& chain) noexcept;
 
 }  // namespace hawser::edit

@@ -6,14 +6,16 @@
 ///     fairlead ── e ── n ──── f ──── b        fairlead ────── e ────── b
 /// ```
 /// The tension of the whole is the mean of both, weighted by rest lengths, because the law is
-/// linear in the strain. The rest length is chosen to give it at the chord, dampers included.
-/// Material that leaves by the drum carries its stretch along; dampers treat this as a rate. The
-/// half of f at b is transferred to the winch, like all material of e. Velocities of others do not
-/// change. The energy of the motion of n across the chord goes into the foundation of the drum, and
-/// counts as driven.
+/// linear in the strain. The rest length is chosen so that the element has this tension at the
+/// length of its chord, dampers included. Material that moves onto the drum takes its stretch with
+/// it; dampers treat this as a rate. The
+/// half of f at b is transferred to the winch, like all material of e. Velocities of other nodes do
+/// not change. The energy of the motion of n across the chord goes into the foundation of the drum,
+/// and counts as driven.
 ///
-/// The node before a free end stays, because the node at the end has only its half of f. If a drum
-/// or a guide also loads the next element, b keeps 1 % of that half: a body needs some own mass.
+/// The node before a free end is not removed, because the node at the end has only its half of f.
+/// If a drum or a guide also loads the next element, b keeps 1 % of that half, because a body needs
+/// a mass.
 
 #include "edit/nodes.h"
 

@@ -174,8 +174,8 @@ double stretching_speed(const context::StepContext& ctx, std::int32_t id) noexce
                 b.v[at(b.dof_begin[at(end_of(ctx, id, 2))])];
     return rate;
 }
-/// Return τ of the step's formula at a constant rate, which includes the numerical damping of stiff
-/// rows (row_constants.h): λ = −(h/ε)(g + (h/4)(1/Υ − recall) ġ).
+/// Return the damping time τ with which the law of a row at a constant rate ġ is λ = −(h/ε)(g + τ
+/// ġ): τ = (h/4)(1/Υ − recall). It includes the numerical damping of stiff rows (row_constants.h).
 double damping_time_of(const context::StepContext& ctx, std::int32_t id) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     const auto row = at(in.row_begin[at(id)]);

@@ -19,7 +19,8 @@ struct NodeLinks {
 };
 [[nodiscard]] NodeLinks adjacent_elements(const context::StepContext& ctx,
                                           std::int32_t body) noexcept;
-/// Return the bend with a body in its middle and another one on a given side; −1: none.
+/// Return the bend interaction whose middle body is `middle` and whose outer body on a given side
+/// is `other`; −1: none.
 [[nodiscard]] std::int32_t bend_at(const context::StepContext& ctx, std::int32_t middle,
                                    std::int32_t other, std::size_t side) noexcept;
 /// Return the bend between the given bodies with the lowest index above `after`; −1 if there is
@@ -32,18 +33,19 @@ struct NodeLinks {
                                   std::size_t slot) noexcept;
 [[nodiscard]] bool is_free_node(const context::StepContext& ctx, std::int32_t body) noexcept;
 
-/// Return the mass of the material of an element [kg]; 0: it has none of its own.
+/// Return the mass of the material of an element [kg]; 0 if the element has no mass of its own.
 [[nodiscard]] double mass_of_element(const context::StepContext& ctx,
                                      std::int32_t element) noexcept;
-/// True if its compliance follows from its length, and is neither given nor determined by a drum.
+/// True if the compliance of an element follows from its length, so that it is neither given nor
+/// determined by a drum.
 [[nodiscard]] bool is_of_material(const context::StepContext& ctx, std::int32_t element) noexcept;
 
-/// True if a drum pays the element out; drum_side() is then its end at the fairlead, which no node
-/// holds.
+/// True if an element is at a drum. Then drum_side() is its end at the fairlead, to which no node
+/// belongs.
 [[nodiscard]] bool is_wound(const context::StepContext& ctx, std::int32_t element) noexcept;
 [[nodiscard]] std::size_t drum_side(const context::StepContext& ctx, std::int32_t element) noexcept;
-/// Return the velocity due to material that enters at the fairlead, at a point with the fraction
-/// `beyond` of it behind [m/s].
+/// Return the velocity due to material that enters at the fairlead [m/s].
+/// @param beyond  Fraction of the element behind the point at which the velocity is evaluated.
 [[nodiscard]] Vec3 inflow_velocity(const context::StepContext& ctx, std::int32_t element,
                                    double beyond, const base::Array<double>& packed) noexcept;
 
@@ -57,14 +59,15 @@ struct NodeLinks {
 /// straight part.
 [[nodiscard]] double length_of(const context::StepContext& ctx, std::int32_t id) noexcept;
 [[nodiscard]] double length_beyond_chord(const context::StepContext& ctx, std::int32_t id) noexcept;
-/// Return the fraction of the straight part at which a fraction of an element ends.
+/// Return the fraction of the straight part that corresponds to a fraction of the whole element.
 [[nodiscard]] double straight_fraction(const context::StepContext& ctx, std::int32_t id,
                                        double share) noexcept;
 /// Return the attachment point of an element in the frame of its body [m].
 [[nodiscard]] Vec3 attachment_point(const context::StepContext& ctx, std::int32_t id,
                                     std::size_t slot) noexcept;
 
-/// Return the force of the law at the present length [N], 0 if slack; and EA from the rest length.
+/// Return the force of an element at its present length by its elastic law alone [N], 0 if slack,
+/// and EA from the rest length.
 [[nodiscard]] double tension_of(const context::StepContext& ctx, std::int32_t id) noexcept;
 [[nodiscard]] double stiffness_of(const context::StepContext& ctx, std::int32_t id) noexcept;
 
@@ -72,14 +75,14 @@ struct NodeLinks {
 [[nodiscard]] double stretching_speed(const context::StepContext& ctx, std::int32_t id) noexcept;
 /// Return the damping time of an element in the step [s].
 [[nodiscard]] double damping_time_of(const context::StepContext& ctx, std::int32_t id) noexcept;
-/// Return the force of law and damper [N], 0 if slack; and the rest length that gives a force at
-/// the present length and speed [m].
+/// Return the force of an element by its elastic law and its damper [N], 0 if slack; and the rest
+/// length that gives a force at the present length and speed [m].
 [[nodiscard]] double force_of(const context::StepContext& ctx, std::int32_t id) noexcept;
 [[nodiscard]] double rest_length_for_force(const context::StepContext& ctx, std::int32_t id,
                                            double force, double stiffness) noexcept;
 
-/// Return the weight of a node of the given mass on an element [N]. Includes forces on nodes at its
-/// ends in proportion to mass (buoyancy).
+/// Return the weight of a node of the given mass on an element [N]. It includes the forces on the
+/// nodes at the ends of the element (buoyancy), in proportion to mass.
 [[nodiscard]] Vec3 weight_of(const context::StepContext& ctx, std::int32_t id,
                              double mass) noexcept;
 /// Return the distance below the chord of an element at which a node at its fraction σ is in
@@ -88,7 +91,7 @@ struct NodeLinks {
                                    double tension) noexcept;
 
 /// Set rest length, mass and tension of an element. At a drum the rest length is the one at the
-/// present coordinate of the drum; its winch has its mass and drag.
+/// present coordinate of the drum; the winch applies the mass and drag of the element.
 void set_element(context::StepContext& ctx, std::int32_t id, double rest, double mass,
                  double tension) noexcept;
 
@@ -100,7 +103,7 @@ void add_mass(context::StepContext& ctx, std::int32_t body, double more,
 /// True if an interaction resists bending of a wire.
 [[nodiscard]] bool is_bend(const context::StepContext& ctx, std::int32_t id) noexcept;
 
-/// Set the length at the node of a bend: half of the pieces before and behind it.
+/// Set the length of a bend, which is half of the lengths of the pieces before and behind its node.
 void set_bend(context::StepContext& ctx, std::int32_t id, std::int32_t one,
               std::int32_t other) noexcept;
 

@@ -2,11 +2,11 @@
 /// Removal of nodes, see nodes.h.
 ///
 /// The wire near the node loses the deviation from the chord a–b: δ of the position of n and w of
-/// its velocity. The nodes within reach, up to four on a side, take it over.
+/// its velocity. Up to four nodes on each side compensate for it.
 ///
 /// Positions. All of them move by the same d so that the first moment of mass is preserved. This
 /// preserves the angular momentum x × p of the moving piece for any p, which would be by far the
-/// largest change. The sag due to weight is left out of δ. Node n was placed below the chord by
+/// largest change. The sag due to weight is not part of δ. Node n was placed below the chord by
 /// this amount when inserted (nodes.h); raising it again is driven. All pieces concerned get the
 /// rest lengths that keep their tensions; e has the mean of the two, weighted by length.
 ///
@@ -15,18 +15,19 @@
 /// ```
 ///     v₁ = v + δv     δv = argmin ½ δvᵀ M̃ δv + Σ ½ (h²/4) k (u·δw − m)²     C δv = r
 /// ```
-/// The second term is the energy of a rate during half a step in the stiffness k.
+/// The second term is the energy that a rate of length causes in the stiffness k in half a step.
 ///
 /// Energy. Let d be a descent direction of the kinetic energy that does not change C. It is the
 /// inverse of the same matrix times M̃ v₁, minus the component in C. Along v₁ − t d the kinetic
 /// energy is least at t*. There the piece has no internal motion beyond the one of its momenta. The
-/// value of t is chosen so that the total energy, with the fitting lengths, is preserved. The
+/// value of t is chosen so that the total energy, with the resulting lengths, is preserved. The
 /// bounds are:
-/// - t ≤ t*; otherwise n stays for now.
+/// - t ≤ t*; otherwise n is not removed now.
 /// - t ≥ −0.05 t*: the internal motion becomes at most 5 % faster to replace lost energy.
-/// If the loss still exceeds 1 % of the stretch energy of the pieces, the node moves against its
-/// neighbours. It then stays for now, unless any bend is allowed. Measured on a free wire of 40
-/// elements: a removal loses 2e-6 of the total energy without this bound and 1e-7 with it.
+/// If the loss still exceeds 1 % of the stretch energy of the pieces, the node moves relative
+/// to its neighbours. It is then not removed now, unless any bend is allowed. Measured on a free
+/// wire of 40 elements: a removal loses 2e-6 of the total energy without this bound and 1e-7 with
+/// it.
 
 #include "edit/nodes.h"
 
@@ -198,7 +199,9 @@ void preserve_momenta(NodeChain& now, const Patch& patch, const NodeMomentum& ha
     }
 }
 
-/// Set velocities that preserve the energy. @return false if there are none.
+/// Change the velocities along the direction of descent until the energy is at most `energy`.
+/// @param any  True: accept any loss of energy.
+/// @return false if no change suffices, or if too much energy is lost.
 bool preserve_energy(NodeChain& now, const Patch& patch, double energy, bool any) noexcept {
     double far = 0.0;
     const Packed down = patch.descent_direction(now, far);

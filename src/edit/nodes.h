@@ -51,8 +51,8 @@ struct NodeDef {
     double mass = 0.0;          ///< Mass [kg].
     Vec3 position{0, 0, 0};     ///< Position [m].
     Vec3 velocity{0, 0, 0};     ///< Velocity [m/s].
-    Vec3 damping{0, 0, 0};      ///< Drag that it takes over from both ends [N s/m].
-    double of_end[2] = {0, 0};  ///< Fraction of the loads on the end nodes that it takes over.
+    Vec3 damping{0, 0, 0};      ///< Drag of both end nodes that the new node receives [N s/m].
+    double of_end[2] = {0, 0};  ///< Fractions of the loads of both end nodes [1].
 };
 
 /// Energies before an edit [J].
@@ -60,9 +60,9 @@ struct NodeLedger {
     context::Edited local, edited;
 };
 
-/// Complete the surroundings of an element (`first`) or, if that is −1, of a node (`node`). @return
-/// false if the node has other interactions, or is not between two elements of which the second
-/// begins at the end of the first.
+/// Complete the surroundings of an element (`first`) or, if `first` is −1, of a node (`node`).
+/// @return false in two cases: the node has other interactions, or it is not between two elements
+/// of which the second begins at the end of the first.
 [[nodiscard]] bool complete_surroundings(const context::StepContext& ctx,
                                          NodeSurroundings& place) noexcept;
 
@@ -75,30 +75,30 @@ struct NodeLedger {
 [[nodiscard]] NodeLedger begin_node_edit(const context::StepContext& ctx,
                                          const NodeSurroundings& place) noexcept;
 
-/// Finish the insertion of n, the other element and the bend at n. `old` ends at n, and all have
-/// their masses, lengths and forces. @param old  The earlier element, e or f. @param mass  Its
-/// earlier mass [kg].
+/// Finish the insertion of node n, with the second element and the bend at n. Element `old` must
+/// end at n, and all must have their masses, lengths and forces. @param old  The earlier element, e
+/// or f. @param mass  Its earlier mass [kg].
 void settle_node(context::StepContext& ctx, const NodeSurroundings& place, std::int32_t old,
                  double share, double mass) noexcept;
 
-/// Extend e to b, and set the motion near n to that of the wire without it. The caller removes f, n
-/// and the bend at n. @param bend  Maximum angle between e and f [rad]. @return false if the angle
-/// is larger or energy would grow; the state is then unchanged.
+/// Extend element e to node b, and set the motion near node n to the motion of a wire without n.
+/// The caller removes f, n and the bend at n. @param bend  Maximum angle between e and f [rad].
+/// @return false if the angle is larger or energy would grow; the state is then unchanged.
 [[nodiscard]] bool release_node(context::StepContext& ctx, const NodeSurroundings& place,
                                 double bend) noexcept;
 /// Fraction of half an element that a node between two elements loaded by drums or guides keeps.
 inline constexpr double kKeptMass = 1e-2;
-/// True if a node that gives away half an element has mass beyond it, apart from rounding. @param
-/// has, half  [kg].
+/// True if the mass of a node exceeds half of the mass of an element, apart from rounding.
+/// @param has  Mass of the node [kg]. @param half  Half of the mass of the element [kg].
 [[nodiscard]] constexpr bool exceeds_half(double has, double half) noexcept {
     return has > (1.0 + 1e-3) * half;
 }
-/// Apply release_node() if the remaining element lies on a drum.
+/// Apply release_node() if the remaining element is at a drum.
 [[nodiscard]] bool release_drum_node(context::StepContext& ctx, const NodeSurroundings& place,
                                      double bend) noexcept;
 
-/// Book the change of the edit as edited (Energy::edited). @param place  Surroundings after the
-/// edit.
+/// Record the change of energy by an edit in Energy::edited.
+/// @param place  Surroundings after the edit.
 void end_node_edit(context::StepContext& ctx, const NodeSurroundings& place,
                    const NodeLedger& was) noexcept;
 

@@ -16,7 +16,7 @@
 namespace hawser::edit {
 namespace {
 
-/// Set the rest length with which an element keeps its tension after its chord changed.
+/// Set the rest length of an element so that it keeps its tension after its chord has changed.
 void preserve_tension(context::StepContext& ctx, std::int32_t id, double tension) noexcept {
     if (!(tension > 0.0) || kind_info(ctx.model.interactions.kinds[at(id)]).is(kWoundUp)) return;
     const double stiffness = stiffness_of(ctx, id);

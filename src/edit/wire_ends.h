@@ -38,11 +38,13 @@ struct NodeFraction {
     double share = 0.0;  ///< Fraction of the mass of the other node [1].
 };
 
-/// Return the part of the second element in a node between two elements. @param first  −1: none.
+/// Return the fraction of mass and drag of a node that belongs to its second element. @param first
+/// First element; −1: none.
 [[nodiscard]] NodeFraction fraction_of(const context::StepContext& ctx, std::int32_t lump,
                                        std::int32_t first, std::int32_t second) noexcept;
 
-/// Set an added node to the position and velocity of another one, and transfer its part.
+/// Divide a node: set the added node `to` to the position and velocity of `from`, and transfer the
+/// fraction of mass and drag.
 void split_node(context::StepContext& ctx, std::int32_t from, std::int32_t to,
                 const NodeFraction& share) noexcept;
 
@@ -51,7 +53,7 @@ void split_node(context::StepContext& ctx, std::int32_t from, std::int32_t to,
                                             std::int32_t b, std::int32_t ea,
                                             std::int32_t eb) noexcept;
 /// Merge the node b, at the end of element eb, into the node a; eb then ends at a. The caller
-/// removes b, corrects bends and books energies.
+/// removes b, updates the bends and records the energies.
 void merge_nodes(context::StepContext& ctx, std::int32_t a, std::int32_t b, std::int32_t ea,
                  std::int32_t eb) noexcept;
 
@@ -62,7 +64,7 @@ void reverse_ends(context::StepContext& ctx, std::int32_t id) noexcept;
 void move_end(context::StepContext& ctx, std::int32_t id, std::size_t slot,
               std::int32_t to) noexcept;
 
-/// Update elements of a node after a change of its mass.
+/// Update the elements of a node after its mass has changed.
 void follow_node(context::StepContext& ctx, std::int32_t lump) noexcept;
 
 /// Return the chain of elements from `element` on, away from its end `slot`, while the nodes
@@ -70,7 +72,8 @@ void follow_node(context::StepContext& ctx, std::int32_t lump) noexcept;
 [[nodiscard]] std::vector<std::int32_t> chain_from(const context::StepContext& ctx,
                                                    std::int32_t element, std::size_t slot);
 
-/// Return the bend with a body in its middle and another one at one of its ends; −1: none.
+/// Return the bend interaction whose middle body is `middle` and one of whose outer bodies is
+/// `end`; −1: none.
 [[nodiscard]] std::int32_t bend_at_body(const context::StepContext& ctx, std::int32_t middle,
                                         std::int32_t end) noexcept;
 

@@ -9,7 +9,7 @@
 
 namespace hawser::exercise {
 
-/// Return the shape of a whole file. Inputs, outputs and timeline have the shapes of scenes.
+/// Return the schema of an exercise file. Inputs, outputs and timeline have the schemas of scenes.
 [[nodiscard]] const scene::ShapePtr& exercise_shape();
 /// Return the words of FaultKind, in its order.
 [[nodiscard]] std::span<const char* const> fault_words() noexcept;

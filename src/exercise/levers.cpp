@@ -75,7 +75,8 @@ void Controls::end(const Fault& fault) {
     }
 }
 
-/// Apply the faults to a requested value: first delays, then scaled values, last stuck inputs.
+/// Return the value in force for a requested value. Faults are applied in this order: delays,
+/// scaled values, stuck inputs.
 double Controls::let_through(Control& l, double now) {
     double value = std::isnan(l.requested) ? l.start : l.requested;
     while (!l.delayed.empty() && l.delayed.front().first <= now + kLeverRounding) {

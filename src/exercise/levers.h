@@ -19,15 +19,17 @@ class Controls {
   public:
     /// Request a value of an input. @param input  Name from resolved().
     void ask(const Session& session, const std::string& input, double value);
-    /// Return the value last requested for an input, in its unit; NaN: no request yet.
+    /// Return the last requested value of an input, in its unit; NaN before the first request.
     [[nodiscard]] double requested(const std::string& input) const noexcept;
 
     void begin(const Session& session, const Fault& fault);
     void end(const Fault& fault);
 
-    /// Set the inputs that have changed, from the requests and the active faults.
+    /// Set the inputs of the session whose value in force has changed. The values follow from the
+    /// requests and the active faults.
     void apply(Session& session);
-    /// Forget the applied values. Call after a state was restored, which sets inputs itself.
+    /// Discard the applied values. Call after a state has been restored, because a restore sets the
+    /// inputs.
     void forget_applied();
 
   private:

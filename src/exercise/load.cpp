@@ -50,8 +50,8 @@ Merged merge(const Json& exercise, const SourceLocation& location) {
     return out;
 }
 
-/// Convert the position of an error: a mistake in an addition of the exercise is reported in the
-/// exercise's file.
+/// Convert the position of an error. A mistake in an object that the exercise adds to the scene is
+/// reported in the file of the exercise.
 scene::SceneError in_exercise(const scene::SceneError& error, const Merged& merged,
                               const std::string& file) {
     const auto entry = [&](const std::string& key, std::size_t own) -> std::optional<std::string> {

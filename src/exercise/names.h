@@ -15,8 +15,8 @@ namespace hawser::exercise {
 [[nodiscard]] std::vector<std::string> input_names(const scene::Scene& scene);
 [[nodiscard]] std::vector<std::string> output_names(const World& world);
 
-/// Return the target of a control and its value: an input of the world or a signal. Two names of
-/// one signal have the same target.
+/// Return the target of a control, an input of the world or a signal, and the value for it. Two
+/// names of one signal have equal targets.
 [[nodiscard]] std::pair<std::string, double> resolve_target(const scene::Scene& scene,
                                                             std::string_view input, double value);
 /// Return the present value of a target from resolve_target().
@@ -34,7 +34,7 @@ struct Bent {
 /// Return the parameters of an interaction that a fault changes; empty if its kind is not suitable.
 [[nodiscard]] std::vector<std::string> fault_params(FaultKind kind, const World& world,
                                                     InteractionId interaction);
-/// Return the input that drives a parameter of an interaction; invalid if there is none.
+/// Return the input that drives a parameter of an interaction; invalid if no input drives it.
 [[nodiscard]] InputId driving_input(const World& world, InteractionId interaction,
                                     const std::string& param);
 [[nodiscard]] bool is_winch(const World& world, const std::string& name);

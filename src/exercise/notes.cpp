@@ -11,7 +11,8 @@
 namespace hawser::exercise {
 namespace {
 
-/// True if the solver reports the event, so that a replay reproduces it. Systems report the others.
+/// True if the solver sends events of this kind, so that a replay reproduces them. Systems send the
+/// other kinds.
 bool of_solver(EventKind kind) {
     switch (kind) {
         case EventKind::line_break:

@@ -35,7 +35,7 @@ class NoteWriter {
   public:
     explicit NoteWriter(Session& session) : session_(session) {}
     void begin(const Exercise& exercise, const std::vector<bool>& noted);
-    /// Write the values that have changed since the last call, of channels that are noted.
+    /// Write the values of the noted channels that have changed since the last call.
     void values(const std::vector<bool>& noted, std::span<const double> values);
     void fault(bool begins, std::string_view name, std::string_view by);
     void number(NoteKind kind, std::int32_t number);

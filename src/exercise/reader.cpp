@@ -137,8 +137,8 @@ void read_list(const Json& root, const char* key, const SourceLocation& location
     }
 }
 
-/// Check goals that follow others: the other goal must come earlier in the list, so that no goal
-/// depends on itself.
+/// Check goals with the key `after`: the goal that it names must be earlier in the list, so that no
+/// goal depends on itself.
 void check_order(const Exercise& e, const SourceLocation& location) {
     std::vector<std::string> before;
     for (std::size_t i = 0; i < e.goals.size(); ++i) {

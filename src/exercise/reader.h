@@ -16,10 +16,11 @@ namespace hawser::exercise {
 [[nodiscard]] Exercise read_exercise(const scene::Json& root,
                                      const scene::SourceLocation& location);
 
-/// Parse a document alone, without its scene. @throws scene::SceneError.
+/// Parse a document without its scene. @throws scene::SceneError.
 [[nodiscard]] Exercise parse_exercise(const std::string& text, const std::string& name);
 
-/// Check that the scene has every name in use. @throws scene::SceneError with the nearest name.
+/// Check that the scene has every name that the exercise uses. @throws scene::SceneError with the
+/// nearest name.
 void check_names(const Exercise& exercise, const scene::Scene& scene,
                  const scene::SourceLocation& location);
 

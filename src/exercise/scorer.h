@@ -30,10 +30,12 @@ struct Channel {
 /// Scorer of an exercise. A copy is a state that can be restored.
 class Scorer {
   public:
-    /// Start a score. @param step  Step of the world [s].
+    /// Start to score an exercise.
+    /// @param step  Step of the world [s].
     Scorer(const Exercise& exercise, double step);
 
-    /// Evaluate a step. @param time  Time at its end [s]. @param values  Values of the channels.
+    /// Evaluate the conditions, goals and penalties of the exercise after a step. @param time  Time
+    /// at its end [s]. @param values  Values of the channels.
     void after_step(double time, std::span<const double> values);
     void fault(double time, const Fault& fault, std::string_view by, bool begins);
     void end(double time, const std::string& why, bool failed);
@@ -42,7 +44,7 @@ class Scorer {
     [[nodiscard]] const Result& result() const noexcept { return result_; }
     /// Return the frozen value of an output; NaN if it is not frozen.
     [[nodiscard]] double frozen_value(std::string_view output) const noexcept;
-    /// Set an output that has no channel at a value from its owner.
+    /// Freeze an output that has no channel at a given value.
     void freeze_output(const std::string& output, double value) { frozen_[output] = value; }
 
     /// Largest number of entries in a result; later ones are counted in tallies only.
@@ -53,13 +55,13 @@ class Scorer {
     struct Watch {
         /// Channels of its conditions, or the channel of its events.
         std::vector<std::size_t> channels;
-        double held_time = 0.0;  ///< Time for which all conditions have held [s].
+        double held_time = 0.0;  ///< Time for which all conditions have been met [s].
         bool holds = false;      ///< True if all conditions hold.
         bool active = false;
     };
     [[nodiscard]] std::vector<Watch> make_watches(const auto& list) const;
-    /// Return 1 if the trigger is active, else 0; for events their number. @param shown  Use the
-    /// values on displays, which may be frozen.
+    /// Return 1 if the condition of a trigger is met, else 0; for events the number of events.
+    /// @param shown  Use the values on displays, which may be frozen.
     double sample(const Trigger& trigger, Watch& watch, std::span<const double> values, bool shown);
     void update_alarms(double time, std::span<const double> values);
     void update_penalties(double time, std::span<const double> values);

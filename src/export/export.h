@@ -19,14 +19,14 @@ namespace hawser::exporting {
 /// Indices of frames, ascending.
 using Frames = std::vector<std::size_t>;
 
-/// Return the first frame of the last branch, which begins where the run last went back; 0 if it
-/// never did.
+/// Return the first frame of the last branch, which begins at the last return to a saved state; 0
+/// if there was none.
 [[nodiscard]] inline std::size_t first_frame(const record::Recording& recording) {
     return recording.takes.empty() ? 0 : recording.takes.back().frames;
 }
 
 /// Return every `every`-th frame of the last branch with a time in [from, to], and the last such
-/// frame. Earlier branches are left out, because times ascend in both formats.
+/// frame. Earlier branches are omitted, because both formats require ascending times.
 [[nodiscard]] Frames choose_frames(const record::Recording& recording, std::size_t every,
                                    double from, double to);
 

@@ -29,8 +29,8 @@ nlohmann::json material(const char* name, double r, double g, double b, bool bot
               {"roughnessFactor", 0.75}}}};
 }
 
-/// Select the material of a body. A body counts as a hull if it is long and not thin, unlike a boom
-/// or a crate.
+/// Select the material of a body. A body counts as a hull if it is long but not thin. Booms are
+/// thin, and crates are not long.
 int material_of(const record::RecordedBody& body) {
     const double reach = body.half_size.maxCoeff();
     if (reach > 8.0 && body.half_size.sum() - reach > 5.0) return kHull;
@@ -159,8 +159,8 @@ void GltfDocument::add_bodies() {
     }
 }
 
-/// Add three ribbons to each segment between joints, one along each axis. The joints carry their
-/// corners. From any direction at least two ribbons appear wide.
+/// Add three ribbons for each segment between two joints, one along each axis. The corners of the
+/// ribbons move with the joints. From any direction at least two ribbons appear wide.
 /// @param fraction  Value of each segment on the colour scale, 0 to 1.
 int GltfDocument::add_ribbons(const std::vector<std::pair<std::size_t, std::size_t>>& segments,
                               double radius, const std::vector<float>& fraction) {

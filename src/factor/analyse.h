@@ -13,7 +13,8 @@
 
 namespace hawser::factor {
 
-/// Analyse a pattern for a given elimination order, which is made a postorder of its own tree.
+/// Analyse a pattern for a given elimination order. The order is first replaced by a postorder of
+/// its elimination tree.
 [[nodiscard]] Symbolic analyse(const Pattern& pattern, Elimination plan);
 /// Analyse a pattern for an elimination order without chains.
 [[nodiscard]] Symbolic analyse(const Pattern& pattern, std::vector<std::int32_t> order);

@@ -26,7 +26,7 @@ void ApproximateDegree::remove(std::int32_t node) noexcept {
     (before >= 0 ? next_[at(before)] : head_[at(degree_[at(node)])]) = after;
 }
 
-/// Append a variable and its twins to the order.
+/// Append a variable and the variables merged with it to the order.
 void ApproximateDegree::finish(std::int32_t variable) noexcept {
     for (std::int32_t v = variable; v >= 0; v = twin_[at(v)]) *order_++ = v;
 }
@@ -96,7 +96,7 @@ void ApproximateDegree::run(const Pattern& pattern, std::vector<std::int32_t>& o
     for (const std::int32_t v : dense_nodes_) *order_++ = v;
 }
 
-/// Compact the lists if the element of the pivot might not fit behind them.
+/// Compact the lists if the free space behind them is too small for the element of the pivot.
 void ApproximateDegree::compact_if_needed(std::int32_t pivot) noexcept {
     std::int64_t most = length_[at(pivot)] - elements_[at(pivot)];
     for (std::int32_t k = 0; k < elements_[at(pivot)]; ++k)
@@ -122,7 +122,8 @@ void ApproximateDegree::compact_if_needed(std::int32_t pivot) noexcept {
     free_ = to;
 }
 
-/// Append the variables of a list that the element does not contain yet.
+/// Append the variables of entries [begin, end) of a list to the element, except those that it
+/// already contains.
 void ApproximateDegree::gather(std::int32_t pivot, std::int32_t list, std::int32_t begin,
                                std::int32_t end) noexcept {
     for (std::int32_t k = start_[at(list)] + begin; k < start_[at(list)] + end; ++k) {
@@ -136,8 +137,8 @@ void ApproximateDegree::gather(std::int32_t pivot, std::int32_t list, std::int32
     }
 }
 
-/// Replace the pivot by its element: its own variables and all variables of its elements, which
-/// end.
+/// Replace the pivot by its element, which contains the variables of the pivot and of all its
+/// elements. Those elements are absorbed.
 void ApproximateDegree::form_element(std::int32_t pivot) noexcept {
     const std::size_t p = at(pivot);
     weight_[p] = 0;
@@ -216,8 +217,8 @@ bool ApproximateDegree::remove_covered_entries(std::int32_t pivot, std::int32_t 
     return true;
 }
 
-/// Shorten all lists of the pivot's element. Eliminate variables without other entries together
-/// with the pivot.
+/// Shorten the lists of all variables of the pivot's element. Variables without other entries are
+/// eliminated together with the pivot.
 void ApproximateDegree::shorten_lists(std::int32_t pivot) noexcept {
     const std::size_t p = at(pivot);
     for (std::int32_t k = start_[p]; k < start_[p] + length_[p]; ++k) {
@@ -234,7 +235,7 @@ void ApproximateDegree::shorten_lists(std::int32_t pivot) noexcept {
     mark_stamp_ += static_cast<std::int64_t>(head_.size());
 }
 
-/// Join variables of one bucket whose lists are equal as sets.
+/// Merge variables of one hash bucket whose lists are equal as sets.
 void ApproximateDegree::join_bucket(std::int32_t first) noexcept {
     for (std::int32_t a = first; a >= 0 && bucket_next_[at(a)] >= 0; a = bucket_next_[at(a)]) {
         const std::size_t i = at(a);
@@ -281,7 +282,7 @@ void ApproximateDegree::join_twins(std::int32_t pivot) noexcept {
     }
 }
 
-/// Set the degrees of the remaining variables of the element and drop the others.
+/// Set the degrees of the remaining variables of the element and remove the eliminated ones.
 void ApproximateDegree::close_element(std::int32_t pivot) noexcept {
     const std::size_t p = at(pivot);
     std::int32_t to = start_[p];

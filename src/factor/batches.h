@@ -5,7 +5,7 @@
 ///
 /// Up to eight chains (chains.h) with bodies of one size and one reach make a *batch*. Each step
 /// eliminates one unit of every chain at once. All scalars of a step are vectors of eight doubles,
-/// one lane per chain. The chains need not be equal: they are aligned at their ends. A lane holds
+/// one lane per chain. The chains need not be equal; their last units are in one step. A lane holds
 /// zeros and a unit pivot if its chain lacks a unit, a row or a boundary node of the common shape.
 ///
 /// ```
@@ -18,7 +18,7 @@
 ///          └─────┘
 /// ```
 /// The window between two steps is a lower triangle of 3 × 3 tiles. Its sizes are rounded up to
-/// multiples of three, so that it moves on by whole tiles. The panel of a step is stored by rows:
+/// multiples of three, so that it moves by whole tiles. The panel of a step is stored by rows:
 /// entry (i, k) of lane l is at 8 (i p + k) + l. The last update matrix of a chain goes to an
 /// ordinary parent front.
 
@@ -50,8 +50,7 @@ struct Batch {
 };
 
 /// Return the scratch that a factorisation (kernels.h) of a symmetric batch keeps between steps
-/// [doubles]. An unsymmetric batch needs twice as many. The scratch of a substitution lies behind
-/// them.
+/// [doubles]. An unsymmetric batch needs twice as many. The scratch of a substitution follows it.
 [[nodiscard]] constexpr std::int64_t batch_windows(const Batch& b) {
     const std::int64_t tiles = b.max_q / kTile;
     return kLaneCount * (tiles * (tiles + 1) * kTile * kTile +

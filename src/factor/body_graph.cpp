@@ -47,8 +47,8 @@ BodyGraph WireFinder::graph(const Pattern& pattern) {
     return {start_.data(), neighbours_.data()};
 }
 
-/// Compute prefix sums of `of` over the neighbours of all nodes. The sum of one node is then a
-/// difference, and a single loop covers all nodes.
+/// Compute prefix sums of the values `of` over the neighbour lists of all nodes. The sum over the
+/// neighbours of one node is then a difference of two entries.
 void WireFinder::compute_prefix_sums(const BodyGraph& graph, std::size_t nodes,
                                      const std::vector<std::uint8_t>& of) {
     const std::size_t edges = at(graph.start[nodes]);
@@ -58,7 +58,7 @@ void WireFinder::compute_prefix_sums(const BodyGraph& graph, std::size_t nodes,
     for (std::size_t e = 0; e < edges; ++e) sum_[e + 1] = sum += of[at(graph.adjacent[e])];
 }
 
-/// Find the nodes that may lie in a wire: those with few neighbours, hubs not counted.
+/// Find the nodes that may belong to a wire: nodes with few neighbours, hubs not counted.
 void WireFinder::find_wire_like(const Pattern& pattern, const BodyGraph& graph) {
     const std::size_t n = pattern.size.size();
     hub_.resize(n);
@@ -136,7 +136,7 @@ std::int32_t WireFinder::next_wire_body(const Pattern& pattern, const BodyGraph&
     return std::find(near.begin(), near.end(), next) != near.end() ? next : -1;
 }
 
-/// Walk from one end of a wire to the other.
+/// Walk along a wire from `seed`, one of its ends, to the other end.
 void WireFinder::walk_wire(const Pattern& pattern, const BodyGraph& graph, std::int32_t seed) {
     std::int32_t before = -1, now = seed;
     while (now >= 0) {
@@ -148,8 +148,9 @@ void WireFinder::walk_wire(const Pattern& pattern, const BodyGraph& graph, std::
     }
 }
 
-/// Remove each body that touches another wire, or its own wire farther away than kReach. Remove
-/// enough bodies behind it that the remaining parts do not couple.
+/// Remove each body with a neighbour in another wire, or in its own wire at a distance above
+/// kReach. Also remove enough bodies behind it that the remaining parts of the wire are not
+/// coupled.
 void WireFinder::remove_touching_bodies(const BodyGraph& graph) {
     std::vector<std::int32_t>& place = wires_.place;
     for (std::size_t k = 0; k < walked_bodies_.size(); ++k)

@@ -35,7 +35,8 @@ class WireFinder {
     [[nodiscard]] BodyGraph graph(const Pattern& pattern);
 
     /// Find wires by walks along nodes of small degree. Nodes with many neighbours (hulls, drums,
-    /// junctions) and nodes beside another wire stay outside. Valid until the next call.
+    /// junctions) and neighbours of another wire are excluded. The result is valid until the next
+    /// call.
     [[nodiscard]] const Wires& find(const Pattern& pattern, const BodyGraph& graph);
     [[nodiscard]] std::size_t bytes() const noexcept;
 

@@ -15,8 +15,8 @@ namespace {
 constexpr int kLanes = 8;
 constexpr std::int32_t kShortestPiece = 4;  ///< Fewest units of a chain that uses a lane.
 
-/// Estimate the cycles of one step of eight lanes with p pivots and q rows. The figures come from
-/// counts of vector operations and the latency of a pivot, not from a fit. Only ratios matter.
+/// Estimate the cycles of one batch step of eight lanes with p pivots and q rows. The figures are
+/// counts of vector operations and the latency of a pivot, not a fit. Only their ratios are used.
 double step_cost(double p, double q) {
     const double n = p + q;
     return 250.0 + 0.5 * (p * p * p / 3.0 + p * p * q + p * q * q) + 3.0 * n * p;
@@ -95,7 +95,8 @@ double ChainFinder::plan_cost(int size, double most) {
     return total + 0.5 * longest;
 }
 
-/// Compute the figures of a run from its neighbourhood.
+/// Compute the properties of a run that determine its cost (reach, scalars, hubs), from its
+/// neighbourhood.
 ChainFinder::Stretch ChainFinder::describe(const Pattern& pattern, const BodyGraph& graph,
                                            const Wires& wires, std::int32_t begin,
                                            std::int32_t end) {
@@ -184,7 +185,7 @@ void ChainFinder::append(const Pattern& pattern, const BodyGraph& graph, const W
     out.reach.push_back(static_cast<std::int8_t>(run.reach));
 }
 
-/// Find the cheapest pieces of runs_; no pieces if fronts are cheaper.
+/// Divide runs_ into the pieces with the least cost; no pieces if fronts are cheaper.
 void ChainFinder::cut_best(std::int32_t bodies, std::int32_t longest, int size) {
     best_cut_.clear();
     double best_cost = kFrontCost * bodies;

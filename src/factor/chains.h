@@ -6,19 +6,21 @@
 /// Most unknowns of a scene belong to wires: bodies b₁ b₂ … that couple only to their next one or
 /// two neighbours. Three-body bending needs two. Each body also has the constraint rows r_i between
 /// it and later bodies. Separators of one or two bodies cut wires into *chains*. Chains are
-/// eliminated independently, and chains of equal shape share the lanes of vector registers:
+/// eliminated independently, and chains of equal shape occupy the lanes of common vector
+/// registers:
 ///
 /// ```
 ///   hub ─ b₁ ─ b₂ ─ … ─ b_n ─[ s ]─ b₁ ─ b₂ ─ … ─ b_n ─[ s ]─ …
 ///         └── chain, lane 0 ─┘      └── chain, lane 1 ─┘
 /// ```
 /// A *unit* is one body and its rows. A row belongs to its first body in the chain. Units are
-/// eliminated in sequence. All other nodes that a chain touches (hubs, separators) are its
-/// *boundary* and are eliminated after it.
+/// eliminated in sequence. All other neighbours of a chain (hubs, separators) are its *boundary*
+/// and are eliminated after it.
 ///
-/// Limits: chains cause fill. A chain with a separator at its start carries that separator to its
-/// end. For rigid links this takes 2.3 to 2.6 times the flops of a chain with a free start. So
-/// chains start at their freer end, and an estimate of the time chooses the number of cuts.
+/// Limits: chains cause fill. If a chain starts at a separator, the rows of this separator remain
+/// to its end. For rigid links this costs 2.3 to 2.6 times the flops of a chain with a free start.
+/// Chains therefore start at the end with fewer neighbours, and the number of cuts follows from an
+/// estimate of the time.
 
 #include "factor/body_graph.h"
 #include "factor/pattern.h"
@@ -41,7 +43,8 @@ struct Chains {
     [[nodiscard]] int units(int chain) const noexcept {
         return begin[static_cast<std::size_t>(chain) + 1] - begin[static_cast<std::size_t>(chain)];
     }
-    /// Return the nodes of one unit, its body first. `unit` counts through all chains.
+    /// Return the nodes of one unit (a body and its rows), the body first. `unit` counts through
+    /// all chains.
     [[nodiscard]] std::span<const std::int32_t> unit(int unit) const noexcept {
         const auto u = static_cast<std::size_t>(unit);
         return {nodes.data() + unit_begin[u], nodes.data() + unit_begin[u + 1]};

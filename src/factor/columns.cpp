@@ -218,8 +218,8 @@ void Columns::compute(const Pattern& pattern, std::span<const std::int32_t> orde
     store_column(node, count);
 }
 
-/// Return true if a column has the marked rows as before and none of them has moved. Rows in the
-/// same sequence might have other positions in the parent.
+/// Return true if a column still has exactly the marked rows and none of them has moved. A row that
+/// has moved may have another position in the parent, even if the sequence is unchanged.
 bool Columns::is_unchanged(std::int32_t node, std::size_t found) const noexcept {
     const std::span<const std::int32_t> old = rows(node);
     if (moved_[at(node)] != 0 || old.size() != found) return false;

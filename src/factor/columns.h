@@ -34,8 +34,8 @@ class Columns {
     /// removed nodes are marked stale.
     void renumber(std::span<const std::int32_t> old_of_new, std::int32_t old_nodes);
 
-    /// Mark a node stale: its neighbours or children changed. A moved node also has another
-    /// position in the order, which makes its neighbours stale too.
+    /// Mark a node as stale because its neighbours or children have changed. A node that has moved
+    /// in the order also makes its neighbours stale.
     void mark_stale(std::int32_t node) {
         if (stale_[static_cast<std::size_t>(node)] != 0) return;
         stale_[static_cast<std::size_t>(node)] = 1;
@@ -43,15 +43,16 @@ class Columns {
     }
     void mark_moved(const Pattern& pattern, std::int32_t node);
 
-    /// Compute stale columns, and those above them until a column is unchanged. Nodes that are not
-    /// marked moved keep their relative order.
+    /// Compute stale columns again, and the columns above them until a column is unchanged. Nodes
+    /// that are not marked as moved must keep their relative order.
     void repair(const Pattern& pattern, std::span<const std::int32_t> order,
                 std::span<const std::int32_t> position);
 
     [[nodiscard]] std::int32_t parent(std::int32_t node) const noexcept {
         return parent_[static_cast<std::size_t>(node)];
     }
-    /// Return the nodes behind it in which it has entries, in the order of elimination.
+    /// Return the rows of a column: the later nodes in which it has entries, in the order of
+    /// elimination.
     [[nodiscard]] std::span<const std::int32_t> rows(std::int32_t node) const noexcept {
         const auto n = static_cast<std::size_t>(node);
         return {pool_.data() + begin_[n], static_cast<std::size_t>(count_[n])};

@@ -11,7 +11,8 @@
 namespace hawser::factor {
 
 /// Grow an array to at least `size`; contents are lost. Structures that follow a changing pattern
-/// (repair.h) grow repeatedly. A quarter is added if `spare` is set, and from the second growth on.
+/// (repair.h) grow repeatedly. A reserve of a quarter is added from the second growth on, or at
+/// once if `spare` is true.
 template <class T>
 void grow_discarding(base::Array<T>& array, std::int64_t size, bool spare = false) {
     if (static_cast<std::int64_t>(array.size()) >= size) return;

@@ -24,8 +24,8 @@ void Analysis::restore(KeptAnalysis& to) noexcept {
     stale_ = true;
 }
 
-/// Rebuild the structure of the order after restore(). The source stays unchanged until all is
-/// done.
+/// Rebuild the structure of the order after restore(). If this fails, the restored data remain
+/// unchanged.
 void Analysis::rebuild_derived_data() {
     if (!stale_) return;
     KeptAnalysis now;

@@ -19,7 +19,7 @@ std::int32_t round_up_to_tile(std::int32_t scalars) {
 
 }  // namespace
 
-/// Find the boundary nodes of each chain, sorted by first touch.
+/// Find the boundary nodes of each chain, sorted by the first step that touches them.
 void BatchBuilder::find_touches(const Job& job) {
     const Chains& chains = job.chains;
     const std::size_t n = job.pattern.size.size();
@@ -43,7 +43,7 @@ void BatchBuilder::find_touches(const Job& job) {
     }
 }
 
-/// Sort the chains so that alike chains are adjacent.
+/// Sort the chains so that chains of equal structure are adjacent.
 void BatchBuilder::sort_chains(const Chains& chains) {
     order_.clear();
     for (std::int32_t c = 0; c < chains.count(); ++c) {
@@ -131,7 +131,7 @@ void BatchBuilder::find_row_slots(const Job& job, std::span<const Alike> members
     }
 }
 
-/// Match sizes with the unused slots of a lane; add a slot if none is left.
+/// Assign members to the unused slots of a lane by size; add a slot if none is unused.
 void BatchBuilder::assign_slots(std::span<const Alike> members) {
     slots_.clear();
     chosen_.clear();
@@ -187,7 +187,7 @@ void BatchBuilder::add_step(const Job& job, Batch& batch, std::int32_t q,
     s.batch_steps.push_back(step);
 }
 
-/// Assign a step and slots to the nodes of a unit of one lane.
+/// Assign a batch step and slots to the nodes of one unit in one lane.
 void BatchBuilder::assign_unit(const Job& job, Batch& batch, int lane, std::int32_t unit,
                                std::int32_t step) {
     Symbolic& s = job.s;

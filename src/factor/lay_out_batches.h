@@ -17,9 +17,9 @@ namespace hawser::factor {
 /// Lays out batches. A second run on chains of similar number and size allocates nothing.
 class BatchBuilder {
   public:
-    /// Group the chains, assign a step and slot to every node, and lay out the panels behind the
-    /// ordinary ones. `s` has its fronts, rows and offsets. `front_of_chain` is the front of each
-    /// chain.
+    /// Group the chains to batches. Assign a step and a slot to every node, and place the panels
+    /// behind the ordinary ones. `s` must have its fronts, rows and offsets. `front_of_chain` is
+    /// the front of each chain.
     /// @throws std::bad_alloc.
     void run(const Pattern& pattern, const Chains& chains,
              const std::vector<std::int32_t>& front_of_chain, Symbolic& s);

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::int32_t round8(std::int32_t n) { return (n + 7) & ~7; }
 
-/// Empty a structure and keep the capacity of every array. Arrays that are overwritten entry by
-/// entry keep their entries; otherwise they would be filled with zeros first.
+/// Clear a structure and keep the capacity of every array. Arrays that are overwritten entry by
+/// entry keep their entries, because clearing them would write zeros first.
 void reset(Symbolic& s) {
     s.tasks.clear();
     s.top.clear();
@@ -30,7 +30,7 @@ void reset(Symbolic& s) {
     s.matrix_nnz = s.factor_nnz = s.flops = s.critical_flops = 0;
 }
 
-/// Run both, in parallel if there is a second thread.
+/// Run a and b, in parallel if there is a second thread.
 template <class A, class B>
 void run_both(base::Executor* team, A&& a, B&& b) {
     if (team == nullptr || team->threads() == 1) {
@@ -112,7 +112,7 @@ void Layout::find_unchanged_fronts(const Columns& columns, const Symbolic& s, bo
     }
 }
 
-/// Fill in sizes, addresses and update rows.
+/// Set sizes, addresses and update rows of all fronts.
 void Layout::lay_out_fronts(const Columns& columns, Symbolic& s) {
     const std::size_t count = supernodes_.parent.size();
     s.fronts.resize(count);

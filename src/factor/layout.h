@@ -23,12 +23,12 @@ class Layout {
   public:
     /// Lay out the structure.
     /// @param symbolic  `order` is an order of elimination with these columns, `position` its
-    ///        inverse. All other members are overwritten, except `updates_kept`, which is obeyed.
+    ///        inverse. `updates_kept` is an input, too. All other members are overwritten.
     /// @param edited  The nodes with changed neighbours, if three conditions hold: the columns
     ///        result from the last call and a Columns::repair(), nodes and chains are unchanged,
     ///        and only the order of `symbolic` has changed. Unchanged parts are then reused.
-    /// @param team  Finds rows and runs in parallel with batches, tasks and update matrices.
-    ///        Neither reads data that the other writes. nullptr: sequential.
+    /// @param team  Executor that computes rows and runs in parallel with batches, tasks and update
+    ///        matrices; null: sequential.
     void run(const Pattern& pattern, const Columns& columns, const Chains& chains,
              Symbolic& symbolic, std::optional<std::span<const std::int32_t>> edited = {},
              base::Executor* team = nullptr);
@@ -42,7 +42,8 @@ class Layout {
     static constexpr std::int32_t kWide = 8;
     static_assert(kWide >= kMaxBlock);
 
-    /// Return the node of the last pivot. Its structure covers every pivot's rows behind the front.
+    /// Return the node of the last pivot of a front. Its structure contains the rows of every pivot
+    /// behind the front.
     [[nodiscard]] static std::int32_t last_node(const Symbolic& s, const Front& front) noexcept {
         return s.order[static_cast<std::size_t>(front.node_end - 1)];
     }

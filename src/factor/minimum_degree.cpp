@@ -34,7 +34,7 @@ void MinimumDegree::remove(std::int32_t node) noexcept {
     next_[at(before)] = after;
 }
 
-/// Set the weights of nodes and one list for each possible degree.
+/// Set the weights of nodes, and create one list for each possible degree.
 void MinimumDegree::set_node_weights(const Pattern& pattern) {
     const std::int32_t n = pattern.nodes();
     bool has[kMaxBlock + 1] = {};
@@ -117,7 +117,7 @@ void MinimumDegree::run(const Pattern& pattern, std::vector<std::int32_t>& order
     }
 }
 
-/// Append a node and its twins to the order.
+/// Append a node and the nodes merged with it to the order.
 void MinimumDegree::finish(std::int32_t head) noexcept {
     heads_[at(head / 64)] &= ~bit(head);
     for (std::int32_t v = head; v >= 0; v = twin_[at(v)]) {
@@ -126,7 +126,9 @@ void MinimumDegree::finish(std::int32_t head) noexcept {
     }
 }
 
-/// Remove eliminated nodes from a row and list the heads in it.
+/// Write the remaining nodes of a row to clique_, and list its heads (representatives of merged
+/// nodes) in touched_.
+/// @param in_words  Mask of the words of the row that are not zero.
 /// @return number of heads.
 std::int32_t MinimumDegree::list_heads(const std::uint64_t* own, std::uint32_t in_words) noexcept {
     for (std::int32_t w = 0; w < words_; ++w) clique_[at(w)] = own[w] & remaining_nodes_[at(w)];
@@ -139,7 +141,7 @@ std::int32_t MinimumDegree::list_heads(const std::uint64_t* own, std::uint32_t i
     return count;
 }
 
-/// Eliminate the pivot and its twins, then each neighbour without other neighbours.
+/// Eliminate the pivot and the nodes merged with it, then each neighbour without other neighbours.
 void MinimumDegree::eliminate(std::int32_t pivot, const Kernels& kernels) noexcept {
     remove(pivot);
     finish(pivot);
@@ -171,8 +173,8 @@ void MinimumDegree::eliminate(std::int32_t pivot, const Kernels& kernels) noexce
     }
 }
 
-/// Join touched nodes with equal rows: the first becomes the head, the others are marked −1. Mostly
-/// there are none, and no two folded rows meet in a table of one word.
+/// Merge touched nodes with equal rows: the first becomes the head, the others are marked −1. A
+/// hash table of one word shows in most cases that no two rows are equal.
 void MinimumDegree::join_twins(std::int32_t count) noexcept {
     std::uint64_t seen = 0, again = 0;
     for (std::int32_t k = 0; k < count; ++k) {

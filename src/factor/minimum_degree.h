@@ -9,15 +9,16 @@
 /// pivot by a few vector instructions each. The lists of a quotient graph (AMD) need a step for
 /// each entry, and their lengths only bound the degrees. Nodes with equal closed neighbourhoods
 /// (twins) are eliminated together (George, Liu, "The evolution of the minimum degree ordering
-/// algorithm", 1989). They share one row and count as one node in each other's degree (external
-/// degree). Ties go to the node whose degree changed last, then to the smallest index.
+/// algorithm", 1989). They have one common row, and a degree does not count the twins of its node
+/// (external degree). In case of ties the node whose degree changed last comes first, then the
+/// smallest index.
 ///
 /// The weight of a node is its number of scalars. A pivot with d scalars around it makes a column
 /// of d entries and d²/2 products, whatever the number of nodes. Example: in a net, a string (one
-/// row) has 2 neighbours of 6 scalars, and a knot (3 scalars) has 4 of 4. Counted in nodes, strings
-/// go first, which leaves 3 scalars per knot. Counted in scalars, knots go first, which leaves 2
-/// rows per knot. Weights are divided by their greatest common divisor, so nodes of one size weigh
-/// one.
+/// row) has 2 neighbours of 6 scalars, and a knot (3 scalars) has 4 of 4. With degrees
+/// in nodes, strings are eliminated first, and 3 scalars per knot remain. With degrees in scalars,
+/// knots are eliminated first, and 2 rows per knot remain. Weights are divided by their greatest
+/// common divisor, so nodes of one size weigh one.
 
 #include "base/memory.h"
 #include "factor/kernels.h"

@@ -62,8 +62,9 @@ void SymmetricNumeric::clear(const Symbolic& symbolic, base::Executor& executor)
     executor.for_each(chunks, zero);
 }
 
-/// Call on_batch(batch, node, thread) or on_fronts(begin, end, node, thread) for all of them. The
-/// ranges of a node follow their order, or the reverse order on the way down.
+/// Call on_batch(batch, node, thread) for all batches and on_fronts(begin, end, node, thread) for
+/// all ranges of fronts. A node's ranges are processed in ascending order, or in descending order
+/// in a backward pass.
 template <class Batches, class Fronts>
 void SymmetricNumeric::run_tasks(const Symbolic& s, TaskPass pass, base::Executor& executor,
                                  Batches&& on_batch, Fronts&& on_fronts) noexcept {

@@ -37,9 +37,9 @@ class SymmetricNumeric {
     /// @throws std::bad_alloc.
     void reserve(const Symbolic& symbolic, int threads) { reserve_buffers(symbolic, threads, 1); }
 
-    /// Zero the panels.
+    /// Set all panels to zero.
     void clear(const Symbolic& symbolic, base::Executor& executor) noexcept;
-    /// Zero the panels of a part.
+    /// Set the panels of a part to zero.
     void clear(const Symbolic& symbolic, const DirtyParts& dirty,
                base::Executor& executor) noexcept;
 
@@ -52,7 +52,7 @@ class SymmetricNumeric {
     [[nodiscard]] int factor(const Symbolic& symbolic, base::Executor& executor) noexcept;
     /// Factor a part again and keep the rest of the last factorisation (partial.h). The structure
     /// must keep its updates.
-    /// @return number of wrong pivots in that part.
+    /// @return number of wrong pivots in this part.
     [[nodiscard]] int refactor(const Symbolic& symbolic, const DirtyParts& dirty,
                                base::Executor& executor) noexcept;
 
@@ -64,8 +64,8 @@ class SymmetricNumeric {
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   protected:
-    /// Return the number of entries of the update matrices: those shared, and the stacks of each
-    /// thread.
+    /// Return the number of entries of the update matrices: shared ones, and the stacks of all
+    /// threads.
     [[nodiscard]] static std::int64_t work_size(const Symbolic& s, int threads) noexcept {
         return s.work_size + (threads - 1) * (s.work_size - s.stack_begin);
     }
@@ -118,8 +118,7 @@ class Numeric : public SymmetricNumeric {
     /// Return the upper half of the unsymmetric fronts, transposed, at the same addresses. Only the
     /// part below the diagonal of a diagonal block is read.
     [[nodiscard]] double* upper() noexcept { return upper_.data(); }
-    /// Copy the lower half of the unsymmetric fronts, or of the dirty ones among them, to the upper
-    /// half.
+    /// Copy the lower half of all unsymmetric fronts, or only of the dirty ones, to the upper half.
     void copy_to_upper(const Symbolic& symbolic, const Unsymmetric& unsymmetric,
                        base::Executor& executor) noexcept;
     void copy_to_upper(const Symbolic& symbolic, const DirtyParts& dirty,
@@ -132,14 +131,14 @@ class Numeric : public SymmetricNumeric {
                              const Unsymmetric* unsymmetric = nullptr) noexcept;
 
     /// Return the nodes with wrong pivots in unsymmetric fronts of the last factorisation or
-    /// refactorisation, in the order of elimination. Later wrong pivots on a subtree's path may be
-    /// consequences of the first.
+    /// refactorisation, in the order of elimination. Later wrong pivots on the path to the root may
+    /// be consequences of the first one.
     [[nodiscard]] std::span<const std::int32_t> nodes_with_wrong_pivots() const noexcept {
         return failed_nodes_;
     }
 
-    /// Factor a part again. A front that became unsymmetric or symmetric must be dirty. It is, if
-    /// the columns of DirtyParts::find() include those of all blocks that became unsymmetric or
+    /// Factor a part again. A front that has become unsymmetric or symmetric must be dirty.
+    /// Therefore pass DirtyParts::find() the columns of all blocks that have become unsymmetric or
     /// symmetric.
     /// @return number of wrong pivots in that part.
     [[nodiscard]] int refactor(const Symbolic& symbolic, const DirtyParts& dirty,
@@ -149,8 +148,8 @@ class Numeric : public SymmetricNumeric {
     /// Return the pieces of the structure of the last reserve(), batches first.
     [[nodiscard]] const std::vector<Piece>& pieces() const noexcept { return pieces_; }
 
-    /// Fill, factor and substitute forward, piece by piece: one pass through memory instead of
-    /// three. backward() completes x.
+    /// Fill, factor and substitute forward, piece by piece, so that memory is traversed once
+    /// instead of three times. backward() completes x.
     /// @return as factor().
     [[nodiscard]] int factor_forward(const Symbolic& symbolic, Fill fill, double* x,
                                      base::Executor& executor,

@@ -26,8 +26,9 @@ void Orderer::order(const Pattern& pattern, std::vector<std::int32_t>& order) {
     place_rows(pattern, order);
 }
 
-/// Order the nodes with AMD. The core of the library is called with the arguments that amd_order()
-/// would pass: the lists of a pattern are those of A + Aᵀ, valid and sorted.
+/// Order the nodes with AMD. The inner function of the library is called, with the arguments that
+/// amd_order() would pass. This is possible because the lists of a pattern are those of A + Aᵀ,
+/// valid and sorted.
 void Orderer::order_by_amd(const Pattern& pattern, std::vector<std::int32_t>& order) {
     const std::size_t n = pattern.size.size(), entries = pattern.adjacent.size();
     order.resize(n);
@@ -56,7 +57,7 @@ void Orderer::order_by_amd(const Pattern& pattern, std::vector<std::int32_t>& or
     place_rows(pattern, order);
 }
 
-/// Find the boundary of each chain, each node once.
+/// Find the boundary of each chain. Each node is listed once.
 void Orderer::find_boundaries(const Pattern& pattern, const Chains& chains) {
     mark_.assign(index_outside_chains_.size(), -1);
     boundary_.clear();

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file ordering.h
-/// The order of elimination.
+/// Compute the order of elimination.
 ///
-/// Minimum degree on the graph of blocks, which is 4-6 times smaller than the graph of scalars.
-/// Degrees count scalars. They are exact up to MinimumDegree::kMaximum nodes (minimum_degree.h).
-/// Above, they are bounds (approximate_degree.h; the AMD library if all nodes have one size).
+/// The method is minimum degree on the graph of blocks, which is 4-6 times smaller than the graph
+/// of scalars. Degrees count scalars. They are exact up to MinimumDegree::kMaximum nodes
+/// (minimum_degree.h). For larger graphs they are bounds (approximate_degree.h; the AMD library if
+/// all nodes have one size).
 ///
 /// A repair for stability follows: a negative node (constraint rows) comes after at least one of
 /// its positive neighbours. With compliance near zero its own diagonal is not a usable pivot (Gill,
@@ -44,7 +45,7 @@ class Orderer {
     /// Find chains, then order the other nodes by minimum degree.
     /// @throws std::bad_alloc.
     void plan(const Pattern& pattern, std::vector<std::int32_t>& order, Chains& chains);
-    /// Place rows behind bodies, see place_rows_after_bodies().
+    /// Move rows behind bodies by place_rows_after_bodies().
     void place_rows(const Pattern& pattern, std::vector<std::int32_t>& order);
     [[nodiscard]] std::size_t bytes() const noexcept;
 
@@ -71,8 +72,8 @@ class Orderer {
 [[nodiscard]] std::vector<std::int32_t> order_nodes(const Pattern& pattern);
 [[nodiscard]] Elimination plan_elimination(const Pattern& pattern);
 
-/// Move every negative node that precedes all its positive neighbours to just behind the first of
-/// them. Other nodes keep their relative order.
+/// Move every negative node that precedes all its positive neighbours: its new position is directly
+/// behind the first of them. Other nodes keep their relative order.
 void place_rows_after_bodies(const Pattern& pattern, std::vector<std::int32_t>& order);
 
 }  // namespace hawser::factor

@@ -53,7 +53,8 @@ struct FrontRange {
 /// The part of a factorisation that changed values invalidate.
 class DirtyParts {
   public:
-    /// Reserve memory for any part of this structure; find() then allocates nothing.
+    /// Reserve memory for any set of dirty fronts of this structure, so that find() allocates
+    /// nothing.
     /// @throws std::bad_alloc.
     void reserve(const Symbolic& symbolic);
 
@@ -66,8 +67,9 @@ class DirtyParts {
                    : b;
     }
 
-    /// Close a set of columns (nodes, any order, duplicates allowed) under "is an ancestor of".
-    /// `unsymmetric`, the set of the next factorisation, affects `flops` only.
+    /// Find the fronts of a set of columns and of all their ancestors. Columns are nodes in any
+    /// order, with duplicates. `unsymmetric`, the set of the next factorisation, affects `flops`
+    /// only.
     /// @cost O(dirty fronts · log).
     void find(const Symbolic& symbolic, std::span<const std::int32_t> columns,
               const Unsymmetric* unsymmetric = nullptr) noexcept;

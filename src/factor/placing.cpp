@@ -62,7 +62,7 @@ void Analysis::visit(Meeting& m, std::int32_t node) const noexcept {
     }
 }
 
-/// Find the bodies that stay but need another position, and the rows that must stay behind them.
+/// Find the bodies that need another position, and the rows that must remain behind them.
 void Analysis::choose_moves(const Pattern& next) {
     const std::int32_t n = next.nodes();
     placing_.assign(at(n), 0);
@@ -91,8 +91,8 @@ void Analysis::choose_moves(const Pattern& next) {
     }
 }
 
-/// Process a new edge between nodes that stay. If they lie in different branches, one of them moves
-/// to the front in which the branches meet.
+/// Process a new edge between nodes that keep their position. If they lie in different branches,
+/// one of them moves to the front at which the branches meet.
 void Analysis::join(const Pattern& next, std::int32_t a, std::int32_t b) {
     const std::int32_t front_a = front_of_node(a), front_b = front_of_node(b);
     const std::int32_t common = common_ancestor(front_a, front_b);
@@ -106,8 +106,8 @@ void Analysis::join(const Pattern& next, std::int32_t a, std::int32_t b) {
     anchor_[at(moved)] = common;
 }
 
-/// Collect the nodes in no chain: those that keep their position, in order, and those that need
-/// one.
+/// Collect the nodes outside chains: first those that keep their position, in order, then those
+/// that need one.
 void Analysis::collect_nodes_outside_chains(const Pattern& next) {
     const std::size_t n = changed_.size();
     placed_.clear();
@@ -138,7 +138,8 @@ void Analysis::collect_nodes_outside_chains(const Pattern& next) {
     at_branch_meeting_.swap(spare_);
 }
 
-/// Return the key before the first pivot of a front that keeps its position.
+/// Return the sort key that places a node before the first pivot of a front that keeps its
+/// position.
 std::int64_t Analysis::key_before_front(std::int32_t front) const noexcept {
     for (; front >= 0; front = symbolic_.fronts[at(front)].parent) {
         const Front& f = symbolic_.fronts[at(front)];

@@ -130,8 +130,8 @@ RepairReport Analysis::follow(const Pattern& next, bool same_numbers) {
     return report;
 }
 
-/// Fill old_of_new_ and its inverse.
-/// @return true if every node has its old index and none was removed.
+/// Set old_of_new_ and its inverse.
+/// @return true if every node keeps its index and none was removed.
 bool Analysis::match_nodes(const Pattern& next, std::span<const std::int32_t> old_of_new) {
     const std::int32_t n = next.nodes(), before = pattern_.nodes();
     if (old_of_new.empty() && next.size == pattern_.size && next.sign == pattern_.sign) {
@@ -184,8 +184,8 @@ void Analysis::find_changes(const Pattern& next, bool same_numbers) {
     });
 }
 
-/// Do find_changes() for nodes with their old indices. The number of neighbours varies as the scene
-/// does. So a fixed number of entries is compared at a time, and masks select the valid ones.
+/// Perform find_changes() for nodes that keep their indices. A fixed number of neighbours is
+/// compared at a time, and masks select the valid entries.
 void Analysis::compare_lists(const Pattern& next) {
     constexpr std::int32_t kWide = 8;
     static constexpr std::int32_t kFirst[2 * kWide] = {-1, -1, -1, -1, -1, -1, -1, -1};
@@ -231,8 +231,8 @@ void Analysis::keep_unchanged_chains(const Pattern& next, RepairReport& report) 
     std::swap(chains_, kept_chains_);
 }
 
-/// Return true if a chain is unchanged inside and touches no other chain. Its boundary may have
-/// changed.
+/// Return true if a chain is unchanged inside and has no neighbour in another chain. Its boundary
+/// may have changed.
 bool Analysis::chain_holds(const Pattern& next, std::int32_t chain) {
     for (std::int32_t u = chains_.begin[at(chain)]; u < chains_.begin[at(chain) + 1]; ++u)
         for (const std::int32_t v : chains_.unit(u)) {

@@ -1,29 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file repair.h
-/// An analysis that follows its pattern, since contacts begin and end at every step.
+/// Update of an analysis to a changed pattern. Contacts begin and end in every step.
 ///
-/// Ordering is the larger part of an analysis and hardly depends on a few contacts. A repair keeps
-/// the order of the nodes that stay, with these exceptions:
+/// Ordering is the larger part of an analysis and hardly depends on a few contacts. A repair does
+/// not change the order of the remaining nodes, with these exceptions:
 ///
 /// - A new body (positive node) comes before the first eliminated of its neighbours, directly or
 ///   through rows.
-/// - Rows (negative) that are new, or have other neighbours than before, come behind the first
-///   eliminated of their bodies, for stability (ordering.h).
+/// - Rows (negative) that are new, or whose neighbours changed, come behind the first eliminated of
+///   their bodies, for stability (ordering.h).
 /// - If the neighbours lie in different branches of the tree, the position is before the front in
-///   which the branches meet. If two bodies that stay become neighbours in different branches, one
-///   of them moves to such a position. Otherwise one branch would hang below the other, and all its
-///   updates would pass through the other as well.
-/// - A body placed at such a meeting is placed like a new one when its neighbours change again.
-/// - Nodes of a chain (chains.h) that changed inside or now touches another chain keep their
-///   position, but in ordinary fronts.
+///   which the branches meet. If two remaining bodies in different branches become neighbours,
+///   one of them moves to such a position. Otherwise one branch would be below the other, and all
+///   its updates would pass through the other as well.
+/// - A body that was moved to such a position is treated like a new one when its neighbours change
+///   again.
+/// - If a chain (chains.h) changed inside or becomes a neighbour of another chain, its nodes keep
+///   their position, but are eliminated in ordinary fronts.
 ///
 /// Lists of neighbours are compared as a whole, and only nodes with a changed list are processed.
-/// Then the changed part of the structure is computed again (columns.h). Unchanged nodes merge to
-/// the same fronts (tree.h) and land in their parents as before (layout.h), if nodes keep their
-/// indices and all chains stay. Addresses depend on all preceding ones and are computed again, in
-/// time linear in the number of fronts and rows. The result equals the result of analyse() for the
-/// same order and chains, member by member.
+/// Then the changed part of the structure is computed again (columns.h). If nodes keep their
+/// indices and no chain is removed, unchanged nodes form the same fronts (tree.h) and have the same
+/// positions in their parents (layout.h). Addresses depend on all preceding ones and are computed
+/// again, in time linear in the number of fronts and rows. The result equals the result of
+/// analyse() for the same order and chains, member by member.
 ///
 /// Limits: an order becomes stale. A new order is computed by update() if the flops exceed kReplan
 /// times those after the last plan, or if more than kEdited of the nodes changed. Measurements on
@@ -80,13 +81,14 @@ class Analysis {
   public:
     using Planner = std::function<Elimination(const Pattern&)>;
     /// Create an analysis.
-    /// @param planner  Computes the orders; none: chains, then minimum degree.
+    /// @param planner  Computes the orders; none: chains first, other nodes by minimum degree.
     explicit Analysis(Planner planner = nullptr) : planner_(std::move(planner)) {}
 
     /// Assign separate memory to every update matrix from the next call on (partial.h).
     void separate_updates(bool keep) noexcept { symbolic_.updates_kept = keep; }
 
-    /// Use the order of the caller: update() makes no other order while it fits.
+    /// Set whether the caller's order is fixed. update() then computes no other order as long as
+    /// this order fits the pattern.
     void set_fixed_order(bool given) noexcept { order_fixed_ = given; }
 
     /// Set the executor for the next calls; nullptr: none. Results do not depend on it.
@@ -102,7 +104,7 @@ class Analysis {
     /// @return false, after a new plan(), if it belongs to another pattern.
     bool resume(const Pattern& pattern, const AnalysisState& state);
 
-    /// Update the analysis to another pattern. A node of another size or sign counts as new.
+    /// Update the analysis to a changed pattern. A node of another size or sign counts as new.
     /// @param old_of_new  For each node its former index, −1: new, each former node at most once.
     ///        Empty: nodes keep their indices, further ones are new.
     /// @throws std::bad_alloc; plan() again then.
@@ -139,7 +141,7 @@ class Analysis {
     void compare_lists(const Pattern& next);
     void keep_unchanged_chains(const Pattern& next, RepairReport& report);
     [[nodiscard]] bool chain_holds(const Pattern& next, std::int32_t chain);
-    // Moves of nodes to new positions: placing.cpp.
+    // Choose the nodes that move to new positions (placing.cpp).
     void choose_moves(const Pattern& next);
     void join(const Pattern& next, std::int32_t a, std::int32_t b);
     void collect_nodes_outside_chains(const Pattern& next);

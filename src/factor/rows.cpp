@@ -7,7 +7,8 @@
 
 namespace hawser::factor {
 
-/// Fill the update rows of the chains' fronts, which come first, or of all others.
+/// Compute the update rows of the fronts of chains, which must be done first, or of all other
+/// fronts.
 void Layout::fill_rows(const Pattern& pattern, const Columns& columns, bool of_chains,
                        Symbolic& s) {
     const std::int32_t* offsets = s.node_offset.data();
@@ -64,7 +65,7 @@ void Layout::find_all_runs(const Pattern& pattern, const Columns& columns, Symbo
     s.runs.resize(runs);
 }
 
-/// Find the rows of the parent on which the update rows of a front land.
+/// Find the rows of the parent to which the update rows of a front are added, as runs.
 void Layout::find_runs(const Pattern& pattern, const Columns& columns, Front& front, Symbolic& s) {
     const Front& parent = s.fronts[at(front.parent)];
     const std::int32_t p = parent.p, first = parent.offset;

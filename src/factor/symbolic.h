@@ -115,8 +115,8 @@ struct Symbolic {
     /// Return the address of the block (row node, column node). The row must not precede the column
     /// in the order, and the pair must be a diagonal block or an edge of the pattern.
     [[nodiscard]] BlockTarget target(std::int32_t row, std::int32_t column) const noexcept;
-    /// Return the panel offset at which the columns of the k-th node of the order begin. Chains in
-    /// the lanes of one step share it.
+    /// Return the offset in the panels at which the columns of the k-th node of the order begin.
+    /// Nodes in the lanes of one batch step have the same offset.
     [[nodiscard]] std::int64_t column_address(std::int32_t k) const noexcept;
     [[nodiscard]] std::size_t bytes() const noexcept;
     friend bool operator==(const Symbolic&, const Symbolic&) = default;

@@ -36,7 +36,7 @@ void list_successors(TaskGraph::Way& way, const Edges& edges, std::size_t n) {
     for (const std::int32_t to : way.next) ++way.waits[at(to)];
 }
 
-/// Reverse the edges.
+/// Build the graph with all edges reversed.
 void reverse_edges(TaskGraph::Way& way, const TaskGraph::Way& upward) {
     const std::size_t n = upward.waits.size();
     way.start.resize(n + 1);
@@ -52,7 +52,8 @@ void reverse_edges(TaskGraph::Way& way, const TaskGraph::Way& upward) {
     for (std::size_t v = 0; v < n; ++v) way.start[v] -= upward.waits[v];
 }
 
-/// Rank nodes by the remaining work when they begin: their own work and the longest path behind it.
+/// Rank nodes by the work that remains when they begin, which is their own work and that of the
+/// longest path behind them.
 std::int64_t rank(TaskGraph::Way& way, const std::vector<std::int64_t>& work, bool upward,
                   std::vector<std::int64_t>& left) {
     const std::size_t n = work.size();

@@ -7,7 +7,7 @@
 namespace hawser::factor {
 namespace {
 
-/// Return the flops of the steps that a chain takes part in.
+/// Return the flops of all batch steps that contain a chain.
 std::int64_t chain_flops(const Symbolic& s, const Front& front) {
     const Batch& batch = s.batches[at(front.batch)];
     std::int64_t flops = 0;
@@ -69,9 +69,9 @@ void Layout::choose_tasks(Symbolic& s) {
     choose_top_tasks(s, target);
 }
 
-/// Form the tasks of the top. A front of the top continues the path of its only child in the top,
-/// for which it must wait anyway. A path ends when its work reaches that of a subtree, because
-/// predecessors of its far end may be late.
+/// Form tasks of the fronts above the subtrees (the top). If a front has only one child in the top,
+/// it must wait for this child and belongs to the same task. A task ends when its work reaches that
+/// of a subtree, because other predecessors of its last front may be late.
 void Layout::choose_top_tasks(Symbolic& s, std::int64_t target) {
     const auto below = static_cast<std::int32_t>(s.tasks.size());
     for (const std::int32_t f : s.top) {
@@ -124,9 +124,9 @@ void Layout::link_tasks(Symbolic& s) {
     s.graph.build(edges_, predecessors_left_);
 }
 
-/// Assign addresses to the update matrices: two stacks for each task, by parity of depth. All tasks
-/// have them at the same offsets, and each thread has its own copy. Update matrices passed to
-/// another task lie outside.
+/// Assign addresses to the update matrices. A task has two stacks, for fronts of even and odd
+/// depth. The stacks of all tasks have equal offsets, and each thread has its own memory for them.
+/// Update matrices that are passed to another task have separate addresses.
 void Layout::assign_update_addresses(Symbolic& s) {
     const std::size_t count = s.fronts.size();
     parity_.assign(count, 0);

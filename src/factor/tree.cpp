@@ -9,8 +9,8 @@
 namespace hawser::factor {
 namespace {
 
-/// Estimate the time of one front [ns]: a fixed part, a latency for each pivot, and the flops.
-/// Measured on AVX-512 and AVX2 machines; only ratios matter.
+/// Estimate the time of one front [ns]: a fixed part, a latency for each pivot, and the flops. The
+/// figures were measured on AVX-512 and AVX2 machines; only their ratios are used.
 double front_time(double p, double q) {
     const double n = p + q;
     return 250.0 + 7.0 * p + 0.06 * (p * p * p / 3.0 + p * p * q + p * q * q) + 0.15 * n * p;

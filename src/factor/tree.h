@@ -35,7 +35,7 @@ class TreeBuilder {
     /// front of any shape.
     /// @param chain_of  By node, −1: in no chain; empty: no chains.
     /// @param follows  True if the columns result from the last call and a Columns::repair(), with
-    ///        the same nodes and chains. Merging depends on the branch below a node alone, so
+    ///        the same nodes and chains. Merging depends only on the branch below a node, so
     ///        unchanged branches are reused.
     void grow_fronts(const Pattern& pattern, const Columns& columns,
                      std::span<const std::int32_t> order, std::span<const std::int32_t> position,

@@ -5,7 +5,8 @@
 /// triangles L and U, on the fronts and the schedule of LDLᵀ.
 ///
 /// A front is *unsymmetric* if it contains such a block or if one of its children is unsymmetric,
-/// since its update matrix then is. So the set is closed under "is an ancestor of". A batch of
+/// because the update matrix of such a child is unsymmetric. All ancestors of an unsymmetric front
+/// are therefore unsymmetric. A batch of
 /// chains (batches.h) is one unit, but parents of its chains without such blocks stay symmetric.
 /// All other fronts stay LDLᵀ with U = Lᵀ at unchanged cost.
 ///
@@ -45,12 +46,13 @@ struct Piece;
 /// The set of unsymmetric fronts.
 class Unsymmetric {
   public:
-    /// Reserve memory for any set in this structure; find() then allocates nothing.
+    /// Reserve memory for any set of unsymmetric fronts of this structure, so that find() allocates
+    /// nothing.
     /// @throws std::bad_alloc.
     void reserve(const Symbolic& symbolic);
 
-    /// Close a set of columns (nodes, any order, duplicates allowed; DirtyParts::column() of each
-    /// block) under "is an ancestor of". @cost O(marked fronts).
+    /// Mark the fronts of a set of columns and of all their ancestors. Columns are nodes in any
+    /// order, with duplicates: DirtyParts::column() of each block. @cost O(marked fronts).
     void find(const Symbolic& symbolic, std::span<const std::int32_t> columns) noexcept;
 
     [[nodiscard]] bool is(std::int32_t front) const noexcept {

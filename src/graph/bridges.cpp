@@ -18,8 +18,8 @@ void LoopFinder::begin_visit(std::int32_t node, std::int32_t edge) {
     path_.push_back({node, edge});
 }
 
-/// Visit every node reachable from the root, depth first. No recursion: chains may have millions of
-/// nodes.
+/// Visit every node reachable from the root, depth first. The search is not recursive, because
+/// chains may have millions of nodes.
 void LoopFinder::search(std::int32_t root) {
     begin_visit(root, -1);
     while (!path_.empty()) {

@@ -17,7 +17,7 @@ namespace hawser::graph {
 /// allocation.
 class LoopFinder {
   public:
-    /// Find the edges on loops like edges_on_loops(). The result is valid until the next call.
+    /// Find the edges on loops, see edges_on_loops(). The result is valid until the next call.
     /// @throws std::bad_alloc.
     std::span<const std::uint8_t> find(
         std::int32_t nodes, std::span<const std::pair<std::int32_t, std::int32_t>> edges);

@@ -15,7 +15,8 @@ constexpr std::int32_t kMaxEdges = 16, kMaxLoops = 8;
 }  // namespace
 
 /// Search breadth first from the root. The loop has no branches, because a CPU cannot predict if a
-/// neighbour is new. Only near neighbours are followed; they also lead to the far ones.
+/// neighbour is new. Only near neighbours are followed, because far neighbours are reached through
+/// them.
 void Cost::search(const Neighbours& neighbours, std::int32_t root) {
     const std::int32_t label = islands();
     std::int32_t *line = order.data(), *parent = parent_.data(), *of = island.data();
@@ -40,8 +41,8 @@ void Cost::search(const Neighbours& neighbours, std::int32_t root) {
     begin.push_back(tail);
 }
 
-/// Search all islands, each from about its heaviest node: roots with many edges are tried before
-/// others.
+/// Search all islands from roots. Nodes with many edges are used as roots first, so that each
+/// search starts near the heaviest node of its island.
 void Cost::search_all(const Hypergraph& graph, const Neighbours& neighbours) {
     const std::size_t n = graph.size.size();
     island.assign(n, -1);
@@ -73,7 +74,8 @@ std::int32_t Cost::common_ancestor(std::int32_t u, std::int32_t v) const noexcep
     return u;
 }
 
-/// Compute depths and jump pointers by rank, and list the pairs of nodes that the tree leaves out.
+/// Compute depths and jump pointers by rank, and list the pairs of nodes that are not edges of the
+/// tree.
 void Cost::find_loops(const Neighbours& neighbours) {
     const auto count = static_cast<std::int32_t>(order.size());
     jump_.resize(order.size());

@@ -56,8 +56,8 @@ void Follower::set_part(std::int32_t node, std::int32_t part) noexcept {
     part_[at(node)] = part;
 }
 
-/// Turn nodes of the edge into separators until its other nodes belong to one part. The part with
-/// most scalars in the edge stays; if two are equal, the one with the lower index.
+/// Turn nodes of a hyperedge into separators until its other nodes belong to one part. This part is
+/// the one with most scalars in the edge; if two are equal, the one with the lower index.
 void Follower::separate_parts_of_edge(std::int32_t e) noexcept {
     const std::int32_t first = kMaxMembers * e;
     std::int32_t stays = -1, most = -1;

@@ -4,7 +4,7 @@
 /// Update separators while a few edges change, because contacts appear, vanish and move in every
 /// step.
 ///
-/// If an edge comes to join two parts, the necessary number of its nodes become separators. A
+/// If a new edge connects two parts, as many of its nodes as necessary become separators. A
 /// separator node whose remaining edges lead into one part only joins that part. A change costs
 /// time proportional to the edges of its own nodes, for any size of the graph. It allocates
 /// nothing.

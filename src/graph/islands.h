@@ -19,7 +19,7 @@ struct Islands {
 /// Finder of islands. Its buffer is reused: a second graph of about equal size needs no allocation.
 class IslandFinder {
   public:
-    /// Find the islands like find_islands(). @throws std::bad_alloc.
+    /// Find the islands of a graph, see find_islands(). Arrays are reused. @throws std::bad_alloc.
     void find(std::span<const std::uint8_t> include, std::span<const std::int32_t> member_begin,
               std::span<const std::int32_t> members, Islands& out);
     [[nodiscard]] std::size_t bytes() const noexcept {

@@ -86,8 +86,8 @@ std::int32_t Lineup::cheapest_candidate() noexcept {
     return -1;
 }
 
-/// Return a score of the neighbours of a wire's end node outside the wire: 2 for each that is in
-/// the line, −1 for each other.
+/// Return a score of the neighbours of a wire's end node outside the wire: 2 for each neighbour
+/// that already has a position in the order, −1 for each other one.
 std::int32_t Lineup::outside_score(const Neighbours& neighbours, const Units& units,
                                    std::int32_t node) const noexcept {
     std::int32_t sum = 0;

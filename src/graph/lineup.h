@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file lineup.h
-/// Order all units in one line such that few nodes have neighbours across any position of it.
+/// Order all units in a sequence such that few nodes have neighbours across any position.
 ///
 /// The *frontier* at a position is the set of later nodes that have earlier neighbours. Without
-/// these nodes the line would fall into two independent pieces. The next unit is the one that
-/// enlarges the frontier least, among the frontier and its neighbours. Sources: King, "An automatic
+/// these nodes the sequence would consist of two independent pieces. The next unit is the one of
+/// the frontier and its neighbours that enlarges the frontier least. Sources: King, "An automatic
 /// reordering scheme for simultaneous equations derived from network systems", 1970; candidates as
 /// in Sloan's method, 1986.
 ///
-/// A wire between two hubs of the frontier adds nothing to it, so wires come before the hubs that
-/// hold them. In case of ties the unit that was touched last comes first. Units are those of
-/// wires.h, which keeps the cost at about 0.1 µs for each node.
+/// A wire between two hubs of the frontier adds nothing to it, so wires precede the hubs at their
+/// ends. In case of ties the unit whose cost changed last comes first. Units are those of
+/// wires.h, so the cost is only about 0.1 µs for each node.
 
 #include "graph/cost.h"
 #include "graph/hypergraph.h"

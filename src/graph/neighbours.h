@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file neighbours.h
-/// List the moving nodes that share an edge.
+/// List the pairs of moving nodes that are members of a common edge.
 ///
 /// Two moving members that follow each other in an edge are *near*. Other pairs of an edge (the
 /// ends of a bending triple) are *far*. Far pairs are neighbours for a separator, but do not close
 /// a loop.
 ///
-/// A second list holds all pairs. Most passes over a graph need only pairs, and one long loop over
-/// pairs avoids the mispredicted ends of many short loops.
+/// A second list holds all pairs. Most passes over a graph need only pairs. One long loop over
+/// pairs is faster than many short loops, because the end of each loop is mispredicted.
 
 #include "graph/hypergraph.h"
 
@@ -22,8 +22,8 @@ struct Pair {
     std::int32_t a, b;  ///< a < b.
 };
 
-/// Call f(pair) for all pairs, four distant ones in each iteration. Adjacent pairs share a node, so
-/// processing them in sequence would stall on the store of f for the previous pair.
+/// Call f(pair) for all pairs, four pairs from distant positions in each iteration. Adjacent pairs
+/// have a common node, so that in sequence f would wait for its store for the previous pair.
 template <class F>
 void for_each_pair(std::span<const Pair> pairs, F f) {
     const std::size_t quarter = pairs.size() / 4;

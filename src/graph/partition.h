@@ -64,8 +64,8 @@ void distribute(std::span<const std::int64_t> cost, std::span<std::int32_t> lane
 /// Maker of partitions. Its buffers are reused: a second graph of equal size needs no allocation.
 class Partitioner {
   public:
-    /// Read a graph: neighbours, islands and their cost, units. The views must stay valid until the
-    /// partition has been made.
+    /// Read a graph, and compute its neighbours, islands, costs and units. The views must stay
+    /// valid until the partition has been made.
     void read(const Hypergraph& graph);
     /// Compute parts and the separators between them.
     void separate(const PartitionOptions& asked, Partition& out);

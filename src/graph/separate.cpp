@@ -21,8 +21,8 @@ constexpr int kRounds = 3;
 
 }  // namespace
 
-/// Assign each small island as a whole to a lane. Write the nodes of the other islands one after
-/// the other to line_.
+/// Assign each small island as a whole to a lane (a part of the balanced distribution). Append the
+/// nodes of the other islands to line_, island by island.
 void Partitioner::assign_islands(const PartitionOptions& options, Partition& out) {
     const std::int32_t islands = cost.islands();
     island_cost_.assign(at(islands), 0);
@@ -87,7 +87,7 @@ void Partitioner::find_reach() {
     });
 }
 
-/// Sum the scalars that reach across each position of the line:
+/// Sum the scalars of nodes with neighbours across each position of the order:
 /// 1. Nodes before it with a neighbour behind it.
 /// 2. Nodes behind it with a neighbour before it.
 /// 3. Hubs with neighbours on both sides.
@@ -179,7 +179,8 @@ bool Partitioner::separates_parts(std::int32_t place) const noexcept {
     return false;
 }
 
-/// Set the segments, and mark the nodes with neighbours outside their segment as separators.
+/// Assign the nodes to segments, and mark the nodes with neighbours outside their segment as
+/// separators.
 void Partitioner::assign() {
     segment_.resize(line_.size());
     part_.resize(line_.size());
@@ -207,7 +208,7 @@ void Partitioner::assign() {
     absorb_separators();
 }
 
-/// Move separator nodes whose neighbours are in one part only to that part.
+/// Move separator nodes with neighbours in one part only to that part.
 void Partitioner::absorb_separators() {
     std::size_t kept = 0;
     for (const std::int32_t k : separator_positions_) {
@@ -245,7 +246,7 @@ void Partitioner::write(Partition& out) {
 }
 
 /// Return the largest useful number of parts. Each part of an island needs kMinNodes nodes. With
-/// fewer nodes most would become separators, which rejoin the only part next to them.
+/// fewer nodes, most nodes would become separators and return to the only adjacent part.
 std::int32_t Partitioner::max_parts() const noexcept {
     std::int32_t most = 0;
     for (std::int32_t i = 0; i < cost.islands(); ++i)

@@ -9,8 +9,7 @@
 /// 3. Large clusters are placed in order of decreasing cost, in two variants: into the fullest part
 /// with enough capacity, or into the emptiest part. The variant with fewer cuts is used.
 /// 4. Small clusters are placed by their position in the line.
-/// 5. Wires are filler nodes: they fill the parts up to an even share, with as few cuts as
-/// possible.
+/// 5. Wires fill the parts up to equal cost, with as few cuts as possible.
 /// 6. Every cut moves along its wire to the position of least weight, by at most a tenth of a part.
 ///
 /// The function split_from_previous() keeps the partition of the previous step. At most one cut

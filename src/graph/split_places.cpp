@@ -18,8 +18,9 @@ constexpr double kLevel = 0.02;  ///< Tolerated imbalance, as a fraction of an e
 
 }  // namespace
 
-/// Choose parts in two variants. Packing large clusters together saves cuts; distributing them
-/// improves the balance. The variant with fewer cut edges is used if both are about equally even.
+/// Choose parts in two variants. One packs large clusters together, which saves cuts. The other one
+/// distributes them, which improves the balance. The variant with fewer cut edges is used if both
+/// are about equally even.
 void Splitter::choose_parts() {
     choose_parts(true);
     const std::int64_t longest = *std::max_element(load_.begin(), load_.end());
@@ -74,7 +75,7 @@ void Splitter::assign_part(std::int32_t cluster, std::int32_t part) noexcept {
     load_[at(part)] += node_cost_[at(cluster)];
 }
 
-/// Assign islands that fit into one part whole.
+/// Assign each island that fits into one part to that part as a whole.
 void Splitter::assign_islands() {
     const std::int32_t islands = cost_.islands();
     island_cost_.assign(at(islands), 0);
@@ -102,7 +103,8 @@ void Splitter::assign_islands() {
     }
 }
 
-/// Place large clusters in order of decreasing cost, then the others by their position in the line.
+/// Assign large clusters to parts in order of decreasing cost, then the other clusters by their
+/// position in the order of units.
 void Splitter::assign_clusters(bool together) {
     const double big = together ? kBig : kBigApart;
     order_.clear();
@@ -168,8 +170,8 @@ std::int32_t Splitter::neighbouring_part(std::int32_t cluster, std::int32_t wire
     return -1;
 }
 
-/// Place each wire with the bodies that hold it. If these belong to two parts, the wire is cut in
-/// the ratio of their free capacities.
+/// Assign each wire to the part of the bodies at its ends. If these belong to two parts, the wire
+/// is cut in the ratio of their free capacities.
 void Splitter::assign_wires() {
     for (std::int32_t w = 0; w < units_.wires; ++w) {
         const auto nodes = units_.nodes_of(w);

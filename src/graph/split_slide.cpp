@@ -62,7 +62,7 @@ void Splitter::move_cuts() {
         }
 }
 
-/// Move the one cut with the largest gain, if the gain is large enough.
+/// Move the cut with the largest gain, if this gain is large enough.
 void Splitter::move_best_cut() {
     std::int32_t from = -1, to = -1;
     std::int64_t gain = kMinGain - 1;

@@ -33,8 +33,8 @@ void Units::classify_nodes(const Hypergraph& graph, const Neighbours& neighbours
                   [=](Pair p) { bends[p.a] |= static_cast<std::uint8_t>((p.b - p.a == 2) << 1); });
 }
 
-/// End a sequence at `size`. A sequence that is too short for a wire is discarded and its nodes
-/// stay open.
+/// End a sequence at `size`. If the sequence is too short for a wire, it is discarded and its nodes
+/// may belong to another sequence.
 std::int32_t Units::end_sequence(std::int32_t size) {
     const std::int32_t from = from_.back();
     if (size - from < kShortestWire) return from;
@@ -125,8 +125,8 @@ void Units::close() noexcept {
     begin.push_back(size);
 }
 
-/// Remove nodes that are neighbours of another wire, or of a node of their own wire farther away
-/// than kReach.
+/// Remove nodes from wires if they have a neighbour in another wire, or in their own wire at a
+/// distance above kReach.
 void Units::remove_nodes_beside_wires(const Neighbours& neighbours) {
     walk_.assign(walked_.size() + 1, -1);
     for (std::size_t w = 0; w + 1 < from_.size(); ++w) {
@@ -161,8 +161,8 @@ void Units::remove_nodes_beside_wires(const Neighbours& neighbours) {
     }
 }
 
-/// Collect all nodes outside wires. Up to kLump consecutive nodes that bend together form one unit,
-/// even if other bodies touch them. Each other node is a unit of its own.
+/// Collect all nodes outside wires. Up to kLump consecutive nodes with common bends form one unit,
+/// even if they have contacts with other bodies. Each other node is a unit of its own.
 void Units::add_free_nodes(const Hypergraph& graph) {
     const std::size_t n = graph.size.size();
     begin.resize(n + 2);

@@ -5,7 +5,7 @@
 ///
 /// A *hub* has many neighbours (a hull, a drum). A *wire* is a sequence of other nodes. Each node
 /// of a wire has no neighbours except hubs and nodes at most two positions away in the sequence.
-/// Every other node is a unit of its own. Scenes of ships and cables have about ten times fewer
+/// Every other node is a separate unit. Scenes of ships and cables have about ten times fewer
 /// units than nodes.
 
 #include "graph/hypergraph.h"

@@ -75,8 +75,8 @@ void check_water_rod(const World& world, const WaterRod& r, const std::string& a
     check_range(at + "/segments", r.segments, 1.0, kMaxRodSegments, false, "");
 }
 
-/// Reject wave components with less than two steps per period: the world would sample another wave
-/// (aliasing).
+/// Reject wave components with less than two steps per period, because the world would sample them
+/// as another wave (aliasing).
 void check_aliasing(const World& world, const SeaDef& def) {
     const double h = world.settings().step;
     for (std::size_t i = 0; i < def.waves.size(); ++i) {

@@ -8,7 +8,8 @@
 
 namespace hawser::marine {
 
-/// Set the design draughts that a definition leaves open. @param level  Height of still water [m].
+/// Set the design draughts that a definition does not specify.
+/// @param level  Height of still water [m].
 void set_design_draughts(const World& world, SeaDef& def, double level);
 
 }  // namespace hawser::marine

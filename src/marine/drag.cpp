@@ -8,7 +8,8 @@
 namespace hawser::marine {
 namespace {
 
-/// Add the buoyancy of the wetted fraction `wet`, and its stiffness if the surface cuts the piece.
+/// Add the buoyancy of the wetted fraction `wet` of a piece, and the stiffness of the buoyancy if
+/// the surface cuts the piece.
 void add_buoyancy(double weight, double wet, double spread, PointLoad& out) noexcept {
     out.force.z() += weight * wet;
     if (wet > 0.0 && wet < 1.0) out.stiffness.m[5] += weight / spread;

@@ -36,8 +36,8 @@ double significant_of(std::span<const WaveComponent> waves, const Amplitude& amp
     return std::sqrt(2.0 * sum);
 }
 
-/// Return the depth in [0, deepest] beyond which a decreasing function is at most `limit`; infinite
-/// if there is none.
+/// Return the least depth in [0, deepest] from which on a decreasing function is at most `limit`;
+/// infinite if there is none.
 template <class Falling>
 double depth_of(const Falling& falling, double deepest, double limit) {
     if (falling(0.0) <= limit) return 0.0;
@@ -184,10 +184,10 @@ void FastWaves::list_extents() {
     }
 }
 
-/// Return the largest distance from the reference at which the phase error stays within its
-/// fraction of the tolerance. A phase is off by at most 2π 2^−24 (3/2 + 1.13 k r), as |k_x x| +
-/// |k_y y| ≤ √2 k r. Rounding is independent for each component, with a standard deviation of 1/√3
-/// of the largest error.
+/// Return the largest distance from the reference point at which the phase error keeps its fraction
+/// of the tolerance. The error of a phase is at most 2π 2^−24 (3/2 + 1.13 k r), as |k_x x| + |k_y
+/// y| ≤ √2 k r. Rounding is independent for each component, with a standard deviation of 1/√3 of
+/// the largest error.
 double FastWaves::reach_of(std::size_t components) const {
     const auto error = [&](double r) {
         double worst = 0.0;

@@ -8,13 +8,13 @@
 /// elevation, velocity, acceleration and pressure. Three sources have a fraction of
 /// kKinematicTolerance each:
 ///
-/// 1. **Components left out.** At a depth ζ, groups from G on are left out if Σ A_n (e^(−k_n ζ) +
+/// 1. **Omitted components.** At a depth ζ, groups from G on are omitted if Σ A_n (e^(−k_n ζ) +
 ///   e^(−k_n (2d − ζ))) of all their components is at most 1/8 of the tolerance. For a point that
-///   is certainly under water, groups may also be left out of the elevation that stretches its
+///   is certainly under water, groups may also be omitted from the elevation that stretches its
 ///   column. The change of z' then has the same bound.
 /// 2. **Phases.** The width of a cluster of points is limited: six standard deviations of the
 ///   rounding of phases are at most 3/8 of the tolerance.
-/// 3. **Polynomials, products and sums** have the remainder.
+/// 3. **Polynomials, products and sums** have the rest of the tolerance.
 
 #include <hawser/sea.h>
 
@@ -60,15 +60,15 @@ class FastWaves {
         return reach_[static_cast<std::size_t>(first)];
     }
     [[nodiscard]] double reach() const noexcept { return on() ? reach_.back() : 0.0; }
-    /// Return Σ a, a bound of the elevation [m].
+    /// Return Σ a of all components, a bound of the elevation [m].
     [[nodiscard]] double highest() const noexcept { return highest_; }
     /// Return the groups to sum for velocity and acceleration at z' = −depth.
     [[nodiscard]] const FastExtent& extent(double depth) const noexcept {
         const double row = depth * rows_per_metre_;
         return extents_[row < kExtents - 1 ? static_cast<std::size_t>(row) : kExtents - 1];
     }
-    /// Return the number of groups of the elevation, for points under water at z' = −depth or
-    /// deeper.
+    /// Return the number of groups to sum for the elevation above points under water at z' = −depth
+    /// or deeper.
     [[nodiscard]] int stretching_groups(double depth) const noexcept {
         return extent(depth).stretching;
     }

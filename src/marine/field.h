@@ -26,7 +26,7 @@ namespace hawser::marine {
     return depth * (z + depth) / column - depth;
 }
 
-/// Return the current at one depth of a profile, times a factor [m/s].
+/// Return the current of one entry of a profile, multiplied by a factor [m/s].
 [[nodiscard]] inline Vec3 flow_of(const SeaCurrent& c, double factor) noexcept {
     const double speed = factor * c.speed;
     return {speed * std::cos(c.direction), speed * std::sin(c.direction), 0.0};
@@ -48,7 +48,8 @@ template <class Flow>
     return (1.0 - fraction) * flow(i - 1) + fraction * flow(i);
 }
 
-/// Add the sums of waves to the water at a point, with all amplitudes times the factor of the time.
+/// Add the sums of waves to the water at a point, with all amplitudes multiplied by the wave factor
+/// of the present time.
 inline void add_waves(const WaveSums& s, const SeaMoment& now, double density,
                       WaterPoint& out) noexcept {
     for (int k = 0; k < 3; ++k) {
@@ -72,6 +73,7 @@ class WaterField {
   public:
     static constexpr int kMostPoints = 64;  ///< Maximum number of points of one call.
 
+    /// Create the water field.
     /// @param sea, current  Must outlive the field. `current` belongs to the same definition.
     WaterField(const Sea& sea, const std::vector<SeaCurrent>& current);
     /// Set the time of the water. `now` must outlive the following calls.

@@ -13,7 +13,8 @@
 namespace hawser {
 namespace {
 
-/// Find the sinkage of a hull with a given orientation. @return true if it floats.
+/// Find the sinkage at which a hull of given orientation displaces the volume `wanted`. @return
+/// true if the hull floats.
 bool sink(const HullMesh& mesh, double wanted, Flotation& out) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const Vec3& v : mesh.vertices) {

@@ -18,6 +18,7 @@ struct ProjectedAreas {
 
 class HullFlow {
   public:
+    /// Create the cells at which the water is sampled.
     /// @param def  Must have a design draught, and outlive this object.
     explicit HullFlow(const WaterHull& def);
     /// Return the number of points at which water is sampled.
@@ -29,8 +30,8 @@ class HullFlow {
     /// of samples.
     [[nodiscard]] double velocity_error(const WaterField& field, const Pose& pose,
                                         std::int64_t& points) const;
-    /// Sum up the samples. @param at_centre  Water at the centre of mass, for a hull without wet
-    /// cells.
+    /// Compute the means over the samples.
+    /// @param at_centre  Water at the centre of mass, for a hull without wet cells.
     void finish(const Mat3& axes, const WaterPoint& at_centre) noexcept;
 
     Vec3 velocity{0.0, 0.0, 0.0}, acceleration{0.0, 0.0, 0.0};  ///< Means [m/s, m/s²].

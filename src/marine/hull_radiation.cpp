@@ -70,7 +70,7 @@ void HullWater::add_force(const Vec3& push, const Vec3& moment) noexcept {
     }
 }
 
-/// Add a force and moment at the reference point.
+/// Add a force and a moment that act at the reference point of the coefficients.
 void HullWater::add_at_reference(const Vec6& f) noexcept {
     const Vec3 push = frame_ * f.head<3>();
     const Vec3 arm = frame_ * def_->coefficients->reference;
@@ -119,8 +119,8 @@ void HullWater::add_coefficients(const Sea& sea, const SeaMoment& now) noexcept 
               frame_ * (same.tail<3>() - turn.cross(p.tail<3>()) - past.cross(p.head<3>())));
 }
 
-/// Add the linear statics of small motions about rest: weight of the displaced water minus C (x −
-/// x₀).
+/// Add the linear hydrostatics of small motions about rest: the weight of the displaced water minus
+/// C (x − x₀).
 void HullWater::add_linear(const Sea&, const SeaMoment& now) noexcept {
     const Mat3 level = waves_.any() ? frame_ : about_z(heading_of(pose_.orientation));
     const Mat3 tilt = level.transpose() * axes_;

@@ -3,11 +3,11 @@
 /// @file hull_sums.h
 /// Integrals over the wet part of a hull (hawser/hull.h).
 ///
-/// All but forces are columns of water from the surface down, −n_z dA of each triangle seen from
-/// above: of volume s, of its moment s x, s y and s (z + s/2), of the waterplane 1, x, y, x², ….
-/// These are of second degree at most, for which the middles of a triangle's sides are exact. A
-/// side seen from below has columns of the other sign, so that what lies over water twice counts
-/// once.
+/// All integrals except forces are sums over columns of water below the surface, with the base
+/// −n_z dA of each triangle: of volume s, of its moment s x, s y and s (z + s/2), of the waterplane
+/// 1, x, y, x², …. These are of second degree at most, for which the middles of a triangle's sides
+/// are exact. A triangle that faces upwards has columns of the other sign, so that overlapping
+/// columns count once.
 
 #include <hawser/hull.h>
 

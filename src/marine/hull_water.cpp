@@ -38,12 +38,12 @@ double volume_of(const HullMesh& mesh) noexcept {
     return sum;
 }
 
-/// Return m v, without a call.
+/// Return m v. This function is inlined, unlike Eigen's product.
 Vec3 turned(const Mat3& m, const Vec3& v) noexcept {
     return m.col(0) * v.x() + m.col(1) * v.y() + m.col(2) * v.z();
 }
 
-/// Return an order of corners such that consecutive ones are near each other. Squares of the
+/// Return an order of the corners in which consecutive corners are near each other. Squares of the
 /// waterplane, with diagonals shorter than a cluster, are visited along a row and back along the
 /// next one, each from its lowest corner: corners of one batch are all wet or all dry if possible.
 /// Without clusters it is the order of the mesh.
@@ -220,7 +220,8 @@ void HullWater::flow_over(const WaterField& field, int chunk) noexcept {
                  std::min(first + kChunk, flow_.count()));
 }
 
-/// Add added mass and linear damping relative to the mean motion of the water, and drag.
+/// Add the forces of added mass and linear damping, relative to the mean motion of the water, and
+/// the drag.
 void HullWater::add_motion(const Sea& sea, const SeaMoment& now, double wet, double air) noexcept {
     Vec3 push = Vec3::Zero(), moment = Vec3::Zero();
     Sym3 drag;

@@ -105,7 +105,7 @@ void LineNodes::find_sorts(const Wire& wire) noexcept {
     }
 }
 
-/// Compute each element of a wire once for both of its nodes.
+/// Compute the data of each element of a wire, so that both of its nodes can use them.
 void LineNodes::find_spans(const World& world, const Wire& wire) noexcept {
     for (std::size_t e = 0; e < kAhead; ++e) prefetch_element(world, wire.elements, e);
     for (std::size_t e = 0; e < wire.elements.size(); ++e) {

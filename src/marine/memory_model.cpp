@@ -63,7 +63,7 @@ class Scaled {
     double memory_;
 };
 
-/// Return e^{At} B of the blocks, one row per state.
+/// Return e^{At} B of the blocks of the state-space model, one row per state.
 MatrixXd run(const std::vector<MemoryModel::Block>& blocks, const MatrixXd& b, double t) {
     MatrixXd out(b.rows(), b.cols());
     Eigen::Index s = 0;
@@ -82,7 +82,8 @@ MatrixXd run(const std::vector<MemoryModel::Block>& blocks, const MatrixXd& b, d
     return out;
 }
 
-/// Compute blocks and B from the first `order` singular values of H.
+/// Compute the blocks and B of the state-space model from the first `order` singular values of the
+/// Hankel matrix H.
 void realise(const Scaled& k, double end, int order, std::vector<MemoryModel::Block>& blocks,
              MatrixXd& b) {
     const auto n = static_cast<Eigen::Index>(k.motions.size());

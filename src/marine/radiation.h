@@ -23,10 +23,12 @@ using Vec6 = Eigen::Matrix<double, 6, 1>;
 /// noise, which coefficients_fault() bounds.
 [[nodiscard]] WaveCoefficients without_noise(const WaveCoefficients& c);
 
-/// Interpolate linearly between frequencies; the value is constant beyond the ends.
+/// Interpolate a matrix linearly at a frequency. The value is constant beyond the first and last
+/// frequency.
 [[nodiscard]] Matrix6 linear_at(const std::vector<double>& frequency,
                                 const std::vector<Matrix6>& matrix, double omega);
-/// Return the nearest matrix without negative eigenvalues, with the diagonal scaled to ones.
+/// Return the nearest matrix without negative eigenvalues, where the distance is measured with the
+/// diagonal scaled to ones.
 [[nodiscard]] Matrix6 without_negative(const Matrix6& m);
 
 /// Nodes of the piecewise linear B(ω), from 0 to its end.
@@ -80,7 +82,7 @@ class HullMemorySums {
 
     /// Store the velocity after the last step. @param velocity  ν at the reference, body axes.
     void push(const Vec6& velocity) noexcept;
-    /// Extrapolate ν by half a step from the last two velocities. Call before push().
+    /// Return ν extrapolated by half a step from the last two velocities. Call before push().
     [[nodiscard]] Vec6 ahead(const Vec6& velocity) const noexcept {
         return begun_ != 0 ? Vec6(1.5 * velocity - 0.5 * last_) : velocity;
     }
@@ -92,7 +94,7 @@ class HullMemorySums {
     void check_state(StateRules& rules) const;
     void tell(HullMemory& out) const;
     [[nodiscard]] bool any() const noexcept { return kind_ != RadiationKind::none; }
-    /// True if push() must be called: a memory exists, or ahead() is in use.
+    /// True if push() must be called, because a memory exists or ahead() is used.
     [[nodiscard]] bool follows() const noexcept { return any() || follows_; }
 
   private:

@@ -7,10 +7,11 @@
 /// definition and of the wires' nodes. Several threads compute their loads, each into separate
 /// entries. Loads are then added in that order, so that no sum depends on threads.
 ///
-/// *Lines.* The definition gives each element of that time a sort (its coefficients). A later
-/// element has the sort of the element before it on its wire, or of the first known one behind it
-/// at the beginning of a wire. A wire that was cut off keeps its own elements. If a body held an
-/// end of the line at the definition, the half element at the body has no water.
+/// *Lines.* The definition gives each existing element a sort (its coefficients). An element that
+/// is inserted later has the sort of the previous element of its wire; at the beginning of a wire
+/// it has that of the next element with a known sort. The elements of a wire that is cut off keep
+/// their sorts. If the line ends on a body at the definition, the half element at the body gets no
+/// loads of the water.
 
 #include <hawser/line_sea.h>
 #include <hawser/sea.h>
@@ -50,12 +51,12 @@ struct LineTable {
 };
 /// Return the index of the parameter `length` by kind of element, −1: none.
 [[nodiscard]] std::array<int, 64> length_params();
-/// Return the definition of the lines' part of a sea; null: no line.
+/// Return the definition of the lines in a sea for their loads; null if no line is in the sea.
 [[nodiscard]] std::shared_ptr<const LineSea> line_part(const SeaDef& def, double gravity,
                                                        const LineTable& table);
 /// Add the load of a point to that of a body.
 void add_point(const PointLoad& from, const BodyLoad& to) noexcept;
-/// List the sorts of the lines of a sea. @throws SeaError
+/// List the different sets of line coefficients of a sea. @throws SeaError
 [[nodiscard]] LineTable line_table(const World& world, const SeaDef& def);
 
 /// Nodes of lines in the water.
@@ -68,7 +69,7 @@ class LineNodes {
         int halves = 0;  ///< Number of half elements; 0: no node, or not in the water.
     };
     explicit LineNodes(LineTable table) : table_(std::move(table)) {}
-    /// List the present wires. @throws std::bad_alloc
+    /// List all wires of the world; none if no wire has water loads. @throws std::bad_alloc
     void list(const World& world);
     [[nodiscard]] int wires() const noexcept { return static_cast<int>(wires_.size()); }
     /// List the present nodes of one wire.
@@ -127,6 +128,7 @@ class HullWater {
   public:
     static constexpr int kChunk = 64;  ///< Number of corners or triangles of one task.
 
+    /// Create the water loads of a hull.
     /// @param heading  Initial heading of the body [rad].
     /// @param reach  Radius of a cluster of points in single precision [m]; 0: none.
     HullWater(const WaterHull& def, const Sea& sea, double step, double heading, double reach);
@@ -145,9 +147,10 @@ class HullWater {
     [[nodiscard]] double velocity_error(const WaterField& field, std::int64_t& points) const {
         return flow_.velocity_error(field, pose_, points);
     }
-    /// Take the water's velocity at the hull's strips.
+    /// Sample the water velocity at the cells of the hull that belong to a task.
     void flow_past(const WaterField& field, int chunk) noexcept;
-    /// Sum the triangles of a task. All corners must have their pressures.
+    /// Compute the forces on the triangles of a task, and their sum. The pressures at all corners
+    /// must have been computed.
     void sum(int chunk) noexcept;
     /// Sum the parts of the tasks, and add the forces at the centre of mass.
     void finish(const WaterField& field, double air) noexcept;
@@ -197,7 +200,8 @@ class HullWater {
     Vec6 ahead_ = Vec6::Zero();  ///< ν at the reference half a step on, along frame_.
 };
 
-/// Return the matrix that maps motions at the centre of mass to motions at `point`, relative to it.
+/// Return the matrix that maps motions at the centre of mass to motions at `point`, which is
+/// relative to the centre of mass.
 [[nodiscard]] Matrix6 motion_at(const Vec3& point) noexcept;
 /// Return the rotation of a quaternion about z [rad].
 [[nodiscard]] double heading_of(const Quat& q) noexcept;
@@ -220,7 +224,7 @@ class SeaSystem final : public System {
     [[nodiscard]] bool is_water() const noexcept override { return true; }
     [[nodiscard]] std::unique_ptr<System> clone() const override;
     [[nodiscard]] const SeaDef& def() const noexcept { return def_; }
-    /// Return z of still water at a time, with the level that was set [m].
+    /// Return the height z of still water at a time, including the set level [m].
     [[nodiscard]] double still_water(double time) const noexcept {
         return sea_.tide(time) + in_.level;
     }

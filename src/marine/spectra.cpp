@@ -68,7 +68,8 @@ class Spreading {
     std::vector<double> sum_;
 };
 
-/// Draw one direction from each of `count` equal fractions of the distribution, in random order.
+/// Draw one random direction from each of `count` equal fractions of the distribution. The results
+/// are in random order.
 std::vector<double> directions(const WaveDef& def, Draw& draw) {
     const auto count = static_cast<std::size_t>(def.components);
     std::vector<double> out(count, def.direction);

@@ -33,7 +33,7 @@ class Draw {
     std::uint64_t state_;
 };
 
-/// Append the components of one valid definition.
+/// Append the components of one wave definition, which must be valid.
 void add_components(const WaveDef& def, double depth, double gravity,
                     std::vector<WaveComponent>& out);
 /// Return the gust components: bins of equal ratio from 1/600 to 0.5 Hz, with a random frequency in

@@ -18,6 +18,7 @@ namespace hawser::marine {
 class WaveForce {
   public:
     WaveForce() = default;
+    /// Create the wave force of a hull.
     /// @throws DefError if the table lacks a direction of the waves at this heading.
     WaveForce(const WaterHull& def, const Sea& sea, double step, double heading);
 

@@ -10,18 +10,18 @@
 ///     h = √2 sin πf,   cos 2πf = 1 − h²,   sin 2πf = h · √2 cos πf
 ///     E = 2^(z' k log₂e),   F = e^(−2kd)/E      cosh, sinh k(z'+d) = ½ e^(kd) (E ± F)
 /// ```
-/// are computed by polynomials. A hull needs no sine, and a deep point few: components that are
-/// left out need none. sin and cos are accurate to 2e-13 for given turns, E and 1/E to a relative
+/// are computed by polynomials. A hull needs no sine. A deep point needs few, because omitted
+/// components need none. sin and cos are accurate to 2e-13 for given turns, E and 1/E to a relative
 /// 1e-12. Turns lose as many digits as there are waves between the point and x = y = 0.
 ///
-/// **Components left out.** F of a group is left out if all its F are below 2^−54 E, which changes
-/// no bit of E ± F. Whole groups are left out if all their E are below 2^−44. The error of
+/// **Omitted components.** F of a group is omitted if all its F are below 2^−54 E, which changes
+/// no bit of E ± F. Whole groups are omitted if all their E are below 2^−44. The error of
 /// velocity, acceleration and pressure is then at most 2 · 2^−44 = 1.2e-13 of the sum of amplitudes
 /// at the surface, less than the error of E. The surface uses all components everywhere.
 ///
 /// The order of sums depends on the instruction set only. Points are processed one by one, or
-/// kWavePoints at a time: between surface and pressure a point waits for its sum, meanwhile others
-/// proceed.
+/// kWavePoints at a time, so that the operations of other points fill the time in which one point
+/// waits for the sum of its surface.
 
 namespace hawser::marine {
 

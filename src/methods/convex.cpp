@@ -29,9 +29,9 @@ std::int32_t linearise_cones(context::Model& model, context::Newton& newton) noe
     return flips;
 }
 
-/// Return the derivative of the function along the step, at fraction t of the way from the stored
-/// iterate [J]. There the momentum balance uses the impulses of the linear law; the gradient uses
-/// those of the exact law.
+/// Return the derivative of the convex function along the step, at the fraction t of the way from
+/// the stored iterate [J]. The impulses of the linear law satisfy the momentum balance; the
+/// gradient contains those of the exact law.
 double slope(const context::Model& model, const context::Newton& newton, double t) noexcept {
     double sum = 0.0;
     const base::Array<Cone>& cones = model.system.contacts.cones;
@@ -49,7 +49,7 @@ double slope(const context::Model& model, const context::Newton& newton, double 
     return sum;
 }
 
-/// Shorten the step to the point where the slope vanishes. The full step is used if the function
+/// Shorten the step to the point at which slope() vanishes. The full step is used if the function
 /// still descends at its end.
 void search(context::Model& model, const context::Newton& newton) noexcept {
     const double start = slope(model, newton, 0.0), end = slope(model, newton, 1.0);

@@ -24,22 +24,22 @@ void reserve_gauss_seidel(const context::Model& model, context::Newton& newton,
 void velocity_after_impulse(const context::Newton& newton, std::int32_t body, int dof,
                             const double* p, double* out) noexcept;
 
-/// Update v₊ += M⁻¹ Jᵀ x for impulses x of contact k.
+/// Add M⁻¹ Jᵀ x to v₊, for the impulses x of contact k.
 void push_contact(const context::Model& model, const context::Newton& newton,
                   const assembly::View& v, std::size_t k, const double x[3]) noexcept;
 
-/// Write u of contact k at v₊ into its cone.
+/// Compute u of contact k from v₊ and store it in its cone.
 void read_contact(context::Model& model, const assembly::View& v, std::size_t k) noexcept;
 
-/// Relax the tangents of contact k at v₊ and update v₊.
+/// Perform one relaxation of the tangential impulses of contact k at v₊, and update v₊.
 void relax_tangents(context::Model& model, const context::Newton& newton, const assembly::View& v,
                     std::size_t k) noexcept;
 
-/// Relax the normal of contact k at v₊ and update v₊.
+/// Perform one relaxation of the normal impulse of contact k at v₊, and update v₊.
 void relax_normal(context::Model& model, const context::Newton& newton, const assembly::View& v,
                   std::size_t k) noexcept;
 
-/// Set the laws to the current impulses: S = 0, p = λ, status by λ.
+/// Set the laws of contacts to the current impulses: S = 0, p = λ. The status follows from λ.
 void freeze_impulses(context::Model& model) noexcept;
 
 }  // namespace hawser::methods

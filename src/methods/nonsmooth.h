@@ -4,8 +4,8 @@
 /// Declare the methods for contacts with friction, see WorldDef::nonsmooth. Each method has one
 /// file.
 ///
-/// All methods share the rows: contacts are cones (nonsmooth/cone.h) whose linear laws λ = p − S u
-/// enter the matrix. They also share the stages newton_solve(), continue_with_factor() and
+/// All methods use the same rows: contacts are cones (nonsmooth/cone.h) whose linear laws λ = p − S
+/// u enter the matrix. They also use the same stages newton_solve(), continue_with_factor() and
 /// refine(). StepStats::natural_map is the residual of the exact law for every method, so that
 /// methods can be compared.
 
@@ -16,8 +16,9 @@ namespace hawser::methods {
 /// Set linear laws about the solution of the last step, by the method of the world.
 void begin_contacts(context::Model& model, context::Work& work, runtime::Pool& pool) noexcept;
 
-/// Run stages 6 and 7 of a world with contacts. The right-hand side is that of assemble_rows(). If
-/// joints have an end-of-step constraint iteration, it settles the remaining errors (newton.h).
+/// Run stages 6 and 7 of a world with contacts, with the right-hand side of assemble_rows(). If an
+/// end-of-step constraint iteration of joints follows, the solution is measured and refined after
+/// it (newton.h).
 [[nodiscard]] Status solve_contacts(context::StepContext& ctx) noexcept;
 
 /// Run stages 6 and 7 by sweeps over all rows, with or without contacts.

@@ -30,7 +30,8 @@ void make_laws(context::Model& model, context::Newton& newton) noexcept {
     }
 }
 
-/// Run one pass. @param rounds  Number of factorisations in all passes.
+/// Run one pass: pivot until the rows satisfy their bounds with fixed friction bounds.
+/// @param rounds  Increased by the number of factorisations.
 Status run_pass(context::StepContext& ctx, int& rounds) noexcept {
     nonsmooth::PivotProgress progress;
     for (bool again = false;;) {

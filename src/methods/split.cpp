@@ -29,7 +29,8 @@ using nonsmooth::Touch;
 /// Most iterations of the active set; one to three are usual.
 constexpr int kMaxSplitRounds = 20;
 
-/// Include the normal row in the matrix or not; the tangential impulses are constants.
+/// Make the law of a contact with constant tangential impulses. @param bears  True: the normal row
+/// is in the matrix.
 void make_law(context::Model& model, context::Newton& newton, std::size_t k, bool bears) noexcept {
     Cone& c = model.system.contacts.cones[k];
     nonsmooth::Law& law = newton.laws[k];
@@ -50,7 +51,8 @@ bool presses(const Cone& c) noexcept {
     return c.lambda[0] - r / (c.mobility + c.sigma_n) > 0.0;
 }
 
-/// Solve joints and normals. @param first  Start from v₊ = 0.
+/// Solve for joints and normal impulses, with constant friction. @param first  True: start from v₊
+/// = 0.
 Status solve_normals(context::StepContext& ctx, bool first) noexcept {
     bool again = false;
     for (int round = 0;; ++round) {
@@ -79,7 +81,7 @@ Status solve_normals(context::StepContext& ctx, bool first) noexcept {
     }
 }
 
-/// Relax the tangents at the current normal impulses.
+/// Relax the tangential impulses at the current normal impulses.
 Status sweep_tangents(context::Model& model, context::Newton& newton,
                       runtime::Pool& pool) noexcept {
     const assembly::View v = context::row_view(model);

@@ -95,7 +95,7 @@ struct Bodies {
     void remove(int body) noexcept;
     /// Set drag_after and drag_before for the step h [s].
     void split_drag(double h);
-    /// Remove all slots from `kept` on, with their bodies.
+    /// Remove all slots with an index ≥ `kept`, and their bodies.
     void truncate(int kept);
     /// Move a body by time t at constant velocity [m/s]. With ω [rad/s, world frame] also rotate it
     /// by the Cayley map of t ω. Not for scalar bodies.
@@ -109,7 +109,7 @@ struct Bodies {
 
   private:
     void write(int body, const BodyDef& def) noexcept;
-    /// Enter a body in the lists of moving, rigid and kinematic bodies.
+    /// Add a body to the lists of moving, rigid and kinematic bodies to which its kind belongs.
     void enlist(int body) noexcept;
 };
 

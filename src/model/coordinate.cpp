@@ -12,7 +12,7 @@
 namespace hawser::model {
 namespace {
 
-/// Return the points and frames of a kind, null if it has none.
+/// Return the points and frames in the data of a kind; null if the kind has none.
 template <class Data>
 const generic::JointData* joint_in(const Data& data) {
     if constexpr (std::is_same_v<Data, generic::JointData>)

@@ -188,7 +188,7 @@ void Interactions::write_rows(int id, const Bodies& bodies_in, double h) {
     if (wire) follow_length(id, bodies_in, h);
 }
 
-/// Enter an interaction in the lists of interactions that need work in each step.
+/// Add an interaction to the lists of interactions that require work in each step.
 void Interactions::enlist(int id, const Bodies& bodies_in) {
     const int flag = flags[at(id)];
     if (kind_info(def[at(id)].kind).is(kWoundUp) && (flag & kFromLength))

@@ -62,8 +62,8 @@ inline constexpr double kElasticCompliance = 1e-11;
     return epsilon > (rest_length > 0.0 ? 0.0 : kElasticCompliance);
 }
 
-/// Return the violation of a row at the half step before the poses, extrapolated by its speed. A
-/// difference of directions is clamped to 2: elements of a folded wire may be far shorter than
+/// Return the violation of a row half a step before the poses, extrapolated by its rate of change.
+/// A difference of directions is clamped to 2: elements of a folded wire may be far shorter than
 /// their motion in a step.
 [[nodiscard]] constexpr double half_step_gap(std::uint8_t row_flags, double g, double half,
                                              double speed) noexcept {
@@ -209,11 +209,11 @@ struct Interactions {
     void append_empty(InteractionKind kind);
     /// Set the loads of a friction, which are existing interactions.
     void set_loads(int id, const std::array<FrictionLoad, kMaxFrictionLoads>& loads_in);
-    /// Remove an interaction. Its slot keeps no bodies and no rows. Friction that it loads loses
-    /// this load.
+    /// Remove an interaction. Its slot keeps no bodies and no rows. If it is a load of a friction,
+    /// the friction loses this load.
     void remove(int id, Bodies& bodies_in) noexcept;
-    /// Remove all interactions from `kept` on. None of them may be a motor, a friction or a winch
-    /// stretch.
+    /// Remove all interactions with an index ≥ `kept`. None of them may be a motor, a friction or a
+    /// winch stretch.
     void truncate(int kept, Bodies& bodies_in);
     /// Compute Υ and recall of a row after its compliance or mobility changed. Update its Σ
     /// afterwards.
@@ -225,11 +225,11 @@ struct Interactions {
     [[nodiscard]] double recoil_fraction(std::size_t row, bool wire, double h) const noexcept;
     /// Start or end the recoil of the rows of a wire element (split_damping()).
     void recoil(int id, bool recoils, double h) noexcept;
-    /// Update Υ, recall, Σ and 1/Σ of a row with a violation, after its nonzero compliance changed
-    /// since the analysis. The new Σ is at least `min_sigma`; a kept row stays kept. @param wire
-    /// True for a wire element.
+    /// Update Υ, recall, Σ and 1/Σ of a row with a violation. Call if its nonzero compliance has
+    /// changed since the analysis. The new Σ is at least `min_sigma`; a row with a node of its own
+    /// keeps this node. @param wire True for a wire element.
     void follow_compliance(std::size_t row, bool wire, double h) noexcept;
-    /// Copy the parameters of an interaction to its copy.
+    /// Copy the parameters of interaction `original` to its duplicate `copy`.
     void mirror(int copy, int original, const Bodies& bodies_in, double h) noexcept;
     /// Mark an interaction as driven by an input.
     void mark_driven(int id);
@@ -237,13 +237,13 @@ struct Interactions {
     void unmark_driven(int id) noexcept;
     /// Rebuild the pool entry, and a compliance of length/EA, after a parameter changed.
     void refresh(int id, const Bodies& bodies_in, double h) noexcept;
-    /// Set the anchor of a friction or span. [m or rad]
+    /// Set the anchor coordinate of a friction or span [m or rad].
     void set_anchor(int id, double coordinate) noexcept;
     /// Replace the body in a slot. Properties that depend on the kinds of its bodies must stay
     /// valid. The system must be analysed again.
     void rewire(int id, std::size_t slot, BodyId to, Bodies& bodies_in) noexcept;
-    /// Call f(id, slot) for all interactions that hold a body, in no order. An interaction that
-    /// holds the body twice occurs twice. f may rewire to the present body of the slot.
+    /// Call f(id, slot) for all interactions that act on a body, in unspecified order. An
+    /// interaction that acts on the body twice occurs twice. f may rewire() the slot.
     template <class F>
     void for_each_holder(int body_in, const Bodies& bodies_in, F&& f) const {
         for (std::int32_t p = bodies_in.first_holder[static_cast<std::size_t>(body_in)]; p >= 0;
@@ -252,13 +252,13 @@ struct Interactions {
     }
     /// Set the mass of a wire element [kg], see pair_mass; does nothing if its kind has no mass.
     void set_mass(int id, double mass) noexcept;
-    /// Return the unstretched length of a wound element from its drum or slide [m]; may be negative
-    /// for a span.
+    /// Return the unstretched length of an element at a drum or slide [m]. It follows from the
+    /// coordinate of the drum or slide, and may be negative for a span.
     [[nodiscard]] double wound_length(int id, const Bodies& bodies_in) const noexcept;
-    /// Set the compliance and length of a wire element to its present rest length, which a drum
-    /// pays out.
+    /// Set the compliance and length of a wire element at a drum to its present rest length.
     void follow_length(int id, const Bodies& bodies_in, double h) noexcept;
-    /// Evaluate the rows. @param v  Packed velocities, null: those of the bodies.
+    /// Evaluate the rows of an interaction.
+    /// @param v  Packed velocities; null: those of the bodies.
     [[nodiscard]] RowState row_state(int id, const Bodies& bodies_in,
                                      const double* v = nullptr) const noexcept;
     /// Return the shape of an element, or of a part of a line that runs over turning points
@@ -270,8 +270,8 @@ struct Interactions {
                                                      const Bodies& bodies_in) const noexcept;
     /// Return the angles of wheel_angles() including whole turns [rad].
     [[nodiscard]] std::array<double, 2> wrapped(int id, const Bodies& bodies_in) const noexcept;
-    /// Count the whole turns of the angles of wheel_angles(). @param before  Angles before bodies
-    /// moved or were replaced, by less than half a turn.
+    /// Update the number of whole turns in the angles of wheel_angles(). @param before  Angles
+    /// before bodies moved or were replaced, by less than half a turn.
     void follow_turns(int id, const std::array<double, 2>& before,
                       const Bodies& bodies_in) noexcept;
     /// Return the coordinate of the hinge, slider or scalar body that the interaction holds,
@@ -295,24 +295,26 @@ struct Interactions {
     void write_rows(int id, const Bodies& bodies_in, double h);
     void enlist(int id, const Bodies& bodies_in);
     void write_data(int id) noexcept;
-    /// Call f<K>(rows) for the rows at the present poses.
+    /// Evaluate the rows at the present poses and call f<K>(rows), where K is the kind.
     template <class F>
     void evaluated(int id, const Bodies& bodies_in, F&& f) const noexcept;
     void write_loads(int id);
     void set_range(int id) noexcept;
 };
 
-/// True if a step may solve the rows of an interaction at its end (step/completion.h). It is a
-/// joint or rod that no input moves. Its rows are rigid with default damping, or springs whose
-/// dampers the step does not resolve at the poses of the last analysis.
+/// True if end-of-step constraint iterations may solve the rows of an interaction
+/// (step/completion.h). Conditions: it is a joint or rod that no input moves, and its rows are
+/// rigid with default damping, or springs whose dampers the step does not resolve at the poses of
+/// the last analysis.
 [[nodiscard]] bool may_complete(const Interactions& in, int id, double h) noexcept;
 
-/// True if a kind allows the end-of-step iteration.
+/// True if a kind allows end-of-step constraint iterations.
 [[nodiscard]] bool kind_completes(InteractionKind kind) noexcept;
-/// True if kind and inputs allow the end-of-step iteration, for any rows.
+/// True if the kind and the inputs of an interaction allow end-of-step constraint iterations, for
+/// any compliance of its rows.
 [[nodiscard]] bool may_ever_complete(const Interactions& in, int id) noexcept;
 
-/// Fill in the defaults that a kind derives from the initial poses.
+/// Set the defaults that a kind derives from the initial poses.
 void complete(InteractionDef& def, const Vec3* positions, double distance);
 
 }  // namespace hawser::model

@@ -9,8 +9,8 @@
 
 namespace hawser::model {
 
-/// Return the mobility of the lighter end of a line across the line [1/kg]. Arms are at their
-/// longest; between two rigid bodies the mean inertia across the arm is used.
+/// Return the transverse mobility of the lighter end of a line [1/kg]. It assumes arms
+/// perpendicular to the line. Between two rigid bodies it uses the mean inertia across the arm.
 [[nodiscard]] double lightest_end(const InteractionDef& def, const Bodies& bodies);
 
 /// Return the signed radius of the wheel under a part of a line at its first (0) or second body

@@ -8,9 +8,9 @@ namespace hawser::model {
 
 namespace {
 
-/// True if all rows are springs with dampers that the step does not resolve: z of damping.h is
-/// above 1. The rotation of a row's direction within the step then causes a speed large enough for
-/// a force.
+/// True if all rows are springs with dampers that the step does not resolve: z of damping.h exceeds
+/// 1. The rotation of a row's direction within the step then causes a speed that the damper
+/// converts to a large force.
 bool is_stiff_damper(const Interactions& in, int id, double h) noexcept {
     for (int r = 0; r < in.rows[at(id)]; ++r) {
         const auto row = at(in.row_begin[at(id)] + r);

@@ -21,9 +21,9 @@ struct Shares {
 /// terms of the step τ = h and θ = ¾, for any damper of the line.
 constexpr Shares kRecoil{0.25, 0.0};
 
-/// Compute Υ and recall. The axial vibration of a wire's nodes is rarely resolved and would never
-/// decay with the trapezoidal rule alone. Such a wire therefore has the damping of at least half a
-/// step.
+/// Compute Υ and the factor recall of a row. With the trapezoidal rule alone, the axial vibration
+/// of a wire's nodes, which is rarely resolved, would never decay. The damping time of a wire is
+/// therefore at least half a step if the vibration is not resolved.
 Shares shares_of(const Interactions& in, std::size_t row, bool wire, double h) noexcept {
     const double w = in.mobility[row], e = in.epsilon[row];
     double t = in.tau[row], late = 1.0, recall = 1.0;

@@ -10,14 +10,14 @@
 namespace hawser::monitor {
 
 /// Check the strain of elements with a breaking load, from the tension in this step and the length
-/// at its start. Failed: beyond kMostStrain and beyond kMostBreaking times the strain at the
-/// breaking load. Suspect: for three steps 25 % longer than at the breaking load without breaking.
-/// Finding::value is minus the strain.
+/// at its start. Failed: the strain exceeds kMostStrain and kMostBreaking times the strain at the
+/// breaking load. Suspect: in three steps the element is 25 % longer than at the breaking load,
+/// without breaking. Finding::value is minus the strain.
 [[nodiscard]] Finding strain_finding(context::Model& model, const context::State& state,
                                      context::MonitorState& memory) noexcept;
 
-/// Check for wound elements with a negative length in three consecutive steps, because a slide
-/// wound in more wire than exists. The element of a drum does not reach this state
+/// Check for elements at slides with a negative length in three consecutive steps: the slide has
+/// taken in more wire than the element had. The element of a drum does not reach this state
 /// (kLeastOfDrumElement). Finding::value is the length [m].
 [[nodiscard]] Finding wound_finding(const context::Model& model, const context::State& state,
                                     context::MonitorState& memory) noexcept;

@@ -37,8 +37,8 @@ void set(context::MonitorState& state, std::size_t i, double now) noexcept {
 /// Time for which rows may store absorbed energy, in an overlap or in an element that tightens [s].
 constexpr double kHeldFor = 1.0;
 
-/// Count the energy that rows returned beyond their recent losses, which they may store for a
-/// while.
+/// Count the energy that rows returned beyond their recent losses. Rows may store lost energy for a
+/// short time.
 void count_given(double taken, double time, context::MonitorState& state) noexcept {
     state.held = (state.held + std::max(0.0, taken)) * std::exp(-time / kHeldFor);
     const double back = std::min(state.held, std::max(0.0, -taken));

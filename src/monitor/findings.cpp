@@ -43,7 +43,7 @@ void name_row(const context::Model& model, std::int32_t row, Finding& out) noexc
     out.interaction = model.interactions.id(owner_of(model, row));
 }
 
-/// Return the minimum of the stored samples and the present one, and store the latter.
+/// Return the minimum of `now` and the stored samples, and store `now` in place of the oldest one.
 template <std::size_t N>
 double lasting(double now, std::array<double, N>& before) noexcept {
     const double least = std::min(now, *std::min_element(before.begin(), before.end()));
@@ -52,7 +52,8 @@ double lasting(double now, std::array<double, N>& before) noexcept {
     return least;
 }
 
-/// Return the minimum rise of this interval and the two complete ones before: over 0.2 to 0.3 s.
+/// Return the minimum rise of the present interval of 0.1 s and the two intervals before, which
+/// covers 0.2 to 0.3 s.
 double held_rise(double now, double time, context::MonitorState& memory) noexcept {
     constexpr double kSpan = 0.1;
     std::array<double, 3>& least = memory.held_rise;

@@ -18,20 +18,21 @@ namespace hawser::monitor {
 [[nodiscard]] Finding energy_finding(const context::Model& model, const context::State& state,
                                      const context::MonitorPart& p, context::MonitorState& memory,
                                      double time) noexcept;
-/// Check for open joints.
+/// Check for joints that are open beyond the limit.
 [[nodiscard]] Finding open_finding(const context::Model& model, const context::State& state,
                                    const context::MonitorPart& p, context::MonitorState& memory,
                                    double time) noexcept;
 /// Check for violated ranges. A body that strikes the end of a range exceeds it by its motion in a
-/// step. The excess decreases to 4/9 per step: after six consecutive samples 5 % is left.
+/// step. The excess decreases by the factor 4/9 in each step, so that 5 % remain after six samples.
+/// The least of six samples is therefore checked.
 [[nodiscard]] Finding range_finding(const context::Model& model, const context::State& state,
                                     const context::MonitorPart& p,
                                     context::MonitorState& memory) noexcept;
-/// Check for bodies that penetrate each other in six consecutive samples. Reports the thinner one.
+/// Check for bodies that penetrate each other in six consecutive samples. Return the thinner body.
 [[nodiscard]] Finding depth_finding(const context::Model& model, const context::State& state,
                                     const context::MonitorPart& p,
                                     context::MonitorState& memory) noexcept;
-/// Check for unsolved equations.
+/// Check the residuals of the contact law and of the momentum.
 [[nodiscard]] Finding solved_finding(const context::StepContext& ctx, context::MonitorState& state,
                                      double time) noexcept;
 /// Check the cable law. A line that tightens deviates from it briefly; a line that vibrates does so

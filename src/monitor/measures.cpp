@@ -144,8 +144,8 @@ void measure_elastic(context::Model& model, const View& v, std::int32_t id, bool
     }
 }
 
-/// Subtract the kinetic energy by which the end nodes exceed an element that moves as a straight
-/// piece.
+/// Subtract the excess of the kinetic energy of two end nodes over that of a straight bar with the
+/// mass of the element (consistent mass).
 void measure_piece(const View& v, std::int32_t id, const double* after,
                    context::MonitorPart& p) noexcept {
     const double before = assembly::pair_energy(v, id, v.v);
@@ -198,7 +198,8 @@ void take_worse(double value, std::int32_t which, double& most, std::int32_t& wh
 
 }  // namespace
 
-// Chunks are merged in order, so that the result does not depend on threads.
+// Sample energies, rows and lines of a state. Chunks are merged in order, so that the result does
+// not depend on threads.
 context::MonitorPart sample(context::Model& model, context::State& state, runtime::Pool& pool,
                             At when) noexcept {
     const View v = context::row_view(model);
@@ -253,7 +254,7 @@ context::MonitorPart sample(context::Model& model, context::State& state, runtim
 
 namespace {
 
-/// Call f(row, true if a line, violation, its rate) for the active rows of springs.
+/// Call f(row, is_line, violation, rate of the violation) for the active rows of springs.
 template <class F>
 void each_spring(const context::Model& model, const context::State& state, const View& v,
                  F&& f) noexcept {

@@ -19,9 +19,10 @@ enum class At { pose, half_step };
 /// Write the violations of the rows of springs at the present poses into `gaps`, by row.
 void read_spring_gaps(context::Model& model, const context::State& state, double* gaps) noexcept;
 
-/// Return the additional energy of springs half a step before the poses, extrapolated back by the
-/// velocities [J]. It arises because the projection moved the poses by its full amount instead of
-/// half of it. @param before  Result of read_spring_gaps() before the projection.
+/// Return the additional energy of springs due to the position projection [J]. Energies are
+/// evaluated half a step before the poses, extrapolated by the velocities. At that time only half
+/// of the projection counts, but the poses contain all of it. @param before  Result of
+/// read_spring_gaps() before the projection.
 [[nodiscard]] double held_by_closing(context::Model& model, const context::State& state,
                                      const double* before) noexcept;
 

@@ -25,8 +25,8 @@ constexpr std::size_t place(Judge judge) noexcept { return static_cast<std::size
 
 using Findings = std::array<Finding, kJudgeCount>;
 
-/// Keep the worse of two findings, with the larger ratios of both, because momentary and mean
-/// values differ.
+/// Set `worst` to the worse of two findings. It gets the larger of both ratios, because momentary
+/// and mean values differ.
 void take(const Finding& f, Finding& worst) noexcept {
     const double wrong = std::max(f.wrong, worst.wrong);
     const double doubtful = std::max(f.doubtful, worst.doubtful);
@@ -85,7 +85,7 @@ Grade add(const Findings& now, Verdict& verdict) noexcept {
     return grade;
 }
 
-/// Run the checks of every step, before lines break in it.
+/// Run the monitors that check every step, before elements break in it.
 Findings borne(context::StepContext& ctx, context::MonitorState& state) noexcept {
     Findings out{};
     out[place(Judge::cable)] = strain_finding(ctx.model, ctx.state, state);
@@ -118,8 +118,9 @@ void tell(context::State& state, StepStats& stats, const Findings& now, bool all
     }
 }
 
-/// Report a step whose iterations of rigid joints failed (completion.h), once until kMemory has
-/// passed without a failure. The remaining time is stored in ticks.
+/// Send an event for a step with failed end-of-step constraint iterations (completion.h). The event
+/// is sent again only after a time kMemory without a failure. The remaining time is stored in
+/// ticks.
 void report_incomplete(context::StepContext& ctx) noexcept {
     constexpr std::uint8_t kTicks = 200;
     std::uint8_t& left = ctx.state.monitor.state.reported[kJudgeCount];

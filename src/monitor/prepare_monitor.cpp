@@ -12,14 +12,15 @@
 namespace hawser::monitor {
 namespace {
 
-/// Return the edge length of a cube with the same mass and inertia [m]; infinite for other bodies.
+/// Return the size of a rigid body: the edge of a cube with its mass and inertia [m]. It is
+/// infinite for other bodies.
 double size_of(const model::Bodies& b, std::int32_t body) noexcept {
     if (b.dof(body) != 6) return std::numeric_limits<double>::infinity();
     const double* s = &b.inertia[9 * at(body)];
     return std::sqrt(2.0 * (s[0] + s[4] + s[8]) / b.mass[at(body)]);
 }
 
-/// Return the inverse of the allowed gap of a row of a joint with bodies of this size.
+/// Return the inverse of the allowed gap of a joint row. @param size  Size of the smaller body [m].
 double allowance(double size, bool turns) noexcept {
     const double arm = std::isfinite(size) ? 0.5 * size : 0.0;
     return (turns ? arm : 1.0) / (limit::kOpen.doubtful * std::max(1.0, 2.0 * arm));

@@ -19,13 +19,13 @@
 
 namespace hawser::nonsmooth {
 
-/// Compute P_K(y) at velocity u [N s].
+/// Compute the impulse P_K(y) of the associated law at velocity u [N s].
 void associated_impulse(const Cone& cone, const double u[3], double lambda[3]) noexcept;
 
-/// Linearise about u: λ = p − S u, equal to P_K(y) at u.
+/// Linearise the associated law about u: λ = p − S u, which equals P_K(y) at u.
 [[nodiscard]] Law linearise_associated(const Cone& cone, Touch& touch) noexcept;
 
-/// Return natural_map() of this model: without the shift.
+/// Return natural_map() for the associated law, in which r is not shifted by μ‖r_t‖.
 [[nodiscard]] double associated_map(const Cone& cone, double floor) noexcept;
 
 }  // namespace hawser::nonsmooth

@@ -20,14 +20,14 @@ bool invert_block(double a[9]) noexcept {
     return true;
 }
 
-/// Compute c −= a b.
+/// Subtract the product a b of 3×3 matrices from c.
 void subtract_product(const double a[9], const double b[9], double c[9]) noexcept {
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
             c[3 * i + j] -= a[3 * i] * b[j] + a[3 * i + 1] * b[3 + j] + a[3 * i + 2] * b[6 + j];
 }
 
-/// Compute y −= a x.
+/// Subtract the product a x of a 3×3 matrix and a vector from y.
 void subtract_block_product(const double a[9], const double x[3], double y[3]) noexcept {
     for (int i = 0; i < 3; ++i) y[i] -= a[3 * i] * x[0] + a[3 * i + 1] * x[1] + a[3 * i + 2] * x[2];
 }

@@ -15,7 +15,8 @@ struct ChainBlock {
     double x[3];             ///< b; then x.
 };
 
-/// Solve by block elimination without exchange of pivots. Blocks are overwritten.
+/// Solve a block tridiagonal system by block elimination without exchange of pivots. Blocks are
+/// overwritten.
 /// @return false if a pivot block is singular, or a number is not finite.
 [[nodiscard]] bool solve_block_chain(std::size_t n, ChainBlock* rows) noexcept;
 

@@ -19,13 +19,14 @@ enum class Bound : std::uint8_t { free, low, high };
 /// Return the law λ = p − S u with every row free (r = 0) or at its bound; S is diagonal.
 [[nodiscard]] Law box_law(const Cone& cone, const Bound rows[3], double limit) noexcept;
 
-/// Find the rows that violate their state, and the bound that each should be at instead. A free row
-/// is tested by the sign of λ, a row at a bound by the sign of r. @param floor  Impulses below 1e-9
-/// of it count as rounding [N s]. @return number of rows to change.
+/// Find the rows of a contact that violate the condition of their state, and the state that each
+/// should have instead. A free row is tested by the sign of λ, a row at a bound by the sign of r.
+/// @param floor  Impulses below 1e-9 of it count as rounding [N s]. @return number of rows to
+/// change.
 [[nodiscard]] int box_pivots(const Cone& cone, const Bound rows[3], double limit, double floor,
                              Bound wanted[3]) noexcept;
 
-/// Return the state of the contact for the rest of the step: open, sliding or sticking.
+/// Return the state of the contact: open, sliding or sticking.
 [[nodiscard]] Touch contact_state(const Bound rows[3], double limit) noexcept;
 
 }  // namespace hawser::nonsmooth

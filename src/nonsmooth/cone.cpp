@@ -12,7 +12,7 @@ namespace {
 /// 7.2; 0.03: does not always converge.
 constexpr double kTangential = 0.1;
 
-/// Return r = u + Σλ − b.
+/// Compute r = u + Σλ − b of a contact.
 void gap_rate(const Cone& c, const double u[3], const double lambda[3], double r[3]) noexcept {
     r[0] = u[0] + c.sigma_n * lambda[0] - c.b[0];
     for (int i = 1; i < 3; ++i) r[i] = u[i] + c.sigma_t * lambda[i] - c.b[i];

@@ -72,13 +72,13 @@ struct Law {
     double p[3];  ///< [N s].
 };
 
-/// Linearise about (u, λ).
+/// Linearise the contact law about (u, λ).
 [[nodiscard]] Law linearise(const Cone& cone, Touch& touch) noexcept;
 
 /// Project an impulse to the nearest one in the cone K: λ_n ≥ 0, ‖λ_t‖ ≤ μ λ_n.
 void project(double friction, double lambda[3]) noexcept;
 
-/// Return the law of sticking, r = 0.
+/// Return the linear law of a sticking contact, r = 0.
 [[nodiscard]] Law sticking_law(const Cone& cone) noexcept;
 
 /// True if two sliding laws with exact coupling have directions ŷ more than 90° apart.

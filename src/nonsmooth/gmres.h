@@ -18,16 +18,17 @@ class Gmres {
     /// std::bad_alloc.
     void reserve(std::size_t n, int iterations);
 
-    /// Start with x = 0. @param b  n entries; the initial residual is ‖b‖.
+    /// Start an iteration with x = 0.
+    /// @param b  Right-hand side of n entries; the initial residual is ‖b‖.
     void start(std::size_t n, const double* b) noexcept;
-    /// Return the vector that A is to be applied to next.
+    /// Return the vector to which A must be applied next.
     [[nodiscard]] const double* direction() const noexcept { return basis(count_); }
     /// Return the buffer for A direction().
     [[nodiscard]] double* image() noexcept { return basis(count_ + 1); }
-    /// Process image(), which must contain A direction(). @return residual over ‖b‖ with all
-    /// directions up to now.
+    /// Process image(), which must contain A direction(). @return residual divided by ‖b‖, with all
+    /// directions up to this one.
     double take() noexcept;
-    /// Combine the directions. @param x  n entries.
+    /// Compute the solution x as a combination of the Krylov directions. @param x  n entries.
     void solution(double* x) noexcept;
 
     [[nodiscard]] int count() const noexcept { return count_; }

@@ -13,19 +13,19 @@ double normal_law_impulse(const Cone& c, double u_n, double lambda_n) noexcept {
     return lambda_n - r / (c.sigma_n + c.mobility);
 }
 
-/// Return λ − ρ r of one component.
+/// Return λ − ρ r of component i, the argument of the projection.
 double target(const Resistance& a, double rho, double u, double lambda, int i) noexcept {
     return lambda - rho * (u + a.sigma * lambda - a.b[i]);
 }
 
-/// Set component i to λ_i = b_i/Σ − u_i/Σ: the spring holds.
+/// Set component i to the law of a spring that does not slip: λ_i = b_i/Σ − u_i/Σ.
 void hold_component(const Resistance& a, int i, ResistanceLaw& law) noexcept {
     law.s[4 * i] = 1.0 / a.sigma;
     law.p[i] = law.s[4 * i] * a.b[i];
 }
 
-/// Set component i to the fraction `along` of the bound `coefficient` λ_n, whose present value is
-/// `radius`.
+/// Set component i to a law at its bound: the fraction `along` of `coefficient` λ_n, whose present
+/// value is `radius`.
 void bound_component(const Cone& c, double coefficient, double radius, double along, int i,
                      ResistanceLaw& law) noexcept {
     if (c.coupling == Coupling::exact) {

@@ -48,7 +48,8 @@ struct ResistanceLaw {
     double p[3];
 };
 
-/// Linearise about the iterate of resistance and cone, with ρ = 1/(W + Σ) as in cone.h.
+/// Linearise the resistance law about the iterate of resistance and contact, with ρ = 1/(W + Σ) as
+/// in cone.h.
 [[nodiscard]] ResistanceLaw linearise(const Resistance& resistance, const Cone& cone, Touch& spins,
                                       Touch& rolls) noexcept;
 

@@ -39,7 +39,7 @@ void solve_active(std::size_t n, ChainRow* rows) noexcept {
     }
 }
 
-/// True if a row is in the wrong set.
+/// True if the row is in the wrong set: its multiplier or speed has the wrong sign.
 bool row_in_wrong_set(std::size_t n, const ChainRow* rows, std::size_t k) noexcept {
     const ChainRow& row = rows[k];
     if (row.fixed) return false;

@@ -10,10 +10,10 @@
 /// *Method.* Use Newton's method on min(z, w) = 0. With a set A of active rows, solve w_A = 0 with
 /// z = 0 in all other rows, by one Gaussian elimination along the chain. Then a row of A leaves if
 /// z ≤ 0, and another row enters if w < 0. All rows switch at once. A sweep costs O(n). The matrix
-/// of a straight wire has no positive entry beside its diagonal (an M-matrix). The sets then grow
+/// of a straight wire has no positive entry next to its diagonal (an M-matrix). The sets then grow
 /// or shrink monotonically, and the method ends after at most n sweeps. For other positive definite
-/// M it may cycle: after 2n sweeps only the first row that asks switches (K. G. Murty's least index
-/// rule, which ends for every P-matrix).
+/// M it may cycle: after 2n sweeps only the first inconsistent row switches (K. G. Murty's least
+/// index rule, which ends for every P-matrix).
 
 #include <cstddef>
 #include <cstdint>

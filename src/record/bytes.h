@@ -47,7 +47,7 @@ class ByteWriter {
         write_bytes(std::as_bytes(std::span(text.data(), text.size())));
     }
     void clear() noexcept { bytes_.clear(); }
-    /// Drop all but the first `size` bytes.
+    /// Remove all but the first `size` bytes.
     void truncate(std::size_t size) noexcept {
         if (size < bytes_.size()) bytes_.resize(size);
     }

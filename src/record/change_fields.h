@@ -62,7 +62,7 @@ inline constexpr int kChangeKindCount = 35;
 template <class D, class T>
 concept FieldsOf = std::same_as<std::remove_const_t<D>, T>;
 
-/// Visit a member of a row.
+/// Call f with the member that a row of a field table describes.
 template <class D, class Def, class F>
 void visit_member(D& d, const FieldInfo<Def>& row, F& f) {
     std::visit([&](auto member) { f(d.*member); }, row.member);

@@ -8,7 +8,7 @@
 
 namespace hawser::record {
 
-/// Write one change. If allocation fails, remove its bytes.
+/// Write one change. If allocation fails, remove the bytes already written for it.
 template <class F>
 void ChangeBytes::write(F&& fields) noexcept {
     try {

@@ -58,8 +58,8 @@ class ChangeBytes : public ChangeListener {
     void restored(std::span<const std::byte> bytes) noexcept override;
     void restored(const Structure& made_of, std::span<const std::byte> bytes) noexcept override;
     std::size_t mark() noexcept override { return out_.bytes().size(); }
-    /// Remove the changes after a mark, because they were undone. Bodies reported since stay
-    /// reported.
+    /// Remove the changes after a mark, because they were undone. Flags that bodies have changed
+    /// remain set.
     void undone(std::size_t mark) noexcept override { out_.truncate(mark); }
 
     /// Return all changes since the last clear(), in order.
@@ -81,7 +81,7 @@ class ChangeBytes : public ChangeListener {
     bool bodies_changed_ = false, failed_ = false;
 };
 
-/// Repeat recorded changes in a world in the same state.
+/// Apply recorded changes to a world in the state in which they were recorded.
 /// @throws BadBytes if the bytes are not from ChangeBytes, DefError if the world rejects a change.
 void apply_changes(std::span<const std::byte> bytes, World& world);
 

@@ -22,7 +22,7 @@ inline constexpr char kSetNote[] = "set";
 /// Return the text of a note that a recording stores.
 [[nodiscard]] std::string text_of(const RecordedNote& note);
 
-/// True if the input at index `place` of a recording is part of a system, which drives it.
+/// True if a system drives the input at index `place` of a recording as a part of its own.
 [[nodiscard]] bool is_inner_input(const Recording& recording, std::size_t place);
 
 /// True if an input is part of a system, which drives it. Its name then begins with the system's
@@ -33,8 +33,8 @@ inline constexpr char kSetNote[] = "set";
 /// signals.
 [[nodiscard]] std::vector<std::string> signal_words(const World& world, const SystemSignal& signal);
 
-/// Return a signal with its new value, "winch.speed 0.5" or "winch.mode render", or "" if there is
-/// no such signal. @param words  Set to true if the value has a word, else to false.
+/// Return the text of a signal and its new value, such as "winch.speed 0.5" or "winch.mode render";
+/// "" for an unknown signal. @param words  Set to true if the value has a word, else to false.
 [[nodiscard]] std::string signal_text(const World& world, std::string_view name, double value,
                                       bool& words);
 

@@ -3,7 +3,8 @@
 /// @file control.h
 /// Read input values over time from a CSV file.
 ///
-/// First line `time,<input name>,<input name>,…`; then one line per moment, times ascending.
+/// The first line is `time,<input name>,<input name>,…`. Each further line has the values at one
+/// time; times ascend.
 /// A value applies from its time until the next one. An empty field leaves the input unchanged.
 /// Lines that are empty or begin with # are skipped.
 

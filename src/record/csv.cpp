@@ -17,7 +17,7 @@ namespace hawser::record {
 
 namespace {
 
-// RFC 4180: a name with a comma or quote is quoted, quotes inside are doubled.
+// Quote a name for CSV if it contains a comma or quote, and double its quotes (RFC 4180).
 std::string csv_quoted(const std::string& name) {
     if (name.find_first_of(",\"\n\r") == std::string::npos) return name;
     std::string out = "\"";

@@ -24,8 +24,8 @@ namespace hawser::record {
     return signal.system + "." + signal.name;
 }
 
-/// Return the source of an event: its input; for a line that breaks the position along its wire;
-/// else the result of position_label().
+/// Return the label of an event's source: its input; for a broken line the position along its wire;
+/// otherwise the result of position_label().
 [[nodiscard]] inline std::string event_label(const World& world, const Event& event) {
     if (std::string input = input_label(world, event); !input.empty()) return input;
     if (event.kind == EventKind::line_break && event.interaction.valid())

@@ -60,8 +60,8 @@ struct PutFields {
         out.put(static_cast<std::uint32_t>(all.size()));
         for (const E& each : all) word(each, count);
     }
-    /// Write a kind and the rows of a table. Rows from index `named` on follow by name, if they
-    /// differ from the default.
+    /// Write a kind and the rows of its field table. Rows from index `named` on are written with
+    /// their names, if they differ from the default.
     template <class D, class E, class Rows>
     void table(const D& d, const E& kind, int, const Rows& rows, std::size_t named) {
         std::vector<const FieldInfo<D>*> more;
@@ -131,7 +131,7 @@ struct GetFields {
         all.resize(in.get_count(1));
         for (E& each : all) word(each, count);
     }
-    /// Read a kind and the rows of a table (PutFields::table()).
+    /// Read a kind and the rows of its field table, as PutFields::table() writes them.
     template <class D, class E, class Rows>
     void table(D& d, E& kind, int count, const Rows& rows, std::size_t named) {
         const unsigned bits = in.get<std::uint8_t>(), number = bits & ~kNamedFields;

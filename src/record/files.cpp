@@ -79,7 +79,7 @@ bool write_all(int to, std::span<const std::byte> bytes) {
     return true;
 }
 
-/// Return the end of a name's symbolic links, also if no file exists at that end.
+/// Return the target of a path after all symbolic links, also if no file exists there.
 std::filesystem::path target(const std::filesystem::path& file) {
     constexpr int kMaxLinks = 40;  // as many as Linux follows
     std::error_code failure;

@@ -35,9 +35,9 @@ inline constexpr std::size_t kSparse = std::size_t{1} << 24;
 /// `later`: by flush_folder(), after the last of many related files.
 enum class Flush { now, later };
 
-/// Write a file under another name in the same folder and rename it, so that an interruption leaves
-/// the old file or the new one. A symbolic link stays, and its target is written. A device is
-/// written directly.
+/// Write a file under another name in the same folder and rename it, so that after an interruption
+/// either the old or the new file exists. If the path is a symbolic link, its target is replaced. A
+/// device is written directly.
 [[nodiscard]] std::string write_file(const std::filesystem::path& file,
                                      std::span<const std::byte> bytes, Flush flush = Flush::now);
 [[nodiscard]] std::string write_file(const std::filesystem::path& file, const std::string& text,

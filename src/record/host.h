@@ -9,7 +9,7 @@
 
 namespace hawser::record {
 
-/// Return the processor's own name; "unknown" if it cannot be read.
+/// Return the name that the processor reports; "unknown" if it cannot be read.
 [[nodiscard]] std::string processor_model();
 /// Return the number of processors that this process may use.
 [[nodiscard]] int processor_count();

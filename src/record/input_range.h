@@ -8,8 +8,8 @@
 
 namespace hawser::record {
 
-/// Check a value. @throws DefError with input, value, range and unit if the value is not finite or
-/// outside the range. An unknown name passes: Session::set_input() rejects it.
+/// Check the value of an input. @throws DefError with input, value, range and unit if the value is
+/// not finite or outside the range. An unknown name passes: Session::set_input() rejects it.
 void check_input_range(const scene::Scene& scene, std::string_view name, double value);
 
 }  // namespace hawser::record

@@ -22,7 +22,7 @@ std::vector<Vec3> circle_points(double radius, double z) {
     return out;
 }
 
-/// Add every k-th row and column of a heightfield, including the last one.
+/// Add every k-th row and column of a heightfield to an outline, including the last ones.
 void ground_lines(const ShapeDef& def, RecordedOutline& out) {
     const auto some = [](int count) {
         std::vector<int> at;
@@ -42,7 +42,7 @@ void ground_lines(const ShapeDef& def, RecordedOutline& out) {
                             static_cast<std::size_t>(j)]);
 }
 
-/// Return the outline of a shape in the shape's own frame.
+/// Return the outline of a shape in the frame of the shape.
 RecordedOutline in_shape(const ShapeDef& def) {
     RecordedOutline out;
     out.body = def.body.index;

@@ -17,7 +17,7 @@ inline constexpr int kOutlineRim = 24;  ///< Number of points of the outline of 
                                                          const World& world);
 
 void write_outlines(ByteWriter& out, const std::vector<RecordedOutline>& outlines);
-/// Read outlines. @throws BadBytes.
+/// Read outlines of recordings. @throws BadBytes.
 [[nodiscard]] std::vector<RecordedOutline> get_outlines(ByteReader& in, std::size_t bodies);
 
 }  // namespace hawser::record

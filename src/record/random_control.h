@@ -29,8 +29,8 @@ struct RandomControlDef {
 };
 
 /// Return the text of a control file. It has steps (60 %) and ramps (40 %). Their targets are a
-/// limit of the range (30 %), `rest` (20 %) or any value between. The first line of values contains
-/// the start of all inputs.
+/// limit of the range (30 %), `rest` (20 %) or any value between. The first line of values has the
+/// start values of all inputs.
 [[nodiscard]] std::string random_control(std::span<const RandomInput> inputs,
                                          const RandomControlDef& def);
 

@@ -20,7 +20,7 @@ namespace hawser::record {
 
 class LineFollower {
   public:
-    /// Start to follow. @param joints  Joints of the layout, in its order.
+    /// Start to record changes of lines. @param joints  Joints of the layout, in its order.
     LineFollower(const World& world, std::vector<InteractionId> joints);
     /// True if lines were added or removed since the last call.
     [[nodiscard]] bool changed(const World& world);

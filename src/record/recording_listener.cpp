@@ -43,8 +43,8 @@ void RecordingListener::detached(InteractionId element, int end) noexcept {
     mass > 0.0 ? detached_carried(element, end, mass) : ChangeBytes::detached(element, end);
 }
 
-/// Store a restored state in a chunk of its own, at the step of the world before. A replay makes
-/// its world like that of the start before this chunk.
+/// Store a restored state in a separate chunk, at the step of the world before the restore. A
+/// replay first rebuilds the world of the start, and then applies this chunk.
 template <class F>
 void RecordingListener::begin_branch(F&& reported) noexcept {
     const std::int64_t before = last_step_;

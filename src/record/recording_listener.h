@@ -20,7 +20,7 @@ class RecordingListener final : public ChangeBytes {
     RecordingListener(const RecordingListener&) = delete;
     RecordingListener& operator=(const RecordingListener&) = delete;
 
-    /// Do nothing for inputs of a scene: they are commands, which a recording stores separately.
+    /// Ignore inputs of a scene. They are commands, which a recording stores in another chunk.
     void set(InputId id, double value) noexcept override;
     /// Store the action of a system. Replays have no systems, only their actions.
     void detached(InteractionId element, int end) noexcept override;

@@ -206,8 +206,8 @@ void Recording::read_event(ByteReader in) {
     events.push_back(std::move(event));
 }
 
-/// Read the end. It belongs to the last frame or follows it by less than a stride; replay steps to
-/// it.
+/// Read the end of the recorded run. It is at the last frame or less than a stride behind it; a
+/// replay steps to it.
 void Recording::read_end(ByteReader in) {
     const auto how = get_enum<Ending>(in, static_cast<int>(Ending::unknown));
     end_step = get_step(in, 0);

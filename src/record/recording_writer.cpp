@@ -46,7 +46,7 @@ std::size_t sea_load_bytes(const World& world) {
 
 namespace {
 
-// A reader accepts only finite numbers; values outside the range of the format are clamped.
+// Clamp a value to the range of single precision, because readers accept only finite numbers.
 double in_range(double value) {
     constexpr double kMaximum = std::numeric_limits<double>::max();
     return std::isnan(value) ? 0.0 : std::clamp(value, -kMaximum, kMaximum);
@@ -56,8 +56,8 @@ float to_float(double value) {
     return static_cast<float>(std::isnan(value) ? 0.0 : std::clamp(value, -kMaximum, kMaximum));
 }
 
-// Positions are stored as distances from the start. At a kilometre from the origin single precision
-// would round to a tenth of a millimetre.
+// Write a pose. The position is stored as the difference from the start, because at a kilometre
+// from the origin single precision would round it to a tenth of a millimetre.
 void write_pose(ByteWriter& out, const Pose& pose, const Pose& start, BodyKind kind) {
     const int floats = pose_floats(kind);
     for (int k = 0; k < std::min(3, floats); ++k)
@@ -253,7 +253,8 @@ void RecordingWriter::add_inputs(std::span<const RecordedInput> changes) {
     write_chunk(kInputsChunk);
 }
 
-/// Write the sea whose loads on nodes of wires are left out, unless it is that of the last chunk.
+/// Write the definition of the sea whose loads on nodes of wires are omitted, unless the last chunk
+/// has this definition.
 void RecordingWriter::follow_sea(const World& world) {
     std::shared_ptr<const LineSea> sea = line_sea(world);
     if (sea == sea_) return;

@@ -30,7 +30,7 @@ enum class LoadStorage : std::uint8_t {
 /// Writes a recording. Functions throw RecordingError when the disk is full.
 class RecordingWriter {
   public:
-    /// Starts the file with the scene, the settings, the layout and the state of the world.
+    /// Start the file with the scene, the settings, the layout and the state of the world.
     RecordingWriter(const std::filesystem::path& file, const SceneInfo& scene, const World& world,
                     const RecordingSettings& settings, LoadStorage loads = LoadStorage::needed);
     void add_frame(const World& world);
@@ -44,7 +44,8 @@ class RecordingWriter {
     void add_note(std::int64_t step, std::string_view kind, std::span<const std::byte> bytes);
     void add_cut(const RecordedCut& cut);
     void add_event(const World& world, const Event& event);
-    /// Write that the world restored another of its own states; this was the last change.
+    /// Write that the world has restored one of its earlier states. The last change must be this
+    /// restore.
     void add_take(std::int64_t from, std::int64_t to);
     void finish(const World& world, Ending ending);
 

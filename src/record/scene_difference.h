@@ -18,7 +18,7 @@ struct SceneDifferences {
     std::string structure;
 };
 
-/// Compare two documents. @throws std::runtime_error if a text is not JSON.
+/// Compare two scene documents. @throws std::runtime_error if a text is not JSON.
 [[nodiscard]] SceneDifferences compare_scenes(std::string_view before, std::string_view now);
 
 }  // namespace hawser::record

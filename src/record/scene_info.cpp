@@ -56,7 +56,7 @@ std::vector<BodyId> watched_bodies(const SceneInfo& scene, const World& world) {
 
 namespace {
 
-/// Return the wire that has a body as a node; invalid if there is none.
+/// Return the wire to which a node belongs; invalid if the body is no node of a wire.
 WireId wire_at(const World& world, BodyId body) {
     if (world.body_def(body).kind != BodyKind::lump) return {};
     for (const WireId wire : world.wires().ids()) {

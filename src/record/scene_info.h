@@ -47,25 +47,27 @@ struct SceneInfo {
 /// Return the data of a scene that was read. The scene may be moved afterwards.
 [[nodiscard]] SceneInfo make_scene_info(const scene::Scene& scene);
 
-/// Return the tension in one element after the last step [N]. For a stretch, winch or distance row
-/// it is minus the row's force. For a joint between links it is the magnitude of the force.
+/// Return the tension in one element after the last step [N]. For a stretch, winch stretch or
+/// distance it is the negative force of its row. For a joint between links it is the magnitude of
+/// the force.
 [[nodiscard]] double element_tension(const World& world, InteractionId element);
 
 /// Return the bodies whose motion is reported: the plotted bodies of the scene, or without these
 /// the rigid bodies that are not inside a cable.
 [[nodiscard]] std::vector<BodyId> watched_bodies(const SceneInfo& scene, const World& world);
 
-/// Return the body's own name, or "tow/2 node 17" for a node of a wire, or "body 17".
+/// Return the name of the body if it has one, else "tow/2 node 17" for a node of a wire, else "body
+/// 17".
 [[nodiscard]] std::string body_label(const World& world, BodyId body);
-/// Return the interaction's own name, or "tow/2 stretch 17" for a part of a wire, or "stretch 17";
-/// "-" for no interaction.
+/// Return the name of the interaction if it has one, else "tow/2 stretch 17" for an element of a
+/// wire, else "stretch 17"; "-" for no interaction.
 [[nodiscard]] std::string interaction_label(const World& world, InteractionId interaction);
 /// Return the label of an event's or a finding's source: an interaction, a body, or "-".
 [[nodiscard]] std::string position_label(const World& world, InteractionId interaction,
                                          BodyId body);
 /// Return the origin of a name, such as " (made by "upper")" for "upper/slide1" of the route
-/// "upper". Names with an origin come from a winch, crane, guide, post or route of the scene.
-/// Return "" for names that the author wrote.
+/// "upper". Names with an origin are made by a winch, crane, guide, bollard or route of the scene.
+/// Return "" for names from the scene file.
 [[nodiscard]] std::string origin(const World& world, std::string_view name);
 /// Return the kind of an interaction and its bodies: `the hinge "foot" between "ship" and "boom"`.
 [[nodiscard]] std::string interaction_in_words(const World& world, InteractionId interaction);

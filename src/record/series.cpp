@@ -77,7 +77,7 @@ void add_pieces(Series& series, const Recording& recording, const Frame& frame) 
     }
 }
 
-// Append an angle without the jump by a turn at ±180° [deg].
+// Append an angle, without the jump by a whole turn at ±180° [deg].
 void append_angle(std::vector<double>& values, double angle) {
     const double before = values.empty() ? 0.0 : values.back();
     angle -= 360.0 * std::round((angle - before) / 360.0);

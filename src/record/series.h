@@ -45,8 +45,8 @@ struct Series {
     std::vector<BodySeries> bodies;
 };
 
-/// Collect the curves of the cables and bodies that the scene plots. If the scene plots none, use
-/// the cables with the largest tensions and the rigid bodies, at most `limit` of each.
+/// Collect the curves of the cables and bodies under `plot` of the scene. Without `plot`, use the
+/// cables with the largest tensions and the rigid bodies, at most `limit` of each.
 [[nodiscard]] Series collect_series(const Recording& recording, std::size_t limit = 12);
 
 /// Return the intervals [begin, end) in which a curve is continuous. It breaks at a restored state
@@ -54,7 +54,8 @@ struct Series {
 [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> continuous_intervals(
     const Series& series, const std::vector<double>& values);
 
-/// Return one line with step, form, duration, hash, instruction set and version.
+/// Return one line with step, form, duration, state hash, instruction set and version of a
+/// recording.
 [[nodiscard]] std::string parameter_line(const Recording& recording);
 
 }  // namespace hawser::record

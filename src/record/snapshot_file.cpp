@@ -34,8 +34,8 @@ SceneDifferences differences(const std::string& before, const std::string& now) 
     return compare_scenes(before, now);
 }
 
-/// Restore a state of a scene with other numbers. They may change the objects of a scene, such as
-/// the elements of a cable.
+/// Restore a saved state in a scene whose numbers differ. Such numbers may change the objects of
+/// the scene, such as the elements of a cable.
 void restore_variant_state(World& world, std::span<const std::byte> state,
                            const std::vector<std::string>& numbers) {
     try {

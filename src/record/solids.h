@@ -21,7 +21,8 @@ struct Triangles {
 
 /// Compute the surface of the convex hull of points by the beneath-beyond method. A tetrahedron
 /// grows point by point. The faces visible from a new point are replaced by faces from the point to
-/// their rim. Source: F. P. Preparata and M. I. Shamos, *Computational Geometry*, 1985, 3.4.2.
+/// the border of the visible region. Source: F. P. Preparata and M. I. Shamos, *Computational
+/// Geometry*, 1985, 3.4.2.
 /// @return an empty surface if the points lie in a plane, to 1e-9 of their extent. Points that lie
 /// in faces are omitted.
 [[nodiscard]] Triangles convex_surface(std::span<const Vec3> points);
@@ -29,9 +30,9 @@ struct Triangles {
 /// Return the surface of a box about the origin.
 [[nodiscard]] Triangles box_surface(const Vec3& half_size);
 
-/// Return the surface of an outline of kind solid in its body's frame. Balls about its points
-/// become polyhedra of 42 corners, or of 6 if there are many. @return an empty surface if the
-/// outline is flat.
+/// Return the surface of an outline of the kind "solid", in the frame of its body. Balls about its
+/// points become polyhedra of 42 corners, or of 6 if there are many. @return an empty surface if
+/// the outline is flat.
 [[nodiscard]] Triangles outline_surface(const RecordedOutline& outline);
 
 /// Return the surfaces of a body in its frame: its solid outlines, else the box of its half size,

@@ -10,8 +10,8 @@
 
 namespace hawser::record {
 
-/// Return a sentence such as "joint 'l' was open by 1.2 m at 0.4 s". @param where  Joint, element
-/// or body; "": the whole scene.
+/// Return a sentence about a finding, such as "joint 'l' was open by 1.2 m at 0.4 s".
+/// @param where  Receives the joint, element or body; "": the whole scene.
 [[nodiscard]] std::string finding_sentence(const World& world, Judge judge, const Finding& finding,
                                            const std::string& where);
 
@@ -19,7 +19,8 @@ namespace hawser::record {
 /// @param tense  "" or "had ", before the verb.
 [[nodiscard]] std::string energy_change(double value, const char* tense);
 
-/// Return remedy(judge). The budget of a step is included only if the world has one.
+/// Return the remedy for a finding of a monitor. It mentions the budget of a step only if the world
+/// has one.
 [[nodiscard]] const char* remedy_for(const World& world, Judge judge);
 
 }  // namespace hawser::record

@@ -19,7 +19,7 @@ struct WirePosition {
 /// Return the unstretched length of an existing element at the present angle of its drum [m].
 [[nodiscard]] double rest_length(const World& world, InteractionId element);
 
-/// Return the position of an element in the first wire that contains it; null if there is none.
+/// Return the position of an element in the first wire that contains it; null if no wire does.
 [[nodiscard]] std::optional<WirePosition> wire_position(const World& world, InteractionId element);
 
 /// Return the label of a broken line, `wire/s39 (wire at 197.5 m)`, or else the result of

@@ -17,9 +17,9 @@ struct EliminationCounts {
     std::int64_t path = 0;   ///< Flops on the longest path from a leaf to a root.
 };
 
-/// Count block by block: struct(v) = neighbours of v after it and struct of its children, less v.
-/// Source: Liu, "The role of elimination trees in sparse factorization", 1990. @param order
-/// order[k] = node of the view eliminated k-th.
+/// Count entries and flops block by block: struct(v) is the union of the later neighbours of v and
+/// struct of its children, without v. Source: Liu, "The role of elimination trees in sparse
+/// factorization", 1990. @param order order[k] = node of the view eliminated k-th.
 [[nodiscard]] EliminationCounts count_elimination(const SystemView& view,
                                                   const std::vector<std::int32_t>& order);
 

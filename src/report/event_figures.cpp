@@ -130,7 +130,7 @@ std::string plural(std::int64_t count, const char* one, const char* many) {
     return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-/// Describe events of objects without a number of their own.
+/// Return the number of events, for kinds without a figure of their own.
 std::string how_often(const EventFigures& e) {
     const char* what = e.kind == EventKind::lift_off ? "wires left their guides "
                        : e.kind == EventKind::lay_on ? "wires returned to their guides "
@@ -138,7 +138,7 @@ std::string how_often(const EventFigures& e) {
     return what + plural(e.count, "time", "times");
 }
 
-/// Return a text with events of anchors, which share their kinds with winches and wires.
+/// Return the text for events of anchors. Anchors use the event kinds of winches and wires.
 std::string of_anchors(const EventFigures& e) {
     if (e.kind == EventKind::render)
         return "anchors dragged or winches yielded to the load " + plural(e.count, "time", "times");

@@ -187,7 +187,8 @@ void SummaryCollector::watch_bodies(const World& world) {
     }
 }
 
-// The first step gives the reference, because no half-step position exists before it.
+// Record the energy after a step. The first step gives the reference, because no half-step position
+// exists before it.
 void SummaryCollector::watch_energy(const World& world) {
     const Energy energy = world.energy();
     const double potential = energy.gravity + energy.elastic;

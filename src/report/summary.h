@@ -148,7 +148,7 @@ struct Summary {
 class SummaryCollector : public Observer {
   public:
     SummaryCollector(const record::SceneInfo& scene, const World& world);
-    /// Call after each step with the events of that step.
+    /// Record a step and its events. Call after each step.
     void after_step(const World& world, std::span<const Event> events) override;
     /// Add Session::step_cpu_seconds() of the step of the last after_step().
     void add_step_cpu(double seconds);
@@ -201,7 +201,7 @@ enum class Detail : std::uint8_t { user, solver };
 
 /// Return the first and worst event of each kind in the world (event_figures.cpp).
 [[nodiscard]] std::vector<EventFigures> event_figures(const World& world);
-/// Return the lines of a report about them.
+/// Return the lines of a report about the events.
 [[nodiscard]] std::string event_lines(const Summary& summary);
 
 }  // namespace hawser::report

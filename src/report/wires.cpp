@@ -87,7 +87,8 @@ void WireWatch::sample(const World& world, Watched& w, bool first) {
     follow(w.figures.mass, mass, first);
 }
 
-/// Record the present resolution of wires. If the list is full, remove every other time.
+/// Record the present element lengths of adaptive wires. If the list is full, remove every second
+/// sample.
 void WireWatch::record_edit_times(const World& world) {
     for (Watched& w : wires_) {
         if (!world.alive(w.id)) continue;

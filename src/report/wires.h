@@ -66,7 +66,7 @@ class WireWatch {
     static constexpr std::size_t kMaxTimes =
         64;  ///< Capacity of the times; if it is exceeded, every other time is removed.
     explicit WireWatch(const World& world);
-    /// Call after each step with the events of that step.
+    /// Record a step and its events. Call after each step.
     void after_step(const World& world, std::span<const Event> events);
     [[nodiscard]] std::vector<WireFigures> result(const World& world) const;
     /// Return the first breaks in the order of time.

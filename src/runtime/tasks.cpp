@@ -108,7 +108,7 @@ double Pool::cpu_seconds(int thread) noexcept {
     return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// Run tasks of a part. @return number of tasks that this thread has done.
+/// Run tasks of a part until none remain. @return number of tasks that this thread has run.
 int Pool::run_remaining_tasks(Part& part, int thread) noexcept {
     int worked = 0;
     std::uint64_t ticket = part.ticket.load(std::memory_order_acquire);
@@ -127,8 +127,8 @@ int Pool::run_remaining_tasks(Part& part, int thread) noexcept {
     }
 }
 
-/// Run tasks: first those of the thread's own part. The batch ends only after this function has
-/// counted them, so that every count belongs to one batch.
+/// Run tasks until none remain, starting with the part of this thread. A batch of tasks ends only
+/// after this function has added its count, so that every count belongs to one batch.
 void Pool::run_remaining_tasks(int thread) noexcept {
     int worked = 0;
     for (int p = 0; p < threads_; ++p)

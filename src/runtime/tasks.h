@@ -8,14 +8,14 @@
 /// tasks to threads varies; the results do not. A worker that is still waking delays no other: a
 /// batch is done when its tasks are done.
 ///
-/// Each thread begins with a contiguous part of the tasks, by an atomic ticket of its own, and then
-/// helps the next threads:
+/// Each thread begins with a contiguous part of the tasks, which it claims by an atomic counter of
+/// this part. Then it claims tasks of the next threads:
 ///
-///     thread 0   0 1 2 3 |               then 4, 5, … where thread 1 has not come to them
+///     thread 0   0 1 2 3 |               then 4, 5, … if thread 1 has not claimed them
 ///     thread 1           | 4 5 6 7       then 0, 1, …
 ///
-/// *Locality.* Loops over the same items, in this step and the next, then find them in the cache of
-/// the core that wrote them. Between cores a cache line takes a tenth of a microsecond.
+/// *Locality.* Later loops over the same items therefore find them in the cache of the core that
+/// wrote them. The transfer of a cache line between cores costs a tenth of a microsecond.
 
 #include "base/executor.h"
 
@@ -32,22 +32,24 @@ class Trace;
 class Pool final : public base::Executor {
   public:
     /// Start the threads.
-    /// @param threads  Including the caller; at least 1.
-    /// @throws ThreadError if they cannot start, std::bad_alloc; none is left running then.
+    /// @param threads  Number of threads including the caller, at least 1.
+    /// @throws ThreadError if they cannot start, std::bad_alloc. No thread runs after an exception.
     explicit Pool(int threads);
     ~Pool() override;
     Pool(const Pool&) = delete;
     Pool& operator=(const Pool&) = delete;
 
-    /// Wake the workers; until pause() they spin for work.
+    /// Wake the workers. Until pause() they wait actively for tasks.
     void resume() noexcept;
     /// Let the workers sleep.
     void pause() noexcept;
 
-    /// Let stopping() return true until clear_stop(). Called by any thread or a signal handler.
+    /// Request that stopping() returns true until clear_stop(). Any thread or a signal handler may
+    /// call it.
     void stop() noexcept { stopping_.store(true, std::memory_order_relaxed); }
     void clear_stop() noexcept { stopping_.store(false, std::memory_order_relaxed); }
-    /// Let stopping() return false until this ends, so that changes of the state are completed.
+    /// Block stop requests: stopping() returns false until the block ends, so that changes of the
+    /// state are completed.
     void block_stop(bool on) noexcept { stop_blocked_.store(on, std::memory_order_relaxed); }
     [[nodiscard]] bool stopping() const noexcept override {
         return stopping_.load(std::memory_order_relaxed) &&
@@ -57,7 +59,8 @@ class Pool final : public base::Executor {
     /// Return the CPU time of a thread since its start [s]; 0: the calling thread.
     [[nodiscard]] double cpu_seconds(int thread) noexcept;
 
-    /// Start recording loops and tasks in `trace`; nullptr ends it. Call between loops only.
+    /// Start to record loops and tasks in `trace`; null ends the recording. Call between loops
+    /// only.
     void record(Trace* trace) noexcept { trace_ = trace; }
 
     void run(int count, Task task, void* context) noexcept override;

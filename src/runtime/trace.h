@@ -17,7 +17,8 @@ namespace hawser::runtime {
 
 class Trace {
   public:
-    /// Allocate the rings. @param capacity  Spans per thread, at least 1. @throws std::bad_alloc.
+    /// Allocate the ring buffers. @param capacity  Number of spans per thread, at least 1. @throws
+    /// std::bad_alloc.
     Trace(int threads, std::size_t capacity);
 
     /// Return the time since construction [s].
@@ -34,7 +35,8 @@ class Trace {
         ++ring.count;
         if (++ring.next == ring.span.size()) ring.next = 0;
     }
-    /// Note that a thread begins a node of a graph. task() stores the node in the span of its task.
+    /// Record that a thread begins a node of a graph. task() stores the node in the span of its
+    /// task.
     void begin_node(int node, int thread) noexcept {
         Ring& ring = ring_[static_cast<std::size_t>(thread)];
         ring.node = node;
@@ -57,10 +59,10 @@ class Trace {
     /// Store the graph of the next loop. Call on the thread that runs the loops.
     void announce(const base::TaskOrder& order) noexcept;
     [[nodiscard]] int threads() const noexcept { return static_cast<int>(ring_.size()); }
-    /// Return the time up to which spans may be missing [s].
+    /// Return the latest time before which spans may be missing [s].
     [[nodiscard]] double lost_until() const noexcept;
-    /// Copy all spans that begin at `from` [s] or later and the graphs of their loops. Spans ascend
-    /// by begin; of equal begins the longer one comes first.
+    /// Copy all spans that begin at `from` [s] or later and the graphs of their loops. Spans are
+    /// sorted by their begin, and by descending length for equal begins.
     void copy(double from, TraceView& to) const;
 
     // Values of the calling thread for later spans: index of the step.

@@ -16,7 +16,7 @@ void read_anchor_part(T& out, const Json& json) {
     read_fields(out, json, VesselTable<T>::kNumbers);
 }
 
-/// Return the index of a word that the format has accepted.
+/// Return the enumerator of a word. The format has already accepted the word.
 template <class Enum>
 Enum word_of(const Json& json, const char* key, std::span<const char* const> names, Enum fallback) {
     const auto entry = json.find(key);
@@ -75,7 +75,7 @@ StabilityItem read_gauge(Description& out, const Scope& scope, const Json& json,
     return item;
 }
 
-/// Reject a field of an anchor, with the names that angles have in scenes.
+/// Throw an error about a field of an anchor. Angles have their names in scenes.
 [[noreturn]] void throw_anchor_error(const SourceLocation& location, const DefError& error) {
     FieldWords said = field_words(error);
     for (const char* angle : {"clay/fluke_angle", "most_heel", "deck_edge", "flooding"})

@@ -98,7 +98,7 @@ std::size_t element_at(const CableLayout& c, double at) {
     return before;
 }
 
-/// Read the weak element. The lengths of the elements must be known.
+/// Read the key `weak` of a cable. The lengths of the elements must have been computed.
 void read_weak(CableLayout& c, const Json& cable, const SourceLocation& location) {
     const auto weak = cable.find("weak");
     if (weak == cable.end()) return;

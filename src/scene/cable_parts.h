@@ -85,8 +85,8 @@ struct CableLayout {
 /// Read "resolution" of a cable with a layout (resolutions.cpp). @throws SceneError.
 void read_resolution(Description& out, const CableLayout& cable, const Json& json,
                      const SourceLocation& cable_place);
-/// Read the water forces on a cable of nodes. If one section has drag, sections without drag have
-/// no water forces; no part of them may be in air. @throws SceneError.
+/// Read the water forces on a cable of nodes. If some sections have drag, the others have no water
+/// forces, and no part of the others may be in air. @throws SceneError.
 void read_water(Description& out, const CableLayout& cable, const Document& document,
                 const SourceLocation& location);
 

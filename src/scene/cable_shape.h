@@ -17,13 +17,13 @@ struct StillSea {
     double level = 0.0;       ///< Height z of its surface [m].
     double density = 1025.0;  ///< Density [kg/m³].
 };
-/// Return the still water of the key "sea"; null: there is no sea.
+/// Return the still water that the key "sea" defines; null without this key.
 [[nodiscard]] std::optional<StillSea> still_sea(const Document& document);
 /// True if the sea acts on the cable: it consists of nodes, and its line types have "cd_normal".
 [[nodiscard]] bool in_water(const CableLayout& c) noexcept;
 
-/// Set `length` and `nodes`, and the position of a free end of a hanging cable. Shapes at rest have
-/// their weight in still water if a sea acts on them. @throws SceneError.
+/// Set `length` and `nodes`, and the position of a free end of a hanging cable. If a sea acts on
+/// the cable, shapes at rest are computed with the weight in still water. @throws SceneError.
 void place_nodes(CableLayout& c, const Description& out, const Scope& scope, const Json& cable,
                  const std::optional<StillSea>& sea, const SourceLocation& location);
 

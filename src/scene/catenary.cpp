@@ -70,7 +70,7 @@ Slopes smooth_guess(const CatenaryProblem& p) {
     return {start + 0.5 / a, 1.0 / a};
 }
 
-/// Apply Newton's method with halved steps. @return false if it does not converge.
+/// Solve by Newton's method with halved steps. @return false if it does not converge.
 bool newton(const CatenaryProblem& p, Slopes& at) {
     Sums s = add_up(at.t0, at.k, p.n);
     double error = p.residual(s);
@@ -120,7 +120,7 @@ double match_rise(const CatenaryProblem& p, double k) {
     return std::sinh(0.5 * (low + high)) - half;
 }
 
-/// Apply nested bisection: slower, but needs no starting point.
+/// Solve by nested bisection, which is slower but needs no starting point.
 bool bisect(const CatenaryProblem& p, Slopes& at) {
     double low = -30.0;
     double high = 30.0;

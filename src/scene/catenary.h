@@ -19,8 +19,8 @@
 namespace hawser::scene {
 
 /// Return the n + 1 nodes from `a` to `b`, hanging along `down`.
-/// @return null if there is no such shape: length below the distance, or the end points
-///         nearly on one vertical.
+/// @return null if no such shape exists: the length is below the distance of the ends, or the ends
+///         are nearly on one vertical.
 [[nodiscard]] std::optional<std::vector<Vec3>> hanging_nodes(const Vec3& a, const Vec3& b,
                                                              double length, int n,
                                                              const Vec3& down);

@@ -57,7 +57,7 @@ std::vector<std::string> tokens_of(const std::string& path) {
     return tokens;
 }
 
-/// Remove an entry from a list and record its loss.
+/// Remove an entry from a list and record that it is missing.
 void drop_entry(Json& list, const std::string& index, const std::vector<OmittedPart>& kinds,
                 const std::string& prefix, Mistakes& mistakes) {
     std::size_t i = 0;

@@ -10,9 +10,9 @@
 
 namespace hawser::scene {
 
-/// Check a document as check_shape() does. With a list, all mistakes go to it, and the faulty part
-/// leaves the document. An entry of a list becomes null; an entry of a map or a key of the settings
-/// is removed.
+/// Check a document as check_shape() does. If `mistakes` is not null, all mistakes are added to it,
+/// and faulty parts are removed from the document. An entry of a list becomes null; an entry of a
+/// map or a key of the settings is removed.
 void check_document(Json& root, const Shape& shape, const SourceLocation& location,
                     Mistakes* mistakes);
 

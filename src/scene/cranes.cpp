@@ -107,8 +107,8 @@ class SceneSite final : public CraneSite {
     int at_;
 };
 
-/// Convert field names of the library, mount/point and boom_angle [rad], to those of a scene, point
-/// and boom_angle_deg.
+/// Throw an error of a crane definition at its position in the scene. Field names of the library
+/// (mount/point, boom_angle [rad]) are converted to those of the scene (point, boom_angle_deg).
 [[noreturn]] void throw_crane_error(const SourceLocation& location, const DefError& error) {
     FieldWords said = field_words(error);
     constexpr std::string_view kMount = "mount/";

@@ -7,7 +7,8 @@
 
 namespace hawser::scene {
 
-/// Read the stoppers, pins, hooks and chasers of one scope. All bodies must exist.
+/// Read the stoppers, pins, hooks and chasers of one scope (the scene or an instance of a
+/// template). All bodies must exist.
 void expand_deck(Description& out, const Scope& scope);
 /// Add deck gear to the world, after shapes, winches and posts. @throws SceneError if the world
 /// rejects some.

@@ -155,7 +155,7 @@ class Description {
     std::vector<MaterialPairDef> material_pairs;
     std::vector<ShapeDef> shapes;
 
-    /// Store a place to which several items refer. @return its number.
+    /// Store a position in the document to which several items refer. @return its index.
     int store_location(const SourceLocation& location);
     [[nodiscard]] const SourceLocation& body_location(std::size_t i) const {
         return locations_[body_at_[i]];
@@ -190,7 +190,7 @@ class Description {
     [[nodiscard]] const SourceLocation& shape_location(std::size_t i) const {
         return locations_[shape_at_[i]];
     }
-    /// Return the places of all shapes, "FILE: /shapes/3".
+    /// Return the positions of all shapes in the document, such as "FILE: /shapes/3".
     [[nodiscard]] std::vector<std::string> shape_places() const;
 
     void add_shape(ShapeDef def, int location);
@@ -252,8 +252,8 @@ struct Scope {
 [[nodiscard]] BodyId resolve_body(Description& out, const Scope& scope, const std::string& name,
                                   const SourceLocation& location);
 
-/// Return the interaction with this local name among those read so far. @throws SceneError with the
-/// nearest name.
+/// Return the interaction with this local name among the interactions that have been read. @throws
+/// SceneError with the nearest name.
 [[nodiscard]] InteractionId resolve_interaction(const Description& out, const Scope& scope,
                                                 const std::string& name,
                                                 const SourceLocation& location);
@@ -268,19 +268,20 @@ void read_settings(Description& out, const Json& root);
 void expand_bodies(Description& out, const Scope& scope);
 /// Read the interactions of one scope (interactions.cpp).
 void expand_interactions(Description& out, const Scope& scope);
-/// Read one cable (cables.cpp). `to_scope` is the scope of the name of its last end.
+/// Read one cable (cables.cpp). `to_scope` is the scope in which the name of its last end is
+/// searched.
 void expand_cable(Description& out, const Scope& scope, const Scope& to_scope, const Json& cable,
                   const Document& document, const SourceLocation& location);
 /// Read the materials and their pairs (materials.cpp).
 void expand_materials(Description& out, const Document& document);
-/// Read the surface and groups of a shape as far as given: "material", "groups", "touches"
+/// Read the surface and groups of a shape, if defined: "material", "groups", "touches"
 /// (materials.cpp).
 void read_surface(ShapeDef& def, Description& out, const Json& json,
                   const SourceLocation& location);
 /// Read the shapes of a body, except its segments (shapes.cpp).
 void expand_shapes(Description& out, BodyId body, const Json& list, const SourceLocation& location);
-/// Read the segments between bodies of one scope and others. All bodies must have been read
-/// (shapes.cpp).
+/// Read the segments whose first body belongs to one scope; the other body may belong to any scope.
+/// All bodies must have been read (shapes.cpp).
 void expand_segments(Description& out, const Scope& scope);
 /// Read the inputs of one scope (inputs.cpp).
 void expand_inputs(Description& out, const Scope& scope);
@@ -288,22 +289,23 @@ void expand_inputs(Description& out, const Scope& scope);
 void expand_winches(Description& out, const Scope& scope);
 /// Read the guides of one scope. All cables and winches must have been read (guides.cpp).
 void expand_guides(Description& out, const Scope& scope);
-/// Read the posts of one scope. All bodies must have been read (posts.cpp).
+/// Read the bollards (key "posts") of one scope. All bodies must have been read (posts.cpp).
 void expand_posts(Description& out, const Scope& scope);
-/// Return the axes of cylinders of a radius [m] within edges of the box, hull or mesh of a body,
-/// for "edge_of" of a post (post_edges.cpp). @throws SceneError if there are none.
+/// Return the axes of cylinders of a radius [m] inside the edges of a box, hull or mesh of a body,
+/// for the key "edge_of" of a bollard (post_edges.cpp). @throws SceneError if there are none.
 [[nodiscard]] std::vector<EdgeAxis> axes_of_edges(const Description& out, BodyId body,
                                                   const Json& json, double radius,
                                                   const SourceLocation& location);
 /// Read the cranes of one scope. All bodies except those of cables must have been read
 /// (cranes.cpp).
 void expand_cranes(Description& out, const Scope& scope);
-/// Read the lines over posts and sheaves of one scope. All bodies must have been read (routes.cpp).
+/// Read the routes of one scope: lines over bollards and sheaves. All bodies must have been read
+/// (routes.cpp).
 void expand_routes(Description& out, const Scope& scope);
-/// Read the sea. All bodies must have been read (sea.cpp). @param waters  Number of those in copy
-/// 0.
+/// Read the sea. All bodies must have been read (sea.cpp). @param waters  Number of cables in water
+/// of copy 0.
 void expand_sea(Description& out, const Document& document, std::size_t waters);
-/// Store a cable if a section of it is in water (sea.cpp).
+/// Store the water data of a cable if a section of it is in water (sea.cpp).
 void store_water(Description& out, const CableWater& water);
 /// Add the sea to a world with bodies and wires (sea.cpp). @throws SceneError, DefError.
 void add_sea(World& world, const Description& from);
@@ -312,13 +314,13 @@ void expand_outputs(Description& out, const Scope& scope);
 /// Read the sections of one scope. All interactions and inputs of the scope have been read
 /// (sections.cpp).
 void expand_sections(Description& out, const Scope& scope);
-/// Return the definition of an output for the world. The tension of all elements of a cable becomes
-/// that of its wire, whose number of elements can change. @param world  World with the wires of the
+/// Return the definition of an output for the world. An output of the tension of a cable refers to
+/// its wire, because the number of elements can change. @param world  World with the wires of the
 /// scene.
 [[nodiscard]] OutputDef output_of(const Description& scene, std::size_t output, const World& world);
-/// Set the stored state (state.cpp) of the bodies of copy 0, or of the cables that join copies.
+/// Set the stored poses (state.cpp) of the bodies of copy 0, or of the cables that join copies.
 void apply_state(Description& out, const Document& document);
-/// Make copies of all parts so far, and the cables that join them (repeat.cpp).
+/// Make the copies of all parts that have been read, and the cables that join them (repeat.cpp).
 void expand_copies(Description& out, const Document& document);
 
 /// Replace "${name}" in every string by the parameter (templates.cpp).
@@ -337,7 +339,7 @@ void read_display(Def& def, const Json& json) {
     def.group = text_or(json, "group", "");
     def.nominal = number_or(json, "nominal", 0.0);
 }
-/// Name of a group: a text, or a number as one.
+/// Return the name of a group. The value is a text or a number.
 [[nodiscard]] std::string group_of(const Json& value);
 /// Read "orientation" or "euler_deg" of an object. @throws SceneError for a zero quaternion.
 [[nodiscard]] Quat orientation_of(const Json& object, const SourceLocation& location);

@@ -105,7 +105,8 @@ class Includer {
     std::set<std::string> included_;
 };
 
-/// Append the operations of a file to those of the scene. They are checked in that file.
+/// Append the timeline operations of a file to those of the scene. They have been checked in that
+/// file.
 void add_operations(Document& document, const std::string& file) {
     document.operations = {file, ""};
     document.files.emplace_back(file);

@@ -32,7 +32,7 @@ struct Document {
     Mistakes* mistakes = nullptr;      ///< List for mistakes; null: mistakes are thrown.
 };
 
-/// Make a document. @param mistakes  List for mistakes; null: the first is thrown. @throws
+/// Make a document. @param mistakes  List of mistakes; null: the first mistake is thrown. @throws
 /// SceneError.
 [[nodiscard]] Document make_document(Json root, const std::filesystem::path& file,
                                      const Options& options, Mistakes* mistakes = nullptr);

@@ -18,7 +18,7 @@ namespace {
 constexpr double kDpDegree = std::numbers::pi / 180.0;
 constexpr const char* kDpFile = "data of a ship for DNV-ST-0111";
 
-/// Index of a word among the names of an enumeration.
+/// Return the enumerator whose name is the word of a key.
 template <class Enum>
 Enum read_enum(const Json& json, const char* key, int count, Enum fallback) {
     const auto entry = json.find(key);

@@ -26,11 +26,11 @@ struct SourceLocation {
 /// Return one reference token of a JSON pointer, with its leading slash (RFC 6901, section 3).
 [[nodiscard]] std::string pointer_token(std::string_view key);
 
-/// Throw an error at a place of the document. @throws SceneError always.
+/// Throw an error at a position in the document. @throws SceneError always.
 [[noreturn]] void throw_error(const SourceLocation& location, const std::string& message);
 
-/// Return the reason in an error of the library, "hook 'NAME': loads/0/eyes: why". The result has
-/// no name, because the place in the file identifies the object.
+/// Return the reason in an error of the library, "hook 'NAME': loads/0/eyes: why". The result omits
+/// the name, because the position in the file identifies the object.
 [[nodiscard]] std::string library_words(const DefError& error);
 
 /// Parts of library_words() that begin with the path of a field, "loads/0/eyes: why".
@@ -40,12 +40,12 @@ struct FieldWords {
 };
 [[nodiscard]] FieldWords field_words(const DefError& error);
 
-/// Report an error below the place, at the field in the message of the library. @throws SceneError
-/// always.
+/// Throw an error at the field that the message of the library names, below the position of the
+/// object. @throws SceneError always.
 [[noreturn]] void throw_field_error(const SourceLocation& location, const FieldWords& said);
 
-/// Return the end of a message about an unknown name. It is `; did you mean "x"?` if a known name
-/// is near. Else it is the list of known names if that is short, else "".
+/// Return the end of a message about an unknown name. If a known name is near, the end is `; did
+/// you mean "x"?`. Otherwise it is the list of known names if this list is short, else "".
 [[nodiscard]] std::string suggestion(std::string_view name, std::span<const std::string> known);
 
 /// Return a text in double quotes, shortened if it is long, for messages.

@@ -24,8 +24,8 @@ struct InstanceScope {
     std::string note;  ///< Ending of messages about it.
 };
 
-/// Run `work` and add the note to a mistake found in it. The note names the instance. @return the
-/// result of attempt().
+/// Run `work`. If it finds a mistake, append the note, which names the instance. @return the result
+/// of attempt().
 template <class Work>
 bool append_note(Mistakes* mistakes, const std::string& note, const Work& work) {
     if (mistakes != nullptr) {

@@ -31,7 +31,7 @@ void read_field(Def& def, const FieldInfo<Def>& row, const Json& value) {
         row.member);
 }
 
-/// Set the members that an object gives, except those with a reader of their own (kOwnReader).
+/// Set the members that a JSON object defines, except members with a special reader (kOwnReader).
 template <class Def, class Rows>
 void read_fields(Def& def, const Json& json, const Rows& rows) {
     for (const FieldInfo<Def>& row : rows)

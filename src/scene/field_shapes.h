@@ -15,14 +15,14 @@
 
 namespace hawser::scene {
 
-/// Return the shape of a number of a row.
+/// Return the schema of the number that a row of a field table describes.
 template <class Def>
 [[nodiscard]] ShapePtr number_of_field(const FieldInfo<Def>& row) {
     if (row.above_least() && row.least == 0.0) return make::positive(row.what, row.most);
     return make::number(row.what, row.least, row.most);
 }
 
-/// Return the shape of the value of a row whose reader is not its own (kOwnReader).
+/// Return the schema of the value of a row, unless it has a special reader (kOwnReader).
 template <class Def>
 [[nodiscard]] ShapePtr shape_of_field(const FieldInfo<Def>& row) {
     return std::visit(
@@ -46,13 +46,13 @@ template <class Def>
         row.member);
 }
 
-/// Return the field of a row.
+/// Return the schema field of a row of a field table.
 template <class Def>
 [[nodiscard]] Field field_from_row(const FieldInfo<Def>& row, ShapePtr shape) {
     return {row.key, std::move(shape), row.required(), row.fallback, row.unit, row.doc};
 }
 
-/// Append the fields of a table.
+/// Append the schema fields of all rows of a table.
 template <class Rows>
 void add_fields(std::vector<Field>& to, const Rows& rows) {
     for (const auto& row : rows) to.push_back(field_from_row(row, shape_of_field(row)));

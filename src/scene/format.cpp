@@ -41,7 +41,7 @@ ShapePtr cylinder() {
                     "Axis of the body's frame along which it lies."}});
 }
 
-/// Return the shape of a key of bodies that has a reader of its own.
+/// Return the schema of a key of bodies that has a special reader.
 ShapePtr own_shape(const FieldInfo<BodyDef>& row) {
     const std::string_view key = row.key;
     if (key == "orientation") return quaternion();
@@ -51,7 +51,7 @@ ShapePtr own_shape(const FieldInfo<BodyDef>& row) {
     return vector3(row.what);
 }
 
-/// Return the keys that set the member of a row in another way.
+/// Return the keys that set the member of a row in another form.
 std::vector<Field> other_keys(std::string_view key) {
     if (key == "orientation")
         return {{"euler_deg", angles(), false, "", "deg",
@@ -87,7 +87,7 @@ ShapePtr body_shape() {
 
 namespace {
 
-/// Return the shape of the value of a parameter of a template.
+/// Return the schema of the value of a template parameter.
 ShapePtr parameter() {
     const ShapePtr any_number = number("a number", -1e30, 1e30);
     return choice("a number, a string, true, false or a list of numbers",

@@ -40,7 +40,7 @@ struct Format {
     ShapePtr line_type;
     std::vector<ShapePtr> lists;  ///< Shapes of list_formats(), in their order.
 
-    /// Return the shape of the list with this key of list_formats().
+    /// Return the schema of the list with this key of list_formats().
     [[nodiscard]] const ShapePtr& list(std::string_view key) const;
 };
 
@@ -51,7 +51,7 @@ struct ListFormat {
     const char* doc;
     ShapePtr (*shape)();  ///< Shape of an entry.
 };
-/// Return all lists, in the order of the reference page.
+/// Return the formats of all lists of a scene, in the order of the reference page.
 [[nodiscard]] std::span<const ListFormat> list_formats();
 // Shapes of the entries.
 #define HAWSER_LIST_SHAPE(key, item, entries, doc) [[nodiscard]] ShapePtr item##_shape();
@@ -63,28 +63,28 @@ HAWSER_SCENE_SECTIONS(HAWSER_LIST_SHAPE)
 /// Return the keys of the outermost object of a scene, a part and a state.
 [[nodiscard]] const std::set<std::string>& outermost_keys();
 
-/// Return the shape of the settings of a simulation. See format_settings.cpp.
+/// Return the schema of the settings of a simulation (format_settings.cpp).
 [[nodiscard]] ShapePtr settings_shape();
-/// Return the largest value of a setting in a scene if it is less than the limit of a world.
+/// Return the largest value of a setting in a scene, if it is less than the limit of a world.
 [[nodiscard]] double largest_scene_value(const SettingInfo& setting);
 
-/// Return the shape of a line type. See format_cables.cpp.
+/// Return the schema of a line type (format_cables.cpp).
 [[nodiscard]] ShapePtr line_type_shape();
-/// Return the shape of a load that the hook of a crane may carry. See format_cranes.cpp.
+/// Return the schema of a load that the hook of a crane may carry (format_cranes.cpp).
 [[nodiscard]] ShapePtr crane_load_shape();
-/// Return the shape of the control of a vessel. See format_vessel_control.cpp.
+/// Return the schema of the control of a vessel (format_vessel_control.cpp).
 [[nodiscard]] ShapePtr vessel_control_shape();
-/// Return the shapes of the data of a ship for DNV-ST-0111, and of a file of them. See
-/// format_dp_ship.cpp.
+/// Return the schema of the data of a ship for DNV-ST-0111. The next function returns that of a
+/// file with these data (format_dp_ship.cpp).
 [[nodiscard]] ShapePtr dp_ship_shape();
 [[nodiscard]] ShapePtr dp_file_shape();
-/// Return the shape of the sea. See format_sea.cpp.
+/// Return the schema of the sea (format_sea.cpp).
 [[nodiscard]] ShapePtr sea_shape();
-/// Return the shape of an entry of "hulls" (format_hulls.cpp).
+/// Return the schema of an entry of "hulls" (format_hulls.cpp).
 [[nodiscard]] ShapePtr water_hull_shape();
 [[nodiscard]] std::vector<Field> line_water_fields();
 
-/// Return the shape of an operation at a given time. See format_timeline.cpp.
+/// Return the schema of an operation at a given time. See format_timeline.cpp.
 [[nodiscard]] ShapePtr operation_shape();
 
 /// Return the shapes (JSON forms) of a shape of a body, a material, a pair of materials, and the
@@ -95,9 +95,9 @@ HAWSER_SCENE_SECTIONS(HAWSER_LIST_SHAPE)
 [[nodiscard]] ShapePtr material_pair();
 [[nodiscard]] ShapePtr cable_contact();
 
-/// @return true for a parameter whose default is computed from the pose of the bodies in the scene.
-///        Examples are the distance of two points, the height of a ship, and the coordinate of a
-///        drum.
+/// @return true if the default of a parameter is computed from the poses of the bodies in the
+///        scene. Examples are the distance of two points, the height of a ship, and the coordinate
+///        of a drum.
 [[nodiscard]] bool is_taken_from_pose(const KindInfo& kind, std::string_view param);
 
 }  // namespace hawser::scene

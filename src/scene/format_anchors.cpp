@@ -19,7 +19,7 @@ void add_anchor_fields(std::vector<Field>& fields) {
     add_fields(fields, VesselTable<T>::kNumbers);
 }
 
-/// Return the words of an enumeration without its first, which stands for none.
+/// Return the words of an enumeration without its first word, which means "none".
 std::vector<std::string> words_after_first(std::span<const char* const> names) {
     return {names.begin() + 1, names.end()};
 }

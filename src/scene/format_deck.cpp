@@ -13,7 +13,8 @@ using namespace make;
 
 namespace {
 
-/// Return the fields of gear: its name and body, `more`, the rows of its table, remarks.
+/// Return the schema fields of deck gear: name and body, the fields `more`, the rows of its table,
+/// and remarks.
 template <class Rows>
 std::vector<Field> fields_of_gear(const char* names, const char* on, const Rows& rows,
                                   std::vector<Field> more = {}) {

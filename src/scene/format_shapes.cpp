@@ -43,7 +43,7 @@ std::vector<Field> values_of_material() {
 ShapePtr length(const char* what) { return positive(what, kMaxShapeLength); }
 ShapePtr axis() { return word("an axis", {"x", "y", "z"}); }
 
-/// Describe one kind of shape: `fields` in addition to the common fields.
+/// Return the schema of one kind of collision shape. `fields` are added to the common fields.
 std::pair<std::string, ShapePtr> shape_kind(const std::string& kind, const std::string& what,
                                             const std::string& doc, std::vector<Field> fields,
                                             bool turns = true, bool placed = true) {

@@ -39,8 +39,8 @@ double separation(const Description& out, const InteractionDef& d, const Vec3& p
     return (p - a - t * along).norm();
 }
 
-/// Return the number of the element that passes nearest, among the elements without a drum or
-/// guide.
+/// Return the number of the element with the smallest distance to the guide, among the elements
+/// without a drum or guide.
 std::size_t nearest(Description& out, const Cable& cable, const GuideDef& def,
                     const SourceLocation& location) {
     const Vec3 at = out.world_point(def.body, def.point);
@@ -88,7 +88,7 @@ void subtract_half_mass(BodyDef& lump, double half, const SourceLocation& locati
     lump.force *= scale;
 }
 
-/// Make the guide a neighbour in the bends at the ends of the element.
+/// Replace the neighbour in the bends at both ends of an element by the body of the guide.
 void move_bends_to_guide(Description& out, const InteractionDef& element, const GuidePlan& plan,
                          double radius) {
     // Point at which each part touches the wheel, as marked by its frame there.
@@ -108,7 +108,7 @@ void move_bends_to_guide(Description& out, const InteractionDef& element, const 
     }
 }
 
-/// Add the capsule of a part between a node and the guide.
+/// Add the capsule of the part of an element between a node and the guide.
 void add_part_segment(Description& out, const ShapeDef& whole, const InteractionDef& part,
                       const char* suffix, int location) {
     const auto is_lump = [&](std::size_t end) {

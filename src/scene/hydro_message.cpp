@@ -39,7 +39,7 @@ class MessageBytes {
     std::span<const char> bytes_left_;
 };
 
-/// Apply f to each table that a reader may fill.
+/// Call f for each table of coefficients that a reader may return.
 template <class C, class F>
 void for_each_table(C& c, F&& f) {
     f(c.frequency);

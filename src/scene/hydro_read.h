@@ -52,7 +52,7 @@ class Axis {
 [[nodiscard]] WaveCoefficients read_bemio(const Path& file, const HydroUnits& units);
 /// Read a file of any format in this process.
 [[nodiscard]] WaveCoefficients read_in_process(const Path& file, const HydroUnits& units);
-/// Read a file in a reader program.
+/// Read a file by a separate reader program.
 [[nodiscard]] WaveCoefficients read_in_child(const Path& file, const HydroUnits& units,
                                              const ReaderLimits& limits);
 

@@ -30,7 +30,7 @@ constexpr const char* kReaderWord = "--read-coefficients";
 constexpr int kReaderArguments = 9;  // program, word, file, three units, body, seconds, bytes
 constexpr std::size_t kMinReaderMemory = std::size_t{64} << 20;
 
-/// True if this program serves as a reader when it is started again.
+/// Return the flag that is true if this program can act as the reader when it is started again.
 bool& serves_itself() {
     static bool serves = false;
     return serves;
@@ -102,7 +102,7 @@ int serve(char** argv) {
     return 0;
 }
 
-/// Return the path of the reader program; empty: there is no such program.
+/// Return the path of the reader program; empty if none exists.
 std::string reader_program(const ReaderLimits& limits) {
     if (!limits.program.empty()) return limits.program;
     if (const char* named = std::getenv("HAWSER_READER"); named && *named) return named;
@@ -119,7 +119,7 @@ std::string seconds_text(double seconds) {
     return text + " s";
 }
 
-/// Describe the end of a reader that returned no message.
+/// Describe why a reader program returned no message.
 std::string describe_failure(const SpawnResult& run, const std::string& program,
                              const ReaderLimits& limits) {
     const std::string damaged =

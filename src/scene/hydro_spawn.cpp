@@ -73,7 +73,8 @@ class SpawnOptions {
     posix_spawnattr_t attributes_{};
 };
 
-/// Read until the other end closes. @return false: at the deadline, or above `most`.
+/// Read until the other end closes. @return false if the deadline passed or more than `most` bytes
+/// arrived.
 bool collect(int from, SpawnClock::time_point deadline, std::size_t most, SpawnResult& out) {
     char piece[65536];
     for (;;) {

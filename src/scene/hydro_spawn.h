@@ -24,9 +24,9 @@ struct SpawnResult {
     std::vector<char> output{};
 };
 
-/// Start `program` by posix_spawn, so that it does not share memory and locks of this process. Its
-/// standard streams are /dev/null. Returns after it has ended. @param seconds  Wall time after
-/// which it is killed [s]. @param most     Largest output [bytes].
+/// Run `program` by posix_spawn, so that it has no memory and locks of this process. Its standard
+/// streams are /dev/null. Return after the program has ended. @param seconds  Wall time after which
+/// it is killed [s]. @param most     Largest output [bytes].
 [[nodiscard]] SpawnResult spawn_reader(const std::string& program,
                                        const std::vector<std::string>& arguments, double seconds,
                                        std::size_t most);

@@ -7,7 +7,8 @@
 ///     .9    D/ρga²L^m                 m = 1, 2 (also .8)
 ///     .hst  C/ρgL^k                   k = 2, 3, 4
 /// ```
-/// by periods: a negative one means ω = 0, and 0 means ω = ∞. Phases are those of e^{+iωt}.
+/// The values are listed by periods. A negative period means ω = 0, the period 0 means ω = ∞.
+/// Phases are those of e^{+iωt}.
 #include "scene/hydro_read.h"
 
 #include <fmt/format.h>

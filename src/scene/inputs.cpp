@@ -45,7 +45,7 @@ int component_index(const std::string& word) {
     return word.starts_with("torque") ? 3 + axis : axis;
 }
 
-/// Read the spring's value, which must be within the range. The range must be known.
+/// Read the key "spring", whose value must be within the range. The range must have been read.
 template <class Def>
 void read_spring(Def& def, const Json& json, const SourceLocation& location) {
     const auto spring = json.find("spring");
@@ -97,7 +97,7 @@ InputDef read_input(Description& out, const Scope& scope, const Json& json,
     return def;
 }
 
-/// Read an input of a signal. The signal exists only after the world is built.
+/// Read an input that sets a signal. The signal exists only after the world is built.
 SignalInput read_lever(const Scope& scope, const Json& json, const SourceLocation& location) {
     SignalInput out;
     out.name = scope.prefix + json["name"].get<std::string>();

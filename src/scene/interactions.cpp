@@ -12,13 +12,13 @@ namespace {
 /// decimals.
 constexpr double kNodeTolerance = 2e-6;
 
-/// True if the kind joins two points. A joint's point has no default.
+/// True if the kind connects two points that the scene must define. A joint's point has no default.
 bool needs_points(const KindInfo& kind) {
     return kind.uses_points && kind.bodies == 2 && kind.rows >= 3;
 }
 
-/// True if the kind has an axis. A lock keeps the orientations of the bodies, and a span has axes
-/// only at wheels; all other kinds with frames have an axis.
+/// True if the kind requires an axis. All kinds with frames do, except the lock, which keeps the
+/// orientations of the bodies, and the span, which has axes only at wheels.
 bool needs_axis(const KindInfo& kind) {
     return kind.uses_frames && !kind.is(kAxisFree) && !kind.is(kRouted);
 }

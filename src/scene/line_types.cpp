@@ -68,8 +68,8 @@ LayoutSection read_section(const Json& of, bool links, const Document& document,
     return s;
 }
 
-/// Return the number of elements nearest to the requested number, so that each has a whole number
-/// of links.
+/// Return the number of elements nearest to the requested number for which each element has a whole
+/// number of links.
 std::size_t nearest_count(std::size_t links, std::size_t asked) {
     for (std::size_t off = 0; off < links; ++off)
         for (const std::size_t n : {asked - std::min(off, asked - 1), asked + off})

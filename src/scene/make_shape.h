@@ -32,10 +32,10 @@ namespace make {
 [[nodiscard]] ShapePtr object(std::string id, std::string what, std::string doc,
                               std::vector<Field> fields,
                               std::vector<std::vector<std::string>> alternatives = {});
-/// Return a list of any values, at most kMaxElements.
+/// Return the schema of a list of values of one kind, at most kMaxElements.
 [[nodiscard]] ShapePtr list_of(std::string what, ShapePtr item);
 [[nodiscard]] ShapePtr body_ref();
-/// Return the shape of the group of a body, for settings.coupling.
+/// Return the schema of the group of a body, for settings.coupling.
 [[nodiscard]] ShapePtr group();
 [[nodiscard]] ShapePtr literal(const ShapePtr& shape);
 }  // namespace make

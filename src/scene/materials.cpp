@@ -25,7 +25,7 @@ MaterialId find_material(const Description& out, const std::string& name,
                    "there is no material " + in_quotes(name) + suggestion(name, known));
 }
 
-/// Call f(name, place) for a word or for each word of a list.
+/// Call f(name, location) for a word, or for each word of a list.
 template <class F>
 void each_name(const Json& names, const SourceLocation& location, const F& f) {
     if (names.is_string()) {

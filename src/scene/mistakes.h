@@ -33,8 +33,8 @@ class Mistakes {
     [[nodiscard]] bool is_empty() const { return list_.empty(); }
     void add_mistake(const SceneError& error);
 
-    /// Record an omitted name. It covers all names that begin with it and a slash (parts of a
-    /// cable, an instance).
+    /// Record an omitted name. It represents all names that begin with it and a slash (parts of a
+    /// cable or of an instance).
     void record_omitted(OmittedPart what, const std::string& name) { omitted_.emplace(what, name); }
     /// Record an omitted part with unknown name.
     void record_omitted_unnamed(OmittedPart what) { omitted_.emplace(what, "*"); }

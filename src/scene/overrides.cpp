@@ -19,7 +19,8 @@ Json override_value(const std::string& text) {
     return text;
 }
 
-/// True for printable ASCII. Other characters would change when the text is resolved.
+/// True if the text is printable ASCII. Other characters would be written in another form in the
+/// resolved text.
 bool is_plain(const std::string& text) {
     return std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
 }

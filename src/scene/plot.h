@@ -10,8 +10,8 @@
 
 namespace hawser::scene {
 
-/// Read the key into the scene. Unknown names are mistakes of the description. @throws SceneError
-/// if the description lists no mistakes.
+/// Read the key `plot` into the scene. Unknown names are mistakes of the description. @throws
+/// SceneError if the description collects no mistakes.
 void read_plot(Scene& scene, const Description& description, const Document& document);
 
 }  // namespace hawser::scene

@@ -23,7 +23,7 @@ bool has_edges(const ShapeDef& shape) {
            shape.kind == ShapeKind::mesh;
 }
 
-/// Return the named shape, or the only one with edges.
+/// Return the shape that the key "shape" names; without this key, the only shape with edges.
 const ShapeDef& shape_with_edges(const Description& out, BodyId body, const Json& json,
                                  const SourceLocation& location) {
     const std::string on = out.body(body).name, lead = on + "/";
@@ -60,7 +60,7 @@ std::string words(const Vec3& v) {
     return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", v.x(), v.y(), v.z());
 }
 
-/// Return the edge next to two points.
+/// Return the edge with the smallest distance to two points.
 ShapeEdge edge_near(const std::vector<ShapeEdge>& edges, const Vec3& a, const Vec3& b,
                     const SourceLocation& location) {
     if (!((b - a).norm() > 0.0)) throw_error(location, "give two different points");

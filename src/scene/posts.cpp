@@ -26,7 +26,7 @@ PostDef read_post(const Scope& scope, const Json& json) {
     return def;
 }
 
-/// Return the axis of a cylinder along an edge of the body's box. It lies within the box, so that
+/// Return the axis of a cylinder along an edge of the body's box. The axis lies inside the box, and
 /// the cylinder touches both faces of the edge over its whole length.
 EdgeAxis edge_axis(const BodyDef& body, const Json& json, const SourceLocation& location) {
     const Vec3 toward = vector_of(json["edge"]), half = body.half_size;
@@ -53,7 +53,7 @@ EdgeAxis edge_axis(const BodyDef& body, const Json& json, const SourceLocation& 
     return {centre - end, centre + end};
 }
 
-/// Return the axis, or all axes that "edge_of" names.
+/// Return the axis of a bollard, or all axes that its key "edge_of" selects.
 std::vector<EdgeAxis> edge_axes(const Description& out, BodyId body, const Json& json,
                                 const SourceLocation& location) {
     for (const char* edge : {"edge", "edge_of"})

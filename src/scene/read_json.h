@@ -23,11 +23,11 @@ inline constexpr std::size_t kMaxFileBytes = std::size_t{64} << 20;
 inline constexpr int kMaxNesting = 64;
 
 /// Parse a document. Rejects invalid JSON (comments, NaN, Infinity, damaged UTF-8), duplicate keys
-/// in an object, numbers beyond the range of double, and deep nesting. Rejects too many values
-/// during parsing, before the document is stored. The message about a file of another kind names
-/// the kind and the remedy (base/file_kind.h). @param keys  Known keys of the outermost object; few
-/// values of other keys are read. @param expected  Expected kind, with its article. @throws
-/// SceneError with line and column.
+/// in an object, numbers beyond the range of double, and deep nesting. The number of values is
+/// limited during parsing, before the document is stored. The message about a file of another kind
+/// names the kind and the remedy (base/file_kind.h). @param keys  Known keys of the outermost
+/// object; few values of other keys are read. @param expected  Expected kind, with its article.
+/// @throws SceneError with line and column.
 [[nodiscard]] Json parse_json(std::string_view text, const std::string& file,
                               const std::set<std::string>& keys, Mistakes* mistakes = nullptr,
                               const char* expected = "a scene");
@@ -40,8 +40,9 @@ inline constexpr int kMaxNesting = 64;
 /// Reject a document of another kind, such as an exercise. @throws SceneError.
 void check_document_kind(const Json& root, const std::string& file, const char* expected);
 
-/// Resolve a file name found at `location`, relative to `base`. Reject it if it leaves the folder
-/// `root` (links followed) or does not exist.
+/// Resolve a file name relative to `base`. Reject the file if it does not exist, or if it lies
+/// outside the folder `root` after symbolic links are followed.
+/// @param location  Position of the name, for messages.
 [[nodiscard]] std::filesystem::path resolve_inside(const std::filesystem::path& root,
                                                    const std::filesystem::path& base,
                                                    const std::string& name,

@@ -11,7 +11,7 @@ namespace {
 
 using Type = Shape::Type;
 
-/// Escape bars, which would end a cell of a table.
+/// Escape vertical bars, which would end a cell of a table.
 std::string cell(std::string text) {
     for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2)) {
         text.replace(at, 1, "\\|");

@@ -25,8 +25,8 @@ void rename(std::string& name, const std::string& prefix) {
     }
 }
 
-/// Return the stored state of the copy with this name, which replaces the shifted state of copy 0;
-/// null if there is none.
+/// Return the stored state of a body of a copy. It replaces the shifted state of copy 0. Return
+/// null if no state is stored under this name.
 const Json* stored_state(const Document& document, const std::string& name) {
     const auto state = document.root.find("state");
     if (state == document.root.end()) {

@@ -44,7 +44,8 @@ constexpr FieldInfo<ResolutionDef> kFields[] = {
     {"interval", &ResolutionDef::interval, "", "4",
      "Number of steps between two checks of the cable.", 1.0, 1e4}};
 
-/// Check the limits. Inconsistent limits are reported at the key that is too small or too large.
+/// Check that the limits of a resolution are consistent. A fault is reported at the key that is too
+/// small or too large.
 void check_limits(const ResolutionDef& def, const SourceLocation& location) {
     if (def.max_length < 2.0 * def.min_length)
         throw_error(

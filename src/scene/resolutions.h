@@ -10,7 +10,8 @@
 
 namespace hawser::scene {
 
-/// Lengths, times and counts of a resolution, in the order of the reference page.
+/// Return the fields of a resolution (lengths, times and counts), in the order of the reference
+/// page.
 [[nodiscard]] std::span<const FieldInfo<ResolutionDef>> resolution_fields() noexcept;
 
 }  // namespace hawser::scene

@@ -322,7 +322,7 @@ std::optional<Scene> make_scene(Json root, const std::filesystem::path& file,
     return scene;
 }
 
-/// Read and make with a list of mistakes.
+/// Read a document and make the scene, with a list of mistakes.
 template <class Read>
 std::optional<Scene> try_scene(const Read& read, const std::filesystem::path& file,
                                const Options& options, std::vector<SceneError>& found) {
@@ -337,7 +337,7 @@ std::optional<Scene> try_scene(const Read& read, const std::filesystem::path& fi
     return scene;
 }
 
-/// Return the scene. Mistakes are thrown, so that there always is one.
+/// Return the scene. Any mistake is thrown, so that a scene always exists.
 Scene make_or_throw(Json root, const std::filesystem::path& file, const Options& options) {
     std::optional<Scene> scene = make_scene(std::move(root), file, options, nullptr);
     if (!scene) throw std::logic_error(file.string() + ": no scene, and no mistake to tell of");

@@ -20,7 +20,7 @@ double read_degrees(const Json& object, const char* key) {
     return number_or(object, key, 0.0) * std::numbers::pi / 180.0;
 }
 
-/// Read one number for all axes, or three.
+/// Read a value for each axis. The JSON value is one number for all axes, or three numbers.
 Vec3 one_or_three(const Json& object, const char* key) {
     const auto value = object.find(key);
     if (value == object.end()) return Vec3::Zero();

@@ -81,7 +81,7 @@ struct Problem {
     std::string message;
 };
 
-/// Compare a value with a shape. @return its mistakes in the order of the value, at most `most`.
+/// Compare a value with a schema. @return its mistakes in the order of the value, at most `most`.
 [[nodiscard]] std::vector<Problem> find_problems(const Json& value, const Shape& shape,
                                                  std::size_t most);
 
@@ -89,21 +89,21 @@ struct Problem {
 [[nodiscard]] std::optional<Problem> find_problem(const Json& value, const Shape& shape,
                                                   bool placeholders = false);
 
-/// Check a value. @throws SceneError with the place of the first mistake.
+/// Check a value against a schema. @throws SceneError with the position of the first mistake.
 void check_shape(const Json& value, const Shape& shape, const SourceLocation& location);
 
-/// True for letters, digits and `_ . + -`, starting with a letter, digit or `_`, at most 100. (`/`
-/// and `:` are reserved for generated names.)
+/// True if a name has at most 100 characters, consists of letters, digits and `_ . + -`, and starts
+/// with a letter, digit or `_`. (`/` and `:` are reserved for generated names.)
 [[nodiscard]] bool is_valid_name(const std::string& name);
 inline constexpr const char* kNamePattern = "^[A-Za-z0-9_][A-Za-z0-9_.+-]{0,99}$";
 
-/// True if a value has the JSON type of a shape, with any content.
+/// True if a value has the JSON type of a schema, with any content.
 [[nodiscard]] bool is_of_type(const Json& value, const Shape& shape);
 
-/// True for a string that contains "${".
+/// True if the value is a string that contains "${".
 [[nodiscard]] bool is_placeholder(const Json& value);
 
-/// Return the shape for use inside a template, where values may be placeholders.
+/// Return the schema for use inside a template, where values may be placeholders.
 [[nodiscard]] ShapePtr with_placeholders(const ShapePtr& shape);
 
 }  // namespace hawser::scene

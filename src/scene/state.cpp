@@ -21,8 +21,8 @@ void set_state(BodyDef& def, const Json& state, const SourceLocation& location) 
     }
 }
 
-/// True if a name of a state exists only in scenes of several copies: "3:rig", or the nodes of a
-/// cable between copies.
+/// True if a name in a state file exists only in scenes with several copies: "3:rig", or a node of
+/// a cable between copies.
 bool belongs_to_copies(const std::string& name, const Json& root) {
     const auto repeat = root.find("repeat");
     if (repeat == root.end()) {

@@ -235,8 +235,8 @@ VesselDef read_vessel(Description& out, const Scope& scope, const Json& json,
     return def;
 }
 
-/// Reject a vessel at its place. The library gives the number of a term; the message gives its
-/// name.
+/// Throw an error of a vessel definition at its position in the scene. The library reports the
+/// index of a term; the message has its name.
 [[noreturn]] void throw_vessel_error(const SourceLocation& location, const VesselDef& def,
                                      const DefError& error) {
     FieldWords said = field_words(error);

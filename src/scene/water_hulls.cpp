@@ -41,7 +41,7 @@ const Json& list_in(const Json& json, const char* key) {
     return found == json.end() ? none : *found;
 }
 
-/// Read one number for each frequency.
+/// Read a list with one number for each frequency.
 std::vector<double> read_frequency_values(const Json& entry, const char* key, std::size_t count,
                                           const SourceLocation& location) {
     std::vector<double> out(count, 0.0);

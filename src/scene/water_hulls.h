@@ -13,9 +13,9 @@ namespace hawser::scene {
 [[nodiscard]] WaterHull hull_of(const Json& json, const SourceLocation& location);
 /// True if a file of the hull was rejected, so that its contents are missing.
 [[nodiscard]] bool hull_is_omitted(const Json& json);
-/// Return the treatment of damping for a word.
+/// Return the treatment of negative damping that a word denotes.
 [[nodiscard]] NegativeDamping negative_damping_from(const std::string& word) noexcept;
-/// Return coefficients in the form of a scene.
+/// Return wave coefficients in the JSON form of a scene.
 [[nodiscard]] Json coefficients_json(const WaveCoefficients& c);
 
 }  // namespace hawser::scene

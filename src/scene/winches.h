@@ -11,7 +11,7 @@
 namespace hawser::scene {
 
 [[nodiscard]] std::span<const FieldInfo<WinchDef>> winch_fields() noexcept;
-/// Numbers of a gypsy, in addition to its "pockets".
+/// Return the fields of a gypsy other than "pockets".
 [[nodiscard]] std::span<const FieldInfo<GypsyDef>> gypsy_fields() noexcept;
 inline constexpr int kMinPockets = 3, kMaxPockets = 100;
 

@@ -11,9 +11,9 @@
 
 namespace hawser::session {
 
-/// Return the ranges of values that a control file may contain. First come the world's inputs by
-/// index, then the signals of signal_names(). The world also clamps its inputs to their own
-/// narrower ranges during the run.
+/// Return the ranges of values that a control file may contain. The inputs of the world are first,
+/// by index, followed by the signals of signal_names(). During the run the world also clamps its
+/// inputs to their ranges, which may be narrower.
 [[nodiscard]] std::vector<record::ControlRange> control_ranges(const scene::Scene& scene,
                                                                std::size_t places);
 

@@ -16,7 +16,8 @@ namespace hawser::session {
 
 class RunNotes {
   public:
-    /// Forget all values of signals. Call after a change of the recording or of the state.
+    /// Discard the last written values of all signals. Call after a change of the recording or of
+    /// the state.
     void clear() noexcept { reported_.clear(); }
     /// Write the new value of a signal. Do nothing if the same value was written last.
     void signal(const World& world, record::RecordingWriter& to, const std::string& name,

@@ -184,7 +184,8 @@ std::vector<std::string> input_names(const World& world) {
     return names;
 }
 
-/// Return the inputs of systems, as "system.signal", and those of the scene that set them.
+/// Return the names of the inputs of systems, as "system.signal", and of the scene's inputs that
+/// set them.
 std::vector<std::string> signal_names(const scene::Scene& scene) {
     const World& world = scene.world;
     std::vector<std::string> names;

@@ -18,10 +18,11 @@ class Timeline {
   public:
     /// Skip the operations that were performed before the step that led to the present state.
     void skip(std::span<const scene::Operation> all, const World& world) noexcept;
-    /// Perform the operations that are due, in order. @throws DefError with time and operation if
-    /// one of them fails.
+    /// Perform the operations whose time has been reached, in order. @throws DefError with time and
+    /// operation if one of them fails.
     void perform_due(std::span<const scene::Operation> all, World& world);
-    /// True if a performed operation later than a time [s] has set the input or signal `name`.
+    /// True if an operation later than `after` [s] that has been performed has set the input or
+    /// signal `name`.
     [[nodiscard]] bool sets(std::span<const scene::Operation> all, const std::string& name,
                             double after) const;
     /// Return the operations that the last perform_due() has performed.

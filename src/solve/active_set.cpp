@@ -12,10 +12,10 @@ namespace {
 
 constexpr int kMaxPasses = 20;
 
-/// Switch rows by the current λ and v₊. In the first passes all rows that request it switch. Two
-/// rows might alternate forever, so later only the first row switches (K. G. Murty's least index
-/// rule, which terminates).
-/// @return the number of requesting rows; none switch from kMaxPasses on.
+/// Switch the rows whose status does not match the current λ and v₊. In the first passes all such
+/// rows switch. Because two rows could alternate forever, later only the first one switches (K. G.
+/// Murty's least index rule, which terminates).
+/// @return the number of such rows; from pass kMaxPasses on none is switched.
 std::int32_t switch_solved(context::Model& model, context::Work& work, int pass) noexcept {
     constexpr int kTogether = 6;
     take_bounds(model, work.newton);

@@ -14,12 +14,12 @@ namespace hawser::solve {
 /// @return true if another solve is needed.
 [[nodiscard]] bool update_active_set(context::Model& model, context::Work& work, int pass) noexcept;
 
-/// Solve a refined solution with contacts again while bounds do not match the loads that they
-/// follow. The previous iterations were not refined. A bound that is a small fraction of its load
-/// may be wrong by their residual.
+/// Repeat the solution with contacts as long as bounds do not match their loads. Call after
+/// refinement. Iterations before it were not refined, so a bound that is a small fraction of its
+/// load may have the error of their residual.
 [[nodiscard]] Status follow_loads(context::StepContext& ctx) noexcept;
 
-/// Solve again until the rows of a world without contacts are consistent with their bounds.
+/// Repeat the solution of a world without contacts until the rows are consistent with their bounds.
 /// stats.flips_left counts the statuses that still change at the end.
 [[nodiscard]] Status settle_bounds(context::StepContext& ctx) noexcept;
 

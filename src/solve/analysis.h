@@ -8,16 +8,16 @@
 
 namespace hawser::solve {
 
-/// Store the poses of an analysis and the drag on each body there.
+/// Store the poses at which the system is analysed, and the drag on each body there.
 void begin_analysis(context::Model& model, context::State& state);
 /// Analyse the active part of the model at the current poses.
 /// @param state  Analysis of a saved world to continue from, or null.
 /// @throws std::bad_alloc, LimitError.
 void analyse_system(context::Model& model, context::Work& work, runtime::Pool& pool,
                     const factor::AnalysisState* state);
-/// Set the statistics of an analysis.
+/// Write the figures of an analysis into the statistics.
 void count_analysis(context::Model& model, StepStats& stats) noexcept;
-/// Count one growth if the model and its system use more memory than ever before.
+/// Count one growth if the model and its system need more memory than in any earlier step.
 void count_growth(context::Model& model, StepStats& stats) noexcept;
 /// Finish the preparation after additions or removals: memory for a step, and figures of the model.
 /// @throws std::bad_alloc.

@@ -15,7 +15,8 @@ namespace {
 
 using assembly::View;
 
-/// Return true if the solution starts at v_start. With contacts Newton's method has its own start.
+/// Return true if the solution starts at the velocities v_start. Steps with contacts start by
+/// Newton's method instead.
 bool starts_moving(const context::Model& model) noexcept {
     return model.system.contacts.count() == 0 && model.def.nonsmooth != Nonsmooth::pgs;
 }

@@ -9,7 +9,7 @@
 
 namespace hawser::solve {
 
-/// Assemble the system, with ghost bodies after their poses are set.
+/// Assemble the system, including ghost bodies, whose poses must have been set.
 void assemble_system(context::StepContext& ctx) noexcept;
 
 }  // namespace hawser::solve

@@ -16,7 +16,7 @@ namespace {
 
 using assembly::View;
 
-/// True for motors whose bound follows their speed.
+/// True for motors whose bound depends on their speed (power limit).
 bool limits_power(const model::Interactions& in, std::int32_t id) noexcept {
     return (in.flags[at(id)] & model::kMotor) != 0 && in.power[at(id)] < model::kUnbounded;
 }
@@ -46,9 +46,9 @@ context::BoundedRow row_now(const View& v, std::int32_t id) noexcept {
     return {lambda, r};
 }
 
-/// Return the end of the range at which an impulse was before the range moved: the end with the
-/// sign of the impulse. If both ends are on one side of 0 (a winch that pulls with one of two
-/// tensions), return the nearer one.
+/// Return the end of a range to which an impulse `held` belongs after the range has moved. It is
+/// the end with the sign of the impulse. If both ends have one sign (a winch that pulls with one of
+/// two tensions), it is the nearer end.
 double moved_with(const ImpulseRange& range, double held) noexcept {
     if (held == 0.0) return std::clamp(0.0, range.low, range.high);
     const bool one_sided = range.high < 0.0 || range.low > 0.0;
@@ -61,7 +61,7 @@ context::BoundedRow along(const context::Newton& n, std::size_t i, double t) noe
     return {a.lambda + t * (b.lambda - a.lambda), a.r + t * (b.r - a.r)};
 }
 
-/// Return true for a taut line that pulls and has no other law.
+/// Return true for a line under tension that has no replacement law.
 bool pulls_on(const View& v, std::int32_t id) noexcept {
     constexpr int kOther = model::kRange | model::kMotor | model::kFriction;
     const double lambda = v.lambda[v.row_begin[id]];
@@ -90,14 +90,15 @@ SwitchRequest request_of(const context::Model& model, const context::Newton& new
     const bool across = !was_active && !active && projected != lambda;
     return {was_active, active, across, projected};
 }
-/// Return true for rows that never switch: broken or replaced rows, and ranges with equal ends.
+/// Return true for rows that never switch: rows that are broken or replaced, and ranges with equal
+/// ends.
 bool stays(const context::Model& model, const View& v, std::int32_t id,
            const ImpulseRange& range) noexcept {
     return v.parted[id] || model.wires.is_replaced(id) ||
            ((v.flags[id] & model::kRange) && range.low == range.high);
 }
 
-/// Return true if a request to switch a turning point of a run is due to rounding of its tensions.
+/// Return true if rounding of tensions is the only reason to switch a turning point of a run.
 bool is_rounding(const context::Model& model, std::int32_t id, const SwitchRequest& wish,
                  double lambda, const ImpulseRange& range) noexcept {
     const double way = std::fabs(wish.projected - lambda), width = range.high - range.low;
@@ -223,7 +224,7 @@ double bounds_map(const context::Model& model, const context::Newton& newton) no
 
 namespace {
 
-/// Read the impulses of inactive rows at bounds that follow their loads; others give 0.
+/// Read the impulses of the rows whose bounds depend on their loads. Active rows give 0.
 void read_held(const context::Model& model, const context::Newton& newton, double* out) noexcept {
     for (const std::int32_t id : newton.loaded)
         *out++ = model.interactions.active[at(id)] == 0.0 ? model.interactions.held[at(id)] : 0.0;

@@ -11,18 +11,18 @@
 ///     h F_min    h F_max      a motor
 ///    −B          B            friction, B = h F + Σ factor ‖λ of what loads it‖
 /// ```
-/// Inside, r = 0: the row is solved for. At an end it is *inactive*: its equation is left out and λ
-/// is fixed at `held`. As for contacts, the sign of λ + r/(W + Σ) decides between the two, with W
-/// its part of G M⁻¹ Gᵀ. One Newton method finds both. Each iteration solves with the statuses of
-/// the last one, then changes the statuses that the solution contradicts. A changed status changes
-/// the matrix. A bound that moves with a load changes only the right-hand side. An inactive row may
-/// move to the other end of its range, such as a reversed motor.
+/// Inside its bounds a row is active: r = 0 is one of the equations. At a bound it is *inactive*:
+/// its equation is omitted, and λ is fixed at `held`. As for contacts, the sign of λ + r/(W + Σ)
+/// decides between the two, with W its part of G M⁻¹ Gᵀ. Each iteration of Newton's method solves
+/// with the statuses of the last one, then changes the statuses that the solution contradicts. A
+/// changed status changes the matrix. A bound that moves with a load changes only the right-hand
+/// side. An inactive row may move to the other end of its range, such as a reversed motor.
 ///
 /// *Power.* A motor with a power limit P obeys λ w₊ ≤ h P. Here w₊ is the speed of its row after
 /// the step. This bound follows the solution as the bounds of friction do (impulse_range.cpp).
 ///
-/// *Loads.* The bound of friction lags an iteration behind its load. If friction itself makes a
-/// fraction s of its load, this takes log(1e-6)/log(s) iterations, each at the cost of a
+/// *Loads.* The bound of friction follows its load one iteration late. If friction itself causes a
+/// fraction s of its load, convergence takes log(1e-6)/log(s) iterations, each at the cost of a
 /// substitution. Example: a line round a bollard has s = tanh(μδ/2); three turns at μ = 0.3 need
 /// 2,000 iterations. While no status changes, λ is affine in the bounds. Anderson's acceleration
 /// then ends after one iteration more than the number of coupled bounds (nonsmooth/anderson.h).
@@ -42,28 +42,30 @@ void hold_bounds(context::Model& model, context::Newton& newton, double time) no
 
 /// Read λ and r at the full step of an iteration.
 void take_bounds(context::Model& model, context::Newton& newton) noexcept;
-/// Start the next iteration at a fraction t of the way.
+/// Start the next iteration at the fraction t of the way from the last iterate to the solution.
 void keep_bounds(context::Newton& newton, double t) noexcept;
-/// Return Σ (W + Σ) (λ − P)² at a fraction t of the way [J].
+/// Return Σ (W + Σ) (λ − P)² over bounded rows, at the fraction t of the way from the last iterate
+/// to the solution [J].
 [[nodiscard]] double bounds_merit(const context::Model& model, const context::Newton& newton,
                                   double t) noexcept;
 
-/// Return the part of the rows in the slope of the convex phase, at a fraction t of the way [J]
-/// (convex_phase.h).
+/// Return the contribution of bounded rows to the slope of the convex phase, at the fraction t of
+/// the way [J] (convex_phase.h).
 [[nodiscard]] double bounds_slope(const context::Model& model, const context::Newton& newton,
                                   double t) noexcept;
 
 inline constexpr std::int32_t kAnyRows = 0x7fffffff;
 
-/// Return the largest relative distance of friction at its bound from the bound by its present
-/// loads. It is the part of joints in the residual of a step.
+/// Return the largest relative difference between the impulse of a friction at its bound and the
+/// bound for its present loads. It is the contribution of joints to the residual of a step.
 [[nodiscard]] double bounds_map(const context::Model& model,
                                 const context::Newton& newton) noexcept;
 
-/// Switch rows for the start of the next iteration, and move inactive ones with their bound.
+/// Switch rows whose status does not match, for the next iteration, and set inactive rows to their
+/// moved bound.
 /// @param floor  Impulse below which differences are ignored [N s].
-/// @param most  Number of rows that may switch, the first ones; 0: only count.
-/// @return the number of rows that request another status.
+/// @param most  Number of rows that may switch, in the order of rows; 0: only count.
+/// @return the number of rows whose status does not match.
 std::int32_t switch_bounds(context::Model& model, context::Work& work, double floor,
                            std::int32_t most) noexcept;
 
@@ -71,16 +73,16 @@ std::int32_t switch_bounds(context::Model& model, context::Work& work, double fl
 /// λ of a row that has switched since is out of date.
 void show_held(context::Model& model) noexcept;
 
-/// Count the rows that request to switch at the current λ, v₊, without changes.
+/// Count the rows whose status does not match the current λ and v₊, without changes.
 /// @param floor  Impulse below which differences are ignored [N s].
 [[nodiscard]] std::int32_t asking_rows(context::Model& model, context::Work& work,
                                        double floor) noexcept;
 
-/// Return asking_rows() > 0 for a floor of 0, without changes.
+/// Return true if asking_rows() with a floor of 0 would return more than 0.
 [[nodiscard]] bool any_asks(const context::Model& model, const context::Newton& newton,
                             const assembly::View& v) noexcept;
 
-/// Move the anchors of friction that has slid, after the step.
+/// Move the friction anchors of joints that have slid. Call after the step.
 void move_anchors(context::Model& model) noexcept;
 
 }  // namespace hawser::solve

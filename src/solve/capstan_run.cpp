@@ -8,7 +8,7 @@
 namespace hawser::solve {
 namespace {
 
-/// Relative rounding of the impulses whose difference acts at a place.
+/// Relative rounding of the impulses whose difference acts at a turning point.
 constexpr double kRounding = 2e-15;
 
 /// Write the speed w of a turning point as a linear function of the impulses before and behind it.
@@ -63,9 +63,9 @@ void solve_run(std::size_t n, context::RunPoint* place, context::RunPart* part) 
         part[i].lambda = part[i].right - part[i].upper * part[i + 1].lambda;
 }
 
-/// Compute the speeds w of all turning points from the impulses. In the equation of a sliding
-/// point, w is a small difference of large forces over a small mass. The equation of the part
-/// before it avoids this.
+/// Compute the speeds w of all turning points from the impulses. The equation of a sliding point
+/// would give w as a small difference of large forces divided by a small mass. The equation of the
+/// part before the point is used instead.
 void find_speeds(std::size_t n, context::RunPoint* place, const context::RunPart* part) noexcept {
     for (std::size_t k = 0; k < n; ++k) {
         context::RunPoint& p = place[k];
@@ -77,7 +77,7 @@ void find_speeds(std::size_t n, context::RunPoint* place, const context::RunPart
     }
 }
 
-/// Change the statuses that the solution contradicts: parts between pulling and slack, turning
+/// Change the statuses that do not match the solution. Parts change between taut and slack, turning
 /// points between sticking and sliding in either direction.
 /// @param most  Maximum number of changes.
 /// @return the number of changes.
@@ -93,7 +93,7 @@ int switch_run(std::size_t n, context::RunPoint* place, context::RunPart* part, 
         switched += pulls != p.pulls ? 1 : 0;
         p.pulls = pulls;
     }
-    std::int32_t before = 0;  // former side of the place before
+    std::int32_t before = 0;  // former side of the previous point
     for (std::size_t k = 0; k < n && switched < most; ++k) {
         context::RunPoint& p = place[k];
         const std::int32_t was = p.side, behind = k + 1 < n ? place[k + 1].side : 0;
@@ -104,12 +104,12 @@ int switch_run(std::size_t n, context::RunPoint* place, context::RunPart* part, 
         if (p.side == 0) {
             const double force =
                 p.mass * (w - p.free) - p.before * part[k].lambda - p.behind * part[k + 1].lambda;
-            // Behind a place that has slid, places are at their bounds.
+            // Points behind one that has slid are at their bounds.
             constexpr double beyond = 1.0 + kCapstanAtBound;
             if (force > beyond * (p.high + load)) side = 1;
             if (force < beyond * (p.low - load)) side = -1;
         } else {
-            // A sliding place continues while its spring requires more.
+            // A point continues to slide while its spring requires more than the bound.
             const double bound = p.side > 0 ? p.high + load : p.low - load;
             const double noise =
                 kRounding * (std::fabs(part[k].lambda) + std::fabs(part[k + 1].lambda)) / p.mass;

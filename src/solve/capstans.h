@@ -3,36 +3,36 @@
 /// @file capstans.h
 /// Friction of lines over bollards, pins and sheaves, with its bound in the matrix.
 ///
-/// At a place where a line turns by an angle δ, T₁ and T₂ are its tensions before and behind. The
-/// multipliers of its spans are λ₁, λ₂ = −h T₁, −h T₂ (model/kinds/routes.h). q̇ is the speed of
-/// the line through the place, and F the friction on it:
+/// At a turning point a line turns by an angle δ. T₁ and T₂ are its tensions before and behind the
+/// point. The multipliers of its spans are λ₁, λ₂ = −h T₁, −h T₂ (model/kinds/routes.h). q̇ is the
+/// speed of the line through the point, and F the friction on it:
 /// ```
 ///     m q̇₊ − m q̇ = h (T₂ − T₁) + h F,   |F| ≤ F₀ + k (T₁ + T₂),   k = tanh(μδ/2)
 /// ```
 /// While it slides in one direction, with σ the sign of F and negligible m, T₁ (1 − σk) = T₂ (1 +
 /// σk), or T₁/T₂ = e^{σμδ}. This is Euler's and Eytelwein's ratio, for any division of a circle
-/// into places.
+/// into points.
 ///
-/// *In the matrix.* A bound an iteration behind its loads (bounds.h) contains F itself by a
-/// fraction k. In rows of places this fraction is almost 1. Here F is a function of λ₁, λ₂. The
-/// slide's equation gets an additional −σ k of each, without a counterpart in the equations of the
-/// spans,
+/// *In the matrix.* If the bound follows its loads one iteration late (bounds.h), the iteration
+/// reduces the error by the factor k only, which is almost 1 for many points in a row. Here F is
+/// therefore a function of λ₁, λ₂. The slide's equation gets an additional −σ k of each, without a
+/// counterpart in the equations of the spans,
 /// ```
 ///            q̇      −λ₁      −λ₂
 ///     q̇  [   m     1 − σk  −1 − σk ]
-///     λ₁ [   1      −Σ₁            ]       k < 1: signs stay as they are.
+///     λ₁ [   1      −Σ₁            ]       k < 1: the signs do not change.
 ///     λ₂ [  −1               −Σ₂   ]
 /// ```
 /// so that fronts above it are factored as L D U (factor/unsymmetric.h). Slides have few
 /// neighbours, so the order eliminates them before the multipliers. The Schur complement of a run
-/// of places is then tridiagonal in the tensions. It has negative entries beside a positive
-/// diagonal, and each column sums to W + Σ. So it is an M-matrix and no pivot changes sign for any
-/// sliding. In a run between two bodies that pull each other over it, a pivot may change sign. It
-/// is used unchanged, and refinement shows the lost accuracy.
+/// of points is then tridiagonal in the tensions. It has a positive diagonal, negative entries next
+/// to it, and columns that sum to W + Σ. It is therefore an M-matrix, and sliding changes the sign
+/// of no pivot. If a run pulls two bodies together over each other, a pivot may change sign. The
+/// pivot is used unchanged, and the residual shows the lost accuracy.
 ///
-/// *Status.* The active set of bounds.h decides. A place that would have to hold more begins to
-/// slide, and one that slides in the wrong direction begins to hold. In a run, a place that begins
-/// to slide loads the next one; runs.h finds all at once.
+/// *Status.* The active set of bounds.h decides which points slide. A point begins to slide if it
+/// would need a friction above its bound. It sticks again if it slides in the wrong direction. In a
+/// run, a point that begins to slide loads the next one; runs.h finds the statuses of all points.
 
 #include "context/context.h"
 
@@ -42,11 +42,11 @@ namespace hawser::solve {
 /// of the pulled mass, these are speeds of 1e-11 m/s.
 inline constexpr double kCapstanNoise = 1e-14;
 /// Fraction of the largest impulse of a run. Speeds of its slides are differences of its impulses
-/// over almost no mass, and their rounding passes from place to place. Below this fraction a slide
+/// over almost no mass, and their rounding passes from point to point. Below this fraction a slide
 /// in the wrong direction is rounding, even if its own tensions are small.
 inline constexpr double kCapstanRounding = 1e-15;
-/// Relative excess over the bound before a holding place begins to slide. Behind places that have
-/// slid, all are at their bounds.
+/// Relative excess over the bound before a sticking point begins to slide. Points behind those
+/// that have slid are all at their bounds.
 inline constexpr double kCapstanAtBound = 1e-10;
 
 /// Set the directions of sliding at the start of a step from hold_bounds(), without data of the

@@ -7,7 +7,7 @@
 
 namespace hawser::solve {
 
-/// Compute u, λ and the impulses on slots.
+/// Compute u, λ and the impulses on the slots of contacts.
 /// @param v  As for update_contacts().
 void update_slots(context::Model& model, runtime::Pool& pool, const double* v) noexcept;
 

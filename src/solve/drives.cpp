@@ -19,8 +19,9 @@ struct Weights {
     double before, after;
 };
 
-/// Return λ·G (a v + b v₊) over the rows. With a = b = ½ this is the work of an interaction on the
-/// kinetic energy of moving bodies, exact for the scheme, since their velocities change by M⁻¹Gᵀλ.
+/// Return λ·G (a v + b v₊), summed over the rows of an interaction. With a = b = ½ this is the work
+/// of an interaction on the kinetic energy of moving bodies, exact for the scheme, since their
+/// velocities change by M⁻¹Gᵀλ.
 double impulse_times(const assembly::View& v, std::int32_t id, Weights weights,
                      bool rigid_rows_only) noexcept {
     double buffer[model::kArmBufferSize];
@@ -44,8 +45,8 @@ double impulse_times(const assembly::View& v, std::int32_t id, Weights weights,
     return work;
 }
 
-/// Return −λ·(G v of prescribed velocities): the work of carriers on elastic or rigid rows, which
-/// transfer it to the bodies or store it.
+/// Return −λ·(G v of prescribed velocities): the work of bodies with a prescribed velocity on
+/// elastic or rigid rows. The rows transfer it to other bodies or store it.
 double work_of_carriers(const context::Model& model, const assembly::View& v, std::int32_t id,
                         bool elastic_rows_only) noexcept {
     const model::RowState s = model.interactions.row_state(id, model.bodies);

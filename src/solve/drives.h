@@ -17,14 +17,14 @@ struct DriveWork {
     double friction = 0.0;  ///< Energy dissipated by friction in joints, slides and drums.
     double stopped = 0.0;   ///< Energy dissipated by stops of slides (wire/guide_system.h).
 };
-/// Compute the work before the velocities are overwritten.
+/// Compute the work of drives. Call before the velocities are overwritten.
 [[nodiscard]] DriveWork drive_work(context::Model& model) noexcept;
 
-/// Return the sum of the impulses of drives over the step times the change of their velocities [J].
-/// Call before the velocities are overwritten.
+/// Return the impulses of drives in the step times the change of their velocities, summed over
+/// drives [J]. Call before the velocities are overwritten.
 [[nodiscard]] double drive_gain(context::Model& model) noexcept;
 
-/// Return that sum for springs and lines [J].
+/// Return the sum of drive_gain() for springs and lines [J].
 /// @param springs  Interactions.
 [[nodiscard]] double spring_gain(context::Model& model,
                                  std::span<const std::int32_t> springs) noexcept;

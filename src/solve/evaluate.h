@@ -13,8 +13,7 @@ void evaluate_block(const context::Model& model, const assembly::View& v, int st
 /// Evaluate every interaction at the current poses (g, Jacobian), as stage 5 does.
 void evaluate_rows(context::Model& model, runtime::Pool& pool) noexcept;
 
-/// Call evaluate_rows(), which decides which ranges are active, and keep the ranges that were
-/// active.
+/// Call evaluate_rows(), and then restore the active flags of ranges, which it overwrites.
 void evaluate_keeping_ranges(context::Model& model, context::Before& before,
                              runtime::Pool& pool) noexcept;
 

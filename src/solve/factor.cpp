@@ -31,7 +31,7 @@ struct Writer {
     }
 };
 
-/// Collect the nodes of the columns of marked blocks.
+/// Collect the nodes of the matrix columns of marked blocks.
 void collect_columns(const assembly::System& s, const std::vector<std::uint8_t>& marks,
                      std::vector<std::int32_t>& columns) noexcept {
     columns.clear();
@@ -61,8 +61,8 @@ void keep_factored(const context::Model& model, std::vector<double>& factored) n
         factored[i] = model.interactions.active[at(model.system.bounded[i])];
 }
 
-/// Return true if wrong pivots fail a factorisation. Those that sliding contacts may cause do not
-/// (factor/unsymmetric.h).
+/// Return true if wrong pivots make a factorisation fail. Wrong pivots that sliding contacts can
+/// cause do not (factor/unsymmetric.h).
 bool fails(const factor::Numeric& numeric, int wrong) noexcept {
     return wrong > 0 && numeric.nodes_with_wrong_pivots().empty();
 }

@@ -13,7 +13,8 @@
 namespace hawser::solve {
 
 /// Write the blocks, factor, and solve for the right-hand side in the solver's vector, in place.
-/// @param whole  True if other data than contacts and active rows changed: factor the whole matrix.
+/// @param whole  True: factor the whole matrix. Required if data other than contacts and active
+///         rows have changed.
 [[nodiscard]] Status factor(context::StepContext& ctx, bool whole) noexcept;
 
 /// Return the capacity that SolveWork::columns needs.

@@ -12,7 +12,8 @@
 namespace hawser::solve {
 namespace {
 
-/// Return the sum of the loads on the bound of friction, from the current impulses [N s].
+/// Return the sum of the loads that determine the bound of a friction, from the current impulses [N
+/// s].
 double load_of(const context::Model& model, std::int32_t id) noexcept {
     const model::Interactions& in = model.interactions;
     if (in.load_begin[at(id)] < 0) return 0.0;
@@ -46,8 +47,9 @@ double speed_of_row(const context::Model& model, std::int32_t id) noexcept {
                                id);  // reads only
 }
 
-/// Limit both ends of a motor's range to the impulses that its power allows. A range on one side of
-/// 0 beyond them (a rendering winch that pulls between two tensions) shrinks to the power limit.
+/// Limit both ends of a motor's range to the impulses that its power allows. If both ends of the
+/// range have one sign and exceed these impulses (a rendering winch that pulls between two
+/// tensions), the range shrinks to the power limit.
 void limit_power(const context::Model& model, const context::Newton& newton, std::int32_t id,
                  ImpulseRange& range) noexcept {
     const model::Interactions& in = model.interactions;

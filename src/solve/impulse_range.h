@@ -11,7 +11,7 @@ struct ImpulseRange {
     double low, high;  ///< [N s or N m s]
 };
 /// Return the allowed impulses of the first row of an interaction, for the current loads. If inputs
-/// have exchanged the ends, both are equal to the upper one.
+/// have set a minimum above the maximum, both ends are equal to the maximum.
 [[nodiscard]] ImpulseRange impulse_range(const context::Model& model, const context::Newton& newton,
                                          std::int32_t id) noexcept;
 

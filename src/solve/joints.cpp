@@ -21,8 +21,8 @@ using assembly::View;
 
 constexpr std::uint8_t kCoarse = 60;  ///< Steps for which a joint above the limit is not completed.
 
-/// Write into the record of a compact joint (model/arms.h) whether it is completed. Kernels read it
-/// as the sign of the constant of its oscillation number.
+/// Write into the record of a compact joint (model/arms.h) whether end-of-step constraint
+/// iterations apply to it. Kernels read it as the sign of the constant of its oscillation number.
 void mark_record(model::Interactions& in, const context::JointSlot& joint,
                  bool completed) noexcept {
     if (joint.record < 0) return;

@@ -24,8 +24,9 @@ inline constexpr double kResolvedVibration = 1.5;
     for (int r = 0; r < joint.rows; ++r) square += p[r] * p[r];
     return square;
 }
-/// Return s² of a joint under its impulse, s = h |p| max(r/I).
-/// @param k  Its index among the joints.
+/// Return the square of s = h |p| max(r/I), the vibration ratio (hω)² of a joint with the impulse
+/// p.
+/// @param k  Index of the joint.
 [[nodiscard]] inline double squared_vibration(const context::Model& model, std::int32_t k,
                                               const double* lambdas) noexcept {
     const context::Completion& c = model.completion;
@@ -37,11 +38,11 @@ inline constexpr double kResolvedVibration = 1.5;
 /// @throws std::bad_alloc.
 void find_joints(context::Model& model, context::JointWork& joints);
 
-/// Begin a step: no joint is rejected yet.
+/// Begin a step: clear the marks of rejected joints.
 void begin_completion(context::Model& model) noexcept;
 
-/// Choose the joints that this step completes, by their forces in the last step, and mark their
-/// records.
+/// Choose the joints for the end-of-step constraint iterations of this step by their forces in the
+/// last step, and mark their records.
 void choose_completed(context::Model& model, const context::State& state,
                       runtime::Pool& pool) noexcept;
 

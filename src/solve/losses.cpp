@@ -19,7 +19,8 @@ struct Rates {
     double before[kMaxInteractionRows], after[kMaxInteractionRows];
 };
 
-/// Compute rates from the Jacobian, with the part of bodies with a prescribed velocity.
+/// Compute the rates of rows from the Jacobian, including the contribution of bodies with a
+/// prescribed velocity.
 void rates_by_jacobian(const context::Model& model, const View& v, std::int32_t id,
                        Rates& out) noexcept {
     double buffer[model::kArmBufferSize];
@@ -39,8 +40,8 @@ void rates_by_jacobian(const context::Model& model, const View& v, std::int32_t 
     }
 }
 
-/// Compute rates from c = Υ(Rġ − 4g/h), R the factor of ġ, and from the row's equation. This avoids
-/// a pass over the Jacobian.
+/// Compute the rates of rows from c = Υ(Rġ − 4g/h), R the factor of ġ, and from the row's equation.
+/// This avoids a pass over the Jacobian.
 void rates_by_rows(const View& v, std::int32_t id, Rates& out) noexcept {
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;
@@ -51,7 +52,7 @@ void rates_by_rows(const View& v, std::int32_t id, Rates& out) noexcept {
     }
 }
 
-/// Return ½ g²/ε if the row pulls or pushes.
+/// Return ½ g²/ε of a row if it exerts a force.
 /// @param now  Violation at the poses of the step.
 double held(const View& v, std::int32_t id, std::int32_t row, double now, double g) noexcept {
     if (!model::holds_energy(v.epsilon[row], v.rest_length[id])) return 0.0;
@@ -60,8 +61,8 @@ double held(const View& v, std::int32_t id, std::int32_t row, double now, double
     return 0.5 * g * g / v.epsilon[row];
 }
 
-/// Return true if a line was taut at the last half-step position. Assembly then left its c
-/// unchanged (when_slack() in assembly/isa/slack.h).
+/// Return true if a line was taut at the last half-step position. In this case assembly has not
+/// changed its c (when_slack() in assembly/isa/slack.h).
 /// @param before  ġ from c; 0 for a line that was slack.
 bool was_taut(const View& v, std::int32_t row, double before) noexcept {
     return v.g[row] - 0.5 * v.h * before > 1e-9 * std::fabs(v.g[row]);

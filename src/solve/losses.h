@@ -17,17 +17,18 @@ namespace hawser::solve {
 [[nodiscard]] double row_losses(context::Model& model, context::SolveWork& solve,
                                 runtime::Pool& pool) noexcept;
 
-/// Return the part of interactions [begin, end) of a row block. The norms of a solution are
-/// computed at the same time, while rows are in the cache (SolveWork::losses_known).
+/// Return the contribution of interactions [begin, end) of a row block to row_losses(). The norms
+/// of a solution are computed at the same time, while rows are in the cache
+/// (SolveWork::losses_known).
 [[nodiscard]] double losses_between(const context::Model& model, const assembly::View& v,
                                     std::int32_t begin, std::int32_t end) noexcept;
 
-/// Return the loss of the rows of a cut interaction, with the mean of its sides' impulses
-/// (split/cuts.h) [J].
+/// Return the energy lost in the rows of a cut interaction, with the mean of the impulses of both
+/// sides (split/cuts.h) [J].
 [[nodiscard]] double cut_losses(context::Model& model, std::int32_t id) noexcept;
 
-/// Return the energy of a line at the half-step position after the step [J]; it is lost if the line
-/// breaks.
+/// Return the elastic energy of a line at the half-step position after the step [J]. It is lost if
+/// the line breaks.
 [[nodiscard]] double held_by_line(context::Model& model, std::int32_t id) noexcept;
 
 }  // namespace hawser::solve

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file runs.h
-/// Statuses of a run: the consecutive places that a line runs over and the parts between them.
+/// Statuses of a run: the consecutive turning points of a line and the parts between them.
 ///
-/// If single places switch by the tensions of a solution (bounds.h), the next place responds a
-/// factorisation later: 64 places take 64 factorisations. But the interior of a run has almost no
-/// mass. It is a small problem of its own, if the ends respond like their bodies. With λ_i of part
-/// i, w_j of place j, W_i the mobility of the other bodies of part i, and v₊ the current solution,
+/// If points switch one by one by the tensions of a solution (bounds.h), the next point responds a
+/// factorisation later: 64 points need 64 factorisations. The interior of a run has almost no mass,
+/// so a run is a small separate problem if its ends respond like their bodies. With λ_i of part i,
+/// w_j of point j, W_i the mobility of the other bodies of part i, and v₊ the current solution,
 /// ```
 ///     (W_i + Σ_i) λ_i + Σ_j G_ij w_j = c_i − G v₊ + W_i λ_i(v₊)
-///     w_j = α_j + p_j λ_{j−1} + q_j λ_j       of a place that holds: its spring, and that slides:
-///                                             no force beside its bound
+///     w_j = α_j + p_j λ_{j−1} + q_j λ_j       sticking point: by its spring;
+///                                             sliding point: only the force of its bound
 /// ```
-/// This is tridiagonal in λ. Its active set is iterated to the end, at a cost of n numbers per
-/// iteration, and gives the statuses for the next factorisation of the whole system. If the whole
-/// system contradicts a status, its own rule decides.
+/// This is tridiagonal in λ. Its active set is iterated to the end; an iteration costs O(n). The
+/// result is the statuses for the next factorisation of the whole system. If the solution of the
+/// whole system contradicts a status, the rule of bounds.h decides.
 
 #include "context/context.h"
 
@@ -33,7 +33,7 @@ void note_runs(context::Model& model) noexcept;
 /// @param friction  Friction of one of its turning points.
 [[nodiscard]] double largest_in_run(const context::Model& model, std::int32_t friction) noexcept;
 
-/// Set the statuses of runs from a solution of each run by itself, after rows were switched.
+/// Set the statuses of runs after rows have switched. Each run is solved separately for this.
 void settle_runs(context::Model& model, context::Newton& newton) noexcept;
 
 }  // namespace hawser::solve

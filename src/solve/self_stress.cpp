@@ -58,7 +58,7 @@ Push load_joints(const context::Model& model, context::SolveWork& solve, const V
     return size;
 }
 
-/// Solve for u of K [u; −λ'] = [Gᵀλ; 0] in place, after load_joints().
+/// Solve K [u; −λ'] = [Gᵀλ; 0] in place for u and λ', after load_joints().
 void solve_loaded(context::StepContext& ctx, const View& v) noexcept {
     const context::StageTimer timer(ctx, Stage::factor);
     ctx.model.system.numeric.solve(ctx.model.system.symbolic, v.solution, ctx.pool);
@@ -92,9 +92,9 @@ bool is_changed(const View& v, std::int32_t id, Lambda lambda, double* kept) noe
     return less > kShare * kShare * all;
 }
 
-/// Correct `taken` so that its removal moves no body, Gᵀ `taken` = 0. One substitution leaves a
-/// residual momentum that the bodies would lack. The same filter, applied to `taken`, returns the
-/// part that must stay.
+/// Correct the impulses `taken` so that their removal moves no body, Gᵀ `taken` = 0. After one
+/// substitution a residual momentum remains, which the bodies would lose. The filter, applied to
+/// `taken`, returns the part that must not be removed.
 void keep_momentum(context::StepContext& ctx, const View& v) noexcept {
     constexpr double kMaximum = 1e-11;  ///< Relative to the impulses.
     constexpr int kFilterPasses = 2;
@@ -112,8 +112,8 @@ void keep_momentum(context::StepContext& ctx, const View& v) noexcept {
     }
 }
 
-/// Filter `lost` once and replace it by the removed part. Clear the redundant mark of joints whose
-/// removed part is at most kShare of the drawn impulse.
+/// Filter the impulses `taken` once and replace them by the removed part. Clear the mark
+/// "redundant" of joints whose removed part is at most the fraction kShare of the drawn impulse.
 /// @return true if any marked joint remains.
 bool lose_again(context::StepContext& ctx, const View& v) noexcept {
     double* lost = ctx.work.joints.taken.data();
@@ -137,13 +137,15 @@ bool lose_again(context::StepContext& ctx, const View& v) noexcept {
     return any;
 }
 
-/// Find the joints in loops that are redundant now. Their random impulses lose more than kShare in
-/// each of two filter passes; the second pass filters the part removed by the first. Impulses that
-/// move nothing are removed entirely in each pass. For soft modes of long chains Σ removes a
-/// fraction, and the next pass a smaller one.
+/// Find the joints in loops that are redundant at the present poses. Random impulses are drawn for
+/// all joints and filtered in two passes; the second pass filters the part that the first one
+/// removed. A joint is redundant if each pass removes more than the fraction kShare. Impulses that
+/// move no body are removed entirely in each pass. For soft modes of long chains the first pass
+/// removes a fraction because of Σ, and the second pass a smaller one.
 ///
-/// Among many joints some draw almost zero. So the loss is compared with at least the mean draw.
-/// Otherwise one joint in thousands would count as redundant wherever a thousandth is removed.
+/// Some of many random impulses are almost zero. The loss is therefore compared with at least the
+/// mean impulse. Otherwise one joint in thousands would count as redundant if a thousandth is
+/// removed.
 void probe_loops(context::StepContext& ctx) noexcept {
     const View v = context::view(ctx);
     for (const std::int32_t id : ctx.model.completion.looped) {

@@ -20,7 +20,7 @@ namespace {
 using assembly::Norms;
 using assembly::View;
 
-/// Merge in order, so that sums do not depend on threads.
+/// Return the sum of norms, added in order so that it does not depend on threads.
 Norms merged(const std::vector<Norms>& parts) noexcept {
     Norms n;
     for (const Norms& p : parts) {
@@ -54,7 +54,7 @@ void start_solve(context::Model& model, context::Work& work, runtime::Pool& pool
     work.solve.rhs_ready = true;
 }
 
-/// Update λ of all rows from the solver's vector, and that of sliding capstans from their loads.
+/// Update λ of all rows from the solver's vector, and λ of sliding capstans from their loads.
 void update_rows(context::Model& model, const context::Work& work, runtime::Pool& pool,
                  const View& v, bool first) noexcept {
     const assembly::Kernels& k = assembly::kernels();
@@ -83,7 +83,7 @@ void continue_solve(context::Model& model, context::Work& work, runtime::Pool& p
     work.solve.rhs_ready = true;
 }
 
-/// Add the solution to v₊ for all bodies.
+/// Add the solution vector to v₊ for all bodies.
 void add_everywhere(runtime::Pool& pool, const View& v) noexcept {
     context::over(pool, v.body_count, [&](std::int32_t a, std::int32_t b) {
         assembly::kernels().add_solution(v, a, b);
@@ -156,8 +156,8 @@ Status report(const context::Model& model, context::Work& work, const Norms& n) 
 /// correction, a third of the step's time, leaves the same.
 constexpr double kCorrected = 1e-11;
 
-/// Return true if a residual requires a correction: relative for momentum, in their units for rows
-/// [m/s, rad/s].
+/// Return true if a residual requires a correction. The residual of momentum is relative, those of
+/// rows are in [m/s, rad/s].
 bool needs_refinement(const context::Model& model, const StepStats& stats,
                       const Norms& n) noexcept {
     const double good = stats.refinements > 0 ? kCorrected : model.def.solution_tolerance;
@@ -170,7 +170,8 @@ int max_refinements(const context::Model& model) noexcept {
     return model.def.refinements > 0 ? model.def.refinements + 2 : 0;
 }
 
-/// Repeat corrections while the residual requires them, then report it.
+/// Repeat corrections as long as the residual requires them, and write the residual into the
+/// statistics.
 Status finish_solve(context::Model& model, context::Work& work, runtime::Pool& pool, const View& v,
                     Norms n, int most) noexcept {
     for (int extra = 0; extra < most; ++extra) {

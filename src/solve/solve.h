@@ -18,14 +18,14 @@ namespace hawser::solve {
 /// Run one more iteration from the current v₊ and λ with the current factorisation.
 void continue_with_factor(context::StepContext& ctx) noexcept;
 
-/// Refine the result of newton_solve() and measure it.
+/// Refine the result of newton_solve() and measure its residual.
 [[nodiscard]] Status refine(context::StepContext& ctx) noexcept;
 
 /// Call refine() if the residual is above solution_tolerance.
 /// @param measured  True if the residual is in the statistics; otherwise it is measured first.
 [[nodiscard]] Status settle_iterations(context::StepContext& ctx, bool measured) noexcept;
 
-/// Measure the current v₊, λ and row residuals, found without the matrix.
+/// Measure the residuals of the current v₊, λ and rows, for solutions found without the matrix.
 [[nodiscard]] Status measure(context::StepContext& ctx) noexcept;
 
 }  // namespace hawser::solve

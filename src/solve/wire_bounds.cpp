@@ -14,14 +14,14 @@ namespace {
 using assembly::View;
 using nonsmooth::ChainRow;
 
-/// True for elements between two bodies that only pull.
+/// True for elements that act between two bodies and carry tension only.
 bool is_chain_element(const model::Interactions& in, std::int32_t id) noexcept {
     constexpr int kOther = model::kRange | model::kMotor | model::kFriction;
     return (in.flags[at(id)] & (model::kOneSided | kOther)) == model::kOneSided &&
            in.bodies[at(id)] == 2 && in.rows[at(id)] == 1;
 }
 
-/// Return the other element of a node with exactly two, −1: none.
+/// Return the other element of a node with exactly two elements; −1 for other nodes.
 std::int32_t neighbour_of(const context::NodeElements& lump, std::int32_t element) noexcept {
     if (lump.count != 2) return -1;
     return lump.element[0] == element ? lump.element[1] : lump.element[0];
@@ -108,7 +108,7 @@ void add_chain(const context::Model& model, context::WireChains& chains, std::in
     number_nodes(model, chains, first);
 }
 
-/// Sum Σ w² Eᵀ S E of the contacts of each node, without the part of S that makes it unsymmetric.
+/// Sum the contact terms Σ w² Eᵀ S E of each node, without the unsymmetric part of S.
 void add_contacts_to_nodes(const context::Model& model, context::WireChains& chains) noexcept {
     std::fill(chains.block.begin(), chains.block.end(), std::array<double, 9>{});
     const assembly::Contacts& contacts = model.system.contacts;
@@ -157,7 +157,7 @@ const double* columns_at(const View& v, std::int32_t id, std::int32_t body) noex
     return v.jacobian + v.jac_begin[id] + (first == body ? 0 : v.dof[first]);
 }
 
-/// Fill in the problem of chain [begin, end).
+/// Set the data of the tridiagonal problem for the chain of elements [begin, end).
 void read_chain(context::Model& model, context::Newton& newton, const View& v, std::int32_t begin,
                 std::int32_t end) noexcept {
     context::WireChains& chains = newton.chains;

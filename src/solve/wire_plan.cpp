@@ -30,7 +30,7 @@ struct Line {
     double rest, stiffness;
 };
 
-/// Return the velocity of the body in a slot, as a kernel reads it.
+/// Return the velocity of a body from a packed vector, as kernels read it.
 void velocity_of(const View& v, const double* packed, std::int32_t body, V3& lin, V3& ang) {
     const double* given = packed == v.v ? v.v_before : v.v_fixed;
     const double* p = v.dof[body] == 0 ? given + 6 * body : packed + v.dof_begin[body];
@@ -72,7 +72,7 @@ Line line_of(const View& v, std::int32_t id) noexcept {
     return o;
 }
 
-/// Return the tension by the law at the half step after the current solution [N].
+/// Return the tension by the elastic law, half a step after the current solution [N].
 double tension_after(const Line& l) noexcept { return l.stiffness * (norm(l.ahead) - l.rest); }
 
 /// Write K = w (E − uuᵀ) of an element and the additional impulse `past` on slot 0.

@@ -9,16 +9,17 @@
 /// *Stiffness.* The tension T in K = (T/l)(E − nnᵀ) becomes that of the rejected step. K then acts
 /// with h² in full on the velocity after the step, without a part before it.
 ///
-/// *Bound.* At the last levels the element pulls with k (d₊ − l₀ d/|d|), the gradient of k/2 |d₊ −
+/// *Bound.* In the last repeats the element pulls with k (d₊ − l₀ d/|d|), the gradient of k/2 |d₊ −
 /// l₀ d/|d||². This function equals V at d and is nowhere below V. It is quadratic and convex, and
-/// its force is that at the end of the step. So the wire cannot gain energy (docs/theory/wires.md).
-/// A slack element that may become taut pulls with k (d₊ − d). The row itself is inactive.
+/// its force is that at the end of the step. The wire therefore cannot gain energy
+/// (docs/theory/wires.md). A slack element that may become taut pulls with k (d₊ − d). The row
+/// itself is inactive.
 
 #include "context/context.h"
 
 namespace hawser::solve {
 
-/// Choose the next laws of rejected wires from the rejected solution.
+/// Choose the next replacement laws of the elements of a rejected wire, from the rejected solution.
 void plan_wires(context::Model& model, const context::Before& kept, std::int32_t wire) noexcept;
 
 /// Overwrite the results of evaluate() for rejected wires of one row block.

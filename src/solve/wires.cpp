@@ -40,7 +40,8 @@ std::int32_t root_of(std::vector<std::int32_t>& joined, std::int32_t i) {
     return i;
 }
 
-/// Join elements at nodes. By interaction: the first element of its wire; −1: not an element.
+/// Unite elements with a common node. The result is the first element of its wire for each
+/// interaction; −1: not an element.
 void join_elements(const context::Model& model, std::int32_t count, context::WireWork& work) {
     const model::Interactions& in = model.interactions;
     std::vector<std::int32_t>& joined = work.joined;
@@ -89,7 +90,7 @@ void list_elements(std::int32_t count, context::WireWork& work) {
     }
 }
 
-/// List nodes by wire, and parts of elements and nodes.
+/// List the nodes of each wire, and divide elements and nodes into tasks.
 void make_parts(const context::Model& model, context::WireWork& work) {
     context::Wires& w = work.made;
     const model::Interactions& in = model.interactions;
@@ -136,8 +137,8 @@ void release_wires(context::Model& model) noexcept {
 
 namespace {
 
-/// Transfer the memory of wires after their elements changed: each element keeps its part of its
-/// wire's memory.
+/// Transfer the state of wires (energy allowance, flags, recoil) after their elements have changed.
+/// Each element keeps its part of the state of its former wire.
 void recall_wires(const context::Model& model, const context::State& state,
                   context::WireWork& work) {
     const context::Wires& w = model.wires;

@@ -16,10 +16,10 @@ void make_wires(context::Model& model, const context::State& state, context::Wir
 /// nor without geometric stiffness, which its measures need.
 [[nodiscard]] bool on_guard(const context::Model& model) noexcept;
 
-/// Let replaced rows follow their law again after a step that was not taken.
+/// Undo the replacement of rows after a rejected step, so that they follow their law again.
 void release_wires(context::Model& model) noexcept;
 
-/// Store the results of the current step for the next ones: gains, and ends of recoils.
+/// Store results of the current step for later steps: the gains of wires and the ends of recoils.
 void remember_gains(context::Model& model) noexcept;
 
 }  // namespace hawser::solve

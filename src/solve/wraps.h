@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file wraps.h
-/// Wrap angle of a line at a place, and the resulting friction.
+/// Wrap angle of a line at a turning point, and the resulting friction.
 ///
 /// ```
-///         u₁ ──►( )           δ = ∠(u₁, u₂), about the wheel's axis where there is one, in the
-///                  \\          direction in which it is passed; with the whole turns that it was
-///                   ▼ u₂       defined with.
+///         u₁ ──►( )           δ = ∠(u₁, u₂), about the axis of the wheel if there is one, in the
+///                  \\          direction in which the line passes; the whole turns of the
+///                   ▼ u₂       definition are added.
 /// ```
-/// The exponents μδ − ln η of consecutive places add up. So the friction of a line that leaves a
-/// bollard at another angle follows that angle: the factor of its loads is tanh((μδ − ln η)/2)
+/// The exponents μδ − ln η of consecutive points add up. If a line leaves a bollard at another
+/// angle, its friction therefore follows this angle: the factor of its loads is tanh((μδ − ln η)/2)
 /// (capstans.h). It is computed from the poses at the start of the step. Within a step the bound is
 /// therefore linear in the tensions.
 ///
-/// Whole turns are those that the parts have made on their wheel since (kinds/routes.h). Limit: at
-/// an eye the angle is at most half a turn.
+/// Whole turns that the parts make on their wheel during the run are counted (kinds/routes.h).
+/// Limit: at an eye the angle is at most half a turn.
 
 #include "context/context.h"
 

@@ -42,7 +42,8 @@ BodyDef clique_body_def(const model::Bodies& b, std::int32_t body, bool member) 
     return def;
 }
 
-/// Select the bodies at cuts, and the bodies that share an interaction with them.
+/// Return one mark per body: the bodies of cut interactions, and all bodies that share an
+/// interaction with them.
 std::vector<std::uint8_t> choose_members(const context::Model& model) {
     const model::Interactions& in = model.interactions;
     std::vector<std::uint8_t> near(at(model.cuts.bodies), 0), member;
@@ -66,7 +67,7 @@ void copy_pose(model::Bodies& to, std::int32_t t, const model::Bodies& from, std
     std::copy_n(&from.r[9 * at(f)], 9, &to.r[9 * at(t)]);
 }
 
-/// Copy the parameters and multipliers of the last step.
+/// Copy the parameters and the multipliers of the last step from the world to the clique.
 void copy_interactions(Clique& c, const context::Model& world) noexcept {
     model::Interactions& in = c.ctx.model.interactions;
     const model::Interactions& from = world.interactions;
@@ -90,7 +91,8 @@ void copy_interactions(Clique& c, const context::Model& world) noexcept {
     }
 }
 
-/// Copy poses, velocities and forces. The forces include the contact impulses of the last step.
+/// Copy poses, velocities and forces of the members from the world. The forces include the contact
+/// impulses of the last step.
 void copy_bodies(Clique& c, const context::Model& world) noexcept {
     model::Bodies& b = c.ctx.model.bodies;
     const model::Bodies& from = world.bodies;
@@ -122,7 +124,7 @@ void copy_bodies(Clique& c, const context::Model& world) noexcept {
     }
 }
 
-/// Copy the loads of systems on the members.
+/// Copy the loads of systems on the members from the world.
 void copy_loads(Clique& c, const assembly::LoadStore& world) noexcept {
     c.ctx.state.loads.clear();
     if (!world.any()) return;

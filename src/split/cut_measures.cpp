@@ -16,7 +16,7 @@
 namespace hawser::split {
 namespace {
 
-/// Set the impulses of the original to the mean of its sides.
+/// Set the impulses of the original interaction to the mean of its sides.
 void average_sides(model::Interactions& in, const context::Cut& cut) noexcept {
     double active = 0.0;
     for (int r = 0; r < in.rows[at(cut.id)]; ++r) {
@@ -30,8 +30,8 @@ void average_sides(model::Interactions& in, const context::Cut& cut) noexcept {
     in.active[at(cut.id)] = active;
 }
 
-/// Copy multipliers and active flags to the copies of a cut that is not in force, in case it comes
-/// into force.
+/// Copy multipliers and active flags of an inactive cut to its duplicated interactions, so that the
+/// cut may become active.
 void follow_original(model::Interactions& in, const context::Cut& cut) noexcept {
     for (std::int32_t i = cut.first; i < cut.first + cut.sides; ++i) {
         in.active[at(i)] = in.active[at(cut.id)];
@@ -52,8 +52,8 @@ Vec3 end_velocity(const assembly::View& v, std::int32_t body, const double* velo
     return lin + Vec3(u[3], u[4], u[5]).cross(Vec3(arm[0], arm[1], arm[2]));
 }
 
-/// Add the impulse of the geometric stiffness of a line's copy on its own bodies: K (v − v₊),
-/// linear parts.
+/// Add the impulse K (v − v₊) of the geometric stiffness of a line's copy on the bodies of its side
+/// (linear part).
 void add_geometric(const assembly::View& v, std::int32_t id, double* sum) noexcept {
     const assembly::GeoSlot& place = v.geo[id];
     if (place.record < 0) return;

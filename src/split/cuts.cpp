@@ -35,7 +35,7 @@ GroupPair pair_of(const std::vector<std::int32_t>& sides) {
     return {std::min(sides[0], sides[1]), std::max(sides[0], sides[1])};
 }
 
-/// Number the interfaces of the cuts that deadlines may request.
+/// Number the interfaces (pairs of groups) with cuts that a deadline may activate.
 std::map<GroupPair, int> number_interfaces(context::Model& model,
                                            const std::vector<std::int32_t>& wanted) {
     std::map<GroupPair, int> number;
@@ -48,7 +48,7 @@ std::map<GroupPair, int> number_interfaces(context::Model& model,
     return number;
 }
 
-/// Add a ghost body of a body. It is fixed, so that it does not count as driven.
+/// Add a ghost body for a body. It is fixed, so that its motion does not count as driven.
 std::int32_t add_ghost(context::Model& model, std::int32_t body) {
     model::Bodies& b = model.bodies;
     const double *x = &b.x[3 * at(body)], *q = &b.q[4 * at(body)];
@@ -60,7 +60,7 @@ std::int32_t add_ghost(context::Model& model, std::int32_t body) {
     return b.append(def);
 }
 
-/// Add the copy of an interaction for one side.
+/// Add the duplicate of an interaction for one side of a cut.
 void add_copy(context::Model& model, std::int32_t id, std::int32_t side,
               std::unordered_map<std::int32_t, std::int32_t>& ghost) {
     model::Interactions& in = model.interactions;
@@ -82,7 +82,8 @@ void add_copy(context::Model& model, std::int32_t id, std::int32_t side,
     model.cuts.of.push_back(id);
 }
 
-/// List the interactions that act on the originals of ghost bodies, in the system or not.
+/// List the interactions that act on the originals of ghost bodies, including those that are not in
+/// the system.
 void list_pulls(context::Model& model) {
     const std::vector<context::GhostBody>& ghosts = model.cuts.ghosts;
     std::vector<std::int32_t> index(at(model.cuts.bodies), -1);

@@ -3,7 +3,7 @@
 /// @file cuts.h
 /// Split the system: interactions between parts are solved by each part separately.
 ///
-/// A cut interaction is left out of the system. One *copy* for each side replaces it. A copy has
+/// The system does not contain a cut interaction. One *copy* for each side replaces it. A copy has
 /// the same rows, but the bodies of the other sides are *ghost bodies*. A
 /// ghost body has no degrees of freedom. It has the pose of its original and moves at a velocity v̄
 /// from a predictor.
@@ -13,7 +13,7 @@
 /// ```
 /// The matrix therefore falls into independent parts without special code in the analysis, the
 /// factorisation, the friction solver or the schedule. After the solve a cut has as many
-/// multipliers as sides; readers get their mean. For the theory see docs/theory/splits.md.
+/// multipliers as sides; outputs contain their mean. For the theory see docs/theory/splits.md.
 ///
 /// Ghost bodies and copies follow all other bodies and interactions: the model of the user is the
 /// front of the arrays.
@@ -26,12 +26,13 @@
 
 namespace hawser::split {
 
-/// Make ghost bodies and copies for the present groups and couplings. @throws std::bad_alloc.
+/// Make ghost bodies and duplicated interactions for the present groups and couplings. @throws
+/// std::bad_alloc.
 void make_cuts(context::Model& model);
-/// Remove all ghost bodies and copies.
+/// Remove all ghost bodies and duplicated interactions.
 void drop_cuts(context::Model& model);
 
-/// Determine the cuts in force: those whose sides are not connected in any other way. Contacts and
+/// Determine the active cuts. A cut is active if nothing else connects its two sides; contacts and
 /// interactions that cannot be cut unite two groups to one part. Call before the system is
 /// analysed.
 /// @return true if the set of cuts in force has changed.

@@ -9,9 +9,9 @@
 
 namespace hawser::split {
 
-/// Return the levels of the present state. Their matrices are analysed next to the world, which
-/// does not change. Call within a step, which is undone if this throws. @throws std::bad_alloc,
-/// LimitError.
+/// Return the levels of the present state. Their matrices are analysed in a separate system, so
+/// that the world does not change. Call within a step, which is undone if this throws. @throws
+/// std::bad_alloc, LimitError.
 [[nodiscard]] std::vector<budget::CutLevels::Level> find_cut_levels(context::StepContext& ctx);
 
 }  // namespace hawser::split

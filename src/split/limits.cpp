@@ -26,7 +26,7 @@ budget::Load solver_load(const context::StepContext& ctx) noexcept {
 /// Fraction of the budget that is planned; the rest is a margin for prediction errors.
 constexpr double kAim = 0.95;
 
-/// True if deadlines may request cuts in this step.
+/// True if a deadline may activate cuts in this step.
 bool may_cut(const context::Model& model, const context::State& state) noexcept {
     return model.def.budget > 0.0 && model.cuts.interfaces > 0 && !state.imposed.any() &&
            state.step > 0;

@@ -14,10 +14,11 @@ namespace hawser::split {
 
 /// Start the measurement of laps when the solver starts.
 void begin_laps(context::Work& work) noexcept;
-/// Find the levels of cuts, in the first step in which forces are known.
+/// Find the sets of interfaces that a deadline may cut (levels). This requires forces, and is done
+/// in the first step after they are known.
 [[nodiscard]] Status prepare_levels(context::StepContext& ctx) noexcept;
-/// Choose the cuts of this step. Without a budget only cuts that do not depend on deadlines are in
-/// force.
+/// Choose the active cuts of this step. Without a budget only cuts are active that do not depend on
+/// deadlines.
 [[nodiscard]] Status choose_cuts(context::StepContext& ctx) noexcept;
 /// Set the limits of time or work for the solve that follows.
 void begin_budget(context::StepContext& ctx) noexcept;

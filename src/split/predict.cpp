@@ -12,7 +12,7 @@
 namespace hawser::split {
 namespace {
 
-/// Copy v_k of the original of a ghost body to six entries.
+/// Copy the velocity v_k of the original of a ghost body to six entries.
 void copy_original_velocity(const model::Bodies& b, std::int32_t body, double* out) noexcept {
     std::fill_n(out, 6, 0.0);
     std::copy_n(&b.v[at(b.dof_begin[at(body)])], b.dof(body), out);
@@ -20,7 +20,7 @@ void copy_original_velocity(const model::Bodies& b, std::int32_t body, double* o
 
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-/// Update v += M⁻¹ (p + h (f − D v + m g) − h ω × Iω) of a rigid body, for an impulse p of rows and
+/// Add to v of a rigid body M⁻¹ (p + h (f − D v + m g) − h ω × Iω), for an impulse p of rows and
 /// contacts.
 void push_rigid(const context::Model& model, const context::State& state, std::int32_t body,
                 const double* p, double* v) noexcept {

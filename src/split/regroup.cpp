@@ -33,9 +33,10 @@
 namespace hawser::split {
 namespace {
 
-/// Evaluate the violation and Jacobian of every interaction at the present poses. Stage assemble
-/// leaves out cut interactions, and a restored world has not assembled anything yet. The evaluation
-/// overwrites the active flags of ranges. They are part of the state, so they are restored.
+/// Evaluate the violation and Jacobian of every interaction at the present poses. This is necessary
+/// because stage assemble omits cut interactions, and because a restored world has not assembled
+/// any. The evaluation overwrites the active flags of ranges, which are part of the state and are
+/// restored.
 void evaluate_all(context::Model& model) {
     const assembly::View v = context::row_view(model);
     base::Array<double>& active = model.interactions.active;
@@ -52,7 +53,8 @@ void evaluate_all(context::Model& model) {
     std::copy(model.regroup.active.begin(), model.regroup.active.end(), active.begin());
 }
 
-/// Mark the interactions that must stay whole: those coupled exactly and those that cannot be cut.
+/// Mark the interactions that must not be cut: those with exact coupling and those that cannot be
+/// cut.
 void mark_uncuttable(const context::Model& model, assembly::PartGraph& graph) {
     for (std::int32_t i = 0; i < context::interaction_count(model); ++i) {
         if (graph.edge_weight[at(i)] == graph::kNeverCut) continue;
@@ -62,7 +64,7 @@ void mark_uncuttable(const context::Model& model, assembly::PartGraph& graph) {
     }
 }
 
-/// Number the groups from the user: they are the first parts, in the order of their first bodies.
+/// Number the groups of the user. They are the first parts, in the order of their first bodies.
 void number_groups(context::Model& model) {
     context::Regroup& r = model.regroup;
     const auto bodies = at(context::body_count(model));
@@ -77,7 +79,7 @@ void number_groups(context::Model& model) {
     }
 }
 
-/// Return the part of a body's group from the user; −1: the body is free.
+/// Return the part that the user's group of a body has; −1: the user has set no group.
 std::int32_t part_by_hand(const context::Model& model, std::int32_t body) noexcept {
     const context::Regroup& r = model.regroup;
     const std::int32_t name = r.by_hand[at(body)];
@@ -119,7 +121,7 @@ void make_groups(context::Model& model, const context::State& state) {
     r.stale = false;
 }
 
-/// True if a new choice of parts is due before the step.
+/// True if the groups must be updated before this step.
 bool due(const context::Model& model, const context::State& state) noexcept {
     const context::Regroup& r = model.regroup;
     if (model.def.regroup_every < 1 || !makes_groups(model) || state.step == r.seen) return false;
@@ -127,7 +129,7 @@ bool due(const context::Model& model, const context::State& state) noexcept {
     return age > 0 && (age == context::Regroup::kSettle || age % model.def.regroup_every == 0);
 }
 
-/// Run the part of prepare() that depends on groups.
+/// Perform the part of prepare() that depends on groups.
 void remake_cuts(context::StepContext& ctx) {
     make_cuts(ctx.model);
     ctx.model.cuts.asked = 0;  // interfaces have new indices

@@ -27,21 +27,21 @@ namespace hawser::split {
 
 // Preparation.
 
-/// True if there are ghost bodies and copies, or split_model() would make some.
+/// True if ghost bodies and duplicated interactions exist, or split_model() would make some.
 [[nodiscard]] bool may_split(const context::Model& model) noexcept;
 
-/// Make groups if they are required and either missing or outdated. Then make ghost bodies and
-/// copies for the present groups and couplings. @throws std::bad_alloc.
+/// Make groups if they are required, and missing or outdated. Then make ghost bodies and duplicated
+/// interactions for the present groups and couplings. @throws std::bad_alloc.
 void split_model(context::StepContext& ctx);
 
-/// Remove ghost bodies and copies. Call before bodies or interactions are added or removed.
-/// Automatic groups are made again for the new model.
+/// Remove ghost bodies and duplicated interactions. Call before bodies or interactions are added or
+/// removed. Automatic groups are then made again for the new model.
 void join_model(context::Model& model) noexcept;
 
 // Stages of a step.
 
-/// Choose parts again if this is due (stage graph). If groups have changed, make new cuts and run
-/// stage analyse. If allocation fails, the state is unchanged.
+/// Update the groups if the interval has passed (stage graph). If groups have changed, make new
+/// cuts and run stage analyse. If allocation fails, the state is unchanged.
 [[nodiscard]] Status regroup(context::StepContext& ctx) noexcept;
 
 /// Analyse the system of the present interactions and links, without cut interactions (stage
@@ -50,8 +50,8 @@ void join_model(context::Model& model) noexcept;
 /// @throws std::bad_alloc.
 void analyse(context::StepContext& ctx, const factor::AnalysisState* state = nullptr);
 
-/// Update the links of contacts in stage analyse, if new pairs of bodies touch. If other cuts come
-/// into force, analyse the whole system. @throws std::bad_alloc; call prepare() then.
+/// Update the links of contacts in stage analyse, if new pairs of bodies are in contact. If the set
+/// of active cuts changes, analyse the whole system. @throws std::bad_alloc; call prepare() then.
 void relink(context::StepContext& ctx);
 
 /// Copy the poses of bodies to their ghost bodies.
@@ -61,7 +61,7 @@ void copy_ghost_poses(context::Model& model) noexcept;
 /// predictor of the world (WorldDef::predictor).
 void predict(context::Model& model, const context::State& state) noexcept;
 
-/// Sum the contact impulses of the last step by body, for predictors. Does nothing without cuts.
+/// Sum the contact impulses of the last step on each body, for predictors. No effect without cuts.
 /// @param room  Buffer of three values for each triple of contacts and resistances.
 void sum_contact_impulses(context::Model& model, std::vector<double>& room) noexcept;
 
@@ -69,19 +69,20 @@ void sum_contact_impulses(context::Model& model, std::vector<double>& room) noex
 /// cuts. Call after the solve, before bodies move.
 void finish_cuts(context::StepContext& ctx) noexcept;
 
-/// Break a line; if it is cut, break all its copies.
+/// Break a line. If it is cut, break its duplicates on both sides.
 void part_all(context::Model& model, std::int32_t id) noexcept;
 
 // Requests of deadlines (budget).
 
-/// Bring the given interfaces into force (Degradation::cuts), and analyse if that changes a cut.
+/// Activate the cuts at the given interfaces (Degradation::cuts), and analyse if that changes a
+/// cut.
 [[nodiscard]] Status request_cuts(context::StepContext& ctx, std::uint64_t interfaces) noexcept;
 
-/// Return the interfaces that have a cut of Coupling::deadline in force.
+/// Return the interfaces with an active cut of Coupling::deadline.
 [[nodiscard]] std::uint64_t open_interfaces(const context::Model& model) noexcept;
 
-/// Leave out of a second system the interactions that would be cut if the given interfaces were
-/// requested. The cuts of the world are restored afterwards.
+/// Remove from a second system the interactions that would be cut if the given interfaces were
+/// active. The cuts of the world do not change.
 void remove_cut_interactions(context::Model& model, std::uint64_t interfaces,
                              assembly::System& beside);
 
@@ -98,10 +99,10 @@ void remove_cut_interactions(context::Model& model, std::uint64_t interfaces,
 /// their group.
 std::int64_t assign_groups(context::Model& model);
 
-/// Set the multipliers of copies to those of their originals.
+/// Set the multipliers of duplicated interactions to those of their originals.
 void follow_cuts(context::Model& model) noexcept;
 
-/// Build the graph of the user's model, for all callers that choose parts. @throws std::bad_alloc.
+/// Build the graph of the user's model for a partition. @throws std::bad_alloc.
 void read_graph(const context::Model& model, assembly::PartGraph& graph);
 
 /// Set the weights from the state; rows are evaluated at the present poses. The state does not

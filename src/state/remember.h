@@ -7,9 +7,9 @@
 
 namespace hawser::state {
 
-/// Save or restore the part of the state that a solve overwrites: λ and the active flags of rows.
-/// The multipliers λ are saved bit by bit, because h times the stored force would differ in its
-/// last bit.
+/// Save the part of the state that a solve overwrites: λ and the active flags of rows. The
+/// multipliers λ themselves are saved, because h times the stored force would differ in the last
+/// bit.
 void save_solved_state(context::StepContext& ctx) noexcept;
 
 void restore_solved_state(context::StepContext& ctx) noexcept;

@@ -31,7 +31,7 @@ void save_motion(context::StepContext& ctx) noexcept;
 void save_link_steps(const context::Model& model, context::Undo& undo);
 /// Save the state before the system changes. @throws std::bad_alloc; nothing has changed then.
 void save_state(context::StepContext& ctx, context::Undo::Depth depth);
-/// Restore all values that were saved first.
+/// Restore all saved values. A value saved several times gets the one that was saved first.
 void restore_saved_values(context::StepContext& ctx) noexcept;
 /// Discard the saved values after a successful step.
 void discard_saved(context::Undo& undo) noexcept;

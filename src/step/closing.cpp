@@ -25,7 +25,7 @@ constexpr double kTurned = 0.03;
 constexpr double kFarTurn = 0.7;  ///< Rotation beyond which directions have changed too much [rad].
 constexpr int kMaxClosings = 12;
 
-/// True if a joint that the step has linearised may be open.
+/// True if a joint may be open because the step has linearised it.
 bool may_be_open(const context::Model& model, const StepStats& stats) noexcept {
     const model::Interactions& in = model.interactions;
     const std::vector<std::int32_t>& joints = model.completion.rigid;
@@ -120,8 +120,8 @@ double close_with_factor(context::Model& model, context::Work& work, runtime::Po
     return gap;
 }
 
-/// Move poses by the solution vector of the solver, with a smaller fraction as long as the gap
-/// grows. @return the new gap; if no fraction reduces it, the earlier one.
+/// Move poses by the solution vector of the solver, or by a halved fraction of it as long as the
+/// gap grows. @return the new gap; if no fraction reduces it, the earlier one.
 double move_some(context::Model& model, context::JointWork& joints, const View& v,
                  double gap) noexcept {
     constexpr int kMaxHalvings = 4;
@@ -141,9 +141,9 @@ double move_some(context::Model& model, context::JointWork& joints, const View& 
     return gap;
 }
 
-/// Close gaps with Jacobians and factors at the poses reached: Newton's method. Each factorisation
-/// is used for more iterations while they reduce the gap by more than 10 %. Light bodies between
-/// heavy ones slow an iteration down by their contribution to Σ.
+/// Close gaps by Newton's method, with Jacobians and factors at the present poses. A factorisation
+/// is used again as long as an iteration reduces the gap by more than 10 %. Iterations converge
+/// slowly if light bodies between heavy ones contribute to Σ.
 void close_again(context::StepContext& ctx, const View& v) noexcept {
     constexpr int kMaxFactors = 8, kMaxIterationsEach = 8;
     constexpr double kGoesOn = 0.9;

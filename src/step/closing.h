@@ -18,9 +18,9 @@
 /// until the joints are closed. Moves that increase the gaps are halved (Newton's method with a
 /// line search).
 ///
-/// Limits. Bodies a millionth as heavy as their neighbours may stay open if a step moves them by
-/// several lengths. The monitors report it. The work of gravity and springs along δ is not counted:
-/// the energy balance shows it as unexplained.
+/// Limits. Joints of bodies a millionth as heavy as their neighbours may stay open if a step moves
+/// these bodies by several lengths. The monitors report it. The work of gravity and springs along δ
+/// is not counted: the energy balance shows it as unexplained.
 
 namespace hawser::context {
 struct StepContext;

@@ -37,8 +37,8 @@ constexpr double kGap = 1e-4;  ///< Maximum gap that a step may leave [m or rad]
 /// Value of s from the force of the step itself that ends a trial.
 constexpr double kTooFast = 2.0 * solve::kResolvedVibration;
 
-/// Iterate with the present factorisation. @return result of the last iteration; if it is not
-/// finite or too large, the iterations diverged.
+/// Perform end-of-step constraint iterations with the present factorisation. @return result of the
+/// last iteration; the iterations diverged if it is not finite or too large.
 Turning iterate_joints(context::StepContext& ctx) noexcept {
     double first = 0.0;
     const double enough = kTurning * std::min(1.0, ctx.model.def.solution_tolerance / kSolution);
@@ -64,7 +64,7 @@ Turning iterate_joints(context::StepContext& ctx) noexcept {
     return t;
 }
 
-/// Solve the step again, with a new selection by choose_completed().
+/// Solve the step again, with the joints that choose_completed() now selects.
 Status assemble_and_solve(context::StepContext& ctx) noexcept {
     if (ctx.model.collider.count() > 0)
         if (const Status s = start_contacts(ctx, Phase::regular); s != Status::ok) return s;
@@ -72,7 +72,7 @@ Status assemble_and_solve(context::StepContext& ctx) noexcept {
     return solve_linear(ctx);
 }
 
-/// Solve the step again with all joints linearised once.
+/// Solve the step again with all joints linearised once, without end-of-step constraint iterations.
 Status solve_linearised(context::StepContext& ctx) noexcept {
     ctx.model.completion.banned = true;
     ++ctx.work.stats.completion_failures;
@@ -80,9 +80,9 @@ Status solve_linearised(context::StepContext& ctx) noexcept {
     return assemble_and_solve(ctx);
 }
 
-/// True if the force of a joint has grown within the step beyond the value used in the solution.
-/// Either a completed joint oscillates too fast now and is rejected, or the stiffness of another
-/// one belongs to a much smaller force. @param k  Index of the joint.
+/// True if the force of a joint has become much larger within the step than the value used in the
+/// solution. A completed joint then oscillates too fast and is rejected; for another joint the
+/// stiffness used is too small. @param k  Index of the joint.
 bool has_outgrown(context::Model& model, std::int32_t k) noexcept {
     context::Completion& c = model.completion;
     const model::Interactions& in = model.interactions;
@@ -103,7 +103,7 @@ bool has_outgrown(context::Model& model, std::int32_t k) noexcept {
                  solve::kResolvedVibration * solve::kResolvedVibration);
 }
 
-/// Check all joints. @return true if any has outgrown its force.
+/// Check all joints by has_outgrown(). @return true if it is true for any joint.
 bool outgrown(context::StepContext& ctx) noexcept {
     std::atomic<bool> found{false};  // without order: it is only set
     const auto count = static_cast<std::int32_t>(ctx.model.completion.joints.size());
@@ -115,7 +115,7 @@ bool outgrown(context::StepContext& ctx) noexcept {
     return found.load(std::memory_order_relaxed);
 }
 
-/// Solve the step again with the stiffness of the new forces, if they are larger.
+/// Solve the step again with the geometric stiffness of the new forces, if the forces have grown.
 Status solve_with_new_forces(context::StepContext& ctx) noexcept {
     model::Interactions& in = ctx.model.interactions;
     context::Completion& c = ctx.model.completion;
@@ -135,7 +135,7 @@ Status solve_with_new_forces(context::StepContext& ctx) noexcept {
     return assemble_and_solve(ctx);
 }
 
-/// Refine, and treat rows that the iterations moved across their bounds.
+/// Refine the solution, and switch rows that the iterations have moved across their bounds.
 Status settle_free(context::StepContext& ctx) noexcept {
     constexpr int kMaximum = 4;
     Status status = Status::ok;
@@ -149,7 +149,7 @@ Status settle_free(context::StepContext& ctx) noexcept {
     return status;
 }
 
-/// Refine with contacts, and treat rows across their bounds as in settle_free().
+/// Refine a solution with contacts, and switch rows as in settle_free().
 Status settle_touching(context::StepContext& ctx) noexcept {
     constexpr int kMaximum = 4;
     Status status = contact::settle_newton(ctx);
@@ -163,7 +163,7 @@ Status settle_touching(context::StepContext& ctx) noexcept {
     return status;
 }
 
-/// Finish the iterations: laws of contacts, rows at their bounds, refinement. If this needed
+/// Finish the iterations: satisfy the contact laws, switch bounded rows, and refine. If this needed
 /// substitutions, the change of a further iteration is measured again.
 Status settle(context::StepContext& ctx) noexcept {
     const std::int32_t before = ctx.work.stats.substitutions;

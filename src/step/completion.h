@@ -62,8 +62,9 @@
 
 namespace hawser::step {
 
-/// Iterate until the equations hold at the end of the step; then filter. v₊ and λ must solve the
-/// linear equations. No effect if no joint is to be completed.
+/// Iterate until the equations of rigid joints are satisfied at the end of the step; then filter
+/// the impulses of redundant joints. v₊ and λ must solve the linear equations. No effect if no
+/// joint is to be completed.
 [[nodiscard]] Status complete(context::StepContext& ctx) noexcept;
 
 /// Run stages factor and nonsmooth for assembled rows, repeated while the set of active rows

@@ -24,7 +24,7 @@ namespace {
 using assembly::Contacts;
 using nonsmooth::Cone;
 
-/// Size the arrays for this step's contacts and count growth.
+/// Resize the arrays for the contacts of this step, and count one growth if memory grows.
 void reserve_more(context::StepContext& ctx) {
     Contacts& c = ctx.model.system.contacts;
     const std::size_t held = c.bytes();
@@ -48,8 +48,8 @@ void make_resistances(context::StepContext& ctx) {
     if (c.resistances.bytes() > held) ++ctx.work.stats.growths;
 }
 
-/// Set targets for the acceleration at the start: approaching points continue, sliding points keep
-/// sliding.
+/// Set the targets of a contact in the trial step at the start. Approaching points keep
+/// approaching, and sliding points keep sliding.
 void ask_for_acceleration(Cone& c, double gap) noexcept {
     constexpr double kSlow = 0.05;   // [m/s]
     constexpr double kClose = 1e-6;  // [m]
@@ -59,7 +59,7 @@ void ask_for_acceleration(Cone& c, double gap) noexcept {
     c.b[2] = slides ? 0.0 : c.u[2];
 }
 
-/// Set targets for the acceleration at the start: rolling and spinning continue.
+/// Set the targets of a resistance in the trial step at the start. Rolling and spinning continue.
 void ask_for_acceleration(nonsmooth::Resistance& a) noexcept {
     constexpr double kSlow = 0.05;  // [rad/s]
     a.b[0] = std::fabs(a.u[0]) > kSlow ? 0.0 : a.u[0];
@@ -137,8 +137,9 @@ Status start_contacts(context::StepContext& ctx, Phase phase) noexcept {
     return Status::ok;
 }
 
-// λ·J(v + v₊)/2 is exactly the work of a contact on the kinetic energy of moving bodies. It equals
-// λ·(u + u₊)/2 less the work of bodies with a prescribed velocity.
+// Compute the work of contacts. λ·J(v + v₊)/2 is exactly the work of a contact on the kinetic
+// energy of moving bodies. It equals λ·(u + u₊)/2 less the work of bodies with a prescribed
+// velocity.
 void count_contact_work(context::StepContext& ctx) noexcept {
     const Contacts& contacts = ctx.model.system.contacts;
     for (std::size_t k = 0; k < contacts.count(); ++k) {

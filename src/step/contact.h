@@ -18,14 +18,15 @@ enum class Phase : std::uint8_t {
     impact,   ///< See impact.h, which sets the laws.
 };
 
-/// Make the rows of the contacts of stage collide, linearised about the last solution. If two
-/// bodies touch for the first time, the system is analysed.
+/// Assemble the rows of the contacts of stage collide, linearised about the last solution. If two
+/// bodies are in contact for the first time, analyse the system.
 [[nodiscard]] Status start_contacts(context::StepContext& ctx, Phase phase) noexcept;
 
-/// Count the energy that contacts absorbed from bodies in this step, before bodies move.
+/// Add the energy that contacts absorbed from bodies in this step to the ledger. Call before bodies
+/// move.
 void count_contact_work(context::StepContext& ctx) noexcept;
 
-/// Store the friction memory and the output for readers, before bodies move.
+/// Store the friction memory of contacts, and the output for readers. Call before bodies move.
 void remember_contacts(context::Model& model, context::State& state, runtime::Pool& pool) noexcept;
 
 }  // namespace hawser::step

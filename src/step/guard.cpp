@@ -52,8 +52,8 @@ void restore_start(context::Model& model, context::Before& kept, bool warm) noex
     }
 }
 
-/// Exchange the states of bounded rows with those at the start of the step, except on rejected
-/// wires.
+/// Exchange the active flags of bounded rows with those at the start of the step, except on
+/// rejected wires.
 void exchange_states(context::Model& model, context::Before& kept) noexcept {
     for (std::size_t i = 0; i < kept.active.size(); ++i) {
         const std::int32_t id = model.system.bounded[i];
@@ -62,7 +62,7 @@ void exchange_states(context::Model& model, context::Before& kept) noexcept {
     }
 }
 
-/// Mark the rows of wires that are to be bounded.
+/// Mark the elements of wires whose replacement level requires bounded rows.
 void replace(context::Model& model) noexcept {
     context::Wires& w = model.wires;
     constexpr int kFirstBound = 4;
@@ -99,7 +99,8 @@ Status solve_again(context::StepContext& ctx) noexcept {
     return status;
 }
 
-/// Set the next plan of each rejected wire. @return true if there are any.
+/// Set the next replacement of the rows of each rejected wire. @return true if at least one wire
+/// has another replacement.
 bool refuse(context::Model& model, const context::Before& kept) noexcept {
     context::Wires& w = model.wires;
     bool any = false;

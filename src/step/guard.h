@@ -27,8 +27,8 @@ namespace hawser::step {
 /// Solve the step again if wires gain energy. Call after the solution and before bodies move.
 [[nodiscard]] Status guard_wires(context::StepContext& ctx) noexcept;
 
-/// Set the velocities of nodes of fast wires to the given ones after the staggered start, although
-/// these are half a step late. The velocity half a step earlier would come from a trial step, which
+/// After the staggered start, set the velocities of nodes of fast wires to those given by the user,
+/// which belong to a time half a step later. The staggered velocities come from a trial step, which
 /// does not resolve the axial vibration.
 void keep_start_velocities(context::Model& model, const context::Before& kept) noexcept;
 

@@ -26,7 +26,7 @@ using nonsmooth::Cone;
 constexpr double kStiff = 1e-6;   ///< Σ over W: an error of e of 1e-6.
 constexpr double kSolved = 1e-8;  ///< Residual that rounding permits with kStiff.
 
-/// Return the speed below which bodies come to rest without a bounce [m/s].
+/// Return the approach speed below which impacts are inelastic [m/s].
 double threshold(const context::Model& model) noexcept {
     return std::max(1e-3, 2.0 * model.def.gravity.norm() * model.def.step);
 }
@@ -42,7 +42,8 @@ bool hits(const context::Model& model, const context::State& state, std::size_t 
            state.contacts.contacts[k].gap + model.def.step * speed < 0.0;
 }
 
-/// Set the law of every contact for this stage.
+/// Set the contact laws of an impact.
+/// @param scale  Factor of the restitution.
 void set_laws(context::Model& model, const context::State& state, double scale) noexcept {
     for (std::size_t k = 0; k < model.system.contacts.count(); ++k) {
         Cone& c = model.system.contacts.cones[k];
@@ -62,7 +63,8 @@ void set_laws(context::Model& model, const context::State& state, double scale) 
     }
 }
 
-/// Set right-hand sides of rows and bodies such that without contacts the motion does not change.
+/// Set the right-hand sides of rows and bodies so that the motion would not change without
+/// contacts.
 void hold_motion(context::StepContext& ctx) noexcept {
     const View v = context::view(ctx);
     const assembly::Kernels& k = assembly::kernels();
@@ -92,7 +94,8 @@ void hold_motion(context::StepContext& ctx) noexcept {
             v.a[v.dof_begin[body] + j] = -v.solution[v.body_offset[body] + j];
 }
 
-/// Run one attempt. @return ok if v_new contains v⁺; otherwise velocities do not change.
+/// Try to solve the impacts once. @return ok if v_new contains v⁺; otherwise velocities do not
+/// change.
 Status attempt(context::StepContext& ctx, double scale) noexcept {
     if (const Status s = start_contacts(ctx, Phase::impact); s != Status::ok) return s;
     set_laws(ctx.model, ctx.state, scale);
@@ -104,7 +107,7 @@ Status attempt(context::StepContext& ctx, double scale) noexcept {
     return contact::solve_newton(ctx);
 }
 
-/// True if a failure is not due to the attempt but to its resources: the step is undone.
+/// True if a failure is caused by missing resources, not by the attempt. The step is then undone.
 bool ends_step(Status status) noexcept {
     return status == Status::out_of_memory || status == Status::over_bound ||
            status == Status::cancelled;

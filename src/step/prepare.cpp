@@ -16,7 +16,8 @@ namespace {
 
 using assembly::Contacts;
 
-/// Rebuild after a failed step, from the order of the last analysis and at its poses.
+/// Rebuild the analysed system after a failed step, with the order of the last analysis and at its
+/// poses.
 void rebuild_undone(context::StepContext& ctx) {
     const bool all = ctx.state.repair == context::PendingRepair::all ||
                      ctx.state.repair == context::PendingRepair::all_follow;
@@ -33,8 +34,8 @@ void rebuild_undone(context::StepContext& ctx) {
     ctx.state.changed = context::Changed::nothing;
 }
 
-/// Update after changes of shapes alone: the blocks of contacts, and the order if links were
-/// removed. Forms and damping fractions stay those of the last analysis.
+/// Update the blocks of contacts after changes of shapes only, and the order if links were removed.
+/// The selected forms of rows and the damping fractions of the last analysis remain.
 /// @return false if an analysis is needed.
 bool follow_shapes(context::StepContext& ctx, Contacts::Blocks changed) {
     if (ctx.state.changed != context::Changed::shapes) return false;

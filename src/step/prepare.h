@@ -11,8 +11,8 @@ namespace hawser::step {
 /// @throws std::bad_alloc.
 void prepare(context::StepContext& ctx);
 
-/// Do parts of the preparation for a restored model (model_undo.h): collider and blocks of
-/// contacts, and after the analysis all data sized by the model.
+/// Prepare the parts of a restored model (model_undo.h) that the undo copy does not contain:
+/// collider and blocks of contacts, and after the analysis all arrays sized by the model.
 /// @throws std::bad_alloc.
 assembly::Contacts::Blocks prepare_touching(context::StepContext& ctx);
 void finish_preparing(context::StepContext& ctx);

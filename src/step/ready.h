@@ -8,12 +8,12 @@
 
 namespace hawser::step {
 
-/// Analyse as ctx.state.repair requests. The state does not change in any case. @throws
-/// std::bad_alloc, LimitError.
+/// Analyse the system as ctx.state.repair requires. The state does not change, not even after a
+/// failure. @throws std::bad_alloc, LimitError.
 void repair(context::StepContext& ctx);
 
-/// Bring the analysed system up to date with the state: rebuild after a failed step, analyse
-/// additions. Saves an undo copy first. @throws std::bad_alloc, LimitError.
+/// Update the analysed system to the state: rebuild it after a failed step, and analyse additions.
+/// An undo copy is saved first. @throws std::bad_alloc, LimitError.
 void make_ready(context::StepContext& ctx);
 
 /// Restores the saved state on destruction without done(). If nested, the outer one does it.
@@ -30,7 +30,8 @@ class Transaction {
     bool done_;
 };
 
-/// Call make_ready() between steps, all or nothing. @throws std::bad_alloc, LimitError.
+/// Call make_ready() between steps. After an exception nothing has changed. @throws std::bad_alloc,
+/// LimitError.
 void ready(context::StepContext& ctx);
 
 }  // namespace hawser::step

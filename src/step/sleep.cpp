@@ -45,8 +45,8 @@ struct Members {
     }
 };
 
-/// Call f with the bodies of each interaction, contact and segment, which join islands. Friction
-/// belongs to its loads, even if they have no common body.
+/// Call f with the bodies of each interaction, contact and segment. These bodies belong to one
+/// island. A friction belongs to the island of its loads, even if they have no common body.
 template <class F>
 void each_bond(const context::Model& model, const context::State& state, F&& f) noexcept {
     const model::Interactions& in = model.interactions;
@@ -79,8 +79,8 @@ void find_islands(context::StepContext& ctx) noexcept {
     });
 }
 
-/// Mark the islands of bodies for which `wanted` holds, and islands in contact with a kinematic
-/// body in motion.
+/// Mark the islands that contain a body for which `wanted` is true, and islands in contact with a
+/// moving kinematic body.
 template <class F>
 void mark_islands(context::StepContext& ctx, F&& wanted) noexcept {
     context::Sleep& s = ctx.work.sleep;
@@ -108,7 +108,7 @@ bool set_asleep(context::Model& model, StepStats& stats, std::int32_t body, bool
     return true;
 }
 
-/// True if an island has to wake.
+/// True if a sleeping island must wake in this step.
 bool disturbed(const context::Model& model, const context::State& state) noexcept {
     const model::Bodies& b = model.bodies;
     for (const std::int32_t body : b.moving)
@@ -126,8 +126,8 @@ bool disturbed(const context::Model& model, const context::State& state) noexcep
     return found;
 }
 
-/// Wake islands with a body that is awake or disturbed. If a sleeping body and an active one have
-/// come close, they belong to one island already. @return true if any island woke.
+/// Wake islands with a body that is awake or disturbed. A sleeping body and an active body that
+/// have come close already belong to one island. @return true if any island woke.
 bool wake_islands(context::StepContext& ctx) noexcept {
     model::Bodies& b = ctx.model.bodies;
     find_islands(ctx);
@@ -152,7 +152,7 @@ void reanalyse(context::StepContext& ctx) {
     ctx.model.interactions.active = active;
 }
 
-/// Analyse after a finished step. If it fails, the next step does it.
+/// Analyse the system after a finished step. If this fails, the next step analyses it.
 void analyse_after_step(context::StepContext& ctx) noexcept {
     ctx.state.analysed_x = ctx.model.bodies.x;
     ctx.state.analysed_r = ctx.model.bodies.r;

@@ -22,7 +22,8 @@
 namespace hawser::step {
 namespace {
 
-/// Store the effect of torques on a body in the trial step, for its gyroscopic impulse.
+/// Store the angular velocity change of a body due to torques in the trial step, for its gyroscopic
+/// impulse.
 void keep_spin_change(model::Bodies& bodies, const assembly::View& v, std::int32_t body) noexcept {
     const double* w = v.v_new + v.dof_begin[body] + 3;
     const double* r = &bodies.r[9 * at(body)];
@@ -126,7 +127,7 @@ Status try_step(context::StepContext& ctx, const std::vector<double>& curvature,
     return solve_assembled(ctx);
 }
 
-/// Run the trial steps. On success v₋ has replaced v₀.
+/// Run the trial steps. On success v₋ replaces v₀.
 Status try_stagger(context::StepContext& ctx) noexcept {
     std::vector<double> curvature;
     base::Array<double> active, lambda;
@@ -162,8 +163,8 @@ Status try_stagger(context::StepContext& ctx) noexcept {
 /// step at the velocity v₀ has the right-hand side G v₊ = G v₀. Therefore h Ġ v is subtracted; on a
 /// soft row this changes v₋ by O(h²) only.
 ///
-/// If it fails, the world has not started: all changes of a trial are undone, and the next step
-/// tries again.
+/// If a trial fails, all its changes are undone, the world has not started, and the next step tries
+/// again.
 Status stagger(context::StepContext& ctx) noexcept {
     if (!ctx.model.def.staggered_start) {
         ctx.state.started = true;

@@ -46,7 +46,7 @@ Status find_contacts(context::StepContext& ctx) noexcept {
                                                          : Status::over_bound;
 }
 
-/// Start the contacts of the step, after impacts.
+/// Start the contacts of the step, and solve impacts.
 Status start_moving(context::StepContext& ctx) noexcept {
     bool found = false;
     Status status = start_contacts(ctx, Phase::regular);
@@ -110,7 +110,7 @@ void end_solver(context::StepContext& ctx, Clock::time_point start) noexcept {
                     static_cast<double>(std::max<std::int64_t>(1, s.factor_flops));
 }
 
-/// Run stage collide: find contacts at the present poses and wake bodies by them.
+/// Run stage collide: find contacts at the present poses, and wake bodies that they disturb.
 Status collide(context::StepContext& ctx) noexcept {
     ctx.state.loads.count_change(ctx.model.bodies, ctx.pool);
     Status status = Status::ok;
@@ -124,8 +124,8 @@ Status graph(context::StepContext& ctx) noexcept {
     return status == Status::ok ? split::prepare_levels(ctx) : status;
 }
 
-/// Run stage analyse if the system differs from that of the last step, by other cuts or a first
-/// contact of bodies. Afterwards contacts are rows and impacts are done.
+/// Run stage analyse if the system differs from that of the last step because of other cuts or a
+/// first contact of two bodies. Then assemble the rows of contacts and solve impacts.
 Status analyse_step(context::StepContext& ctx) noexcept {
     if (const Status status = split::choose_cuts(ctx); status != Status::ok) return status;
     state::save_solved_state(ctx);
@@ -139,7 +139,7 @@ Status solve_velocities(context::StepContext& ctx) noexcept {
     return status == Status::ok ? guard_wires(ctx) : status;
 }
 
-/// Check whether the solution may become the state.
+/// Run the monitors and the checks that decide whether the solution becomes the state.
 Status accept(context::StepContext& ctx) noexcept {
     // A cancelled solution is incomplete and must not be used.
     if (ctx.pool.stopping()) return Status::cancelled;
@@ -162,7 +162,7 @@ void finish(context::StepContext& ctx) noexcept {
     fall_asleep(ctx);
 }
 
-/// Run all stages. If it fails, the state may be incomplete.
+/// Run all stages of a step. If one fails, the state may be incomplete.
 Status take_step(context::StepContext& ctx) noexcept {
     const bool starts = !ctx.state.started;
     // Solves read figures of the step. A start reads none of an earlier step.
@@ -191,7 +191,7 @@ Status take_step(context::StepContext& ctx) noexcept {
     return status;
 }
 
-/// Restore the last good state after a failed step.
+/// Restore the state of the last successful step after a failed step.
 void go_back(context::StepContext& ctx) noexcept {
     if (ctx.work.before.remembered && !ctx.work.undo.moved) state::restore_solved_state(ctx);
     state::restore_saved_values(ctx);

@@ -21,7 +21,7 @@
 
 namespace hawser::step {
 
-/// Advance by h. The state changes only if the result is ok.
+/// Advance the world by one step h. The state changes only if the result is ok.
 Status step(context::StepContext& ctx) noexcept;
 
 }  // namespace hawser::step

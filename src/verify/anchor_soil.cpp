@@ -22,7 +22,7 @@ double line_bearing(const AnchorClay& c, double z) {
     return c.chain_width * c.chain_bearing * (c.strength * z + 0.5 * c.gradient * z * z);
 }
 
-/// Integrate the trajectory by the rule of the midpoint.
+/// Integrate the trajectory of an anchor by the midpoint rule.
 SoilAt integrate_trajectory(const AnchorDef& def, double drag) {
     const AnchorClay& c = def.clay;
     const auto pull = [&](double z) {
@@ -47,7 +47,7 @@ SoilAt soil_at(const AnchorDef& def, double drag) {
     return {def.uhc * (1.0 - (1.0 - def.first) * left), def.full_depth * (1.0 - left)};
 }
 
-/// Return f by its table.
+/// Return the reduction f of the capacity at an uplift angle, interpolated in its table.
 double uplift(double angle) {
     const double degrees = std::max(angle, 0.0) / kSoilDegree;
     if (degrees < 5.0) return 1.0 - 0.05 * degrees;

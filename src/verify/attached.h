@@ -14,7 +14,7 @@ class Attached {
   public:
     Attached(const World& world, InteractionId id, std::span<const Pose> pose)
         : world_(world), def_(world.interaction_def(id)), pose_(pose) {}
-    /// True for nodes and scalar bodies, which have neither rotation nor arms.
+    /// True if the body of a slot is a node or a scalar body, which has neither rotation nor arms.
     [[nodiscard]] bool is_point(int slot) const;
     [[nodiscard]] Vec3 center(int slot) const { return at(slot).position; }
     [[nodiscard]] Vec3 point(int slot) const;
@@ -22,7 +22,7 @@ class Attached {
     [[nodiscard]] Vec3 axis(int slot, int k) const { return frame(slot) * Vec3::Unit(k); }
     [[nodiscard]] BodyKind kind(int slot) const;
     [[nodiscard]] const InteractionDef& def() const { return def_; }
-    /// Return the velocity that the step solved for; poses are those before the step.
+    /// Return the velocity of the body of a slot after the solve. Poses are those before the step.
     [[nodiscard]] Twist velocity(int slot) const;
 
   private:

@@ -5,21 +5,21 @@
 /// (docs/theory/newton.md).
 ///
 /// Contacts: the Jacobian of every point comes from poses, position and shapes. With v₊ and the
-/// impulses it gives the natural map; resistance to rolling and spinning has its own natural map.
+/// impulses the natural map follows; resistance to rolling and spinning has its own natural map.
 /// The largest is compared with StepStats::natural_map. The values μ, Σ and the target velocity b
 /// along the normal are computed from the materials, gap and velocities.
 ///
-/// Momentum of bodies: translation and rotation with gyroscopic terms. Its change is compared
-/// with all impulses. These are gravity, applied forces, drag, contacts, row forces of
-/// interactions, geometric stiffness and damping of joints (interaction_forces.h). If rounding
-/// decides on an interaction's force, its bodies are omitted in that step.
+/// Momentum of bodies: translation and rotation with gyroscopic terms. The change of momentum is
+/// compared with the sum of all impulses. These are gravity, applied forces, drag, contacts, row
+/// forces of interactions, geometric stiffness and damping of joints (interaction_forces.h). If
+/// rounding decides on an interaction's force, its bodies are omitted in that step.
 ///
 /// Water: loads of the sea on lines, bodies and hulls (sea_loads.h).
 ///
 /// States: energy, joints, lines and rotations (certificate_state.h).
 ///
 /// Bounds: one-sided rows only pull, and motors stay in their range. Friction in joints stays
-/// within the bound from its loads. Limits push only at an end.
+/// within the bound that follows from its loads. Ranges push only at an end.
 
 #include "verify/certificate_state.h"
 #include "verify/interaction_forces.h"
@@ -35,7 +35,7 @@
 
 namespace hawser::verify {
 
-/// Return a × as a matrix.
+/// Return the matrix of the cross product a ×.
 [[nodiscard]] Mat3 cross_matrix(const Vec3& a);
 
 /// Return the label of a body or an interaction in a message: its name, or `what` and its index.
@@ -69,12 +69,12 @@ struct Checks {
 
 class Verifier : public Observer {
   public:
-    /// Create a verifier. It follows later additions and removals. A step in which systems make
-    /// such edits is not checked. @throws DefError if groups of bodies may be split, because their
-    /// coupling is not exact.
+    /// Create a verifier. It also checks objects that are added later. A step in which systems add
+    /// or remove objects is not checked. @throws DefError if groups of bodies may be split, because
+    /// their coupling is not exact.
     explicit Verifier(const World& world, Checks checks = {});
-    /// Continue from a restored state. The data of wires in water stays that of the start, when it
-    /// was created.
+    /// Continue from a restored state. Data of wires in water remain those of the creation of the
+    /// verifier.
     void begin_at(const World& world);
     void before_step(const World& world) override;
     /// Check the last step. @return a description of the failure; empty: none.
@@ -87,8 +87,9 @@ class Verifier : public Observer {
 
   private:
     [[nodiscard]] double natural_map(const World& world, const ContactView& contact);
-    /// Check μ, Σ, b along the normal. @param speed  Normal velocity before the step; > 0:
-    /// separating. @param speeds  Sum of the magnitudes of its terms, for its rounding.
+    /// Check the friction μ, the compliance Σ and the right-hand side b of a contact along the
+    /// normal. @param speed  Normal velocity before the step; > 0: separating. @param speeds  Sum
+    /// of the magnitudes of its terms, for its rounding.
     void check_law(const World& world, const ContactView& contact, double mobility, double speed,
                    double speeds);
     /// Return the natural map of the resistance to rolling and spinning.
@@ -100,11 +101,11 @@ class Verifier : public Observer {
     /// Describe the row with the largest excess: its name, its force, its bound.
     [[nodiscard]] std::string describe_worst_bound(const World& world) const;
     void add_interactions(const World& world);
-    /// True if the tables contain the present bodies and interactions. update_tables() updates the
-    /// tables.
+    /// True if the tables contain all present bodies and interactions. Otherwise call
+    /// update_tables().
     [[nodiscard]] bool covers(const World& world) const;
     void update_tables(const World& world);
-    /// Add the loads of systems.
+    /// Add the loads of systems to the momentum balance.
     void add_loads(const World& world);
     /// True if the body sleeps during the whole step.
     [[nodiscard]] bool sleeps(const World& world, BodyId body) const;

@@ -18,8 +18,8 @@ namespace {
 
 std::size_t place_of(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-// Return ½ g²/ε of the rows at the present poses. A line that only pulls stores no energy if it is
-// shorter than its rest length.
+// Return ½ g²/ε of the rows of an interaction at the present poses. A tension-only line that is
+// shorter than its rest length stores no energy.
 double energy_of_spring(const World& world, InteractionId id) {
     const InteractionDef& def = world.interaction_def(id);
     if (!world.intact(id)) return 0.0;
@@ -194,7 +194,7 @@ void StateVerifier::add_springs_and_drag(const World& world) {
     }
 }
 
-/// Check the loss of kinetic and gravity energy without work of a force.
+/// Check for a loss of kinetic and gravity energy that no work of a force explains.
 std::string StateVerifier::check_loss(const World& world, double kinetic_now) {
     const double h = world.settings().step, forgotten = std::min(1.0, h / limit::kMemory);
     if (loss_ends_) return {};
@@ -249,10 +249,9 @@ std::string StateVerifier::check_loss(const World& world, double kinetic_now) {
         record::with_unit(fall, "J"), record::with_unit(scale, "J"));
 }
 
-/// Check the stretch that edits of wires add. It counts as created energy, over the energy that
-/// motion exchanged. The monitors of the world have no such account, and rows may absorb the
-/// stretch in the next steps. A run with a good grade is therefore not refused: the figure is
-/// reported.
+/// Check the energy of the stretch that edits of wires add, divided by the energy that the motion
+/// exchanged. The monitors of the world have no such account, and rows may absorb the stretch in
+/// the next steps. A run with the grade good is therefore not rejected, but the figure is reported.
 std::string StateVerifier::check_edits(const World& world) {
     const double forgotten = std::min(1.0, world.settings().step / limit::kMemory);
     exchanged_ += std::abs(kinetic(world) - kinetic_) - forgotten * exchanged_;

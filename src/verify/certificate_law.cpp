@@ -24,8 +24,8 @@ Law material_law(const MaterialDef& m, double h) {
         damping};
 }
 
-// Return the law of two materials: the last given pair, or else geometric means, springs in series,
-// and the larger damping time.
+// Return the contact law of two materials. It is the last material pair that was defined for them.
+// Without one, it has geometric means, springs in series, and the larger damping time.
 Law law_between(const World& world, ShapeId one, ShapeId other) {
     const auto material = [&](ShapeId shape) {
         const MaterialId id = world.shape_def(shape).material;

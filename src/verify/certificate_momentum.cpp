@@ -38,7 +38,7 @@ Vec3 free_spin(const Mat3& inertia, const Vec3& w, double h) {
     return u;
 }
 
-// Return the fraction of the velocity after the step in the drag (docs/theory/step.md). A body with
+// Return the weight θ of the velocity after the step in the drag (docs/theory/step.md). A body with
 // drag only then slows down by exp(-z).
 double late_fraction(double z) {
     if (z < 1e-2) return 0.5 + z / 12.0 - z * z * z / 720.0;
@@ -139,8 +139,9 @@ void Verifier::add_loads(const World& world) {
     }
 }
 
-// Return Iδ of a body between its free rotation and its present angular velocity, minus the
-// gyroscopic coupling of the velocity and its change.
+// Return the angular impulse Iδ of a body, where δ is the difference between its present angular
+// velocity and that of a free rotation. The gyroscopic coupling of the velocity and δ is
+// subtracted.
 Vec3 Verifier::spin_impulse(std::size_t body, const Mat3& inertia, const Twist& now) {
     const Quat& turn = pose_[body].orientation;
     const Vec3 w = turn.conjugate() * twist_[body].angular;

@@ -177,10 +177,9 @@ std::string StateVerifier::check_joints(const World& world) {
                        world.settings().step);
 }
 
-/// Return the deviation of a taut element from its law, relative to its length. Its displacement in
-/// the step and the contribution of its damper at that speed are allowed. An element that was slack
-/// at the start of the step pulls only for the state at the end. It is treated as if it had been
-/// just taut.
+/// Return the deviation of a taut element from its law, relative to its length. The change of
+/// length in the step and the contribution of the damper at this speed are subtracted. If the
+/// element was slack at the start of the step, its rest length is used instead of its length.
 double StateVerifier::law_deviation(const World& world, InteractionId id) const {
     const InteractionDef& def = world.interaction_def(id);
     const double tension = -world.force(id)[0];
@@ -194,8 +193,8 @@ double StateVerifier::law_deviation(const World& world, InteractionId id) const 
     return std::max(0.0, off - (1.0 + late) * way) / rest;
 }
 
-/// Check the lines. An element that becomes taut deviates for a moment; a vibrating one deviates in
-/// every step.
+/// Check the elements of lines against their law. Deviations of an element that becomes taut are
+/// short; those of a vibrating element occur in every step.
 std::string StateVerifier::check_lines(const World& world) {
     double worst = 0.0;
     InteractionId where{};

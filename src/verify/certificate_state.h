@@ -49,12 +49,13 @@ class StateVerifier {
     /// Count an impulse of the geometric stiffness of an interaction in this step. It may dissipate
     /// energy, unless the interaction is a rigid joint. @param impulse  On `body`.
     void add_stiffness(InteractionId id, BodyId body, const Wrench& impulse);
-    /// Count an impulse in this step as a force that may dissipate energy.
+    /// Add the work of an impulse in this step to the forces that may dissipate energy.
     void add_impulse(BodyId body, const Wrench& impulse);
     /// Check the state after a step. @return a description of the failure; empty: none.
     [[nodiscard]] std::string after_step(const World& world);
-    /// Restart, because the step itself added or removed objects. The next step is treated as the
-    /// first. Check the stretch of wires alone. @return as after_step().
+    /// Restart after a step that has added or removed objects itself. The next step is treated as
+    /// the first one. In the present step, only the stretch of wires is checked. @return as
+    /// after_step().
     [[nodiscard]] std::string restart(const World& world);
     [[nodiscard]] const StateFigures& result() const noexcept { return result_; }
 
@@ -72,7 +73,8 @@ class StateVerifier {
     [[nodiscard]] double kinetic(const World& world) const;
     [[nodiscard]] double gravity(const World& world) const;
     [[nodiscard]] double elastic(const World& world) const;
-    /// Add springs and drag, which `lost` counts in addition to sources.
+    /// Add the work of springs and drag, which the account of lost energy counts in addition to
+    /// sources.
     void add_springs_and_drag(const World& world);
     [[nodiscard]] std::string check_loss(const World& world, double kinetic_now);
     void add_sources(const World& world);

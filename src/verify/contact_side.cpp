@@ -26,7 +26,7 @@ bool holds(const World& world, const ShapeDef& def, BodyId body) {
     return kind != BodyKind::lump && !(kind == BodyKind::fixed && def.position.isZero(0.0));
 }
 
-/// Return the element along a segment; invalid: there is none.
+/// Return the element along a segment; invalid if there is none.
 InteractionId element_of_segment(const World& world, const ShapeDef& def) {
     for (const InteractionId id : world.interactions()) {
         const InteractionDef& d = world.interaction_def(id);

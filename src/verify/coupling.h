@@ -53,9 +53,9 @@ class CouplingObserver : public Observer {
 };
 
 /// Return the largest |z| of the step linearised about the present state, by power iteration with
-/// finite differences. The state stays unchanged. Free motion, with z = 1 and constant velocities,
-/// does not count. The multipliers of the last step stay constant, so that their effect on
-/// predictor forces is omitted. With neutral motions the result may be up to 1.02.
+/// finite differences. The state stays unchanged. Free motion with constant velocities (z = 1) is
+/// excluded. The multipliers of the last step are constant, so that their effect on predictor
+/// forces is omitted. If neutral motions exist, the result may be up to 1.02.
 [[nodiscard]] double spectral_radius(const World& world);
 
 }  // namespace hawser::verify

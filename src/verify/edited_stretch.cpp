@@ -46,13 +46,13 @@ std::vector<InteractionId> driven_by_inputs(const World& world) {
     return out;
 }
 
-/// Return ½ g² EA/l₀ [J]. A line that only pulls stores nothing if it is shorter than l₀.
+/// Return ½ g² EA/l₀ [J]. A tension-only line that is shorter than l₀ stores no energy.
 double stretch_energy(const InteractionDef& def, double gap, double rest) {
     if (gap < 0.0 && def.get("tension_only") != 0.0) return 0.0;
     return rest > 0.0 ? 0.5 * gap * gap * def.get("EA") / rest : 0.0;
 }
 
-/// Return by how much an element gets longer from one state to another [m].
+/// Return the elongation of an element between two states [m].
 double elongation(const World& world, InteractionId id, std::span<const Pose> from,
                   std::span<const Pose> to) {
     const Attached first(world, id, from), second(world, id, to);

@@ -12,7 +12,8 @@ namespace {
 
 std::size_t place(int i) { return static_cast<std::size_t>(i); }
 
-/// True if a winch_stretch follows its drum: its rest length is above the least one.
+/// True if the rest length of a winch_stretch depends on its drum, because it exceeds the least
+/// rest length.
 bool pays_out(const InteractionDef& def, double drum) {
     const double length = def.get("length");
     return length + def.get("radius") * (drum - def.get("drum_zero")) >
@@ -95,9 +96,10 @@ void Forces::span(double f) {
         add_scalar_force(2 + k, -f * def().get(k == 0 ? "slide_0" : "slide_1"));
 }
 
-// Rows lie along n₁ and n₂ = t × n₁, perpendicular to the mean tangent t. To find n₁, use the world
-// axis with the largest angle to t, minus its component along t. The energy of the moment N = Σ f n
-// is N·(e₂ − e₁), whose gradients are the nodes' forces.
+// Add the forces of a bend. Its rows are along n₁ and n₂ = t × n₁, perpendicular to the mean
+// tangent t. To find n₁, use the world axis with the largest angle to t, minus its component along
+// t. The energy of the moment N = Σ f n is N·(e₂ − e₁), whose gradients are the forces on the
+// nodes.
 void Forces::add_bend(std::span<const double> f) {
     if (f[0] == 0.0 && f[1] == 0.0) return;
     const Vec3 p[3] = {point(0), point(1), point(2)};
@@ -142,7 +144,8 @@ void Forces::hydrostatic(std::span<const double> f) {
     result.on[0].torque -= f[2] * (q * Vec3::UnitX()).cross(up);
 }
 
-// Add the forces of a part of a line. @return false if the kind is no part of a line.
+// Add the forces of a part of a route or of a wire at a guide. @return false if the kind is no such
+// part.
 bool Forces::piece_of_line(std::span<const double> f) {
     switch (def().kind) {
         case InteractionKind::WinchStretch:

@@ -54,8 +54,8 @@ struct ForceRange {
     bool bounded = false;
     bool friction = false;
 };
-/// Return the range with the present loads of friction. @param pose  Poses at the start of the
-/// step.
+/// Return the allowed force range of an interaction, with the present loads of friction. @param
+/// pose  Poses at the start of the step.
 [[nodiscard]] ForceRange force_range(const World& world, InteractionId id,
                                      std::span<const Pose> pose);
 

@@ -25,7 +25,8 @@ bool is_joint(InteractionKind kind) {
            kind == InteractionKind::Universal || kind == InteractionKind::Lock;
 }
 
-// Change of the torque of a constant force when its arm rotates; the restoring part of it.
+// Return the stiffness of the torque of a constant force on a rotating arm, without its negative
+// eigenvalues.
 Mat3 arm_stiffness(const Vec3& force, const Vec3& arm) {
     const Mat3 outer = force * arm.transpose();
     const Mat3 k = force.dot(arm) * Mat3::Identity() - 0.5 * (outer + outer.transpose());
@@ -64,9 +65,11 @@ double vibration_reduction(const Attached& on, double s) {
     return on.is_point(0) || on.is_point(1) || s >= 0.25 ? 1.0 : 16.0 * s * s;
 }
 
-// Add the transverse stiffness of a line under tension. It acts on the changes of velocity. It also
-// acts on the differences from the extrapolation of the last two steps (docs/theory/wires.md).
-// `held`: fraction of the stiffness in the step.
+// Add the impulse of the transverse stiffness of a line under tension. It depends on the changes of
+// velocity in the step, and on the differences from velocities extrapolated from the last two steps
+// (docs/theory/wires.md).
+// @param calm  True: a wire that is damped because its step was rejected.
+// @param held  Fraction of the stiffness that acts in the step.
 void add_transverse_stiffness(const World& world, const Attached& on, std::span<const Twist> before,
                               std::span<const Twist> earlier, double tension, bool calm,
                               double held, Wrenches& out) {
@@ -104,8 +107,8 @@ void add_transverse_stiffness(const World& world, const Attached& on, std::span<
     }
 }
 
-// Return the fraction of the stiffness of a joint that is closed at the end of the step. It is 0 if
-// the oscillation about the joint is resolved, and 1 from twice that frequency on.
+// Return the fraction of the stiffness for a joint with end-of-step constraint iterations. It is 0
+// if the step resolves the oscillation about the joint, and 1 from twice the limit frequency on.
 double completed_fraction(const Attached& on, const World& world, double force) {
     double rate = 0.0;
     for (std::size_t b = 0; b < 2; ++b) {
@@ -127,7 +130,7 @@ double angle_of(const Attached& on) {
 
 double travel_of(const Attached& on) { return on.axis(0, 2).dot(on.point(1) - on.point(0)); }
 
-// Return the norm of the rows of a load that are in metres [N].
+// Return the norm of the force in the rows of a load that are in metres [N].
 double load_size(const World& world, InteractionId id) {
     const std::string_view units = kind_info(world.interaction_def(id).kind).row_units;
     const std::span<const double> f = world.force(id);
@@ -184,7 +187,8 @@ double piece_mass(const World& world, InteractionId id) {
 
 namespace {
 
-/// Add the effect of an element's consistent mass on the changes of velocity, as impulses.
+/// Add the impulses of the consistent mass of an element: the mass times the changes of velocity in
+/// the step.
 void add_piece(const World& world, InteractionId id, std::span<const Twist> before, Wrenches& out) {
     const double mass = piece_mass(world, id);
     if (!(mass > 0.0)) return;
@@ -283,7 +287,7 @@ double motor_speed(const Attached& on) {
                     a.angular.cross(where - on.center(0)));
 }
 
-/// Return the range of a motor with a power of at most `power` [W].
+/// Return a force range, reduced so that a motor has a power of at most `power` [W].
 ForceRange with_power(const Attached& on, double power, ForceRange range) {
     if (!(power < 1e30)) return range;
     const double speed = motor_speed(on);

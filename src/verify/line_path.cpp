@@ -19,9 +19,9 @@ bool has_ends(const World& world, InteractionId id) {
     return id.valid() && world.interaction_def(id).kind != InteractionKind::BodySpan;
 }
 
-// Handle a line without tangent: seen along the axis of the first wheel, one end is within the
-// other's circle or nearly so. The ends are then placed as if the difference of the signed radii
-// were 0.999 of the distance of the centres.
+// Set the ends of a line without tangent. In this case one end is within the circle of the other
+// wheel or nearly so, seen along the axis of the first wheel. The ends are those of a line for
+// which the difference of the signed radii is 0.999 of the distance of the centres.
 // @return true in this case.
 bool ends_without_tangent(const Attached& on, const double* radius, LineEnds& out) {
     const bool first = radius[0] != 0.0, both = first && radius[1] != 0.0;
@@ -42,8 +42,8 @@ bool ends_without_tangent(const Attached& on, const double* radius, LineEnds& ou
 
 }  // namespace
 
-// Return the ends of a line. A wheel of radius R > 0 is on the left of the passing line, seen
-// against its axis: the end is at R u × n.
+// Return the ends of a line. Seen against its axis, a wheel of radius R > 0 is on the left of the
+// line that passes it, so the end is at R u × n.
 LineEnds line_ends(const Attached& on) {
     const double radius[2] = {wheel_at(on.def(), 0), wheel_at(on.def(), 1)};
     const Vec3 centre[2] = {on.point(0), on.point(1)};

@@ -15,7 +15,7 @@ struct LineEnds {
 /// Return the ends of an element of a wire, a rod, or a part of a line between turning points.
 [[nodiscard]] LineEnds line_ends(const Attached& on);
 
-/// Return the signed radius of the wheel at an end of an element or part [m]; 0: there is none.
+/// Return the signed radius of the wheel at one end of an element or route part [m]; 0: no wheel.
 [[nodiscard]] double wheel_at(const InteractionDef& def, int slot);
 
 /// Return the angle by which a line turns between two consecutive parts, including whole turns

@@ -17,8 +17,8 @@ struct LoadImpulse {
     double resistance = 0.0;  ///< Impulse per velocity after the step: largest entry [kg, kg m²].
 };
 
-/// Return the impulses. @param pose, before  Poses and velocities of all bodies at the start of the
-/// step.
+/// Return the impulses of the loads of systems in a step. @param pose, before  Poses and velocities
+/// of all bodies at the start of the step.
 [[nodiscard]] std::vector<LoadImpulse> load_impulses(const World& world,
                                                      const std::vector<Pose>& pose,
                                                      const std::vector<Twist>& before);

@@ -11,7 +11,8 @@ constexpr std::int64_t kEverySteps = 600;
 constexpr std::int64_t kAfterEvents = 300;  // Least distance of sampled intervals after events.
 constexpr int kWindow = 3;  // The first step only provides the changes of angular velocities.
 
-/// True for events that change a world or break a part. Slack and taut lines are too frequent.
+/// True if an event of this kind starts a sampled interval: events that change a world or break a
+/// part. Slack and taut lines are too frequent.
 bool opens_window(const Event& event) {
     switch (event.kind) {
         case EventKind::slack:

@@ -19,7 +19,7 @@ namespace hawser::verify {
 
 class SampledVerifier : public Observer {
   public:
-    /// Create a verifier. @param last  Last step of the run.
+    /// Create a verifier that checks sampled intervals of a run. @param last  Last step of the run.
     SampledVerifier(const World& world, std::int64_t last);
     void before_step(const World& world) override;
     void after_step(const World& world, std::span<const Event> events) override;

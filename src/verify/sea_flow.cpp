@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Mean motion of the water over a hull, and projected areas (hawser/water_hull.h), by sums of
-/// their own over the library's list of cells.
+/// Mean motion of the water over a hull, and projected areas (hawser/water_hull.h), by
+/// separate sums over the library's list of cells.
 #include "verify/sea_loads.h"
 
 #include <algorithm>

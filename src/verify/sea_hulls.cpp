@@ -20,7 +20,7 @@ Spot crossing_point(const Spot& a, const Spot& b, double t) {
             a.pressure + t * (b.pressure - a.pressure)};
 }
 
-/// Return the part of a triangle under the surface, corner by corner.
+/// Return the corners of the part of a triangle below the surface.
 std::vector<Spot> wet_polygon(const Spot (&corner)[3]) {
     std::vector<Spot> out;
     for (int k = 0; k < 3; ++k) {

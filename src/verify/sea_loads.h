@@ -18,12 +18,13 @@ namespace hawser::verify {
 class SeaVerifier {
   public:
     explicit SeaVerifier(const World& world);
-    /// Restart after another state was restored: memories of hulls begin with those of the library.
+    /// Restart after another state was restored. The memories of hulls then start with those of the
+    /// library.
     void restart() noexcept { history_.clear(); }
     /// Read inputs and time of the next step.
     void before_step(const World& world);
     /// Compare the loads of a step.
-    /// @param pose, before  Of all bodies at its start.
+    /// @param pose, before  Poses and twists of all bodies at the start of the step.
     /// @return the largest difference of a load of the sea from the computed one, relative to its
     ///        size and the body's; 0 without a sea.
     [[nodiscard]] double after_step(const World& world, const std::vector<Pose>& pose,

@@ -13,7 +13,8 @@ namespace hawser::verify {
 
 namespace {
 
-/// Return B as in hydro.h: linear between frequencies and beyond the last one.
+/// Return the damping B(ω) as in hydro.h: interpolated linearly between frequencies, and
+/// extrapolated beyond the last one.
 M6 damping_at(const WaveCoefficients& c, double omega) {
     const auto part = [&](double w0, const M6& b0, double w1, const M6& b1) -> M6 {
         return b0 + (omega - w0) / (w1 - w0) * (b1 - b0);
@@ -33,7 +34,7 @@ M6 damping_at(const WaveCoefficients& c, double omega) {
     return part(4.0 * last, c.damping.back() / 64.0, 5.0 * last, M6::Zero());
 }
 
-/// Return the frequencies between which B is linear.
+/// Return the frequencies that bound the intervals in which B is linear.
 std::vector<double> frequency_breaks(const WaveCoefficients& c) {
     std::vector<double> out{0.0};
     out.insert(out.end(), c.frequency.begin(), c.frequency.end());
@@ -148,8 +149,8 @@ void SeaVerifier::add_memory(const WaterHull& def, Past& past, const Mat3& axes,
     out.force += turn * to_reference.transpose() * force;
 }
 
-/// Return the axes of coefficients: those of the body, or horizontal ones at the slow heading,
-/// which this function updates.
+/// Return the axes to which the coefficients refer. They are those of the body, or horizontal axes
+/// at the slow heading, which this function updates.
 Mat3 SeaVerifier::frame_of(const WaterHull& def, Past& past, const Pose& pose) const {
     const Mat3 axes = pose.orientation.toRotationMatrix();
     if (def.excitation == ExcitationKind::none && !def.drift) return axes;

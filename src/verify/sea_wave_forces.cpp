@@ -26,7 +26,8 @@ T interpolate_frequency(const WaveCoefficients& c, const std::vector<T>& table, 
     return (omega > w.back() * (1.0 + 1e-9) ? above : 1.0) * entry(w.size() - 1);
 }
 
-/// Return a table's entry in a direction, or that of the mirror image if the direction is missing.
+/// Return the entry of a table for a direction. If the direction is missing, return the entry of
+/// the mirrored direction.
 template <class T>
 T in_direction(const WaveCoefficients& c, const std::vector<T>& table, int k, double omega,
                double direction, double above) {

@@ -15,7 +15,8 @@
 
 namespace hawser::verify {
 
-/// Return that velocity, world frame [m/s, rad/s]. @param before  Pose of the body before the step.
+/// Return the velocity of a body in the step, in the world frame [m/s, rad/s]. @param before  Pose
+/// of the body before the step.
 [[nodiscard]] inline Twist step_velocity(const World& world, BodyId id, const Pose& before) {
     Twist now = world.velocity(id);
     if (world.body_def(id).kind != BodyKind::rigid) return now;

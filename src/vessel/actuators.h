@@ -22,7 +22,7 @@ struct Limit {
 /// Move `now` towards `target`: first order with a time constant, limited in rate.
 /// @return True if the rate is at its limit.
 bool follow(double& now, double target, double rate, double lag, double step) noexcept;
-/// Return an equal angle between −π and π [rad].
+/// Return the equivalent angle between −π and π [rad].
 [[nodiscard]] double wrapped(double angle) noexcept;
 
 /// State of a propulsor.
@@ -58,7 +58,7 @@ class Propulsor {
                                       double& along) const noexcept;
     /// Compute the force on the ship. It depends on u, v, r and the density of the flow alone.
     [[nodiscard]] Wrench force(const PropulsorState& s, const Flow& flow) const noexcept;
-    /// Compute the same from the thrust of open() [N].
+    /// Compute the force on the ship from the thrust of open() [N].
     [[nodiscard]] Wrench push(const PropulsorState& s, double thrust) const noexcept;
     /// Return the power that it would take in a step without a bus [W].
     /// @param rated  Power of an ideal one at full order.
@@ -75,7 +75,7 @@ class Propulsor {
     [[nodiscard]] double diameter() const noexcept {
         return is_screw() ? def_.propeller.diameter : def_.diameter;
     }
-    /// Return its thrust at full order, at rest and without losses [N].
+    /// Return the thrust of a propulsor at full order, at rest and without losses [N].
     [[nodiscard]] double max_thrust(double density) const noexcept;
     [[nodiscard]] const PropulsorDef& def() const noexcept { return def_; }
     [[nodiscard]] bool is_screw() const noexcept { return def_.propeller.diameter > 0.0; }
@@ -94,7 +94,7 @@ class Propulsor {
                     Limit& power) const noexcept;
     void turn(PropulsorState& s, double step, Limit& turn) const noexcept;
     void turn_vector(PropulsorState& s, double order, double step) const noexcept;
-    /// Return the order in force: the input, or the order of a failure or a power limit.
+    /// Return the order in force: the input, or the order that a failure or a power limit sets.
     [[nodiscard]] double effective_order(const PropulsorState& s) const noexcept;
     PropulsorDef def_;
     Vec3 at_;  ///< Marine frame.
@@ -110,6 +110,7 @@ struct RudderState {
 
 class Rudder {
   public:
+    /// Create a rudder.
     /// @param behind  Index of the propulsor ahead of the rudder; −1: none.
     Rudder(const RudderDef& def, const Vec3& origin, int behind);
     /// Return the force of the rudder. @param thrust, diameter  Thrust [N] and diameter [m] of its

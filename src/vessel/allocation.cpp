@@ -55,7 +55,7 @@ Allocation::Allocation(std::vector<AllocatedThruster> thrusters)
     program_.begin(variables_);
 }
 
-/// Return S B of a unit force (x, y).
+/// Return the scaled column S B of thruster i for a unit force (x, y).
 Vec3 Allocation::lever(std::size_t i, double x, double y) const noexcept {
     const AllocatedThruster& t = thrusters_[i];
     return {x / force_, y / force_, (t.x * y - t.y * x) / moment_};
@@ -106,7 +106,7 @@ void Allocation::add_limits(std::size_t i, double available, std::int32_t sector
     for (const auto& [x, y] : sides_) program_.add({v, v + 1, x, y, inner});
 }
 
-/// Set the cost function. Variables are forces over `force_`.
+/// Set the cost function. The variables are forces divided by `force_`.
 void Allocation::set_cost(const Vec3& tau, int variables) noexcept {
     const Vec3 target(tau[0] / force_, tau[1] / force_, tau[2] / moment_);
     const Vec3 weight(kMeet, kMeet, kMeetMoment);

@@ -58,11 +58,11 @@ class Allocation {
     explicit Allocation(std::vector<AllocatedThruster> thrusters);
 
     /// Compute the forces of least cost for τ = (X, Y, N).
-    /// @param available  Fraction of each capacity that a thruster has now, 0 … 1, by index; 0:
-    /// failed; null: all have 1.
+    /// @param available  Available fraction of the capacity of each thruster, 0 … 1; 0: failed;
+    /// null: 1 for all.
     /// @param sectors  In and out: sector that each thruster uses; −1: none yet.
     void allocate(const Vec3& tau, const double* available, std::int32_t* sectors) noexcept;
-    /// Force of a thruster after allocate(), marine frame [N].
+    /// Return the force of a thruster after allocate(), in the marine frame [N].
     [[nodiscard]] double x(std::size_t i) const noexcept { return forces_[2 * i]; }
     [[nodiscard]] double y(std::size_t i) const noexcept { return forces_[2 * i + 1]; }
     /// Return Σ B_i f_i after allocate() or thrust_at_fixed_angles().

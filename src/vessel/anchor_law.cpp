@@ -92,7 +92,7 @@ double AnchorCapacity::pull_at(double z) const noexcept {
     return std::isnan(def_.uhc) ? pull : std::min(pull, def_.uhc);
 }
 
-/// Return E_n N_c b z (s_u0 + k z/2) [N].
+/// Return the resistance of the line in the clay above the anchor, E_n N_c b z (s_u0 + k z/2) [N].
 double AnchorCapacity::bearing_above(double z) const noexcept {
     const AnchorClay& c = def_.clay;
     return c.chain_width * c.chain_bearing * z * (c.strength + 0.5 * c.gradient * z);

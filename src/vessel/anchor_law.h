@@ -19,9 +19,10 @@ class AnchorCapacity {
     [[nodiscard]] double strength_at(double drag) const noexcept;
     /// Return the depth of the point below the seabed [m].
     [[nodiscard]] double depth(double drag) const noexcept;
-    /// Return the reduction of the capacity by the angle of the line, in the soil [1].
+    /// Return the factor by which the line angle at the anchor and the friction of the line in the
+    /// soil change the capacity.
     [[nodiscard]] double line_factor(double drag, double angle) const noexcept;
-    /// Return H(x, θ) [N].
+    /// Return the holding capacity H(x, θ) [N].
     [[nodiscard]] double capacity(double drag, double angle) const noexcept;
 
   private:

@@ -15,8 +15,8 @@ constexpr double kRests = 5.0;  ///< Time at rest after which dragging restarts 
 constexpr std::int32_t kMaxSteps = 1'000'000;
 constexpr double kAtBound = 1e-9;  ///< Relative distance of a sliding row's force to its bound.
 
-/// Compute the force of the wires that end on a body, or of one of them. @return false if no wire
-/// ends there.
+/// Compute the force on a body of the wires that end on it, or of the wire `only` if it is valid.
+/// @return false if no wire ends on the body.
 bool pull_of_lines(const World& world, BodyId body, WireId only, Vec3& pull) noexcept {
     bool any = false;
     pull.setZero();

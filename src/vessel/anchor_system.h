@@ -4,13 +4,13 @@
 /// Soil on a drag-embedment anchor (hawser/anchor.h).
 ///
 /// Each step computes the bounds of the rows from the force p on the anchor. p is the force of the
-/// lines at the anchor. Without lines the equation of motion gives it, p = m Δv/h − F with the
-/// force F of the rows. Both horizontal rows together bear H cos θ in the direction of p:
+/// lines at the anchor. Without lines it follows from the equation of motion, p = m Δv/h − F with
+/// the force F of the rows. Both horizontal rows together resist H cos θ in the direction of p:
 /// ```
 ///     bound_i = √(H² − |p|² + p_i²)  if |p| ≤ H        bound_i = H |p_i|/|p|  otherwise
 /// ```
-/// A load below the capacity leaves every row below its bound. A greater one slides in its own
-/// direction.
+/// Under a load below the capacity every row is below its bound. Under a larger load the anchor
+/// slides in the direction of the load.
 
 #include <hawser/anchor.h>
 #include <hawser/system.h>

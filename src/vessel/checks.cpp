@@ -246,7 +246,7 @@ void check_rudder(const VesselFields& f, const VesselDef& def, std::size_t i) {
                                 (known.empty() ? "the vessel has none" : "give one of " + known));
 }
 
-/// Check that the names of signals differ: they share one list.
+/// Check that the names of signals differ, because all of them belong to one list.
 void check_names(const VesselFields& f, const VesselDef& def) {
     std::vector<std::string> taken;
     if (VesselSystem::has_set(def)) taken.emplace_back("rudder");

@@ -167,7 +167,8 @@ Vec3 Control::demand(const ControlSense& sense, double h) noexcept {
     return tau - feed_;
 }
 
-/// Sum the error, but for axes in which the thrust falls short and the error would raise it.
+/// Integrate the position error of each axis, except if the thrust of this axis is too small and
+/// the error would increase the integral.
 void Control::integrate(const Vec3& tau, double h) noexcept {
     const ControlMode m = mode();
     if (m == ControlMode::off || m == ControlMode::joystick) return;
@@ -218,8 +219,8 @@ void Control::steer(const ControlSense& sense, ControlledActuators act, double h
             std::clamp(wanted, -def_.rudders[i].most_angle, def_.rudders[i].most_angle);
 }
 
-/// A fraction of the power is a fraction ^(2/3) of the thrust. Capacity comes back slowly:
-/// thrusters that take power from each other do not alternate.
+/// Compute the available fraction of each propulsor's thrust, which is that of its power to the
+/// power of 2/3. It increases slowly, so that thrusters on one power bus do not alternate.
 void Control::find_available(const ControlledActuators& act, double h) noexcept {
     uncontrolled_.setZero();
     for (std::size_t i = 0; i < act.propulsors.size(); ++i) {
@@ -235,7 +236,7 @@ void Control::find_available(const ControlledActuators& act, double h) noexcept 
     }
 }
 
-/// Order the angle of an azimuth by the allocation.
+/// Order an azimuth thruster to the angle of the allocation.
 void Control::order_angle(PropulsorState& s, std::size_t i) noexcept {
     const AllocatedThruster& t = allocation_.thrusters()[i];
     const double x = allocation_.x(i), y = allocation_.y(i);
@@ -274,8 +275,8 @@ void Control::limit_thruster(const PropulsorState& s, std::size_t i, double h) n
     now.thrust_max = std::clamp(thrust(past + h / p.ramp), thrust_min, thrust_max);
 }
 
-/// Order the propulsors: azimuths to the angles of the allocation, thrusts within their rates.
-/// A propulsor that failed, or that the bus gives no power, gets no order.
+/// Order the propulsors: azimuths to the angles of the allocation, thrusts within their rates. A
+/// propulsor that has failed or has no power gets no order.
 void Control::order_thrusters(const Vec3& tau, ControlledActuators act, double h) noexcept {
     const Vec3 wanted = tau - uncontrolled_;
     allocation_.allocate(wanted, available_.data(), sectors_.data());
@@ -298,7 +299,7 @@ void Control::order_thrusters(const Vec3& tau, ControlledActuators act, double h
     }
 }
 
-/// Allocate the mean demand without the thrusters of one failure, to find the worst one.
+/// Allocate the mean demand without the thrusters of one failure, and update the worst failure.
 void Control::analyse_failure(Prestep& now, double h) noexcept {
     mean_ += fraction_of(h, kMeanTime) * (demand_ - mean_);
     if (shortfalls_.empty() || def_.control.direct) return;

@@ -47,17 +47,18 @@ struct ControlledActuators {
 
 class Control {
   public:
-    /// @param mass  Diagonal of M with added mass, X Y N.
+    /// Create the control of a vessel.
+    /// @param mass  Diagonal of M with added mass for surge, sway and yaw.
     Control(const VesselDef& def, const Vec3& mass);
 
-    /// Choose mode and orders, and allocate. @return Force that acts directly (VesselControl::
-    /// direct), else 0.
+    /// Choose the mode and the orders, and allocate the demand to the propulsors. @return Force
+    /// that acts directly (VesselControl:: direct), else 0.
     [[nodiscard]] Vec3 step(Prestep& now, const ControlSense& sense,
                             ControlledActuators act) noexcept;
     void visit(StateVisitor& visitor);
     void check(StateRules& rules) const;
     void signals(SignalTable& table);
-    /// Return the names of its signals, which propulsors and rudders must not have.
+    /// Return the names of the signals of the control, which propulsors and rudders must not have.
     [[nodiscard]] static const std::vector<std::string>& signal_names();
     /// Return the reason why a mode is not possible; "" if it is.
     [[nodiscard]] const char* reason_against(ControlMode mode) const noexcept;
@@ -71,8 +72,8 @@ class Control {
     [[nodiscard]] Vec3 demand(const ControlSense& sense, double h) noexcept;
     [[nodiscard]] Vec3 speed_demand(const ControlSense& sense, double h) noexcept;
     void steer(const ControlSense& sense, ControlledActuators act, double h) noexcept;
-    /// Compute the fraction of its capacity that each propulsor has, and the force of those that do
-    /// not obey.
+    /// Compute the available fraction of each propulsor's thrust, and the sum of the forces of
+    /// propulsors without control.
     void find_available(const ControlledActuators& act, double h) noexcept;
     void order_thrusters(const Vec3& tau, ControlledActuators act, double h) noexcept;
     void limit_thruster(const PropulsorState& s, std::size_t i, double h) noexcept;

@@ -24,7 +24,7 @@ constexpr double kMaxCoordinate = 1e9;
 struct Bollard {
     double ahead = 0.0, astern = 0.0;
     double rps = 1.0;    ///< Revolutions over most_rps.
-    double power = 0.0;  ///< Of a propeller, at its shaft [W].
+    double power = 0.0;  ///< Power of a propeller at its shaft [W].
 };
 
 Bollard bollard_pull_data(const PropulsorDef& p, double density) {

@@ -151,7 +151,7 @@ void complete_anchor(const World& world, AnchorDef& def) {
     check_anchor_clay(def);
 }
 
-/// Return a rotation of the z axis to axis i.
+/// Return the rotation that maps the z axis to axis i.
 Quat to_axis(int i) {
     Vec3 axis = Vec3::Zero();
     axis[i] = 1.0;

@@ -70,7 +70,7 @@ void check_gauge_numbers(const StabilityDef& def) {
             check_gauge_number(def, field, angle, 0.0, true, 1.5707963267948966);
 }
 
-/// Fill in the defaults from the mesh. @throws DefError
+/// Set the defaults of a gauge from the mesh of the hull. @throws DefError
 void complete_gauge(const World& world, StabilityDef& def, const WaterHull* hull, double density) {
     if (std::isnan(def.mass)) def.mass = world.body_def(def.body).mass;
     check_gauge_number(def, "mass", def.mass, 0.0, true, 1e15);

@@ -22,8 +22,8 @@ System* define(World& world, const VesselDef& def) {
 
 namespace {
 
-/// Call f(def) for each vessel until one returns true. A const world has no list of systems, so
-/// they are found by the names of their signals.
+/// Call f(def) for each vessel until f returns true. A const world has no list of its systems, so
+/// vessels are found by the names of their signals.
 template <class F>
 void over_vessels(const World& world, F&& f) {
     std::string_view last;

@@ -14,7 +14,8 @@ constexpr int kMaxPivots = 5000, kStalled = 60;
 
 }  // namespace
 
-// Columns: variables, then a slack for each limit. Artificial variables have no column.
+// Create a linear program. The columns are the variables, followed by a slack variable for each
+// limit. Artificial variables have no column.
 DenseLp::DenseLp(Eigen::Index variables, Eigen::Index equalities, Eigen::Index limits)
     : variables_(variables),
       equalities_(equalities),
@@ -36,8 +37,8 @@ Eigen::Index DenseLp::entering_column(const Eigen::VectorXd& reduced, bool first
     return best;
 }
 
-/// Return the row of the smallest ratio. An artificial variable at 0 leaves the basis for a pivot
-/// of any sign.
+/// Return the row with the smallest ratio, whose variable leaves the basis. An artificial variable
+/// at 0 leaves the basis for a pivot of any sign.
 Eigen::Index DenseLp::leaving_row(Eigen::Index column, bool first) const noexcept {
     Eigen::Index best = -1;
     double least = std::numeric_limits<double>::infinity();

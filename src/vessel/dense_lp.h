@@ -16,6 +16,8 @@ namespace hawser::vessel {
 /// Dantzig's. After a run of pivots without progress it is Bland's, so that the method ends.
 class DenseLp {
   public:
+    /// Create a linear program with the given numbers of variables and rows. All rows and costs are
+    /// initially 0.
     /// @param variables  Number of variables x. Rows and costs are initially 0.
     DenseLp(Eigen::Index variables, Eigen::Index equalities, Eigen::Index limits);
     double& cost(Eigen::Index variable) { return cost_[variable]; }

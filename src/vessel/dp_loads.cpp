@@ -23,14 +23,15 @@ constexpr DpCondition kDpScale[] = {
     {28.4, 9.5, 11.5, 0.75}, {32.6, 12.1, 12.0, 0.75}};
 static_assert(sizeof kDpScale / sizeof kDpScale[0] == kDpNumbers);
 
-/// Return the direction folded to 0 … π.
+/// Return the equivalent direction in 0 … π for a symmetric ship.
 double direction_on_one_side(double from) noexcept {
     return std::abs(std::remainder(from, 2.0 * kDpPi));
 }
 
 double zero_crossing(const DpCondition& at) noexcept { return at.period / kDpPeriods; }
 
-/// Return the factor of wave drift: it decreases with the wave period over the ship's period.
+/// Return the factor of wave drift. It decreases with the ratio of the wave period to the ship's
+/// period.
 double drift_of_period(double t) noexcept {
     if (t < 1.0) return 1.0;
     const double inverse = 1.0 / (t * t * t);

@@ -15,7 +15,7 @@ constexpr double kMiscellaneous = 0.9;  ///< β_misc.
 constexpr double kDipArc = std::numbers::pi / 180;
 constexpr double kWidest = std::numbers::pi;  ///< Maximum width of a fan [rad].
 
-/// Return the angle in 0 … 2π.
+/// Return the equivalent angle in 0 … 2π.
 double positive_angle(double a) noexcept {
     const double out = std::fmod(a, kTurn);
     return out < 0.0 ? out + kTurn : out;
@@ -68,7 +68,8 @@ struct Notch {
     double middle = 0.0, half_width = 0.0, least = 1.0;
 };
 
-/// Return the radius over the circle at an angle off the middle.
+/// Return the radius of a notch divided by that of the circle, at an angle from the middle of the
+/// notch.
 double notch_factor(const Notch& n, double direction) noexcept {
     const double off = std::abs(std::remainder(direction - n.middle, kTurn));
     if (off >= n.half_width) return 1.0;

@@ -33,7 +33,8 @@ enum Variable : std::uint8_t {
 inline constexpr int kVariables = 13;
 inline constexpr std::size_t kMaxPowers = 8;
 
-/// Return the number of the variable of a letter; −1 if there is none.
+/// Return the index of the variable that a letter of a polynomial term denotes; −1 if there is
+/// none.
 [[nodiscard]] int variable_of(char letter) noexcept;
 
 /// Polynomial prepared for evaluation.

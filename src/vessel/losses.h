@@ -16,11 +16,12 @@ namespace hawser::vessel {
 /// Water surface above the propulsors of a vessel.
 class Surface {
   public:
-    /// Read the sea of the world, if the definition has propulsors that ventilate.
+    /// Create the surface from the sea of the world. Without propulsors that ventilate it is not
+    /// used.
     Surface(const World& world, const VesselDef& def);
-    /// Bring the waves to a time.
+    /// Set the time of the waves.
     void update(const World& world, double time) noexcept;
-    /// Return z of the surface [m].
+    /// Return the height z of the water surface [m].
     [[nodiscard]] double height(double x, double y) const noexcept;
 
   private:
@@ -31,7 +32,8 @@ class Surface {
 
 /// True if a definition has any losses.
 [[nodiscard]] bool has_losses(const VesselDef& def) noexcept;
-/// Multiply `thrust_fraction` of each propulsor by the fraction left in the races of others.
+/// Multiply `thrust_fraction` of each propulsor by the fraction that remains in the races of the
+/// others.
 void apply_race_losses(const std::vector<Propulsor>& propulsors,
                        std::vector<PropulsorState>& states, double density) noexcept;
 /// Return the fraction of thrust that remains for an azimuth whose race flows under the hull.

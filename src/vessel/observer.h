@@ -19,14 +19,15 @@ struct Planar {
 class Observer {
   public:
     Observer() = default;
-    /// @param mass  Diagonal of M with added mass. @param damping  Diagonal of D. @param period  Of
-    /// the waves [s].
+    /// Create an observer.
+    /// @param mass  Diagonal of M with added mass. @param damping  Diagonal of D. @param period
+    ///         Period of the waves [s].
     Observer(const Vec3& mass, const Vec3& damping, double period);
-    /// Start at a measured motion.
+    /// Start the observer at a measured motion.
     void start(const Planar& measured) noexcept;
     /// Advance by one step. @param force  τ that acts on the ship [N, N, N m].
     void step(const Planar& measured, const Vec3& force, double h) noexcept;
-    /// Return the low-frequency motion.
+    /// Return the low-frequency part of the motion.
     [[nodiscard]] const Planar& low_frequency_motion() const noexcept { return low_frequency_; }
     /// Return the slowly varying force, in axes of the ship.
     [[nodiscard]] const Vec3& bias() const noexcept { return bias_; }
@@ -40,7 +41,7 @@ class Observer {
     Vec3 swell_ = Vec3::Zero(), swell_rate_ = Vec3::Zero();  ///< ξ: integral and wave motion.
 };
 
-/// Rotate a vector from axes of the ship to north and east, and back.
+/// Rotate a vector from the axes of the ship to north and east. The next function is the inverse.
 [[nodiscard]] Vec3 to_earth(const Vec3& of_ship, double heading) noexcept;
 [[nodiscard]] Vec3 to_ship(const Vec3& of_earth, double heading) noexcept;
 

@@ -16,9 +16,10 @@ namespace hawser::vessel {
 /// Index of a signal of another system, found again if the list of signals changes.
 class SignalRef {
   public:
+    /// Create a reference to a signal.
     /// @param name  Name as "SYSTEM.SIGNAL".
     explicit SignalRef(const std::string& name);
-    /// Return its value; 0 if the world has no such signal.
+    /// Return the value of the signal; 0 if the world has no such signal.
     [[nodiscard]] double value(const World& world) noexcept;
 
   private:
@@ -33,13 +34,15 @@ class PowerBus {
     [[nodiscard]] bool any() const noexcept { return !boards_.empty(); }
     /// Return the rated power of an ideal propulsor on the bus; 0 if it is not on the bus [W].
     [[nodiscard]] double rated_power(std::size_t propulsor) const noexcept;
-    /// Set the power that a propulsor would take at its shaft [W].
+    /// Set the power that a propulsor demands at its shaft [W].
     void demand(std::size_t propulsor, double power) noexcept;
-    /// Compute all grants. Reports sheddings and failures that begin.
+    /// Grant power to all consumers. Send events for consumers from which power begins to be
+    /// withheld, and for failures.
     void grant_power(Prestep& now, BodyId body) noexcept;
     /// Return the power that a propulsor may take at its shaft, 1e300 without a bus [W].
     [[nodiscard]] double granted_power(std::size_t propulsor) const noexcept;
-    /// Return the fraction of its full power that a propulsor could take, 0 … 1; 1 without a bus.
+    /// Return the fraction of its full power that is available to a propulsor, 0 … 1; 1 without a
+    /// bus.
     ///
     /// It depends on the present loads and demands of smaller `priority` numbers. Propulsors of the
     /// same priority count with their full power, so that the fraction does not depend on the
@@ -81,10 +84,11 @@ class PowerBus {
     }
     [[nodiscard]] static bool failed(const Part& part) noexcept { return part.failed >= 0.5; }
     [[nodiscard]] static double capacity(const Board& board) noexcept;
-    /// Return true if two consumers share the capacity of one board, or of tied boards.
+    /// Return true if two consumers use the capacity of one board, or of tied boards.
     [[nodiscard]] bool share_boards(const Consumer& a, const Consumer& b) const noexcept;
     [[nodiscard]] const Consumer* find(std::size_t propulsor) const noexcept;
-    /// Distribute a capacity to the consumers of one board, or of all boards that did not fail.
+    /// Distribute a capacity among the consumers of one board, or of all boards that have not
+    /// failed.
     void distribute(double capacity, int board) noexcept;
     void report_failures(Prestep& now, BodyId body) noexcept;
 

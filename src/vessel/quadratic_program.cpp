@@ -42,7 +42,8 @@ int QuadraticProgram::max_violated() const noexcept {
     return worst;
 }
 
-/// Compute z (step_) and r (slopes_) of the constraint: x moves along −z, multipliers along −r.
+/// Compute the directions z (step_) and r (slopes_) for a constraint: x moves along −z, the
+/// multipliers along −r.
 void QuadraticProgram::direction(int index) noexcept {
     const Constraint& c = constraints_[static_cast<std::size_t>(index)];
     normal_.setZero(n_);
@@ -90,7 +91,8 @@ void QuadraticProgram::drop(int slot) noexcept {
     --active_count_;
 }
 
-/// Move until the constraint is met, dropping active ones whose multipliers reach 0.
+/// Move the solution until a constraint is met. Active constraints whose multipliers reach 0 are
+/// dropped.
 bool QuadraticProgram::add_active(int index) noexcept {
     double multiplier = 0.0;
     for (int rounds = 0; rounds < kMaxRounds; ++rounds) {

@@ -29,14 +29,15 @@ class QuadraticProgram {
         double a = 0.0, b = 0.0, bound = 0.0;
     };
 
-    /// Clear and set the size. @param variables  At most kMaximum.
+    /// Remove all data and set the number of variables.
+    /// @param variables  At most kMaximum.
     void begin(int variables);
     /// Reserve memory for constraints. Call before warm steps.
     void reserve(std::size_t constraints) { constraints_.reserve(constraints); }
     Matrix& hessian() noexcept { return hessian_; }
     Vector& gradient() noexcept { return gradient_; }
     void add(const Constraint& constraint) { constraints_.push_back(constraint); }
-    /// Remove the constraints, keep matrices.
+    /// Remove the constraints and keep the matrices.
     void clear_constraints() noexcept { constraints_.clear(); }
     /// Solve the program. @return false if no point meets the constraints, or H is not positive
     /// definite.

@@ -14,12 +14,13 @@ struct MainSizes {
     double density = 1025.0;                         ///< [kg/m³].
 };
 
-/// Set heave, roll and pitch of a ship for which they are not published: it stays upright unless
-/// loaded.
+/// Set assumed coefficients of heave, roll and pitch for a ship without published ones, so that it
+/// floats upright.
 /// @param roll  Set roll, too.
 void set_default_stability(PublishedShip& ship, const MainSizes& sizes, bool roll);
 
-/// Set mass and inertia from radii of gyration in roll and yaw [m]; pitch uses that of yaw.
+/// Set the mass of a ship, and its inertia from radii of gyration in roll and yaw [m]. Pitch uses
+/// the radius of yaw.
 void set_body(PublishedShip& ship, const MainSizes& sizes, double roll_radius, double yaw_radius);
 
 }  // namespace hawser::vessel

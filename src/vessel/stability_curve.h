@@ -29,8 +29,8 @@ class StabilityCurve {
     /// Return the height h of the pin above the line of thrust [m].
     [[nodiscard]] double height() const noexcept { return def_.pin.z() - def_.thrust_height; }
     [[nodiscard]] StabilityCheck check(double force, double alpha, double beta) const noexcept;
-    /// Return the permissible tension. @param halvings  Number of bisections of the interval up to
-    /// the ship's weight.
+    /// Return the permissible tension in a direction. @param halvings  Number of bisections of the
+    /// interval from 0 to the ship's weight.
     [[nodiscard]] double permissible_tension_at(double alpha, double beta,
                                                 int halvings) const noexcept;
     [[nodiscard]] const StabilityDef& def() const noexcept { return def_; }

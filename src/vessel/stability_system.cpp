@@ -11,7 +11,7 @@
 namespace hawser::vessel {
 namespace {
 
-/// Return the number of the end of a wire on a body; −1 if there is none.
+/// Return which end of a wire is on a body, 0 or 1; −1 if neither is.
 int end_on(const World& world, WireId wire, BodyId body) noexcept {
     const std::span<const BodyId> nodes = world.wires().nodes(wire);
     if (nodes.empty()) return -1;
@@ -22,7 +22,7 @@ double tension(const World& world, InteractionId element) noexcept {
     return std::max(0.0, -world.force(element)[0]);
 }
 
-/// Return a vector of a given length in a direction; 0 if the direction is 0.
+/// Return a vector of a given length in a given direction; zero if the direction is zero.
 Vec3 with_length(const Vec3& direction, double length) noexcept {
     const double norm = direction.norm();
     return norm > 0.0 ? Vec3(direction * (length / norm)) : Vec3::Zero();

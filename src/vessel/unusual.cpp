@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 Compare non-dimensional values of vessels with those of
-// published ships.
+// SPDX-License-Identifier: Apache-2.0
+/// Compare non-dimensional values of vessels with those of published ships.
 #include <hawser/sea.h>
 #include <hawser/vessel.h>
 #include <hawser/world.h>
@@ -50,7 +50,8 @@ void check_lengths(const VesselDef& def, double length, Unusual& out) {
     compare("cross_flow/length", def.cross_flow.length);
 }
 
-/// Check that the weight is carried once only.
+/// Check that the weight of the ship is carried exactly once, by `restoring` or by a hull in the
+/// sea.
 void check_weight(const World& world, const VesselDef& def, Unusual& out) {
     const SeaDef* sea = find_sea(world);
     const bool afloat =

@@ -50,7 +50,7 @@ Matrix6 part_for_loads(const Matrix6& a, double radius) {
     return back;
 }
 
-/// True if a term of the polynomial has one of the letters.
+/// True if a term of the polynomial contains one of the letters.
 bool names_variable(const HullPolynomial& polynomial, const char* letters) noexcept {
     return std::any_of(polynomial.terms.begin(), polynomial.terms.end(), [&](const HullTerm& t) {
         return t.of.find_first_of(letters) != std::string::npos;
@@ -85,8 +85,8 @@ Vec3 current_at(const std::vector<SeaCurrent>& profile, double depth) noexcept {
     return flow(profile.back());
 }
 
-/// Return the mean wind at a height over the wind at 10 m, by the profile of NPD (hawser/sea.h)
-/// [1].
+/// Return the mean wind at a height divided by the wind at 10 m, by the profile of NPD
+/// (hawser/sea.h) [1].
 double wind_profile(double speed, double height) noexcept {
     const double c = 0.0573 * std::sqrt(1.0 + 0.15 * speed);
     return std::max(0.0, 1.0 + c * std::log(std::max(1.0, height) / 10.0));

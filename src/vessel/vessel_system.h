@@ -39,9 +39,9 @@ namespace hawser::vessel {
 
 class VesselSystem final : public System {
   public:
-    /// The definition has been checked. @param mass, inertia  Of the body.
-    /// @param surface  Surface of the water over its propulsors.
-    /// @param lines  Lines whose tension the control feeds forward.
+    /// Create the system of a vessel from a checked definition.
+    /// @param mass, inertia  Mass and inertia of the body. @param surface  Surface of the water
+    ///         over its propulsors. @param lines  Lines whose tension the control feeds forward.
     VesselSystem(VesselDef def, double mass, Mat3 inertia, Surface surface,
                  std::vector<FedLine> lines);
 
@@ -87,7 +87,7 @@ class VesselSystem final : public System {
     void advance_propulsors(Prestep& now, const Flow& flow) noexcept;
     /// Compute `thrust_fraction` of all propulsors.
     void update_losses(const Prestep& now, double density) noexcept;
-    /// Advance the control. @return a force that acts directly.
+    /// Advance the control by one step. @return a force that acts on the ship directly.
     [[nodiscard]] Wrench control(Prestep& now, const Motion& m) noexcept;
 
     VesselDef def_;
@@ -101,8 +101,8 @@ class VesselSystem final : public System {
     std::vector<Rudder> rudders_;
     Surface surface_;  ///< Water surface, updated in each step.
     // Scratch of water_force().
-    std::vector<double> thrusts_;  ///< Of propulsors in open water [N].
-    std::vector<Wrench> pushes_;   ///< Of propulsors, then of rudders.
+    std::vector<double> thrusts_;  ///< Thrusts of propulsors in open water [N].
+    std::vector<Wrench> pushes_;   ///< Forces of propulsors, then of rudders.
     bool has_losses_ = false;
     std::vector<FedLine> lines_;
     std::unique_ptr<Control> control_;  ///< Null: VesselControl::active is false.

@@ -21,7 +21,8 @@
 
 namespace hawser::wire {
 
-/// Return the holding torque against wire that runs in, divided by that against wire that runs out.
+/// Return the ratio of the holding torques: against wire that runs in to against wire that runs
+/// out.
 /// @param friction  μ [1].
 /// @param angle  β [rad].
 [[nodiscard]] inline double band_ratio(double friction, double angle) noexcept {

@@ -151,7 +151,8 @@ double allowed(const CatenaryDef& def, const Chain& chain, const Catenary& shape
     return def.tolerance * weight + 16.0 * std::numeric_limits<double>::epsilon() * far * stiffest;
 }
 
-/// Iterate node weights by the wet fractions of half elements in the resulting shape.
+/// Repeat the solution with node weights from the wetted fractions of half elements in the last
+/// shape.
 /// @return true if converged; the wet part of a floating wire may alternate.
 bool update_wet_weights(const CatenaryDef& def, Chain& chain, const Frame& f, Solved& solved) {
     constexpr int kIterations = 60;
@@ -175,7 +176,7 @@ Plane straight(const CatenaryDef& def, const Chain& chain, const Frame& f) {
     return out;
 }
 
-/// Return true if slack elements between two ends leave the shape undetermined.
+/// Return true if slack elements between two held ends leave the shape undetermined.
 bool stays_slack(const CatenaryDef& def, const Plane& shape) { return !def.free && shape.slack; }
 
 }  // namespace

@@ -38,13 +38,14 @@ struct Chain {
 struct WetHalves {
     std::vector<double> first, last;
 };
-/// Sum the weights of half elements at the nodes, less the buoyancy of their wet fractions.
+/// Compute the weights of the nodes: the weights of their half elements, less the buoyancy of the
+/// wetted fractions.
 /// @return the largest change of a weight [N].
 double weigh_nodes(Chain& chain, const WetHalves& wet);
 /// Return the chain in reversed order, counted from its last end.
 [[nodiscard]] Chain reversed(const Chain& chain);
 
-/// Return the rounding error of the sums of its chords for ends at this distance [m].
+/// Return the rounding error of the sum of the chords of a chain whose ends have this distance [m].
 [[nodiscard]] double rounding(const Chain& chain, double distance) noexcept;
 
 /// A shape in the plane. y is sideways, for parts that lie in an arc.
@@ -66,7 +67,8 @@ struct Pulled {
                                        double v) noexcept;
 
 /// Return a polyline with given element lengths from the origin to (chord, 0), as an arc of
-/// constant curvature towards positive y. If it cannot close, the elements are shortened.
+/// constant curvature towards positive y. If no arc of these lengths reaches (chord, 0), the
+/// elements are shortened.
 [[nodiscard]] std::vector<Vec3> arc(std::span<const double> lengths, double chord);
 
 }  // namespace hawser::wire

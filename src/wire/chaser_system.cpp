@@ -90,8 +90,8 @@ PointOnWire ChaserSystem::nearest_wire_point(const World& world) const {
                            [](const InteractionDef& d) { return d.get("mass") > 0.0; });
 }
 
-/// Close the ring on the nearest wire. The eye is where the wire passes, so the wire is not pulled
-/// to it.
+/// Close the ring on the nearest wire. The eye is placed on the wire, so that closing causes no
+/// force.
 void ChaserSystem::close_on_wire(NodeEdits& nodes) {
     const World& world = nodes.world;
     if (wait_ > 0) {

@@ -29,7 +29,7 @@ InteractionId element_on_drum(const World& world, const DrumFeedDef& def) {
     return id;
 }
 
-/// Check that nodes can be made. @throws DefError
+/// Check that nodes can be inserted in the element at the drum. @throws DefError
 void check_nodes(const World& world, const DrumFeedDef& def, InteractionId line) {
     if (!(def.element > 0.0 && std::isfinite(def.element)))
         throw_feed_error(def,

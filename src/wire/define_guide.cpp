@@ -54,8 +54,7 @@ InteractionId nearest_element(const World& world, const GuideDef& def) {
     return best;
 }
 
-/// Return the elements that already have its slide.
-/// @throws DefError
+/// Return the elements of the guide that are already attached to its slide. @throws DefError
 Guide find_existing_guide(const World& world, const GuideDef& def) {
     Guide out;
     out.slide = def.slide;
@@ -238,7 +237,7 @@ DrawnWire wire_on_drum(const World& world, WireId wire, InteractionId element) {
     return {direction(before ? k - 1 : k), direction(behind ? k + 1 : k)};
 }
 
-/// Scale both parts to a rest length [m] that they have together.
+/// Scale the rest lengths of both parts so that their sum is `length` [m].
 void set_rest_length(GuidePlan& plan, double length) {
     const double scale = length / (plan.material[0] + plan.material[1]);
     for (InteractionDef* part : {&plan.before, &plan.behind}) {

@@ -31,8 +31,8 @@ void check_number(const ResolutionDef& def, const char* quantity, double value, 
                                  number(least) + " to " + number(most));
 }
 
-/// Return the line types of a wire's Stretch elements; empty: no element has a mass. Elements of
-/// one EA are of two types if their masses per length differ by more than rounding.
+/// Return the line types of a wire's stretch elements; empty if no element has a mass. Elements of
+/// equal EA have two line types if their masses per length differ by more than rounding.
 std::vector<wire::WireResolution::Line> line_types_of_wire(const World& world, WireId wire) {
     struct Sum {
         double EA, mass, length;

@@ -24,7 +24,7 @@ constexpr double kPi = 3.14159265358979323846;
 /// limits: the force that accelerates the slide, and rounding.
 constexpr double kSlideMass = 1e-6;
 
-/// An end or place of the line.
+/// An end or a turning point of the line.
 struct Corner {
     BodyId body{}, slide{};
     Vec3 point = Vec3::Zero();  ///< In the body's frame.
@@ -156,7 +156,7 @@ std::vector<double> contact_arcs(const RouteDef& def, const std::vector<Corner>&
 
 /// Return the interaction of a part between two corners.
 /// @param lies  Stretched length with half of the arcs at its ends [m].
-/// @param own  Its length without tension [m].
+/// @param own  Rest length [m].
 /// @param to_end  True if the line ends behind the part.
 InteractionDef line_part(const RouteDef& def, const Corner& a, const Corner& b,
                          const Straight& straight, double lies, double own, bool to_end) {
@@ -213,10 +213,10 @@ RouteBodies route_bodies(const World& world, const RouteDef& def) {
 
 /// Return the mass of a slide in units of the lightest body.
 ///
-/// The acceleration of a slide is a difference of tensions over its mass, so its rounding is ε T/m.
-/// With much friction the tensions T₁ ≪ T₂ at a place differ by up to e^{μδ}, and rounding of the
-/// heavy end would move the slide of the light end. So the mass grows in proportion from a ratio of
-/// 10⁴ on, up to a thousandth of the lightest body.
+/// The acceleration of a slide is a difference of tensions divided by its mass, so its rounding
+/// error is ε T/m. With much friction the tensions T₁ ≪ T₂ at a turning point differ by a factor of
+/// up to e^{μδ}, and rounding of T₂ would move the slide at the light end. For ratios above 10⁴ the
+/// mass therefore grows in proportion, up to a thousandth of the lightest body.
 double slide_mass(const RouteDef& def, const RouteBodies& bodies, double lightest,
                   double heaviest) {
     constexpr double kRatio = 1e4, kMaximum = 1e-3;

@@ -124,8 +124,8 @@ InteractionId wound_end(const World& world, const WinchDef& def) {
     return id;
 }
 
-/// Return the length of the elements that it pays out [m]; 0: it makes no nodes.
-/// @throws DefError
+/// Return the length of the elements that the winch inserts [m]; 0: it inserts no nodes. @throws
+/// DefError
 double feed_element_length(const World& world, const WinchDef& def) {
     const auto elements = world.wires().elements(def.wire);
     const InteractionId at_drum = def.end == 0 ? elements.front() : elements.back();

@@ -51,9 +51,10 @@ double DrumFeedSystem::paid_out(const World& world, InteractionId element) const
     return line.get("radius") * (world.pose(line.body[2]).position.x() - start_);
 }
 
-/// Return the rest length at which hauling stops [m]. The swing of a load below the drum turns by
-/// at most hω = h √(g/l) = 0.1 rad per step at an amplitude of 1 rad. A shorter element would turn
-/// faster than a step follows, and its length would grow by (5/4)(hω)² l without a force.
+/// Return the rest length l at which hauling stops [m]. It is chosen so that a load that swings
+/// below the drum turns by at most hω = h √(g/l) = 0.1 rad per step at an amplitude of 1 rad. A
+/// shorter element would turn faster than a step resolves, and its length would grow by (5/4)(hω)²
+/// l without a force.
 double DrumFeedSystem::min_hauled_length(const World& world, double length) const noexcept {
     const double least = kLeastOfDrumElement * length;
     if (!makes_nodes()) return least;  // version 1 of scenes: one element, whose stop stays
@@ -63,7 +64,8 @@ double DrumFeedSystem::min_hauled_length(const World& world, double length) cons
     return std::max(least, std::min(swings, kMostOfElement * def_.element));
 }
 
-/// Brake a drum that hauls while its element is at the least length, and report the first step.
+/// Brake a drum that hauls while its element has the least length. Report the first step in which
+/// this happens.
 void DrumFeedSystem::stop_at_fairlead(Prestep& now, Loads& loads,
                                       const InteractionDef& line) noexcept {
     const World& world = now.world;

@@ -12,7 +12,8 @@ namespace {
 /// Tolerance of a quotient that is a whole number except for rounding.
 constexpr double kRounding = 1e-9;
 
-/// Return a quotient as a whole number, at most the largest count of layers or wraps; NaN gives 0.
+/// Return a quotient rounded down to an integer, limited to the largest count of layers or wraps; 0
+/// if it is NaN.
 int integer_part(double quotient) noexcept {
     const double whole = std::floor(quotient + kRounding);
     return whole >= 0.0 ? static_cast<int>(std::min(whole, 1.0 * DrumGeometry::kMaxLayers)) : 0;

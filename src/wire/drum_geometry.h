@@ -6,8 +6,7 @@
 /// ```
 ///      flange          layer k turns at r_k = R + d/2 + (k − 1) p
 ///        |  o o o o o  |   k = 2    d  diameter of the wire
-///        | o o o o o o |   k = 1    p  pitch of the layers: d, or √3/2 d where wires lie in
-///        grooves
+///        | o o o o o o |   k = 1    p  pitch of layers: d, or √3/2 d in grooves
 ///        |=============|   - - R    R  radius of the bare drum
 ///        |<---- w ---->|   n = ⌊w/d⌋ wraps a layer
 /// ```
@@ -17,7 +16,7 @@
 /// ```
 /// The length L on the drum ends in the first layer K with S(K) ≥ L. A wrap is a ring of round wire
 /// with the moment of inertia ρ 2π r (r² + 3 d²/16) about the drum's axis (a torus: m (r² + ¾ a²),
-/// a = d/2). The wire on the drum has the sum over its wraps.
+/// a = d/2). The moment of inertia of the wire on the drum is the sum over its wraps.
 ///
 /// At a flange the wire climbs from one layer to the next. Over the wire of one wrap, half before
 /// the end of the layer and half behind, the radius at which it leaves (leaving_radius()) changes
@@ -58,15 +57,15 @@ struct DrumGeometry {
         /// Position of the level wind along the axis from the middle, −w/2 to w/2 [m].
         double across = 0.0;
     };
-    /// Find the end of a length of wire.
+    /// Find the layer and wrap in which the end of a stored length of wire lies.
     /// @param length  [m]; negative lengths and NaN count as 0. Lengths beyond the capacity fill
     ///        further layers, up to kMaxLayers.
     [[nodiscard]] Place wire_end(double length) const noexcept;
-    /// Return the radius at which the wire leaves the drum with a length on it [m].
+    /// Return the radius at which the wire leaves the drum while `length` is stored on it [m].
     [[nodiscard]] double leaving_radius(double length) const noexcept;
-    /// Return the angle by which the drum turns from empty to a length [rad].
+    /// Return the angle by which the drum turns from empty to a stored length [rad].
     [[nodiscard]] double angle(double length) const noexcept;
-    /// Return the length of wire on the drum after a turn from empty [m].
+    /// Return the length of wire on the drum after it has turned by an angle from empty [m].
     [[nodiscard]] double length(double angle) const noexcept;
     /// Return the inertia of the wire on the drum about its axis [kg m²].
     /// @param mass_per_length  [kg/m].

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file end_stops.h
-/// End stops of lines at the place that they run through (hawser/route.h, stop_ends()).
+/// End stops of lines at their last turning point (hawser/route.h, stop_ends()).
 ///
 /// ```
 ///     end ●──── part ────(o)═══ line ═══      rest length of the part:  l = l₀ + r (q − q₀)
-///                       place, slide q
+///                       point, slide q
 /// ```
 /// If a step would end with l + r q̇ h < ε l₀ (ε = 1 %) while the line runs out, the slide receives
-/// the damping D = T/v. It balances the tension T at the speed v = 1e-6 m/s, so the slide stands.
-/// It runs back freely. There is no state: the condition follows from coordinate and speed of the
-/// slide.
+/// the damping D = T/v. It balances the tension T at the speed v = 1e-6 m/s, so the slide is
+/// almost at rest. The damping does not act when the line runs back. The stop has no state: its
+/// condition follows from coordinate and speed of the slide.
 
 #include <hawser/system.h>
 

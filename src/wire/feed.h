@@ -25,12 +25,12 @@ inline constexpr double kGrown = 1.5, kShrunk = 0.25;
 /// @param fallback  Slot if neither end is a node.
 [[nodiscard]] std::size_t node_slot(const World& world, InteractionId line, std::size_t fallback);
 
-/// Return the weight of some material of the element, from the loads on its node other than
-/// interactions [N].
+/// Return the weight of material of the element with a given mass, from the forces on its node
+/// other than those of interactions [N].
 /// @param mass  [kg]
 [[nodiscard]] Vec3 weight_at(const World& world, InteractionId line, std::size_t node, double mass);
 
-/// Load both ends with the element's halves.
+/// Apply the loads of the two halves of the element to its ends.
 /// @param half  Mass of one half [kg].
 /// @param held  Attachment of the end without a node, from the centre of its body, world frame [m].
 void load_ends(const World& world, Loads& loads, InteractionId line, std::size_t node, double half,
@@ -45,8 +45,8 @@ struct ElementAtDrum {
     double material = 0.0;         ///< Unstretched length of the element [m].
 };
 
-/// Load both ends of the element with half of its mass, weight and drag each. Load the drum with
-/// the weight along the wire.
+/// Apply half of the mass, weight and drag of the element at the drum to each of its ends. Apply
+/// the component of the weight along the wire to the drum.
 /// @param node  Slot of the element's first node, from node_slot().
 void load_element(const World& world, Loads& loads, const ElementAtDrum& element, std::size_t node);
 
@@ -62,7 +62,7 @@ struct Feed {
 };
 
 /// Insert a node on the element.
-/// @param at  Material of the element [m]; the node reduces it.
+/// @param at  Material length of the element [m], which the node reduces.
 /// @return true if a node was inserted.
 bool insert_feed_node(NodeEdits& nodes, const Feed& feed, double there, double& at) noexcept;
 

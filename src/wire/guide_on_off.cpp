@@ -13,7 +13,7 @@ namespace {
 
 /// Factor of GuideDef::element_length. A released element with more material is divided by a node.
 constexpr double kLongLifted = 1.5;
-constexpr double kEndFraction = 0.25;  ///< Least share of the element beside that node.
+constexpr double kEndFraction = 0.25;  ///< Minimum fraction of the element next to that node.
 
 }  // namespace
 

@@ -14,7 +14,7 @@ namespace hawser::wire {
 /// @param def  Values that hold for all wires.
 [[nodiscard]] std::unique_ptr<GuideSystem> bare_guide(GuideDef def);
 
-/// Engage def.element with a guide. All of its mass is then on one side or the other, except the
+/// Engage def.element with a guide. Its mass is divided between the parts on both sides, except the
 /// mass that nodes keep.
 /// @param speed  Speed of the wire through the guide, from its first end [m/s].
 /// @return null if it was rejected and nothing has changed.
@@ -22,8 +22,8 @@ namespace hawser::wire {
 [[nodiscard]] std::unique_ptr<GuideSystem> engage_guide(NodeEdits& nodes, GuideDef def,
                                                         double speed);
 
-/// Join both parts to one element, lifted_element() (lift.h). Divide a long one by a node. The
-/// system of the guide must no longer refer to the parts.
+/// Join both parts of a guide to one element, lifted_element() (lift.h). A long element is divided
+/// by a node. The system of the guide must not refer to the parts any more.
 /// @param made  Out, unless null: the element.
 /// @return false if it was rejected.
 [[nodiscard]] bool disengage_guide(NodeEdits& nodes, const GuideSystem& guide,

@@ -1,31 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Guides without an upper roller: the wire leaves if it would pull at the wheel, and returns.
 ///
-/// *Leaving.* Seen along the axis, the wire turns by α on the wheel; T is its tension, w the weight
-/// of the half elements there towards the wheel. The wheel presses with T α + w for small α. If α <
-/// −kLetGo and T (α + kLetGo) + w < 0 it would have to pull, and the wire leaves, as at a bollard.
+/// *Leaving.* The wire turns about the axis by α on the wheel. T is its tension, w the component of
+/// the weight of the adjacent half elements towards the wheel. The wire presses on the wheel with
+/// T α + w for small α. If α < −kLetGo and T (α + kLetGo) + w < 0, the wheel would have to pull,
+/// and the wire leaves, as at a bollard.
 ///
-/// The two parts become one element again, with a node where the wheel was. They keep their rest
-/// length and their momentum (world/wheel_momentum.h).
+/// The two parts become one element again, with a node at the former position of the wheel. Rest
+/// length and momentum of the parts are conserved (world/wheel_momentum.h).
 ///
-/// *Coming back.* Take the point of each element that is nearest to the axis. Let d be its distance
-/// on the side on which the wire lies on the wheel:
+/// *Return.* For the point of each element that is nearest to the axis, d is the distance from the
+/// axis towards the side of the wheel on which the wire lies:
 /// ```
 ///         u ►         d: from the centre, along outward = sgn(R) u × axis
 ///     ────┬────
 ///      .-'┆d'-.       g = d − R
 ///     (   c    )
 /// ```
-/// Let g be the gap at the present poses, ġ its rate. The wire is laid on at the first pose with
-/// g ≤ 0, and −g ≤ h|ġ|, beside the guide's point by no more than kBeside R. The parts keep the
-/// rest length of the element. With elements of length l the path over the wheel is longer than the
-/// wire by about g²/l, which is stretch. A wire that passes under the wheel stays there. A node at
-/// the wheel goes first; the parts get the rest length that its removal took away.
+/// Let g be the gap at the present poses, ġ its rate. The wire engages at the first pose with g ≤ 0
+/// and −g ≤ h|ġ|, if its axial distance from the guide's point is at most kBeside R. The parts get
+/// the rest length of the element. With elements of length l the path over the wheel is longer than
+/// the wire by about g²/l, which stretches the wire. A wire that has passed under the wheel does
+/// not engage. A node at the wheel is removed first; the parts get the rest length that its
+/// removal subtracts.
 ///
-/// *Landing.* A string that falls across on a pin is at rest out to c t after a time t, c = √(T/ρ).
-/// Steps with c h above an element do not resolve that. Nodes within c h are therefore damped
-/// across the wire, with a time of h/kStops, for kLanding steps. The body of the guide gets their
-/// momentum. Steps that resolve the landing have no node within c h.
+/// *Landing.* If a string falls on a pin, the piece within c t of the pin is at rest after the time
+/// t, c = √(T/ρ). Steps with c h longer than an element do not resolve this. The transverse motion
+/// of nodes within c h is therefore damped with the time constant h/kStops for kLanding steps. The
+/// body of the guide receives their momentum. If the steps resolve the landing, no node lies
+/// within c h.
 #include "wire/guide_on_off.h"
 #include "wire/lift.h"
 
@@ -39,21 +42,21 @@
 namespace hawser::wire {
 namespace {
 
-constexpr double kLetGo = 2e-3;       ///< Angle that does not count [rad].
-constexpr double kDeep = 0.1;         ///< Share of the element: deeper wires pass under the wheel.
-constexpr double kBeside = 2.0;       ///< Share of the radius.
-constexpr double kAtNode = 0.06;      ///< Share of an element: its node is at the wheel.
-constexpr double kMaxBend = 3.2;      ///< A node at the wheel goes however the wire is bent.
-constexpr std::int32_t kLanding = 3;  ///< Steps.
-constexpr double kStops = 3.0;        ///< In a step of landing exp(−kStops) is left of a speed.
+constexpr double kLetGo = 2e-3;       ///< Amount of the angle at release [rad].
+constexpr double kDeep = 0.1;         ///< Maximum depth over element length [1].
+constexpr double kBeside = 2.0;       ///< Maximum axial offset over the radius [1].
+constexpr double kAtNode = 0.06;      ///< Fraction of an element near its node [1].
+constexpr double kMaxBend = 3.2;      ///< Above π: no bend prevents removal [rad].
+constexpr std::int32_t kLanding = 3;  ///< Steps of landing with damped nodes.
+constexpr double kStops = 3.0;        ///< A step of landing multiplies speeds by exp(−kStops).
 
-/// Where a piece of a wire passes a wheel.
+/// Position at which a piece of a wire passes a wheel.
 struct Passing {
     InteractionId element{};
-    double fraction = 0.0;      ///< Position on the element, 0 to 1.
-    double gap = 1e300;         ///< Beyond the wheel's radius, outwards [m].
-    double rate = 0.0;          ///< Rate of the gap [m/s].
-    double length = 0.0;        ///< Length of the element [m].
+    double fraction = 0.0;  ///< Position on the element, 0 to 1.
+    double gap = 1e300;     ///< Distance from the axis minus the radius of the wheel, outwards [m].
+    double rate = 0.0;      ///< Rate of the gap [m/s].
+    double length = 0.0;    ///< Length of the element [m].
     double axial_offset = 0.0;  ///< From the guide's point, along the axis [m].
 };
 
@@ -86,8 +89,9 @@ Piece wire_piece_at(const World& world, InteractionId id) {
     return {at, {speed_at_point(world, d.body[0], at[0]), speed_at_point(world, d.body[1], at[1])}};
 }
 
-/// Return the point of a piece nearest to the axis, seen along the axis. Its side of the wheel is
-/// the side of the piece; at an end, that of the nearer neighbour.
+/// Return the point of a wire piece nearest to the axis of the wheel, seen along this axis. The
+/// side of the wheel is that of the piece. If the point is an end of the piece, it is that of the
+/// nearer neighbour.
 Passing passing(const Piece& piece, const Wheel& wheel) {
     const Vec3 d = piece.at[1] - piece.at[0], from = piece.at[0] - wheel.centre;
     const auto flat = [&wheel](const Vec3& x) -> Vec3 {
@@ -110,8 +114,8 @@ Passing passing(const Piece& piece, const Wheel& wheel) {
             .axial_offset = at.dot(wheel.axis)};
 }
 
-/// Return the element of a wire that passes the wheel nearest, seen along its axis; invalid if
-/// there is none.
+/// Return the element of a wire with the smallest distance to the wheel, seen along its axis;
+/// invalid if there is none.
 Passing nearest_passing(const World& world, const GuideDef& def, const Wheel& wheel) {
     Passing best;
     for (const InteractionId id : world.wires().elements(def.wire)) {
@@ -133,7 +137,7 @@ bool wire_met_wheel(const Passing& at, double step) {
     return at.gap - step * at.rate > 0.0 || at.gap > -kDeep * at.length;
 }
 
-/// Return the straight piece of wire that results from removing the node between two elements.
+/// Return the straight piece that would replace two elements if the node between them were removed.
 Piece without_node(const World& world, InteractionId before, InteractionId behind) {
     const Piece first = wire_piece_at(world, before), second = wire_piece_at(world, behind);
     return {{first.at[0], second.at[1]}, {first.speed[0], second.speed[1]}};

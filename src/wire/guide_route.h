@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file guide_route.h
-/// A guide as a route (hawser/route.h) of one place: the line between the ends of the element that
-/// passes it.
+/// A guide as a route (hawser/route.h) with one turning point: the line between the ends of the
+/// element that passes it.
 
 #include <hawser/guide.h>
 
@@ -63,8 +63,8 @@ inline std::string turning_angle_error(const GuideDef& def, const InteractionDef
            "nodes of the wire";
 }
 
-/// Return the message of a guide from that of its route: "route: places/0: radius: …" becomes
-/// "radius: …".
+/// Return the message of a guide without the path of its route: "route: places/0: radius: …"
+/// becomes "radius: …".
 inline std::string without_route(const std::string& text) {
     for (const char* lead : {"places/0: ", "route: "})
         if (const auto at = text.find(lead); at != std::string::npos)

@@ -134,7 +134,7 @@ double GuideSystem::straight(const World& world, std::size_t side) const noexcep
     return std::sqrt(std::max(0.0, separation - def_.radius * def_.radius) + along * along);
 }
 
-/// Sample the result of the last step before nodes are inserted or removed.
+/// Read the result of the last step, before nodes are inserted or removed.
 void GuideSystem::sample(const World& world) noexcept {
     if (has_run_off()) {
         tension_ = {};
@@ -192,7 +192,7 @@ double GuideSystem::pressing(const World& world, double slack) const noexcept {
     return 0.5 * (tension_[0] + tension_[1]) * (angle_ + slack) - weight.dot(outward);
 }
 
-/// Load the ends with the mass of the elements at the guide that no node carries.
+/// Apply the mass, weight and drag of the elements at the guide that no node carries to their ends.
 void GuideSystem::load_end_masses(const World& world, Loads& loads) const noexcept {
     if (!(def_.element_length > 0.0) || parted_ != 0) return;
     double moved = 0.0, pull = 0.0;
@@ -219,8 +219,8 @@ bool GuideSystem::is_nearly_used_up(const World& world, std::size_t side) const 
     return std::min(straight(world, side), material_[side]) < least && runs_out(side);
 }
 
-/// Hold the slide at the end of a side until it is pulled the other way. If the wire has broken at
-/// the guide, it is held, because no force balances its other part.
+/// Hold the slide when a side is used up, until the force pulls it the other way. If the wire has
+/// broken at the guide, hold the slide permanently, because no force balances the intact part.
 void GuideSystem::stop(Prestep& now) noexcept {
     if (has_run_off()) return;
     if (parted_ != 0) {

@@ -34,16 +34,17 @@ namespace hawser::wire {
 
 class GuideSystem final : public System {
   public:
-    /// Create the system.
+    /// Create the system of a guide.
     /// @param material  Material of the elements before and behind [m].
     /// @param stop  Input: friction force in addition to that of the angle.
     GuideSystem(GuideDef def, const Guide& ids, InputId stop,
                 const std::array<double, 2>& material);
-    /// Visit the data that vary for a guide of a bollard: the wire on it and its geometry.
+    /// Call the visitor for the data of a guide at a bollard that vary: the wire on it and its
+    /// geometry.
     void visit_geometry(StateVisitor& visitor);
     /// Check the numbers of visit_geometry().
     void check_position(const World& world, StateRules& rules) const;
-    /// Start with the wire running through at a speed [m/s].
+    /// Start with a wire that runs over the guide at a speed [m/s].
     void begin_at(double speed) noexcept { speed_ = speed; }
 
     [[nodiscard]] const GuideDef& def() const noexcept { return def_; }
@@ -53,16 +54,16 @@ class GuideSystem final : public System {
     [[nodiscard]] double angle() const noexcept { return angle_; }
     [[nodiscard]] double slide() const noexcept { return slide_; }
     [[nodiscard]] double speed() const noexcept { return speed_; }
-    /// True if the guide no longer acts: the wire has broken in it or run off.
+    /// True if the guide does not act any more, because the wire has broken at it or has run off.
     [[nodiscard]] bool parted() const noexcept { return parted_ != 0; }
     [[nodiscard]] bool has_run_off() const noexcept { return parted_ >= kRunsOff; }
     /// True if the wire has left a guide without upper roller; it may return.
     [[nodiscard]] bool lifted() const noexcept { return parted_ == kLifted; }
-    /// Return the side that is used up: 0 before it, 1 behind it; −1: none.
+    /// Return the side of the wire that is used up, 0: before the guide, 1: behind it; −1: none.
     [[nodiscard]] int used_up_side() const noexcept { return stopped_; }
     /// Return the force by which the wire presses on the wheel, for small angles [N]: its tension
     /// times the angle, plus the weight of the half elements towards the wheel. Negative if the
-    /// wheel would have to pull.
+    /// wheel would have to pull the wire.
     /// @param slack  Angle treated as straight [rad].
     [[nodiscard]] double pressing(const World& world, double slack) const noexcept;
 
@@ -72,8 +73,8 @@ class GuideSystem final : public System {
         double by = 0.0;           ///< Displacement of the wire along the axis [m].
         bool reached_end = false;  ///< True if the wire would leave its range; it has not moved.
     };
-    /// Move the wire along the axis if it pulls by more than friction holds (sideways.h). Call
-    /// after before_step().
+    /// Move the wire along the axis of the bollard if its sideways pull exceeds friction
+    /// (sideways.h). Call after before_step().
     /// @param room  Range down and up the axis [m].
     Sideways slide_sideways(NodeEdits& nodes, const std::array<double, 2>& room) noexcept;
 
@@ -102,16 +103,16 @@ class GuideSystem final : public System {
     [[nodiscard]] bool runs_out(std::size_t side) const noexcept {
         return (side == 0 ? -speed_ : speed_) < 0.0;
     }
-    /// Return true if a side is nearly used up and still running out.
+    /// Return true if a side is nearly used up and the wire still runs out of it.
     [[nodiscard]] bool is_nearly_used_up(const World& world, std::size_t side) const noexcept;
     /// Release a wire from the guide if its end has reached the turning point.
     void release_at_end(NodeEdits& nodes) noexcept;
-    /// Release a wire that would pull at a guide without upper roller, and accept one that returns
-    /// (guide_open.cpp).
+    /// Disengage a wire that would pull at a guide without upper roller, and engage it again when
+    /// it returns (guide_open.cpp).
     void update_lift(NodeEdits& nodes) noexcept;
     void return_to_wheel(NodeEdits& nodes) noexcept;
-    /// Lay the wire back on the guide. @param along  Speed of the wire [m/s]. @param kept  Rest
-    /// length next to the element's [m].
+    /// Engage the wire with the guide again. @param along  Speed of the wire [m/s]. @param kept
+    /// Rest length next to the element's [m].
     bool reengage(NodeEdits& nodes, InteractionId element, double along, double kept);
     /// Damp a wire that lands on an open guide, in steps that do not resolve the landing.
     void damp_landing(const World& world, Loads& loads) noexcept;

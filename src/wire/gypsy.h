@@ -1,29 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file gypsy.h
-/// Chain on a wheel with pockets, and how it jumps.
+/// Chain on a wheel with pockets, and jumps of the chain.
 ///
 /// ```
-///   outboard, T  ___        A pocket holds the link that lies flat, the next one stands between
-///   two
-///    o-0-o-0-o-/ o  \       pockets: a turn pays out n 2p, n pockets and p the pitch of a link, so
-///              |  +  o      that r = n p/π. The chain is a scalar body of its own, θ_c beside θ_w
-///               \_ o/       of the wheel; s = r (θ_c − θ_w) is how far it has jumped.
+///   outboard, T  ___        A flat link lies in a pocket, the next link stands between two
+///    o-0-o-0-o-/ o  \       pockets. A turn pays out n 2p (n pockets, pitch p of a link), so
+///              |  +  o      r = n p/π. The chain is a scalar body with the angle θ_c, the wheel
+///               \_ o/       has the angle θ_w. The chain has jumped by s = r (θ_c − θ_w).
 ///                 0
 ///                 o         The fall into the locker: its weight T_0 = ρ g fall pulls inboard, and
 ///                 0         ρ v² while chain is taken from the heap (Cayley).
 ///              8o8o8o8
 /// ```
 /// The grip is the row of a scalar_clutch: r (θ_c − θ_w)' = u, with a range of forces.
-/// - *Seated*, s a whole number of pockets: u = 0, |F| ≤ jump_load. So it jumps at T − T_0 =
-///   jump_load, less the force that accelerates the chain on the wheel, in the step that reaches
-///   it.
-/// - *Between pockets*: links slide on the wheel with friction, u = 0 and |F| ≤ jump_friction.
-///   Below that they rest.
+/// - *Seated*, s a whole number of pockets: u = 0, |F| ≤ jump_load. The chain jumps in the step in
+///   which T − T_0, minus the force that accelerates the chain on the wheel, reaches jump_load.
+/// - *Between pockets*: u = 0 and |F| ≤ jump_friction. Links slide on the wheel at the bound and
+///   rest below it.
 /// - *Near the next pocket*, with T − T_0 ≤ jump_load: u moves them to its middle within the step,
-///   with any force that holds back and none that pushes. They fall into the pocket, and the next
-///   step removes their velocity against the wheel. Above jump_load they pass on to the next
-///   pocket.
+///   with an unlimited force that brakes and no force that pushes. The links fall into the pocket,
+///   and the next step removes their velocity relative to the wheel. Above jump_load they move on
+///   to the next pocket.
 ///
 /// The work of the row counts as driven, like that of motors.
 
@@ -66,7 +64,7 @@ class GypsyChain {
     /// neither.
     [[nodiscard]] double sample(double separation, double rate, double torque,
                                 double pull) noexcept;
-    /// Return the order for a step of h [s] that begins.
+    /// Return the order for the grip in the next step of h [s].
     [[nodiscard]] GripOrder order(double h) const noexcept;
     [[nodiscard]] bool jumps() const noexcept { return jumping_ != 0; }
     void visit_state(StateVisitor& v);

@@ -15,13 +15,14 @@ struct EndNodes {
     int count = 0;
 };
 [[nodiscard]] EndNodes end_nodes(const World& world, const InteractionDef& element);
-/// Return the mass that nodes kept of their halves of an element that was laid over a guide between
-/// two of them [kg].
+/// Return the mass that the nodes at both ends kept when an element between them was divided by a
+/// guide [kg].
 /// @param mass  Mass of the element [kg].
 [[nodiscard]] double mass_kept_by_nodes(const EndNodes& before, const EndNodes& after, double mass);
 
-/// Create slide, parts and friction of a guide, all or nothing, except if memory is exhausted.
-/// @param def  Receives the values that were left to defaults.
+/// Create slide, parts and friction of a guide. If one of them is rejected, nothing is created,
+/// except if memory is exhausted.
+/// @param def  Receives the default values.
 /// @param speed  Speed of the wire along itself [m/s].
 /// @param material  Lengths of the parts [m].
 /// @param drawn  True: compare the side of the wheel with the drawn wire. Otherwise, on an open
@@ -30,7 +31,7 @@ struct EndNodes {
 /// @throws DefError
 [[nodiscard]] Guide add_guide_parts(World& world, GuideDef& def, double speed,
                                     std::array<double, 2>& material, bool drawn = false);
-/// Add the input of its friction force in addition to that of the angle.
+/// Add an input for the friction force of a guide in addition to that of its angle of wrap.
 InputId add_stop(World& world, const GuideDef& def, const Guide& guide);
 
 }  // namespace hawser::wire

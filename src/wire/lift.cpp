@@ -25,8 +25,8 @@ bool holds_only(const World& world, BodyId lump, InteractionId a, InteractionId 
     return true;
 }
 
-/// Return the next element of the wire away from a guide; invalid if there is none or it has
-/// broken.
+/// Return the next element of the wire on a side of a guide, away from the guide; invalid if there
+/// is none or it has broken.
 InteractionId next_element(const World& world, InteractionId element, std::size_t side) {
     const auto elements = world.wires().elements(world.wires().of(element));
     const auto at = std::find(elements.begin(), elements.end(), element);

@@ -6,9 +6,9 @@
 /// ```
 ///     b ──── f ──── n ── part ──( )── part ──        n the node next to the guide
 /// ```
-/// The node before a free end b can give its mass only to b (edit/node_drum.cpp). So it does not
-/// run through, and less than an element of wire remains there. It runs off with everything
-/// attached to it.
+/// The node before a free end b can transfer its mass only to b (edit/node_drum.cpp). It therefore
+/// does not run through the guide. When less than an element of wire remains, the end b runs off
+/// the guide with everything attached to it.
 
 #include <hawser/interactions.h>
 
@@ -31,8 +31,9 @@ class GuideSystem;
 /// [m].
 [[nodiscard]] double rest_length(const World& world, InteractionId id);
 
-/// Return true if the wire beyond the part's node ends, or has one element to a free node. That
-/// node must be unattached and at most as heavy as an element: an anchor stops at a guide.
+/// Return true if the wire can run off the guide at the node of a part: the wire ends there, or has
+/// one more element to a free node. The last node must be unattached and at most as heavy as an
+/// element, because an anchor stops at a guide.
 /// @param part  Part of a wire at a guide.
 /// @param side  0: the guide is at its last end, 1: at its first.
 /// @param mass_per_length  Mass per length of the wire [kg/m].

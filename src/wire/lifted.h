@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file lifted.h
-/// The part of a wire that an end above a level bottom lifts from it.
+/// The part of a wire between the level bottom and an end above it.
 
 #include "wire/chain.h"
 
@@ -13,10 +13,11 @@ namespace hawser::wire {
 /// The part of a wire between an end and the bottom. Elements and nodes are counted from that end.
 class Lifted {
   public:
-    /// Create the lifted part.
+    /// Create the part of a chain that is lifted from the bottom.
     /// @param chain  Counted from this end; must outlive this object.
     /// @param height  Height of the end [m], ≥ 0.
-    /// @param kept  Elements at the other end that cannot hang: those that rise from under it.
+    /// @param kept  Number of elements at the other end that cannot hang, because they rise from an
+    ///        end below the bottom.
     Lifted(const Chain& chain, double height, std::size_t kept)
         : chain_(chain),
           max_lifted_(chain.elements() - kept),
@@ -32,8 +33,8 @@ class Lifted {
         double v = 0.0;           ///< Vertical pull at the end [N].
         double rise = 0.0;        ///< Height of the lowest hanging node over the bottom [m].
         std::size_t leaning = 0;  ///< Number of slack elements below that span `rise`.
-        double slack = 0.0;       ///< Their length [m].
-        double lean = 0.0;        ///< Their reach along the bottom [m].
+        double slack = 0.0;       ///< Length of the slack elements [m].
+        double lean = 0.0;        ///< Horizontal distance that they cover [m].
     };
     [[nodiscard]] const Drop& dropped() const { return drop_; }
     /// Return the number of elements off the bottom, without horizontal pull.
@@ -45,29 +46,32 @@ class Lifted {
         double z = 0.0, x = 0.0, x_h = 0.0, x_v = 0.0, z_v = 0.0;
         std::size_t count = 0;
     };
-    /// Sum up the lifted part.
+    /// Compute the sums over the elements of the lifted part.
     /// @param h  Horizontal pull [N].
     /// @param v  Vertical pull at the end, from base() [N].
     [[nodiscard]] Sums sum_elements(double h, double v) const;
 
-    /// Find the vertical pull at the end, from base(), that gives its height [N].
+    /// Find the vertical pull at the end for which the end has its height, starting from base()
+    /// [N].
     double match_height(double h);
 
-    /// Return the vertical pull at the end from which the others are counted [N].
+    /// Return the reference for vertical pulls at the end: the values v of this class are relative
+    /// to it [N].
     [[nodiscard]] double base() const { return base_; }
     /// Return the vertical pull of element e for a pull v of the end [N].
     [[nodiscard]] double pull_at(std::size_t e, double v) const { return v + fall_[e]; }
-    /// Write the shape without horizontal pull: hanging elements, and slack ones that lean by
+    /// Write the shape without horizontal pull: hanging elements, and slack elements inclined by
     /// `lean`.
     void write_dropped(double lean, std::vector<Vec3>& chord, std::vector<double>& tension) const;
-    /// Write chords of its elements, downwards from the end, and tensions; v from base().
+    /// Write the chords of the elements, downwards from the end, and their tensions. v is relative
+    /// to base().
     void write(double h, double v, std::vector<Vec3>& chord, std::vector<double>& tension) const;
 
   private:
     void drop();
 
-    /// Count pulls from the lowest hanging element. Near a fold their last digits decide, and the
-    /// sum of all weights loses digits.
+    /// Set base() so that pulls are relative to that of the lowest hanging element. Near a fold
+    /// their last digits decide, and the sum of all weights loses digits.
     void count_from_below();
 
     const Chain& chain_;

@@ -2,7 +2,7 @@
 #pragma once
 /// @file pin_system.h
 /// System of a guide pin (hawser/pin.h). It moves the pin to the requested height at its speed.
-/// Near the target it moves by half of the remaining way per step, until 1 mm remains.
+/// Near the target it moves by half of the remaining distance per step, until 1 mm remains.
 
 #include <hawser/pin.h>
 #include <hawser/system.h>

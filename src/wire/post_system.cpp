@@ -25,8 +25,8 @@ constexpr double kBentOnPost = 3.2;  ///< Bend limit: a node on a bollard is rem
 /// Consecutive samples with contact after which a wire engages.
 constexpr std::int32_t kSteady = 3;
 constexpr std::int32_t kWait = 15;  ///< Steps.
-/// Return the element before or behind another; invalid if there is none or if a drum or guide
-/// loads it.
+/// Return the element before or behind another element; invalid if there is none, or if a drum or
+/// guide loads it.
 InteractionId neighbour(const World& world, WireId wire, InteractionId element, bool behind) {
     const auto elements = world.wires().elements(wire);
     const auto at = std::find(elements.begin(), elements.end(), element);
@@ -37,8 +37,8 @@ InteractionId neighbour(const World& world, WireId wire, InteractionId element, 
                : InteractionId{};
 }
 
-/// Return the length of elements inserted at a bollard without a defined length [m]. It is that of
-/// the touched element, or of the longest neighbour, since other bollards may have shortened the
+/// Return the length of elements to insert at a bollard that defines none [m]. It is the length of
+/// the touched element or of its longest neighbour, because other bollards may have shortened the
 /// element (room.h).
 double usual_length(const World& world, WireId wire, InteractionId element) {
     const double own = world.interaction_def(element).get("length");
@@ -161,8 +161,8 @@ void PostSystem::engage_wires(NodeEdits& nodes) {
     }
 }
 
-/// Remove a node on the bollard: one element replaces the two next to it, with its chord through
-/// the bollard. It is on the node's side of the bollard.
+/// Remove a node that lies on the bollard. One element replaces its two elements, on the node's
+/// side of the bollard; its chord passes through the bollard.
 bool PostSystem::remove_node_at(NodeEdits& nodes, Touch& touch) const {
     const World& world = nodes.world;
     const InteractionDef& d = world.interaction_def(touch.element);
@@ -208,7 +208,7 @@ double PostSystem::along(const GuideSystem& guide) const noexcept {
     return (guide.def().point - position_.centre).dot(position_.axis);
 }
 
-/// Slide a wire along the axis.
+/// Slide a wire along the axis of a bollard.
 /// @return true if the wire has reached an end of the bollard and would slide over it.
 bool PostSystem::move_along_axis(NodeEdits& nodes, std::size_t slot) noexcept {
     const double at = along(*guides_[slot]), half = position_.half_length;

@@ -50,8 +50,8 @@ PostSystem::Separation PostSystem::separation(const World& world,
     return {std::hypot(near.separation.norm(), beyond) - position_.radius, near.fraction};
 }
 
-/// Find the element of a capsule of a wire.
-/// @return false if there is none that may engage.
+/// Find the wire element that belongs to a capsule.
+/// @return false if no such element may engage.
 bool PostSystem::find(const World& world, ShapeId segment, Touch& out) const {
     const ShapeDef& capsule = world.shape_def(segment);
     if (!capsule.body_b.valid()) return false;

@@ -22,7 +22,8 @@ double WireResolution::matching_mass_per_length(const InteractionDef& element) c
     return best;
 }
 
-/// Sample elements and nodes.
+/// Read the state of all elements and nodes of the wire: chord, tension, length, mass per length
+/// and bending.
 void WireResolution::sample(const World& world) {
     const auto elements = world.wires().elements(def_.wire);
     const auto nodes = world.wires().nodes(def_.wire);

@@ -28,7 +28,8 @@ struct Surroundings {
     double friction = 0.0;         ///< Friction coefficient of the seabed [1].
 };
 
-/// Find the balance from a shape near it. The weights of the chain become those of the result.
+/// Find the equilibrium of a chain by Newton's method from a shape near it. The weights of the
+/// chain are set to those of the result.
 /// @return none if Newton's method did not reach `tolerance` [N].
 [[nodiscard]] std::optional<Plane> equilibrium_near(Chain& chain, const Plane& start,
                                                     const Surroundings& around, double tolerance);

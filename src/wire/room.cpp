@@ -18,14 +18,14 @@ constexpr double kReach = 0.2;    ///< Distance in elements within which a wire 
 constexpr double kKeeps = 0.25;   ///< The same distance if the node between already exists.
 constexpr double kMinimum = 0.2;  ///< Smallest length along the wire [m].
 
-/// Return true if the wheel of a guide is the bollard itself.
+/// Return true if a guide belongs to the bollard.
 bool is_guide_of_post(const GuideDef& guide, std::string_view post) noexcept {
     return guide.name.size() > post.size() && guide.name.starts_with(post) &&
            guide.name[post.size()] == '/';
 }
 
-/// Call f(ends, length before it, id) for the elements on a side of a guide, outwards, until f
-/// returns false.
+/// Call f(ends, length up to the element, id) for the elements on a side of a guide, in the order
+/// away from the guide, until f returns false.
 template <class F>
 void each_element(const World& world, const GuideDef& guide, InteractionId line, std::size_t side,
                   F&& f) {

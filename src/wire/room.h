@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file room.h
-/// Lengths of elements beside a guide or bollard if the next one is near.
+/// Lengths of elements next to a guide or bollard if the next one is near.
 ///
 /// Nodes run through a guide while there is an element of wire with a node on each side of it. If
-/// the next guide is nearer than two elements, the elements between them are half of the length
-/// there. If a wire passes a bollard without lying on it yet, an element with a capsule must pass
-/// it, since parts at guides have none. So a node is inserted halfway.
+/// the next guide is nearer than two elements, the elements between both guides have half of the
+/// length between them. If a wire passes a bollard that it has not engaged, the bollard can engage
+/// only an element with a capsule. Parts at guides have no capsule, so a node is inserted halfway.
 /// ```
 ///     ( A )──── part ────o──── element ────o          o nodes
 ///                  d/2       ( B )                    d from A along the wire to B
@@ -25,16 +25,16 @@ class World;
 
 namespace hawser::wire {
 
-/// A bollard as seen by a guide whose wire passes it.
+/// Data of a bollard for a guide whose wire passes the bollard.
 class PassedPost {
   public:
     struct Separation {
         /// Gap between surface and line [m]; fraction along the line, from its first end.
         double gap, fraction;
     };
-    /// Return true if a wire lies on it.
+    /// Return true if a wire lies on the bollard.
     [[nodiscard]] virtual bool carries(WireId wire) const noexcept = 0;
-    /// Find the nearest point of a line.
+    /// Return the gap between the bollard and a line, and the nearest point on the line.
     [[nodiscard]] virtual Separation separation(const World& world,
                                                 const std::array<Vec3, 2>& line) const = 0;
 
@@ -46,7 +46,7 @@ class PassedPost {
 /// Return the current length of elements on a side of a guide: GuideDef::element_length or less
 /// [m].
 /// @param line  The part on that side.
-/// @param straight  Its straight length [m].
+/// @param straight  Length of the straight piece of this part [m].
 [[nodiscard]] double element_length_at_guide(const World& world, const GuideDef& def,
                                              InteractionId line, std::size_t side, double straight);
 

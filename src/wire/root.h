@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file root.h
-/// Root of a growing function.
+/// Root of an increasing function.
 
 #include <cmath>
 
@@ -13,12 +13,12 @@ struct Growing {
     bool above = false;
 };
 
-/// Find the root of a growing function f by Newton's method within a bracket. Each step narrows the
-/// bracket, and halves it if Newton leaves it. Stop if |f| ≤ small or no number lies between the
-/// ends.
-/// @param low,high  f(low) ≤ 0 ≤ f(high).
-/// @param guess     Between them.
-/// @param positive  Arguments are ≥ 0 and may span many powers of ten.
+/// Find the root of an increasing function f by Newton's method within a bracket. Each step narrows
+/// the bracket; if Newton's step ends outside the bracket, the bracket is halved. Stop if the
+/// absolute value of f is ≤ small, or if no floating-point number lies between the ends.
+/// @param low,high  Ends of the bracket: f(low) ≤ 0 ≤ f(high).
+/// @param guess     First argument, between low and high.
+/// @param positive  True if arguments are ≥ 0 and may have very different magnitudes.
 template <class F>
 double growing_root(F&& f, double low, double high, double guess, double small, bool positive) {
     double at = guess;

@@ -9,7 +9,7 @@
 
 namespace hawser::wire {
 
-/// Reject a definition.
+/// Throw an error of a route definition.
 /// @throws DefError with the name of the route.
 [[noreturn]] void throw_def_error(const RouteDef& def, const std::string& why);
 /// Check numbers against their bounds, and bodies that can hold a line.

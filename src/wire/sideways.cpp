@@ -13,7 +13,8 @@ constexpr double kWaySolved = 1e-13;
 constexpr double kMinWay = 1e-7;  ///< Smallest displacement [m].
 /// Largest displacement in a step, as a fraction of the shorter part.
 constexpr double kMaxWay = 0.25;
-/// Relative distance inside its bound at which a place comes to rest, so that it stays.
+/// Relative distance inside the bound at which a sliding position stops, so that it sticks
+/// afterwards.
 constexpr double kInsideBound = 1e-9;
 
 double sideways_balance_slope(const Crossing& c, double s) noexcept {

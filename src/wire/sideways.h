@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file sideways.h
-/// Sliding of a wire along the axis of the surface that it lies on.
+/// Sliding of a wire on a cylinder along the axis.
 ///
-/// Seen on the unrolled surface a wire comes at the angle β₁ to the axis and leaves at β₂:
+/// On the unrolled surface a wire arrives at the angle β₁ to the axis and leaves at β₂:
 /// ```
 ///     ────────────┼──────────── axis        On a cylinder of radius R a piece ds presses with
 ///            β₂ .'│                         T sin²β/R ds and pulls sideways, in the surface and
-///        .   .'   │                         across itself, with T dβ. It stays while Coulomb's
-///          '○     │ s                       law holds that, |dβ| ≤ μ sin²β/R ds; with
+///        .   .'   │                         across itself, with T dβ. It sticks while, by
+///          '○     │ s                       Coulomb's law, |dβ| ≤ μ sin²β/R ds; with
 ///          .' β₁  │                         R dφ = sin β ds
 ///        .'       │                             |dβ/dφ| ≤ μ sin β,
 /// ```
-/// Over the whole angle φ by which it turns about the axis this gives:
+/// Integrated over the angle φ by which the wire turns about the axis, the condition is:
 /// ```
 ///     |ln tan(β₂/2) − ln tan(β₁/2)| ≤ μφ.
 /// ```
@@ -23,17 +23,17 @@
 ///     f(s) = arsinh((s − z₁)/p₁) + arsinh((s − z₂)/p₂),      |f(s)| ≤ μφ
 /// ```
 /// Here z₁ and z₂ are the positions of the nodes on both sides, p₁ and p₂ their straight parts
-/// across the axis. The function f grows with s and is 0 at the shortest path, with equal angles on
-/// both sides. If |f| exceeds the bound, the position moves towards that point until |f| = μφ,
-/// which has one solution.
+/// across the axis. The function f increases with s and is 0 at the shortest path, with equal
+/// angles on both sides. If |f| exceeds the bound, the position moves towards that point until |f|
+/// = μφ, which has one solution.
 ///
 /// Sliding adds no energy: d(path)/ds = cos β₁ − cos β₂ has the sign of f, so the path between the
-/// nodes becomes shorter. The parts keep the ratio of their tensions by rest length that passes
-/// from one to the other.
+/// nodes becomes shorter. Rest length is transferred from one part to the other, so that the
+/// ratio of their tensions does not change.
 ///
 /// Limits: friction along the wire and across it are bounded separately, each by μ times the normal
-/// force. Together they may reach √2 of it. A wire that runs along does not slide sideways more
-/// easily. The axial advance of the wire on the wheel is neglected.
+/// force. Their resultant may reach √2 times this bound. Sliding of a wire along itself does not
+/// reduce its sideways friction. The axial advance of the wire on the wheel is neglected.
 
 namespace hawser::wire {
 
@@ -58,8 +58,8 @@ struct Parts {
     double longer[2];   ///< Elongations [m]; negative: slack.
     double changes[2];  ///< Coming changes of their paths [m].
 };
-/// Return the rest length that passes from the second part to the first so that the ratio of
-/// strains is kept [m].
+/// Return the rest length to transfer from the second part to the first so that the ratio of their
+/// strains remains [m].
 [[nodiscard]] double length_to_feed(const Parts& parts) noexcept;
 
 }  // namespace hawser::wire

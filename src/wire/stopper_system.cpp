@@ -126,7 +126,7 @@ BodyId StopperSystem::node_at(NodeEdits& nodes, const PointOnWire& found) noexce
     return {};
 }
 
-/// Set the outputs of the held position.
+/// Set the outputs to the position at which the wire is held.
 void StopperSystem::report_joint(const World& world, const PointOnWire& found) noexcept {
     wire_output_ = wire_number(world, found.wire);
     at_ = 0.0;
@@ -159,7 +159,8 @@ void StopperSystem::close_on_wire(NodeEdits& nodes) noexcept {
     set_state(StopperState::closing);
 }
 
-/// Remove nodes that are no longer needed. A wire that stays bent does not keep them forever.
+/// Remove nodes that are no longer needed. A node at which the wire remains bent is removed after a
+/// time limit.
 void StopperSystem::remove_idle_nodes(NodeEdits& nodes) noexcept {
     if (++idle_steps_ % kTry != 0) return;
     const double bend = idle_steps_ > kPatience ? std::numbers::pi : kStraight;

@@ -44,9 +44,10 @@ class StopperSystem final : public System {
         return std::make_unique<StopperSystem>(def_);
     }
     [[nodiscard]] const StopperDef& def() const noexcept { return def_; }
-    /// Return the node that it holds or is about to hold; invalid: none.
+    /// Return the node that the stopper holds or is about to hold; invalid: none.
     [[nodiscard]] BodyId node() const noexcept { return node_; }
-    /// Return the node that it would hold; none if no wire is within reach.
+    /// Return the node that the stopper would hold if it closed now; none if no wire is within
+    /// reach.
     [[nodiscard]] std::optional<StopperClaim> node_to_hold(const World& world) const noexcept;
 
   private:

@@ -13,7 +13,8 @@ struct HalfForm {
     double below = 0.0;   ///< Depth of its lowest point below the node [m].
     double spread = 1.0;  ///< Height between its lowest and highest point [m].
 };
-/// Return the slope of a half element of diameter d from a node at z to its middle.
+/// Return the vertical extent and the buoyancy of a half element of diameter d, from a node at z to
+/// the middle of the element.
 [[nodiscard]] HalfForm half_element_form(double z, double middle, double diameter);
 /// Return the wet fraction for a surface `depth` above the lowest point.
 [[nodiscard]] double wet_fraction(double depth, double spread);

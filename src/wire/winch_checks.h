@@ -17,7 +17,7 @@ namespace hawser::wire {
 }
 
 /// Check a number.
-/// @throws DefError if it is below `least`, or equal to it when `above` is set.
+/// @throws DefError if it is below `least`, or equal to `least` while `above` is true.
 inline void check_number(const WinchDef& def, const char* what, double value, double least,
                          bool above) {
     if (value > least || (!above && value == least)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Orders of a winch to its motor, brake and clutch.
+/// Commands of a winch to its motor, brake and clutch.
 #include "wire/band_brake.h"
 #include "wire/bounds.h"
 #include "wire/winch_system.h"
@@ -23,7 +23,7 @@ std::span<const char* const> winch_modes() noexcept {
 }  // namespace hawser
 
 namespace hawser::wire {
-/// Return true if no more wire can be hauled in.
+/// Return true if the wire is hauled in completely.
 bool WinchSystem::is_hauled_in() const noexcept {
     if (hauled_in_) return true;
     if (wheel_) return stored_ >= wheel_->locker;

@@ -35,7 +35,8 @@ WinchSystem::WinchSystem(WinchDef def, const WinchWheel& wheel, const WinchIds& 
     pull_limit_ = def_.torque_haul / radius_;
 }
 
-/// Return the end of the wire on the drum; for a gypsy the turns of the chain in its locker.
+/// Return the layer and wrap of the wire's end on the drum. For a gypsy, return the turns of the
+/// chain in its locker.
 DrumGeometry::Place WinchSystem::wire_end() const noexcept {
     if (!wheel_) return drum_.wire_end(stored_);
     return {.radius = wheel_->radius,
@@ -157,7 +158,7 @@ WinchMode WinchSystem::mode() const noexcept {
     return static_cast<WinchMode>(static_cast<int>(std::lround(mode_)));
 }
 
-/// Sample the result of the last step.
+/// Read the result of the last step.
 void WinchSystem::sample(const Prestep& now) noexcept {
     const double angle = now.world.pose(paying_out_body()).position.x();
     turned_ = angle - angle_;
@@ -187,7 +188,8 @@ void WinchSystem::sample(const Prestep& now) noexcept {
                                      2.0 * now.step * radius_ * std::abs(leaving_);
 }
 
-/// Count the slip of a brake at its bound while the drum turns against its torque.
+/// Record the slip of a brake whose torque is at its bound while the drum turns against this
+/// torque.
 void WinchSystem::count_slip(Prestep& now) noexcept {
     const double torque = now.world.force(ids_.brake)[0];
     const double most = torque < 0.0 ? last_inputs_.hold : last_inputs_.hold * last_inputs_.back;
@@ -204,8 +206,8 @@ void WinchSystem::count_slip(Prestep& now) noexcept {
     slipping_ = slips ? 1 : 0;
 }
 
-/// Count a motor in mode render that pays out at its largest holding torque. Its other modes keep
-/// their upper bound above 0.
+/// Record that a motor in mode `render` pays out at its largest holding torque. In other modes the
+/// upper bound of the torque is above 0.
 void WinchSystem::count_rendering(Prestep& now) noexcept {
     const bool gives = mode() == WinchMode::render && last_inputs_.high <= 0.0 &&
                        last_inputs_.low < 0.0 &&

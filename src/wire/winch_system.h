@@ -15,10 +15,10 @@
 ///
 /// *Nodes.* The element at the drum has the material a [m], a' = −L'. Half of it acts on its
 /// first node by a load with its weight, mass and drag. The other half acts on the fairlead and,
-/// along the wire, on the drum. So the tension at the fairlead is that of the element plus the
-/// weight of half of it. Both halves change with a as the inertia of the wound wire does. A node
-/// inserted with a piece f takes f from a, and half of f goes to each of two nodes. The load on the
-/// fairlead is unchanged.
+/// along the wire, on the drum. The tension at the fairlead is therefore that of the element plus
+/// the weight of half of it. Both halves change with a as the inertia of the wound wire does. A
+/// node inserted with a piece f takes f from a, and half of f goes to each of two nodes. The load
+/// on the fairlead is unchanged.
 ///
 /// *Clutch.* An engaged clutch adds the motor's inertia J_m to A. A motor at rest is accelerated
 /// in one step, (J + J_m) ω₊ = J ω, by the force −J_m ω/h in addition to A. The loss counts as work
@@ -55,7 +55,7 @@ struct WinchWheel {
 
 class WinchSystem final : public System {
   public:
-    /// Create the system.
+    /// Create the system of a winch.
     /// @param at_drum  Material of the element at the drum [m].
     WinchSystem(WinchDef def, const WinchWheel& wheel, const WinchIds& ids,
                 const WinchInputs& inputs, double at_drum);
@@ -121,8 +121,8 @@ class WinchSystem final : public System {
     }
     void check_fastening(Prestep& now) noexcept;
     void count_release(Prestep& now) noexcept;
-    // winch_aids.cpp
-    /// True if protection or compensation is defined: their signals and state exist.
+    // True if overload protection or heave compensation is defined, which have signals and state
+    // (winch_aids.cpp).
     [[nodiscard]] bool has_aids() const noexcept {
         return def_.overload_limit > 0.0 || def_.heave_speed > 0.0;
     }

@@ -66,8 +66,7 @@ void WireResolution::signals(SignalTable& table) {
     table.output("material", "m", material_);
 }
 
-/// Compute the bound L of each element.
-/// @throws std::bad_alloc.
+/// Compute the length bound L of each element. @throws std::bad_alloc.
 void WireResolution::bound_elements(const World& world) {
     world.touching(touching_);
     // Return true if an existing node of a range touches something.
@@ -104,7 +103,7 @@ void WireResolution::bound_elements(const World& world) {
     }
 }
 
-/// Restore the idle counts of nodes known from the last sample. New nodes start at 0.
+/// Restore the idle counts of the nodes of the last sample. New nodes start at 0.
 void WireResolution::restore_idle_counts() noexcept {
     std::int32_t from = 0;
     for (Node& node : at_) {
@@ -128,7 +127,8 @@ void WireResolution::save_idle_counts() noexcept {
     }
 }
 
-/// Return true if a node may be removed.
+/// Return true if a node may be removed. The wire must be straight at it, with one line type on
+/// both sides, and the united element must keep its bounds.
 bool WireResolution::may_remove(std::size_t node) const noexcept {
     const Element &a = elements_[node - 1], &b = elements_[node];
     if (!a.plain || !b.plain || at_[node].angle > kFlat) return false;
@@ -148,7 +148,7 @@ void WireResolution::count_idle_samples() noexcept {
     }
 }
 
-/// Insert a node in the element that exceeds its bound most.
+/// Insert a node in the element whose length exceeds its bound by the largest ratio.
 bool WireResolution::refine(NodeEdits& nodes) noexcept {
     std::size_t worst = elements_.size();
     double most = 1.0 + kSlack;

@@ -12,7 +12,7 @@
 
 namespace hawser::world {
 
-/// Convert a pattern.
+/// Convert a public pattern to one of the solver.
 /// @throws std::invalid_argument if it is malformed.
 [[nodiscard]] factor::Pattern factor_pattern_of(const BlockPattern& pattern);
 

@@ -129,7 +129,8 @@ void in_range(const Where& where, const FieldInfo<BodyDef>& row, double value) {
                                      number(row.least) + " or more");
 }
 
-/// Check the members of the table, except those that only some kinds need.
+/// Check the members of a body definition that its table lists, except those that only some kinds
+/// require.
 void check_fields(const Where& where, const BodyDef& def) {
     for (const FieldInfo<BodyDef>& row : kBodyFields) {
         if (row.is(kMayBeMissing)) continue;

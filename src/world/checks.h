@@ -21,7 +21,7 @@ class Where {
   public:
     /// Name a subject: "body 'bob'" or "body (unnamed)".
     Where(const char* what, const std::string& name) noexcept : kind_(what), name_(&name) {}
-    /// Use a ready text.
+    /// Refer to a complete text.
     Where(const std::string& text) noexcept : name_(&text) {}
     [[nodiscard]] std::string text() const;
 
@@ -30,8 +30,8 @@ class Where {
     const std::string* name_;
 };
 
-/// Reject a definition.
-/// @throws DefError with the subject and a reason.
+/// Throw an error with the subject of the check and a reason.
+/// @throws DefError always.
 [[noreturn]] void throw_def_error(const Where& where, const std::string& what);
 
 /// Check that the free end of an element has a mass.
@@ -43,12 +43,12 @@ void check_end(const std::string& where, double mass, double carried);
 /// Check the settings of a world.
 /// @throws DefError
 void check(const WorldDef& def);
-/// Check a body.
+/// Check the definition of a body.
 /// @throws DefError
 void check(const BodyDef& def);
 /// Check bodies, points, frames and row constants of an interaction.
 /// @param count  Number of user bodies.
-/// @param before  User interactions.
+/// @param before  Existing interactions of the user.
 /// @param places  Their index table.
 /// @throws DefError
 void check(const InteractionDef& def, const model::Bodies& bodies, int count,
@@ -56,23 +56,21 @@ void check(const InteractionDef& def, const model::Bodies& bodies, int count,
 /// Check a load of `def` against the interaction whose force it uses.
 /// @throws DefError
 void check_load(const InteractionDef& def, const FrictionLoad& load, const InteractionDef& other);
-/// Check parameters after defaults have been filled in.
-/// @throws DefError
+/// Check the parameters of an interaction. Defaults must have been set. @throws DefError
 void check_params(const InteractionDef& def);
-/// Check a material.
-/// @param method  Some methods lack some resistances.
+/// Check the definition of a material.
+/// @param method  Contact method; some methods have no rolling or torsional resistance.
 /// @throws DefError
 void check(const MaterialDef& def, Nonsmooth method);
 /// Check a pair of materials.
 /// @param materials  Number of existing materials.
 /// @throws DefError
 void check(const MaterialPairDef& def, int materials, Nonsmooth method);
-/// Check a shape.
+/// Check the definition of a shape.
 /// @throws DefError
 void check(const ShapeDef& def, const model::Bodies& bodies, int count, int materials);
 
-/// Check later changes against the ranges of a definition.
-/// @throws DefError
+/// Check a pose that is set later against the ranges of a definition. @throws DefError
 void check_pose(const Where& where, const Vec3& position, const Quat& orientation);
 void check_velocity(const Where& where, const Vec3& linear, const Vec3& angular);
 void check_force(const Where& where, const Vec3& force, const Vec3& torque);
@@ -82,7 +80,7 @@ void check_force(const Where& where, const Vec3& force, const Vec3& torque);
 [[nodiscard]] std::string no_coordinate(const KindInfo& kind);
 [[nodiscard]] std::string no_motor(const KindInfo& kind);
 
-/// Format a number for messages, as short as possible (1e+300 would have 301 digits).
+/// Format a number for messages in its shortest form, since 1e+300 would have 301 digits.
 [[nodiscard]] std::string number(double value);
 /// Return "body 'bob'" or "body (unnamed)" for messages.
 [[nodiscard]] std::string label(const char* what, const std::string& name);

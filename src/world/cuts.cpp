@@ -151,7 +151,7 @@ std::vector<CutView> WorldSplitsView::cuts() const {
 
 namespace {
 
-/// Copy motion and memory, up to the common length of each array.
+/// Copy motion, multipliers and stored friction, up to the common length of each array.
 void copy_motion(const context::StepContext& from, context::StepContext& to) {
     std::vector<std::span<const std::byte>> arrays;
     world::visit_motion(from,
@@ -190,8 +190,8 @@ void copy_values(const context::StepContext& from, context::StepContext& to) {
     to.work.stats.step = from.state.step;
 }
 
-/// Copy remembered contacts.
-/// @return true if other bodies touch than before.
+/// Copy the contacts of the last step.
+/// @return true if other pairs of bodies are in contact than before.
 bool copy_contacts(const context::StepContext& from, context::StepContext& to) {
     assembly::Contacts& c = to.model.system.contacts;
     const assembly::Contacts& f = from.model.system.contacts;
@@ -211,7 +211,7 @@ bool copy_contacts(const context::StepContext& from, context::StepContext& to) {
     return true;
 }
 
-/// Copy groups that follow the state, if both worlds have some.
+/// Copy the groups that follow the state, if both worlds have such groups.
 void copy_groups(const context::StepContext& from, context::StepContext& to) {
     if (!split::makes_groups(from.model) || !split::makes_groups(to.model)) return;
     const bool same = to.model.regroup.parts.part == from.model.regroup.parts.part;

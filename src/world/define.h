@@ -37,8 +37,8 @@ void set_rows(InteractionDef& def, double compliance, double damping_time);
 struct AxisKinds {
     InteractionKind limit, motor, friction;
 };
-/// Add the limit, motor and friction of a coordinate.
-/// @param own  True if the first part, a joint, presses on the friction.
+/// Add the limit, motor and friction of a coordinate. @param own  True if the force of the first
+/// part, a joint, is a load of the friction.
 void add_axis(Parts& parts, const InteractionDef& frame, const std::string& name,
               const AxisKinds& kinds, const std::optional<AxisLimit>& limit,
               const std::optional<AxisMotor>& motor, const std::optional<AxisFriction>& friction,

@@ -13,7 +13,7 @@ namespace {
 
 using world::set_if_given;
 
-/// Attach to a point of a body. A node must have the point 0.
+/// Attach an end of a line to a point of a body. For a node the point must be 0.
 void attach(InteractionDef& def, const World& in, std::size_t slot, BodyId body,
             const Vec3& point) {
     def.body[slot] = body;

@@ -19,12 +19,12 @@ using world::claim_name;
 
 namespace {
 
-/// Return the index of the next object: a vacant one, or the end.
+/// Return the index for the next object: a vacant index, or the count if none is vacant.
 std::int32_t next_index(std::int32_t vacant, int count) noexcept {
     return vacant < 0 ? count : vacant;
 }
 
-/// Store a definition at an index, at the end or not. Capacity has been reserved.
+/// Store a definition at an index of a list, which may be its end. Capacity has been reserved.
 template <class T>
 void store_at(std::vector<T>& list, std::int32_t place, T&& value) noexcept {
     if (at(place) == list.size())
@@ -174,7 +174,8 @@ const Removed& World::remove_interaction(InteractionId id) {
 const Removed& World::remove_shape(ShapeId id) { return remove_object(*impl_, id, "remove_shape"); }
 const Removed& World::remove_input(InputId id) { return remove_object(*impl_, id, "remove_input"); }
 
-/// Reserve capacity for all objects, because removing a hull may remove any of them.
+/// Reserve capacity for the removal of all objects, because the removal of a hull may remove any of
+/// them.
 void WorldImpl::reserve_removal() {
     edit::reserve_edit(ctx);
     ctx.model.bodies.reserve_more();
@@ -196,7 +197,8 @@ void WorldImpl::forget_removal() noexcept {
 
 namespace {
 
-/// Store a removed object while there is capacity, for calls that undo their own additions.
+/// Append a removed object to a list as long as there is capacity, for calls that undo their own
+/// additions.
 template <class Id>
 void note(std::vector<Id>& list, Id id) noexcept {
     if (list.size() < list.capacity()) list.push_back(id);

@@ -20,8 +20,7 @@ struct FreeEnd {
     std::size_t slot = 0;  ///< Slot of the element.
 };
 
-/// Check a definition as far as possible without the world.
-/// @throws DefError
+/// Check the definition of a joint of wires as far as possible without the world. @throws DefError
 void check(const JoinDef& def);
 
 }  // namespace hawser::world

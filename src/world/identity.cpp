@@ -65,8 +65,8 @@ void add(const MaterialDef& m, Digest& to) {
     to.value(values);
 }
 
-/// Add the members of a body that its table marks, if they differ from the default. The arrays of
-/// bodies have the other ones.
+/// Add the members of a body that its field table marks, if they differ from the default. The other
+/// members are added with the arrays of bodies.
 void add(std::size_t body, const BodyDef& def, Digest& to) {
     for (const FieldInfo<BodyDef>& row : kBodyFields) {
         if (!row.is(kInIdentity) || has_default(def, row)) continue;

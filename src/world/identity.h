@@ -13,7 +13,7 @@
 
 namespace hawser::world {
 
-/// Return a hash of all data that determine the meaning of a snapshot's bytes.
+/// Return a hash of all data that determine the layout of a snapshot.
 [[nodiscard]] std::uint64_t layout_of(const context::StepContext& ctx, std::size_t inputs);
 
 /// Return a hash of the parameters of bodies, interactions, inputs and settings, without the state.

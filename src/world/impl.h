@@ -63,7 +63,7 @@ struct WorldImpl final : private world::InputAccess {
     std::vector<BodyId> body_ids;
     std::vector<InteractionId> interaction_ids;
     std::vector<ShapeId> shape_ids;
-    // Construction of an empty world (structure.cpp).
+    // Make the objects of an empty world from a structure (structure.cpp).
     // @throws DefError, std::bad_alloc.
     void make(World& self, const Structure& from);
     void make_bodies(World& self, const Placed<BodyDef>& from);
@@ -89,14 +89,14 @@ struct WorldImpl final : private world::InputAccess {
     void take_back(const Mark& before, const world::Wire& made) noexcept;
     [[nodiscard]] WireId store_wire(world::Wire& wire);
     /// Reserve capacity for one more wire and claim its name.
-    /// @return the vacant index that it will use, −1: the end.
+    /// @return the vacant index for the wire; −1: append it.
     /// @throws DefError, std::bad_alloc.
     [[nodiscard]] std::int32_t claim_wire(const std::string& name);
     WireId put_wire(world::Wire& wire, std::int32_t vacant) noexcept;
     void forget_wire(WireId id) noexcept;
     [[nodiscard]] const world::Wire& wire(WireId id) const;
-    // Helpers of insert_node() and remove_node(): the wire of an element, null if it has none;
-    // updates of the definitions of bodies and elements about a node; the capsule of an element.
+    // Return the wire of an element, null if it belongs to none. This and the next functions are
+    // helpers of insert_node() and remove_node().
     [[nodiscard]] world::Wire* wire_with(InteractionId element) noexcept;
     void update_wire_of(InteractionId element);
     void follow_definitions(const edit::NodeSurroundings& place) noexcept;
@@ -108,7 +108,8 @@ struct WorldImpl final : private world::InputAccess {
     void check_node(InteractionId element, double share, double mass) const;
     /// Return the element before a node (side 0) or behind it (side 1).
     [[nodiscard]] InteractionId element_at(BodyId node, std::size_t side) noexcept;
-    /// Join a short element at a cut end with the next one, if its node can be removed.
+    /// Join a short element at a cut end with the next element, if the node between them can be
+    /// removed.
     void join_short_end(World& world, InteractionId end, std::size_t side) noexcept;
     void check_cut_at_node(const std::string& where, edit::NodeSurroundings& place) const;
     [[nodiscard]] bool is_carried(const world::Wire& wire, std::size_t element) const noexcept;
@@ -160,7 +161,7 @@ struct WorldImpl final : private world::InputAccess {
     InteractionId store_interaction(InteractionDef&& whole) noexcept;
     void remove(ShapeId id) noexcept;
     void remove(InputId id) noexcept;
-    /// Check that no system holds an object or the objects removed with it.
+    /// Check that no system refers to an object, or to objects that would be removed with it.
     /// @param stays  Interaction on the body that is not removed with it; invalid: all are removed.
     /// @throws DefError
     void check_not_held(BodyId id, InteractionId stays = {}) const;
@@ -190,8 +191,8 @@ struct WorldImpl final : private world::InputAccess {
     [[nodiscard]] Status make_edits(World& world) noexcept;
     [[nodiscard]] Structure structure() const;
 
-    // Saved states (snapshot.cpp, restore.cpp, structure.cpp) and the state of another world
-    // (cuts.cpp).
+    // Write the saved state (snapshot.cpp). The next functions restore it (restore.cpp,
+    // structure.cpp) or copy the state of another world (cuts.cpp).
     void write_saved(std::vector<std::byte>& out, bool with_systems);
     void restore_saved_bytes(World& self, std::span<const std::byte> bytes, bool variant);
     void restore_saved(World& self, std::span<const std::byte> bytes, bool variant);
@@ -207,8 +208,8 @@ struct WorldImpl final : private world::InputAccess {
     std::vector<ForceInput> force_inputs;
     void add_up_force(BodyId body, int component) noexcept;
     [[nodiscard]] double user_force(std::size_t body, int component) const noexcept;
-    /// Remove input forces from the bodies for a snapshot, and add them again. After reading a
-    /// snapshot, bodies have the user forces only.
+    /// Remove the forces of inputs from the bodies for a snapshot. The next function adds them
+    /// again. After reading a snapshot, bodies have the user forces only.
     void remove_user_forces() noexcept;
     void add_up_forces() noexcept;
     void set_user_forces() noexcept;  ///< Restore user forces from the definitions.
@@ -246,8 +247,8 @@ struct WorldImpl final : private world::InputAccess {
     };
     StepUndo undo;     ///< Undo data of the step; the memory is kept between steps.
     StepUndo attempt;  ///< Undo data of an Attempt.
-    /// Return true if a rejected call of several edits is undone as a whole (Attempt). Edits of a
-    /// system before a step undo their own additions, except with cuts.
+    /// Return true if a rejected call with several edits is undone as a whole (Attempt). In a step,
+    /// edits of a system undo their own additions instead, except with cuts.
     [[nodiscard]] bool undoes_as_whole() const noexcept {
         return context::has_cuts(ctx.model) || !systems.edits_allowed();
     }
@@ -266,14 +267,15 @@ struct WorldImpl final : private world::InputAccess {
     world::Use use;
 
     void apply_input(std::size_t index, double value);
-    /// Return the current value at the target of an input: its value unless another call set it
-    /// since.
+    /// Return the current value at the target of an input. It differs from the value of the input
+    /// if another call has set the target since.
     [[nodiscard]] double applied(const InputDef& input) const;
     /// Wake the target of an input.
     void disturb(const InputDef& input) noexcept;
 
   private:
-    // Calls of systems within a step (world/systems.h).
+    // Set an input. This and the next functions are calls of systems within a step
+    // (world/systems.h).
     bool set(InputId id, double value, Before& before) noexcept override;
     bool set_unreported(InputId id, double value, Before& before) noexcept override {
         const SilencedListener untold(*this);

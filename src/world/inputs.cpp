@@ -19,7 +19,7 @@ using world::lookup;
 
 namespace {
 
-/// Reject a nominal size or spring of an input that no display could use.
+/// Reject a nominal value or a spring value of an input that a display could not use.
 void check_display(const InputDef& def, const world::Where& where) {
     if (!(def.nominal >= 0.0) || !std::isfinite(def.nominal))
         throw DefError(where.text() + ": nominal = " + world::number(def.nominal) +
@@ -28,8 +28,8 @@ void check_display(const InputDef& def, const world::Where& where) {
         throw DefError(where.text() + ": spring is not a finite number; leave it out for none");
 }
 
-/// Limit the range of `def` to that of its parameter: an input must not reach values that
-/// add_interaction() rejects.
+/// Limit the range of an input to that of its parameter, because an input must not reach values
+/// that add_interaction() rejects.
 void limit_to_param(InputDef& def, const KindInfo& kind, const world::Where& where) {
     for (const ParamInfo& p : kind.params) {
         if (def.param != p.name) continue;
@@ -62,7 +62,7 @@ Followed followed_target(const World& world, const InputDef& def) {
 constexpr std::pair<const char*, const char*> kRanges[] = {{"min", "max"},
                                                            {"force_min", "force_max"}};
 
-/// Refuse a range that `value` would leave empty, as add_interaction() does.
+/// Reject a value that would set a minimum above its maximum, as add_interaction() does.
 void check_pair(const World& world, const InputDef& def, double value) {
     if (!def.interaction.valid()) return;
     const InteractionDef& d = world.interaction_def(def.interaction);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// An element of a wire is laid over a fairlead, roller or bollard (hawser/guide.h).
+/// Division of a wire element by a fairlead, roller or bollard (hawser/guide.h).
 #include <hawser/world.h>
 
 #include "context/context.h"
@@ -37,9 +37,9 @@ void check_parts(const world::Where& where, const InteractionDef& old, const Int
         world::throw_def_error(where, "the slide must lengthen one part and shorten the other");
 }
 
-/// Return the mass of its half element that a node passes to the guide [kg]. This is all of it, or
-/// all but a hundredth if a drum or guide also loads the next element, because a body needs some
-/// mass (edit/node_drum.cpp). 0: not possible.
+/// Return the mass that a node transfers to the guide for its half of an element [kg]. This is the
+/// whole half. If a drum or guide also loads the next element, a hundredth remains, because a body
+/// needs some mass (edit/node_drum.cpp). 0: not possible.
 double mass_given_to_guide(const World& world, const world::Wire& wire, InteractionId element,
                            std::size_t end, double half) {
     const double has = world.body_def(world.interaction_def(element).body[end]).mass;
@@ -57,8 +57,7 @@ struct Parts {
     std::array<ShapeId, 2> capsule;
 };
 
-/// Add the parts, all or none.
-/// @param then  Further call that may throw.
+/// Add the parts of an element at a guide, all or none. @param then  Further call that may throw.
 template <class F>
 Parts add_parts(World& world, const WireTrim& trim, const InteractionDef& before,
                 const InteractionDef& behind, F&& then) {
@@ -162,16 +161,16 @@ void WorldImpl::replace_bend_neighbour(BodyId lump, BodyId from, BodyId to,
     drop_folded(bend);
 }
 
-/// Remove a bend between two turning points of one body. An interaction can have each body once
-/// only, and the effect of a node's bend between a bollard and a drum of one ship is negligible.
-/// Capacity has been reserved (reserve_removal()).
+/// Remove a bend between two turning points of one body. An interaction can have each body only
+/// once. The effect of a bend between a bollard and a drum of one ship is negligible. Capacity has
+/// been reserved (reserve_removal()).
 void WorldImpl::drop_folded(std::int32_t bend) noexcept {
     if (bend >= 0 && edit::end_of(ctx, bend, 0) == edit::end_of(ctx, bend, 2))
         remove(ctx.model.interactions.id(bend));
 }
 
-/// Return the wire of two parts.
-/// @throws DefError if they are not results of lay_over().
+/// Return the wire to which two parts belong. @throws DefError if they are not results of
+/// lay_over().
 world::Wire& WorldImpl::wire_on_guide(InteractionId before, InteractionId behind,
                                       const InteractionDef& element) {
     const InteractionDef &a = ctx.model.interactions.def[at(before.index)],

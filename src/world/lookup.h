@@ -20,7 +20,7 @@
 
 namespace hawser::world {
 
-/// Return the index of an id; reject invalid ids and those of removed objects.
+/// Return the index of an id. @throws DefError if the id is invalid or its object has been removed.
 template <class Id>
 std::size_t place_of(const Id& id, const base::Slots& slots, int count, const char* what) {
     if (id.index >= 0 && id.index < count && slots.names(id)) return at(id.index);
@@ -46,7 +46,7 @@ class Names {
   public:
     using Map = std::unordered_map<std::string, std::int32_t, NameHash, std::equal_to<>>;
     Names() = default;
-    /// Copy from another world: the names alone.
+    /// Copy the names from another world. Spare entries are not copied.
     Names(const Names& from) : map_(from.map_) {}
     Names& operator=(const Names& from) {
         map_ = from.map_;
@@ -68,7 +68,7 @@ class Names {
         copied_ = from.changes_;
         known_ = true;
     }
-    /// Return to a copy, which is invalid afterwards.
+    /// Restore the names of a copy. The copy is invalid afterwards.
     void restore_names(Names& to) noexcept {
         if (to.known_ && to.copied_ == changes_) return;
         map_.swap(to.map_);
@@ -81,7 +81,7 @@ class Names {
     [[nodiscard]] bool contains(std::string_view name) const noexcept {
         return map_.find(name) != map_.end();
     }
-    /// Return the index of a name; −1: unused.
+    /// Return the index of a name; −1 if the name is unused.
     [[nodiscard]] std::int32_t find(std::string_view name) const noexcept {
         const auto found = map_.find(name);
         return found == map_.end() ? -1 : found->second;
@@ -110,7 +110,7 @@ class Names {
         spare_.push_back(map_.extract(found));
         ++changes_;
     }
-    /// Extract the entry of a name to give it to another index; empty if the name is unused.
+    /// Extract the entry of a name, to assign it to another index; empty if the name is unused.
     [[nodiscard]] Map::node_type extract_name(std::string_view name) noexcept {
         const auto found = map_.find(name);
         if (found == map_.end()) return {};

@@ -21,7 +21,7 @@ namespace {
 /// A part at the place, and the bend about the node at its other end.
 struct Part {
     std::int32_t id = -1, bend = -1;
-    std::size_t place = 0, slot = 0;  ///< Slots of the place in the part and in the bend.
+    std::size_t place = 0, slot = 0;  ///< Indices of the point in the part and in the bend.
 };
 
 Part part_at(const context::StepContext& ctx, InteractionId id, std::size_t place) noexcept {
@@ -33,7 +33,7 @@ Part part_at(const context::StepContext& ctx, InteractionId id, std::size_t plac
     return out;
 }
 
-/// Check that they are two parts with enough length.
+/// Check that two interactions are the parts of an element at a guide and have enough length.
 /// @throws DefError
 void check_move(const World& world, const model::Interactions& in, InteractionId before,
                 InteractionId behind, double along, double fed) {

@@ -11,8 +11,7 @@
 
 namespace hawser {
 
-/// Check that an element can have a node.
-/// @throws DefError with the remedy.
+/// Check that a node can be inserted in an element. @throws DefError with the remedy.
 void WorldImpl::check_node(InteractionId element, double share, double mass) const {
     const model::Interactions& in = ctx.model.interactions;
     const std::size_t e = index_of(element);
@@ -43,8 +42,8 @@ void WorldImpl::check_node(InteractionId element, double share, double mass) con
         world::throw_def_error(where, "its compliance is not that of its length; leave it out");
 }
 
-/// Check that two elements have one line type, so that one can replace both. Masses per length
-/// differ slightly by edits, which change rest lengths.
+/// Check that the elements on both sides of a node have one line type, so that one element can
+/// replace both. Edits change rest lengths, so masses per length may differ slightly.
 /// @throws DefError.
 void WorldImpl::check_one_line_type(BodyId node, const edit::NodeSurroundings& place) const {
     constexpr double kSame = 0.1;

@@ -31,8 +31,8 @@ namespace hawser::world {
                                            BodyId node, double share, bool first, double mass,
                                            std::int32_t beside);
 
-/// Return the bend of stiffness EI [N m²] at a node on an element, with the attachment points of
-/// its ends. The caller sets its middle body.
+/// Return a bend interaction of stiffness EI [N m²] for a node that is inserted in an element, with
+/// the attachment points of its outer bodies. The caller sets its middle body.
 [[nodiscard]] InteractionDef node_bend(const model::Interactions& in, std::int32_t element,
                                        double EI);
 

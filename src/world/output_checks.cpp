@@ -41,7 +41,8 @@ void check_body(const std::string& where, const char* field, BodyId body, const 
                             " has no orientation: leave the point at 0, it is the body itself");
 }
 
-/// Check a component of a body: nodes do not rotate, a drum has one coordinate.
+/// Check that a body has the component of an output: nodes do not rotate, and a drum has one
+/// coordinate.
 void check_body_component(const std::string& where, const OutputDef& def, int component,
                           const model::Bodies& bodies) {
     const int dof = bodies.dof(def.body.index);

@@ -89,8 +89,8 @@ bool alive(const context::StepContext& ctx, const WireList& wires, const OutputD
            std::all_of(def.line.begin(), def.line.end(), one);
 }
 
-/// Return the tension of the remaining elements of a wire; NaN if the requested one has been
-/// removed.
+/// Return a component of the tensions of a wire's intact elements; NaN if the requested element has
+/// been removed.
 double wire_tension(const model::Interactions& in, const Wire& wire, int component) noexcept {
     double most = std::numeric_limits<double>::quiet_NaN();
     const auto of = [&](InteractionId id) { return in.slots.names(id) ? tension(in, id) : most; };
@@ -112,8 +112,8 @@ double line_tension(const model::Interactions& in, const std::vector<Interaction
     return most;
 }
 
-/// Return the output of a drum. A winch counts the length itself, because it adds elements and its
-/// layers have different radii. For a bare drum the length follows from its turn.
+/// Return the output of a drum. A winch counts the length paid out, because it inserts elements and
+/// its layers have different radii. For a bare drum the length follows from its coordinate.
 double drum(const World& world, const context::StepContext& ctx, const Systems& systems,
             InteractionId id, int component) noexcept {
     const model::Interactions& in = ctx.model.interactions;

@@ -57,13 +57,14 @@ class Outputs {
     /// Add a checked definition with its component and unit.
     /// @throws std::bad_alloc; DefError if the name is in use.
     OutputId add(OutputDef def, int component);
-    /// Add an output for a signal of a system, which must live as long.
+    /// Add an output for a signal of a system. The signal must outlive the output.
     /// @throws as add().
     OutputId add(const SystemSignal& signal);
     void remove(std::size_t place) noexcept;
     /// Remove all signals of a system that is removed.
     void remove_signals(std::string_view system) noexcept;
-    /// Replace the signals by those of systems with the same definition, after a copy of the world.
+    /// Replace the signals of copied outputs by the signals of this world's systems, after a copy
+    /// of the world.
     void bind(std::span<const SystemSignal> signals) noexcept;
     [[nodiscard]] bool alive(OutputId id) const noexcept { return slots_.names(id); }
     [[nodiscard]] std::span<const OutputId> ids() const noexcept { return ids_; }
@@ -76,14 +77,15 @@ class Outputs {
     [[nodiscard]] std::size_t index_of(OutputId id) const;
     [[nodiscard]] const Names& names() const noexcept { return names_; }
     [[nodiscard]] const std::vector<double>& values() const noexcept { return values_; }
-    /// Store the figures of a successful step.
+    /// Store the statistics of a successful step for outputs.
     void store_figures(const StepStats& stats) noexcept;
-    /// Clear figures that belong to another state.
+    /// Clear the stored statistics, because they belong to another state.
     void forget_figures() noexcept { figures_.fill(0.0); }
-    /// Return true if an output needs an energy that requires a pass over all interactions.
+    /// Return true if an output is an energy whose computation requires a pass over all
+    /// interactions.
     [[nodiscard]] bool needs_energy() const noexcept { return needs_energy_; }
     /// Evaluate all outputs.
-    /// @param energy  Used if needs_energy().
+    /// @param energy  Energies; read only if needs_energy() is true.
     void evaluate(const World& world, const context::StepContext& ctx, const WireList& wires,
                   const Systems& systems, const Energy& energy) noexcept;
 

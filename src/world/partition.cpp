@@ -55,8 +55,8 @@ void list_cuts(const assembly::PartGraph& g, const model::Interactions& in,
     }
 }
 
-/// Return the cost of the largest part and the separators as a fraction of all. Costs change with
-/// the contacts.
+/// Return the cost of the largest part and the separators as a fraction of the total cost. A
+/// fraction is used because costs change with the contacts.
 double makespan(const graph::Partition& p) {
     double longest = 0.0, sum = static_cast<double>(p.separator_cost);
     for (const std::int64_t cost : p.cost) {
@@ -66,8 +66,8 @@ double makespan(const graph::Partition& p) {
     return sum > 0.0 ? (longest + static_cast<double>(p.separator_cost)) / sum : 0.0;
 }
 
-/// Update the separators of an earlier state.
-/// @return false if a new partition is due.
+/// Update the separators of an earlier partition.
+/// @return false if a new partition is required.
 bool follow_separators(const assembly::PartGraph& g, std::span<const std::int64_t> model_cost,
                        const PartitionView& before, const graph::PartitionOptions& options,
                        graph::Partition& out) {
@@ -130,8 +130,8 @@ void check(const PartitionRequest& request, std::size_t bodies) {
         throw DefError("a partition can only continue one of the same purpose");
 }
 
-/// Find parts between separators.
-/// @param partitioner  With the graph read.
+/// Find a partition with separators.
+/// @param partitioner  Must have read the graph.
 graph::Partition find_separators(const assembly::PartGraph& g, const PartitionRequest& request,
                                  graph::Partitioner& partitioner, PartitionView& view) {
     graph::Partition p;
@@ -150,7 +150,7 @@ graph::Partition find_separators(const assembly::PartGraph& g, const PartitionRe
     return p;
 }
 
-/// Find parts with cuts between them.
+/// Find a partition whose parts are separated by cuts.
 graph::Partition find_split(const assembly::PartGraph& g, const PartitionRequest& request,
                             PartitionView& view) {
     graph::Partition p;

@@ -9,8 +9,8 @@
 
 namespace hawser::world {
 
-/// Fill in defaults, also those from the present poses, of a definition with checked bodies. Then
-/// check its parameters.
+/// Set the defaults of a definition, including those that depend on the present poses, and check
+/// its parameters. Its bodies must have been checked.
 /// @throws DefError.
 void fill_in(InteractionDef& def, const context::StepContext& ctx);
 

@@ -13,7 +13,8 @@
 namespace hawser::world {
 namespace {
 
-/// Return the real id of a placeholder, or the id itself.
+/// Return the id of the object for which a placeholder stands, or the id itself if it is no
+/// placeholder.
 template <class Id>
 Id real_id(Id id, const std::vector<Id>& made) {
     if (id.index >= -1) return id;

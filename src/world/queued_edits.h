@@ -26,7 +26,7 @@ class QueuedEdits final : public Edits::Hands {
     void remove(WireId id) noexcept override { queue_edit(id); }
     void part(InteractionId id) noexcept override { queue_edit(Part{id}); }
 
-    /// Set the system of the following edits.
+    /// Set the system that requests the following edits.
     void begin_system(std::string_view name) noexcept { system_ = name; }
     void clear() noexcept;
     [[nodiscard]] std::size_t size() const noexcept { return list_.size(); }
@@ -35,7 +35,7 @@ class QueuedEdits final : public Edits::Hands {
     /// Return the name of the system that requested the next edit.
     [[nodiscard]] std::string_view next_system() const noexcept { return list_[done_].system; }
     /// Make the next edit.
-    /// @throws as the function of World; the edit then stays queued.
+    /// @throws the exceptions of the function of World. The edit then remains queued.
     void make_next(World& world);
 
   private:

@@ -29,8 +29,8 @@ struct Header {
     std::uint64_t system_bytes = 0;
 };
 
-/// Visit groups that follow the state. They come first, because the numbers of ghost bodies and
-/// duplicated rows depend on them.
+/// Call f(array) for the data of groups that follow the state. They are first, because the numbers
+/// of ghost bodies and duplicated rows depend on them.
 template <class Groups, class F>
 void visit_groups(Groups& groups, F&& f) {
     f(groups.parts.part.data(), groups.parts.part.size() * sizeof(std::int32_t));
@@ -68,7 +68,7 @@ void visit_motion(Context& ctx, F&& f) {
     f(ctx.model.wires.recoil);
 }
 
-/// Visit the single values of the state: f(value).
+/// Call f(value) for each single value of the state.
 template <class Context, class F>
 void visit_values(Context& ctx, F&& f) {
     f(ctx.state.step);
@@ -88,7 +88,7 @@ void visit_values(Context& ctx, F&& f) {
     f(ctx.work.stats.event_count);
 }
 
-/// Visit remembered contacts: f(array).
+/// Call f(array) for each array of stored contacts.
 template <class Context, class F>
 void visit_contacts(Context& ctx, F&& f) {
     f(ctx.model.collider.last_contacts());
@@ -98,7 +98,7 @@ void visit_contacts(Context& ctx, F&& f) {
     f(ctx.model.system.contacts.link_used);
 }
 
-/// Visit every array of the state with f(pointer, bytes).
+/// Call f(pointer, bytes) for every array of the state.
 template <class Context, class Order, class F>
 void visit_state(Context& ctx, std::vector<double>& inputs, Order& order, F&& f) {
     auto array = [&](auto& a) { f(a.data(), a.size() * sizeof(a[0])); };
@@ -202,7 +202,7 @@ struct SavedState {
     std::vector<double> inputs;
 };
 
-/// Allocate the arrays of an elimination order.
+/// Allocate the arrays of an elimination order with the sizes of a header.
 [[nodiscard]] factor::AnalysisState capacity_for_order(const Header& header);
 
 /// Check that a world can continue from a state: valid indices, finite numbers, consistent counts

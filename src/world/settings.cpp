@@ -16,7 +16,8 @@ constexpr std::array kCouplings = {"exact", "kinematic", "compliant", "deadline"
 constexpr std::array kPredictors = {"hold", "forces", "clique"};
 constexpr std::array kOnDiverged = {"stop", "warn"};
 
-/// Return an entry that reads and writes one member: a number, bool or enumeration.
+/// Return a table entry that reads and writes one member, which is a number, a bool or an
+/// enumeration.
 template <auto Member>
 constexpr SettingInfo of(SettingInfo info) {
     info.get = [](const WorldDef& def, int) { return static_cast<double>(def.*Member); };

@@ -22,7 +22,7 @@ using world::lookup;
 
 namespace {
 
-/// Fill in the moments of a contact with rolling or spinning resistance.
+/// Set the moments of a contact with rolling or torsional resistance.
 void add_resistance(const context::StepContext& ctx, std::size_t i, ContactView& v) {
     const assembly::Contacts& contacts = ctx.model.system.contacts;
     if (v.asleep) {

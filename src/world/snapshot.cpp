@@ -39,7 +39,7 @@ bool fits_into(const Header& h, std::size_t bytes) {
            fit(h.units, sizeof(std::int32_t)) && fit(h.chains, sizeof(std::int32_t) + 2);
 }
 
-/// Resize arrays of the state with an entry per contact, and clear the visible contacts.
+/// Resize the arrays of the state with one entry per contact, and clear the contacts for readers.
 void resize_contacts(context::StepContext& ctx, std::size_t count, std::size_t resistances) {
     ctx.model.collider.last_contacts().resize(count);
     ctx.model.system.contacts.memory.resize(count);
@@ -51,8 +51,7 @@ void resize_contacts(context::StepContext& ctx, std::size_t count, std::size_t r
     ctx.work.stats.contacts = 0;
 }
 
-/// Read the groups.
-/// @return false if they are invalid.
+/// Read the saved groups. @return false if they are invalid.
 bool read_groups(const context::StepContext& ctx, const std::byte* from, context::Regroup& out) {
     out.parts.part.resize(ctx.model.regroup.parts.part.size());
     visit_groups(out, [&](void* to, std::size_t n) {
@@ -78,7 +77,7 @@ bool apply_saved_groups(context::StepContext& ctx, const context::Regroup& saved
     return true;
 }
 
-/// Analyse at the poses of the saved world's analysis; the state is unchanged.
+/// Analyse at the poses at which the saved world was analysed. The state is unchanged.
 void analyse_as_saved(context::StepContext& ctx, const factor::AnalysisState& order) {
     const auto x = ctx.model.bodies.x;
     const auto r = ctx.model.bodies.r;
@@ -111,7 +110,7 @@ class SystemsAsSaved {
     bool kept_ = false;
 };
 
-/// Apply the checked arrays.
+/// Write the arrays of a saved state into the world. They must have been checked.
 /// @throws DefError for an elimination order that does not belong to this system. The state is then
 ///        invalid.
 void apply_saved_arrays(context::StepContext& ctx, std::vector<double>& inputs,

@@ -112,7 +112,7 @@ void check_interactions(const context::StepContext& ctx, const SavedState& s) {
             throw_state_error("an interaction that cannot break is broken" + entry(i));
 }
 
-/// Return true if a side of a contact remembers bodies of the side's shape.
+/// Return true if the bodies that a contact stores for a side are those of the shape.
 bool fits_shape(const std::int32_t (&body)[2], const collide::Shape& shape) {
     const auto of_shape = [&](std::int32_t b) { return b == shape.body[0] || b == shape.body[1]; };
     return body[0] >= 0 && of_shape(body[0]) &&

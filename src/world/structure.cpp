@@ -19,7 +19,8 @@
 namespace hawser {
 namespace {
 
-/// Return a body with a number of entries, which fills an index until all objects have theirs.
+/// Return a placeholder body of a given number of degrees of freedom. It occupies an index until
+/// all objects have theirs.
 BodyDef placeholder(int room) {
     BodyDef def;
     def.kind = room == 6   ? BodyKind::rigid
@@ -40,7 +41,7 @@ void copy_slots(Placed<Def>& to, const base::Slots& from) {
         if (at(k) < count) to.vacant.push_back(k);
 }
 
-/// Renew ids with the current generations of their indices.
+/// Replace the generations of ids by the current generations of their indices.
 template <class Id>
 void renew_ids(std::vector<Id>& ids, const base::Slots& slots) noexcept {
     for (Id& id : ids) id = slots.id<Id>(id.index);
@@ -249,7 +250,8 @@ void WorldState::restore(const Structure& made_of, std::span<const std::byte> by
     WorldImpl::restore(*world_, made_of, bytes);
 }
 
-/// Restore in a separate world first. The systems move to it, and back if the state does not fit.
+/// Restore the state in a separate world first. The systems are moved to it, and back if the state
+/// is rejected.
 void WorldImpl::restore(World& self, const Structure& made_of, std::span<const std::byte> bytes) {
     std::unique_ptr<WorldImpl> before;  // outlives its lock
     const world::Using use(self.impl_->use, "restore");

@@ -45,7 +45,7 @@ class NumberCheck final : public StateVisitor {
     bool all_finite_ = true;
 };
 
-/// Call f(data, bytes) for the arrays of a system's state.
+/// Call f(data, bytes) for each array of a system's state.
 template <class F>
 void visit(System& system, bool around_step, F&& f) {
     Visitor visitor(around_step, [&f](void* data, std::size_t size) { f(data, size); });
@@ -231,7 +231,8 @@ Status Systems::act_all(context::StepContext& ctx) {
     return Status::bad_edit;
 }
 
-/// Find an input set from entry `first` of set_ on that leaves a range empty.
+/// Check the inputs that were set from entry `first` of set_ on. Report in `bad` the first one that
+/// sets a minimum above its maximum.
 void Systems::check_ranges(std::size_t first) noexcept {
     for (std::size_t i = first; i < set_.size() && bad.reason[0] == '\0'; ++i) {
         if (!input_access_.empties_range(set_[i].input)) continue;

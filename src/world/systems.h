@@ -40,18 +40,20 @@ class InputAccess {
     virtual bool set(InputId id, double value, Before& before) noexcept = 0;
     /// Set an input without a report to the listener.
     virtual bool set_unreported(InputId id, double value, Before& before) noexcept = 0;
-    /// True if the input drives one end of a range whose minimum is above its maximum.
+    /// True if the input drives one end of a range, and the minimum of this range is above its
+    /// maximum.
     [[nodiscard]] virtual bool empties_range(std::int32_t input) const noexcept = 0;
     [[nodiscard]] virtual InputId id_of(std::int32_t input) const noexcept = 0;
     virtual void take_back(const Before& before) noexcept = 0;
-    /// Report that a requested value was beyond its range.
+    /// Send the event that a requested value was outside its range.
     virtual void tell(const Before& before) noexcept = 0;
     /// Begin edits by a system: save the state to which a failed step returns, unless this step has
     /// done so.
     /// @return false if allocation fails.
     [[nodiscard]] virtual bool begin_edits() noexcept = 0;
-    /// Remove the forces of inputs in body frames from the applied forces, and add them again with
-    /// the current inputs and poses. During a step they are rotated into world axes.
+    /// Remove the forces of inputs in body frames from the applied forces. The next function adds
+    /// them again, with the current inputs and poses. During a step they are rotated into world
+    /// axes.
     virtual void unrotate_forces() noexcept = 0;
     virtual void rotate_forces() noexcept = 0;
     /// Return the number of inputs of the world.
@@ -66,7 +68,7 @@ class Systems final : public context::Actors {
     Systems& operator=(const Systems&) = delete;
 
     /// Add a system.
-    /// @throws DefError, std::bad_alloc; without any change.
+    /// @throws DefError, std::bad_alloc; nothing has then changed.
     System& add(std::unique_ptr<System> system);
     /// Remove a system.
     /// @throws DefError.
@@ -84,10 +86,10 @@ class Systems final : public context::Actors {
     /// @throws DefError with the nearest name.
     [[nodiscard]] const SystemSignal& signal(std::string_view name) const;
 
-    /// Set the world that systems see in a step.
+    /// Set the world that is passed to systems in a step.
     void use(const World& world) noexcept { world_ = &world; }
-    /// Call f for the objects that each system holds, with its name.
-    /// @throws std::bad_alloc, and exceptions of f.
+    /// Call f for the objects that each system refers to, with the name of the system. @throws
+    /// std::bad_alloc, and exceptions of f.
     template <class F>
     void for_each_held(F&& f) const {
         for (const auto& s : list_) {
@@ -112,23 +114,23 @@ class Systems final : public context::Actors {
             if (const double paid = s->paid_out(world, element); !std::isnan(paid)) return paid;
         return kDefault;
     }
-    /// True while begin_step() runs.
+    /// True while begin_step() is running.
     [[nodiscard]] bool edits_allowed() const noexcept { return editing_; }
     /// Return true if only systems may insert and remove nodes: a system that carries an element
     /// counts its length.
     [[nodiscard]] bool refuses_nodes(InteractionId element) const noexcept {
         return !editing_ && carried_mass(element) != 0.0;
     }
-    /// True if the step has ended and been undone because systems requested edits. They are made
-    /// next, and the step is repeated with the recorded actions of the systems.
+    /// True if the step was undone because systems requested edits. The caller makes these edits
+    /// and repeats the step with the recorded actions of the systems.
     [[nodiscard]] bool has_requested_edits() const noexcept {
         return queue_.size() > 0 && pending_action_.is_known;
     }
     /// Make the requested edits.
-    /// @return the fault, also in BadLoad; Status::ok if all are made.
+    /// @return Status::ok if all edits were made, else the error, which is also stored in `bad`.
     Status make_edits(World& world) noexcept;
     [[nodiscard]] std::size_t queued() const noexcept { return queue_.left(); }
-    /// Return true if a system would leave out more at a higher level of coarsening.
+    /// Return true if a system would remove more nodes at a higher level of coarsening.
     [[nodiscard]] bool coarsens() const noexcept {
         return std::any_of(list_.begin(), list_.end(),
                            [](const auto& system) { return system->coarsens(); });
@@ -138,13 +140,13 @@ class Systems final : public context::Actors {
     Status begin_step(World& world) noexcept;
     /// Undo a failed step: restore the states of systems at its start.
     void undo_step() noexcept;
-    /// Discard the recorded actions for a step that was not taken, because the state has changed.
+    /// Discard the recorded actions of a step that was undone, because the state has changed since.
     void discard_actions() noexcept;
     Status act(context::StepContext& ctx) noexcept override;
     void accept(context::StepContext& ctx) noexcept override;
     void go_back(context::StepContext& ctx) noexcept override;
 
-    /// Return a hash of names and sizes of states.
+    /// Return a hash of the names of all systems and the sizes of their states.
     [[nodiscard]] std::uint64_t layout() const;
     [[nodiscard]] static std::uint64_t no_layout() noexcept;  ///< Layout without systems.
     [[nodiscard]] std::size_t state_bytes() const;
@@ -153,7 +155,7 @@ class Systems final : public context::Actors {
     /// Check the states read by restore().
     /// @throws DefError with the names of system and quantity.
     void check_states(const World& world) const;
-    /// Continue a hash with all states.
+    /// Continue a hash with the states of all systems.
     [[nodiscard]] std::uint64_t hash(std::uint64_t h) const;
 
     BadLoad bad;
@@ -185,7 +187,7 @@ class Systems final : public context::Actors {
     const World* world_ = nullptr;
     std::vector<std::unique_ptr<System>> list_;
     std::vector<SystemSignal> signals_;
-    mutable HoldTable held_;  ///< Scratch of for_each_held(), with its memory kept.
+    mutable HoldTable held_;  ///< Scratch of for_each_held(); its memory is reused.
     bool acted_ = false;      ///< True if systems have acted in the current step.
     bool editing_ = false;    ///< True during begin_step().
     std::vector<std::byte> step_start_states_;  ///< States at the start of the step, …

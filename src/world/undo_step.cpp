@@ -90,7 +90,8 @@ void WorldImpl::undo_step(std::size_t mark) noexcept {
     if (listener != nullptr) listener->undone(mark);
 }
 
-/// Before the start no undo is needed, because all is analysed then.
+/// Save the state for an undo of several edits. Before the first step no copy is needed, because
+/// all data are analysed at the start.
 Attempt::Attempt(World& world, bool wanted) : world_(world) {
     WorldImpl& m = *world.impl_;
     const world::Using use(m.use, "add");

@@ -34,14 +34,14 @@ class Use {
         return user_.load(std::memory_order_relaxed) == this_thread();
     }
 
-    /// True if the state may have changed since unchanged(). Derived data are then computed again
-    /// on request.
+    /// True if the state may have changed since the last call of unchanged(). Derived data are then
+    /// computed again on request.
     [[nodiscard]] bool changed() const noexcept { return changed_; }
     void unchanged() noexcept { changed_ = false; }
 
   private:
-    /// Return the calling thread. A thread_local mark is not possible: mold misplaces read-only
-    /// data of a program after a one-byte mark, and the program does not start.
+    /// Return the identifier of the calling thread. A thread_local mark is not possible: mold
+    /// misplaces read-only data of a program after a one-byte mark, and the program does not start.
     static pthread_t this_thread() noexcept { return ::pthread_self(); }
     static constexpr pthread_t kNobody = 0;  ///< thread ids of glibc are addresses
     std::atomic<pthread_t> user_{kNobody};

@@ -35,14 +35,16 @@ struct AtWheel {
     std::array<Vec3, 2> speed{Vec3::Zero(), Vec3::Zero()}, ahead{Vec3::Zero(), Vec3::Zero()};
 };
 
-/// Read the mass at the wheel of two parts. @param mass  Mass of both [kg].
+/// Read the mass and motion of the wire at the wheel between two parts. @param mass  Mass of both
+/// parts [kg].
 [[nodiscard]] AtWheel at_wheel(const context::StepContext& ctx, std::array<std::int32_t, 2> part,
                                double mass) noexcept;
-/// Set the velocity of a node that got the mass for an end, and count the energy as edited.
+/// Set the velocity of a node that has received the mass for an end, and record the change of
+/// energy as edited.
 void divide_momentum(context::StepContext& ctx, std::int32_t lump, const AtWheel& wheel,
                      std::size_t end) noexcept;
 
-/// Give the body of a guide the impulse of the half element that comes to lie on it.
+/// Apply to the body of a guide the impulse of the half element that its wheel now carries.
 /// @param part  Parts of the element. @param speed  Speeds of the ends before the edit [m/s].
 /// @param mass  Mass of the half [kg].
 void apply_lateral_impulse(context::StepContext& ctx, std::array<std::int32_t, 2> part,

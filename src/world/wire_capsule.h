@@ -11,13 +11,13 @@
 
 namespace hawser::world {
 
-/// Return the capsule of an element between two bodies, attached at these points of their frames
-/// [m]. An element between two nodes has one. An element between a node and a body has one if the
-/// wire has capsules to its ends. No capsule if the wire touches nothing.
+/// Return the capsule of an element between two bodies, attached at given points of their frames
+/// [m]. An element between two nodes has a capsule. An element between a node and a body has one if
+/// the wire has end capsules. A wire without contacts has none.
 [[nodiscard]] std::optional<ShapeDef> element_capsule(const World& world, const WireTrim& trim,
                                                       const std::array<BodyId, 2>& body,
                                                       const std::array<Vec3, 2>& point);
-/// Return the capsule of a defined element.
+/// Return the capsule of an element with this definition.
 [[nodiscard]] inline std::optional<ShapeDef> element_capsule(const World& world,
                                                              const WireTrim& trim,
                                                              const InteractionDef& element) {

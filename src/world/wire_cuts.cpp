@@ -30,7 +30,8 @@ constexpr double kNear = 1e-3;
 /// between them would move faster than a step resolves.
 constexpr double kShort = 0.25;
 
-/// Return a new name such as "tow/2" if tow or a piece of it is cut: the first unused one.
+/// Return the first unused name for a piece, such as "tow/2" if the wire tow or one of its pieces
+/// is cut.
 std::string next_name(const world::Names& names, const std::string& of) {
     std::string base = of;
     const std::size_t slash = of.rfind('/');
@@ -124,7 +125,8 @@ void WorldImpl::follow_definition(BodyId lump) noexcept {
     body_defs[at(lump.index)].linear_damping = edit::damping_of(ctx, lump.index);
 }
 
-/// Move the objects that begin at a node to another node at its position, which has been added.
+/// Divide a wire at a node: attach the objects that begin at this node to the node `end`, which has
+/// been added at the same position.
 void WorldImpl::split_wire_at_node(const edit::NodeSurroundings& place, BodyId end) noexcept {
     model::Interactions& in = ctx.model.interactions;
     const BodyId node = ctx.model.bodies.id(place.node), far = in.def[at(place.second)].body[1];
@@ -149,7 +151,7 @@ InteractionId WorldImpl::element_at(BodyId node, std::size_t side) noexcept {
     return ctx.model.interactions.id(side == 0 ? place.first : place.second);
 }
 
-/// Join a short element at an end with the next one.
+/// Join a short element at an end of a wire with the next element.
 /// @param side  0: the end is the first end of the element, 1: its last one.
 void WorldImpl::join_short_end(World& world, InteractionId end, std::size_t side) noexcept {
     const model::Interactions& in = ctx.model.interactions;
@@ -170,11 +172,11 @@ bool WorldImpl::is_carried(const world::Wire& wire, std::size_t element) const n
     return systems.carried_mass(wire.elements[element]) != 0.0;
 }
 
-/// Find the point of a cut next to an element with is_carried(), whose nodes have no mass to
-/// divide. The cut is a quarter into the nearest element beyond.
-/// @param node  Its index.
-/// @param s  [m].
-/// @return the element, and the fraction in it.
+/// Find the point of a cut near an element with is_carried(), whose nodes have no mass to divide.
+/// The cut is in the nearest element beyond, at a quarter of its length.
+/// @param node  Index of the node at the cut.
+/// @param s  Material coordinate of the cut [m].
+/// @return the element, and the fraction of its length at which the cut lies.
 std::pair<InteractionId, double> WorldImpl::cut_beside_carried(const world::Wire& wire,
                                                                std::size_t node,
                                                                double s) const noexcept {

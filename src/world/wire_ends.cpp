@@ -110,7 +110,7 @@ void WorldImpl::open_gear(InteractionId element, BodyId lump) {
 
 namespace {
 
-/// Return the node of a released end.
+/// Return the definition of the node at a released end.
 BodyDef freed_body(const World& w, const context::StepContext& c, std::int32_t element,
                    std::size_t side, const edit::NodeFraction& node_fraction) {
     const BodyDef& next = w.body_def(c.model.interactions.def[at(element)].body[1 - side]);
@@ -126,7 +126,8 @@ BodyDef freed_body(const World& w, const context::StepContext& c, std::int32_t e
     return out;
 }
 
-/// Return the element between other bodies without a drum, with the data of the next element.
+/// Return an element between two bodies that replaces an element at a drum, with the data of the
+/// next element.
 InteractionDef element_without_drum(const context::StepContext& c,
                                     const std::array<std::int32_t, 2>& element, std::size_t side,
                                     BodyId lump, double mass) {
@@ -161,7 +162,7 @@ void copy_forces(model::Interactions& in, std::int32_t from, std::int32_t to) no
     in.active[at(to)] = in.active[at(from)];
 }
 
-/// Let the wire end at its own new node.
+/// Replace the last element of a wire by one that ends at a new node of the wire.
 void end_at_node(world::Wire& wire, std::size_t side, const world::Wire& made, InteractionId before,
                  InteractionId now) noexcept {
     (side == 0 ? wire.nodes.front() : wire.nodes.back()) = made.lumps[0];
@@ -171,7 +172,7 @@ void end_at_node(world::Wire& wire, std::size_t side, const world::Wire& made, I
     for (const ShapeId id : made.shapes) wire.shapes.push_back(id);
 }
 
-/// Share of a node at the end of an element in a release.
+/// Fraction of an element's mass and loads that a node gets if the end of the element is released.
 struct EndFraction {
     edit::NodeFraction node_fraction;
     double carried;             ///< Mass of the element that its winch carries [kg].
@@ -205,7 +206,8 @@ EndFraction end_fraction(const context::StepContext& ctx, const world::Systems& 
     return out;
 }
 
-/// Return the capsule for an end without one, like the capsule of the next element.
+/// Return a capsule for an element at the end of a wire that has none, like the capsule of the next
+/// element.
 template <class Impl>
 std::optional<ShapeDef> capsule_like(const Impl& m, std::int32_t next_element) {
     const ShapeId its = m.segment_between(edit::end_of(m.ctx, next_element, 0),
@@ -217,7 +219,7 @@ std::optional<ShapeDef> capsule_like(const Impl& m, std::int32_t next_element) {
     return out;
 }
 
-/// Restore the mass to the last bit, which scaling back would not.
+/// Restore the mass of a node to the last bit. Scaling back would not give equal bits.
 template <class Impl>
 void restore_mass(Impl& m, World& world, BodyId lump, const BodyDef& was) {
     BodyDef& now = m.body_defs[at(lump.index)];
@@ -233,8 +235,8 @@ void restore_mass(Impl& m, World& world, BodyId lump, const BodyDef& was) {
 
 }  // namespace
 
-/// Release an element from a body. The part on a drum stays there, broken, and another element
-/// replaces it.
+/// Release the end of an element from a body. If the body is a drum, its element remains there as
+/// broken, and another element replaces it in the wire.
 void WorldImpl::free_node(World& world, InteractionId element, std::size_t side) {
     model::Interactions& in = ctx.model.interactions;
     const std::int32_t e = element.index;

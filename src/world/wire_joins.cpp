@@ -55,7 +55,7 @@ void throw_if_above(const std::string& where, double separation, double most) {
                                           " m; bring it nearer, or give a longer reach");
 }
 
-/// Return the first unused of "tow/gear", "tow/gear2", …
+/// Return the first unused name of "tow/gear", "tow/gear2", …
 std::string gear_name(const World& w, const std::string& wire) {
     std::string name = wire + "/gear";
     for (int k = 2; w.find_interaction(name).valid() || w.find_body(name).valid(); ++k)
@@ -146,7 +146,7 @@ Joint WorldWires::join(BodyId a, BodyId b, const Vec3& point, const JoinDef& def
     return out;
 }
 
-/// Add the mass of gear, which starts with the velocity of its node.
+/// Add the mass of gear to a node. The gear has the velocity of the node.
 void WorldImpl::add_gear_mass(BodyId lump, double mass) noexcept {
     if (!(mass > 0.0)) return;
     const double had = edit::energy_of_body(ctx, lump.index);

@@ -15,7 +15,7 @@
 namespace hawser::world {
 
 struct Wire : WirePieces {
-    /// Start an empty wire and keep its memory.
+    /// Clear the wire and keep its memory.
     void begin(std::string_view of, bool made) {
         name = of;
         owns = made;

@@ -60,7 +60,8 @@ class Sections {
 
 double element_length_of_section(const WireSection& s) noexcept { return s.length / s.elements; }
 
-/// Compute the positions of the nodes: the path, or by length between the ends.
+/// Compute the positions of the nodes: on the path of the definition, or in proportion to length
+/// between the ends.
 void compute_node_positions(const World& w, const WireDef& def, const Sections& sections,
                             std::vector<Vec3>& out) {
     out.assign(def.path.begin(), def.path.end());

@@ -31,7 +31,7 @@ void reserve_node(world::Wire& wire) {
     base::reserve_more(wire.shapes, 1);
 }
 
-/// Insert a node. Capacity has been reserved.
+/// Insert a node into the lists of a wire. Capacity has been reserved.
 /// @param made  The node and the objects added with it.
 /// @param first  True if the new element comes before the existing one.
 void put_node(world::Wire& wire, InteractionId element, const world::Wire& made,
@@ -88,8 +88,8 @@ void WorldImpl::follow_inputs(std::int32_t element) noexcept {
             input_values[i] = ctx.model.interactions.def[at(element)].get(inputs[i].param);
 }
 
-/// Return the EI of a bend added with a node on an element [N m²]. It is that of the bend at the
-/// first end, or at the last end if line types meet at the first.
+/// Return the EI for the bend at a node that is inserted in an element [N m²]. It is that of the
+/// bend at the first end, or of the bend at the last end if two line types meet at the first.
 double WorldImpl::bend_stiffness_near(const edit::NodeSurroundings& place,
                                       const world::Wire* wire) const noexcept {
     const model::Interactions& in = ctx.model.interactions;

@@ -29,7 +29,7 @@ std::optional<ShapeDef> element_capsule(const World& world, const WireTrim& trim
 
 }  // namespace world
 
-/// Move a segment to other bodies, one of which may hold it at a point of its frame.
+/// Attach a segment to other bodies. One of them may hold it at a point of its frame.
 void WorldImpl::add_capsule(ShapeId segment, BodyId first, BodyId second,
                             const Vec3& point) noexcept {
     edit::forget_contacts(ctx, segment.index);
@@ -41,8 +41,8 @@ void WorldImpl::add_capsule(ShapeId segment, BodyId first, BodyId second,
                                       ctx.model.bodies);
 }
 
-/// Move the segment of an element with it: to a node, or to a body that holds it at its previous
-/// point.
+/// Attach one end of the segment of an element to another body: a node, or a body that holds it at
+/// the previous point.
 void WorldImpl::move_segment(ShapeId segment, std::size_t side, BodyId to) noexcept {
     const ShapeDef& def = shape_defs[at(segment.index)];
     const BodyId first = side == 0 ? to : def.body, second = side == 0 ? def.body_b : to;
@@ -51,8 +51,8 @@ void WorldImpl::move_segment(ShapeId segment, std::size_t side, BodyId to) noexc
     add_capsule(segment, first, second, lumps ? Vec3(Vec3::Zero()) : def.position);
 }
 
-/// Join two segments that meet at a removed node. Between two bodies there is none: both are
-/// removed with the node.
+/// Join the segments of two elements that meet at a removed node. If both outer ends are on bodies,
+/// there is no joined segment: both are removed with the node.
 void WorldImpl::join_segments(ShapeId near, ShapeId far) noexcept {
     const ShapeDef &before = shape_defs[at(near.index)], &behind = shape_defs[at(far.index)];
     const bool ends_at_node = edit::is_free_node(ctx, behind.body_b.index);
@@ -70,7 +70,8 @@ ShapeId WorldImpl::segment_between(std::int32_t a, std::int32_t b) const noexcep
     return {};
 }
 
-/// Return the capsule to add with a node on an element; none if its wire has no contacts there.
+/// Return the capsule of the new element when a node is inserted; none if the wire has no contacts
+/// there.
 std::optional<ShapeDef> WorldImpl::next_segment(const edit::NodeSurroundings& place, BodyId node,
                                                 bool first, const world::Wire* wire) const {
     const auto end = [&](std::size_t slot) {

@@ -49,7 +49,7 @@ WireId WorldWires::add(const WireDef& def) {
     return id;
 }
 
-/// Report a wire part by part, in the order of addition.
+/// Report an added wire to the listener part by part, in the order of addition.
 void WorldImpl::report_wire(const world::Wire& made) const noexcept {
     if (listener == nullptr) return;
     try {
@@ -84,8 +84,8 @@ WorldImpl::Mark WorldImpl::mark(BodyId from, BodyId to) const noexcept {
             {quiet(from), quiet(to)}};
 }
 
-/// Undo additions since a mark. Indices at the end are removed; others are vacant again with their
-/// former generation.
+/// Undo the additions since a mark. Indices behind the mark are removed; other indices become
+/// vacant again, with their former generation.
 void WorldImpl::take_back(const Mark& before, const world::Wire& made) noexcept {
     forget_removal();
     for (const ShapeId id : made.shapes) {
@@ -250,8 +250,8 @@ double WorldWiresView::tension(WireId id, double s) const {
     return world_->intact(element) ? std::max(0.0, -world_->force(element)[0]) : 0.0;
 }
 
-/// Update the wire assignment for recoil of a new element.
-/// @throws std::bad_alloc.
+/// Update the assignment of elements to wires for the recoil of a new element. @throws
+/// std::bad_alloc.
 void WorldImpl::update_wire_of(InteractionId element) {
     const std::vector<std::int32_t>& added = ctx.state.edits.interactions;
     if (!ctx.state.started || std::find(added.begin(), added.end(), element.index) != added.end())

@@ -31,7 +31,7 @@ inline ArmsT<W8> lane_arms(const double* record, const std::int32_t* from) {
     return {{t[0], t[1], t[2]}, {t[3], t[4], t[5]}, t[6], t[7]};
 }
 
-/// Load eight consecutive records.
+/// Load the records of eight consecutive joints, one joint per lane.
 inline ArmsT<W8> next_arms(const double* record) {
     V8 t[kLanes];
     for (int l = 0; l < kLanes; ++l) t[l] = load(record + model::kArms * l);
@@ -60,7 +60,8 @@ inline bool eight_arms(const assembly::View& view, std::int32_t id) {
     return flags == 0x0303030303030303;
 }
 
-/// Load the damping torques of eight consecutive joints: the parts of M̃ v and of a.
+/// Load the damping torques of eight consecutive joints: their contributions to M̃ v and to the
+/// right-hand side a.
 inline void load_damping(const double* force, V3T<W8>& momentum, V3T<W8>& start) {
     V8 t[kLanes];
     for (int l = 0; l < kLanes; ++l) t[l] = load_at_least(force + 6 * l, 6);
@@ -102,7 +103,7 @@ inline void eight_products(const assembly::View& view, std::int32_t id, const Ar
     turn = joint_turns(a, b);
 }
 
-/// Apply first_rhs() to eight_arms().
+/// Apply first_rhs() to the eight joints from `id` on.
 inline void first_joints_rhs(const assembly::View& view, std::int32_t id, bool moving) {
     const V8 active = load(view.active + id), none{};
     V8 on[3], inactive[3];
@@ -117,7 +118,8 @@ inline void first_joints_rhs(const assembly::View& view, std::int32_t id, bool m
     }
 }
 
-/// Apply row_update() to eight_arms(): all values by row are processed as 24 consecutive rows.
+/// Apply row_update() to the eight joints from `id` on. All values by row are processed as 24
+/// consecutive rows.
 inline void eight_joints(const assembly::View& view, std::int32_t id, bool first) {
     const ArmsT<W8> arms = next_arms(view.jacobian + view.jac_begin[id]);
     const std::int32_t row = view.row_begin[id];
@@ -155,8 +157,8 @@ inline void eight_joints(const assembly::View& view, std::int32_t id, bool first
         for (int i = 0; i < 3; ++i) out[6 * l + i] = torque[3 * l + i];
 }
 
-/// Apply row_norms() to eight_arms(). @return false if not possible: rows without a limit, or a
-/// value that is not finite.
+/// Apply row_norms() to the eight joints from `id` on. @return false if not possible: rows without
+/// a limit, or a value that is not finite.
 inline bool add_joint_norms(const assembly::View& view, std::int32_t id, assembly::Norms& n) {
     constexpr std::uint64_t kPositions = 0x0202020202020202;  // flags as row_norms() tests them
     const std::int32_t row = view.row_begin[id];

@@ -40,8 +40,8 @@ double drag_work(const View& view, std::int32_t body, const double* v, const dou
 }
 
 /// Return pᵀ M⁻¹ p for an impulse p on a body. For a scalar body M includes the terms of systems.
-/// Reason: without the wire that it moves, the slide of a guide has a millionth of the mass of a
-/// point mass. It would determine all norms.
+/// Reason: the slide of a guide has a millionth of the mass of a point mass. Without the mass of
+/// the wire that it moves, it would determine all norms.
 double inverse_mass_norm(const View& view, std::int32_t body, const double* p) {
     const int dof = view.dof[body];
     if (dof == 1)
@@ -55,7 +55,7 @@ double inverse_mass_norm(const View& view, std::int32_t body, const double* p) {
     return norm;
 }
 
-/// Add the norms of one body. @param residual  Its momentum residual.
+/// Add the norms of one body. @param residual  Momentum residual of the body.
 void one_body(const View& view, std::int32_t body, const double* residual, Norms& n) {
     const int dof = view.dof[body];
     const std::int32_t begin = view.dof_begin[body];

@@ -75,7 +75,7 @@ void own_terms(const View& view, std::int32_t body) {
     store_sym(block + 6, world);
 }
 
-/// Add the terms of a compact joint to the own terms of a body.
+/// Add the geometric stiffness of a compact joint to the block and the right-hand side of a body.
 void add_arm(const View& view, const assembly::Incidence& in, const double* v, double* block,
              double* a) {
     const ArmsT<double> arms = load_arms(view.jacobian + in.jacobian - 3 * in.slot);
@@ -90,7 +90,7 @@ void add_arm(const View& view, const assembly::Incidence& in, const double* v, d
     add3(a + 3, mul6(arm, load3(v + 3)) - sign * load3(view.geo_force + in.geo_force + 3));
 }
 
-/// Add the geometric stiffness of interactions to the own terms of a body.
+/// Add the geometric stiffness of interactions to the block and the right-hand side of a body.
 void add_geometric(const View& view, std::int32_t body) {
     const int dof = view.dof[body];
     double* block = view.body_block + assembly::block_offset(view.dof_begin[body]);

@@ -21,8 +21,9 @@ struct Asked {
     bool first;       ///< True for the first call of a step, which also adds to `a`.
 };
 
-/// Return I w with the gyroscopic impulse of half a step before (half < 0) or after, body frame.
-/// The Cayley map relates both, so that angular momentum is exact. About a fixed axis both are I w.
+/// Return the angular momentum I w plus the gyroscopic impulse of half a step, in the body frame:
+/// of the half step before if half < 0, else of the one after. The Cayley map relates both values,
+/// so that angular momentum is exact. For a rotation about a fixed axis both are I w.
 template <class T, class Inertia>
 V3T<T> half_step_momentum(const Inertia& inertia, const V3T<T>& w, const T& half) {
     const V3T<T> momentum = inertia * w;

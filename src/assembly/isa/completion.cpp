@@ -49,7 +49,7 @@ BodyRef moved_pose(const View& view, std::int32_t body, const double* u, const d
     return {x + time * load3(v), buffer.a, true};
 }
 
-/// Compute the violations at poses moved in this way.
+/// Compute the violations of an interaction at the poses of moved_pose().
 template <class K>
 void moved_rows(const View& view, std::int32_t id, const typename K::Data& data, const double* u,
                 const double* fixed, double time, Rows<K::kBodies, K::kRows>& rows) {

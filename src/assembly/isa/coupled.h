@@ -6,7 +6,7 @@
 
 namespace hawser::HAWSER_ISA {
 
-/// Return the lower triangle of B of a body; null if it has no coupling.
+/// Return the lower triangle of the coupling block B of a body; null if it has none.
 inline const double* coupled_block(const assembly::View& view, std::int32_t body) {
     if (view.coupled == nullptr || view.coupled[body] < 0) return nullptr;
     return view.coupling + view.coupled[body];

@@ -18,8 +18,8 @@ inline void slot_velocity(const assembly::View& view, const double* v, std::int3
     ang = dof == 6 || dof == 0 ? load3(p + 3) : V3{0, 0, 0};
 }
 
-/// Add the part of a of a line to its two bodies. @param fraction  Fraction of K that acts on v;
-/// the rest acts on v_ahead.
+/// Add the contribution of a line to the right-hand side a of its two bodies. @param fraction
+/// Fraction of K that acts on v; the rest acts on v_ahead.
 inline void line_past(const assembly::View& view, std::int32_t id, double fraction) {
     const assembly::GeoSlot& place = view.geo[id];
     const double* rec = view.geo_record + place.record;
@@ -51,8 +51,9 @@ inline void line_past(const assembly::View& view, std::int32_t id, double fracti
     geo_product(rec, lin, ang, 0.0, out[0], out[1]);
 }
 
-/// Compute the part of M̃ v of an interaction on its two bodies, see geo.h. With `damping` (see
-/// geo_product()), compute the part of a. @param from  0 or dof: half of the slot, see GeoSlot.
+/// Compute the contribution of an interaction to M̃ v of its two bodies (geo.h). With `damping`
+/// (geo_product()), compute its contribution to a. @param from  0 or dof: half of the slot, see
+/// GeoSlot.
 inline void geo_force(const assembly::View& view, std::int32_t id, const double* v,
                       double damping = 1.0, int from = 0) {
     const assembly::GeoSlot& place = view.geo[id];

@@ -3,7 +3,7 @@
 /// @file joint_rows.h
 /// Version of evaluate() for eight compact joints (model/arms.h) with consecutive indices, one per
 /// lane. Arrays by joint are then read without gathers. If the joints connect consecutive bodies,
-/// as in a chain, arrays by body are, too:
+/// as in a chain, arrays by body are read without gathers, too:
 /// ```
 ///   joint l:   body b + l ──●── body b + l + 1
 /// ```
@@ -132,7 +132,8 @@ class JointRows {
                 view_, id_, b, packed, [&](std::int32_t i) { return view_.dof_begin[i]; }, v[b]);
     }
 
-    /// Correct the rows of slack one-sided joints. @param speed  Speeds in the order of the rows.
+    /// Add the term of slack lines (when_slack()) to c of one-sided joints.
+    /// @param speed  Speeds in the order of the rows.
     void slack(std::int32_t row, const V8 (&speed)[3]) const {
         std::uint64_t flags;
         std::memcpy(&flags, view_.flags + id_, sizeof flags);

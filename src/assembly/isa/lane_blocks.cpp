@@ -156,7 +156,8 @@ void condense(const View& view, const LaneOp& op, LaneTarget out) {
     }
 }
 
-/// Add the blocks of geo.h, see geometric() in blocks.cpp.
+/// Add the blocks of geometric stiffness and damping (geo.h) in lanes, like geometric() in
+/// blocks.cpp.
 void geometric(const View& view, const LaneOp& op, LaneTarget out) {
     const bool rigid_a = op.dof_a == 6, rigid_b = op.dof_b == 6;
     const bool same = op.a == op.b;

@@ -33,7 +33,8 @@ struct LaneRows {
     std::int32_t id[kLanes], row[kLanes], body[B][kLanes];
     bool in_a_row = false;  ///< True if ids and rows are consecutive.
 
-    /// Select eight interactions of View::among_nodes from ids[0] on. @return true if all qualify.
+    /// Select eight interactions of View::among_nodes from ids[0] on. @return true if all of them
+    /// can be processed in lanes.
     bool take(const std::int32_t* ids) {
         for (int l = 0; l < kLanes; ++l) {
             id[l] = ids[l];
@@ -115,7 +116,7 @@ struct LaneRows {
         if constexpr (K::kGeometry == Geometry::line) line(refs, rows, v, start);
     }
 
-    /// Compute G u, one entry per row, for u by body.
+    /// Compute G u of eight interactions, one entry per row. @param u  Velocities of their bodies.
     HAWSER_INLINE static void products(const Rows<B, R, W8>& rows, const V8 (&u)[B][D],
                                        V8 (&out)[R]) {
         for (int r = 0; r < R; ++r) {
@@ -149,8 +150,8 @@ struct LaneRows {
         store_rows(view.residual, speed);
     }
 
-    /// Write the packed Jacobians, eight entries of each at a time. The last eight overlap with
-    /// others, so that all vectors are complete.
+    /// Write the packed Jacobians, eight entries of each at a time. If their size is no multiple of
+    /// eight, the last eight entries include some that are already written.
     void write_jacobian(const Rows<B, R, W8>& rows) const {
         constexpr int size = R * W;
         [&]<int... I>(std::integer_sequence<int, I...>) {
@@ -158,7 +159,7 @@ struct LaneRows {
         }(std::make_integer_sequence<int, (size + kLanes - 1) / kLanes>());
     }
 
-    /// Write eight entries from `Begin` on, or the remaining ones.
+    /// Write up to eight entries of the packed Jacobians, from `Begin` on.
     template <int Begin>
     void write_entries(const Rows<B, R, W8>& rows) const {
         constexpr int count = std::min(R * W - Begin, kLanes);
@@ -190,7 +191,8 @@ struct LaneRows {
         put<Begin, Count>(view.geo_force, [&](std::int32_t i) { return view.geo[i].force; }, t);
     }
 
-    /// Compute the record of a line between point masses, and its parts of M̃ v and of a.
+    /// Compute the geometric record of a line between point masses, and its contributions to M̃ v
+    /// and to a.
     void line(const NodeLanes* refs, const Rows<B, R, W8>& rows, const V8 (&v)[B][D],
               const V8 (&start)[B][D]) const {
         const double scale = view.h * view.h * view.geometric_stiffness;

@@ -39,7 +39,7 @@ inline T size_of(const T& x) {
     return select_greater(x, zero(x), x, -x);
 }
 
-/// Return the loss of the row as row_losses() computes it.
+/// Return the energy that the row of the element loses in the step, by the formula of row_losses().
 template <class T>
 inline T booked_loss(const Ends<T>& e, double half) {
     const T old = e.g - half * e.rate[0], now = e.g + half * e.rate[1];

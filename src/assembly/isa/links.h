@@ -38,7 +38,7 @@ inline bool eight_links(const assembly::View& view, std::int32_t body) {
 
 /// Return the first of the eight links that include `body`. If fewer links of the chain follow in
 /// [begin, end), the group starts earlier and ends with the last of them. Some links are then
-/// processed twice, with the same result. −1: process the body alone.
+/// processed twice, with the same result. Return −1 if the body must be processed alone.
 inline std::int32_t links_with(const assembly::View& view, std::int32_t begin, std::int32_t body,
                                std::int32_t end) {
     const std::int32_t run = view.links[body];
@@ -48,8 +48,8 @@ inline std::int32_t links_with(const assembly::View& view, std::int32_t begin, s
     return from >= begin && eight_links(view, from) ? from : -1;
 }
 
-/// True if `body` is no link and eight links begin so close behind it that it should not be grouped
-/// with some of them.
+/// True if `body` is no link and a group of eight links begins less than eight bodies behind it.
+/// The body is then processed alone, so that the group stays complete.
 inline bool before_links(const assembly::View& view, std::int32_t body, std::int32_t end) {
     if (view.links[body] > 0) return false;
     for (std::int32_t next = body + 1; next < body + kLanes && next + kLanes <= end; ++next)

@@ -11,7 +11,8 @@ using assembly::View;
 
 constexpr double kElastic = 1e-11;  // model::kElasticCompliance
 
-/// Return the compliance above which rows store energy, as in model::holds_energy().
+/// Return the compliance up to which a row counts as rigid. Rows with a larger one store energy, as
+/// in model::holds_energy().
 inline double rigid_up_to(const View& view, std::int32_t id) {
     return view.rest_length[id] > 0.0 ? 0.0 : kElastic;
 }
@@ -61,8 +62,8 @@ int any_bits(const std::uint8_t* some, std::int32_t count) {
     return bits;
 }
 
-/// True if all interactions are plain: two-sided joints, none completed, without drives and
-/// differences of directions. Such rows need no marks.
+/// True if all interactions are two-sided joints without drives and without rows of direction
+/// differences, and none is completed. Such rows need no flags.
 bool all_plain(const View& view, std::int32_t begin, std::int32_t end, std::int32_t first,
                std::int32_t rows) {
     const std::int32_t n = end - begin;

@@ -13,8 +13,8 @@ using assembly::View;
 
 constexpr int kSlots = kMaxInteractionBodies;
 
-/// Compute G u of one interaction for a packed vector u by body: R rows, one per lane, 0 in the
-/// other lanes.
+/// Compute G u of one interaction for a packed vector u by body. Lane r contains row r of R rows;
+/// the other lanes are 0.
 template <int R, class Offset>
 inline V8 row_products(const View& view, std::int32_t id, const double* u, Offset offset) {
     const std::int32_t* body = view.body + kSlots * id;

@@ -25,14 +25,14 @@ inline bool eight_rigid(const assembly::View& view, std::int32_t body) {
 using W3 = V3T<W8>;
 using WM3 = M3T<W8>;
 
-/// Load eight consecutive three-vectors, one per lane.
+/// Load eight consecutive three-vectors, one vector per lane.
 inline W3 load_threes(const double* p) {
     V8 v[3];
     load_threes(p, v);
     return {v[0], v[1], v[2]};
 }
 
-/// Shift lanes by one: v without its first lane, followed by the vector at p.
+/// Shift the lanes of v down by one, and set the last lane to the vector at p.
 inline W3 shift_in(const W3& v, const double* p) {
     return {shift_in(v.x, p[0]), shift_in(v.y, p[1]), shift_in(v.z, p[2])};
 }

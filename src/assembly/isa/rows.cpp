@@ -23,7 +23,8 @@ constexpr int kSlots = kMaxInteractionBodies;
 template <class K>
 constexpr bool kCompactKind = requires { requires K::kMayBeCompact; };
 
-/// Return the fraction of the geometric stiffness that applies to an interaction with the force nf.
+/// Return the fraction of the geometric stiffness that is used for an interaction whose force has
+/// the magnitude nf.
 double fade(const View& view, std::int32_t id, double nf) {
     if (!view.completed[id]) return 1.0;
     return completed_stiffness(4.0 * view.h * view.h * nf * view.vibration[id]);
@@ -50,10 +51,11 @@ struct Arms {
     }
 };
 
-/// Compute the geometric record. The force on slot b acts at the point of the joint: the first
-/// three rows are translations along ±E. @return for a joint: factor by which the damping of the
-/// record is reduced for the velocity before the step. For a line: fraction of K in its record that
-/// acts on that velocity; the rest acts on the extrapolated one.
+/// Compute the record of geometric stiffness of an interaction. The force on slot b acts at the
+/// point of the joint, since its first three rows are translations along ±E. @return for a joint:
+/// factor by which the damping of the record is reduced for the velocity before the step. For a
+/// line: fraction of K in its record that acts on that velocity; the rest acts on the extrapolated
+/// one.
 template <class K>
 double geometry(const View& view, const typename K::Data& data, const BodyRef* refs,
                 std::int32_t id, const Rows<K::kBodies, K::kRows>& rows) {

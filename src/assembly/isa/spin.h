@@ -17,7 +17,7 @@ template <class T>
 HAWSER_INLINE V3T<T> operator*(const Principal<T>& i, const V3T<T>& v) {
     return {i.moment[0] * v.x, i.moment[1] * v.y, i.moment[2] * v.z};
 }
-/// Return R I Rᵀ.
+/// Return R I Rᵀ: an inertia in the world frame.
 template <class T>
 HAWSER_INLINE M3T<T> in_world(const M3T<T>& r, const M3T<T>& inertia) {
     return congruence(r, inertia.a);
@@ -34,7 +34,7 @@ HAWSER_INLINE M3T<T> in_world(const M3T<T>& r, const Principal<T>& inertia) {
     }
     return o;
 }
-/// Return (E + û) I.
+/// Return (E + û) I, where û is the cross-product matrix of u.
 template <class T>
 HAWSER_INLINE M3T<T> turned(const M3T<T>& inertia, const V3T<T>& u) {
     const T* i = inertia.a;
@@ -50,9 +50,9 @@ HAWSER_INLINE M3T<T> turned(const Principal<T>& inertia, const V3T<T>& u) {
     return {{i[0], -z * i[1], y * i[2], z * i[0], i[1], -x * i[2], -y * i[0], x * i[1], i[2]}};
 }
 
-/// Return the angular velocity after h without torque, body frame. Source: the Cayley form of the
-/// discrete Euler equations in Bou-Rabee, Marsden, "Hamilton-Pontryagin integrators on Lie groups",
-/// 2009.
+/// Return the angular velocity after a step h without torque, in the body frame. Source: the Cayley
+/// form of the discrete Euler equations in Bou-Rabee, Marsden, "Hamilton-Pontryagin integrators on
+/// Lie groups", 2009.
 ///   F(ω₊; +h) = F(ω; −h),  F(ω; s) = Iω + (s/2) ω × Iω + (s²/4)(ω·Iω) ω.
 /// Newton's method starts from the explicit step; its Jacobian is well conditioned if h|ω| < 1.
 /// Each correction is about h|ω| times the square of the one before, so that slow bodies need one
@@ -90,10 +90,10 @@ HAWSER_INLINE V3T<T> free_rotation(const Inertia& inertia, const Inertia& invers
     return select_greater(1.5 * dot(w, iw), dot(u, inertia * u), u, w);
 }
 
-/// Return the gyroscopic impulse between the spin and the change δ due to torques in this step,
-/// −(h/2)(δ × Iω + ω × Iδ). It is the mean of both ends of the step. With the value at the start
-/// only, a spinning body under torque (a top) would be of first order. δ is taken from the last
-/// step. The term is explicit and therefore damped if h|ω| is large.
+/// Return the gyroscopic impulse −(h/2)(δ × Iω + ω × Iδ) between the spin ω and its change δ due to
+/// torques in this step. It is the mean of the values at the start and the end of the step. With
+/// the value at the start only, a spinning body under torque (a top) would be of first order. δ is
+/// taken from the last step. The term is explicit and therefore damped if h|ω| is large.
 template <class T, class Inertia>
 HAWSER_INLINE V3T<T> forced_gyro(const Inertia& inertia, const V3T<T>& w, const V3T<T>& change,
                                  const T& h) {

@@ -50,10 +50,10 @@ struct Convex {
 };
 
 Convex make_convex(const Geometry& shape, const Placement& placed, const double* origin);
-/// Make a triangle with corners counter-clockwise seen from its normal.
+/// Return a triangle whose corners are counter-clockwise seen from its normal.
 Convex make_triangle(const V3& a, const V3& b, const V3& c);
 
-/// Return a point of the core furthest along n. @param id  Output: name of the point.
+/// Return a point of the core furthest along n. @param id  Output: feature number of the point.
 V3 support(const Convex& shape, const V3& n);
 
 /// Vertices of the part of a core that faces n. `vertex[i]`: name of a vertex. `edge[i]`: name of

@@ -80,7 +80,8 @@ struct Cells {
     int first_i, last_i, first_j, last_j;
 };
 
-/// Add the contact of a shape in the ground that no triangle accepted; see the head of this file.
+/// Add the contact of a shape below the surface for which no triangle has a contact (see the head
+/// of this file).
 void add_ground_contact(const Convex& shape, const Ground& g, const Cells& cells, Points& out) {
     const V3 local = middle_of(shape), middle = local + g.centre;
     const double u = middle.x / g.data.cell[0] + 0.5 * (g.data.columns - 1);

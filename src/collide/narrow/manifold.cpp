@@ -19,7 +19,8 @@ constexpr double kDeeper = 1e-8;
 /// Parts with a smaller tilt count as exactly parallel; n is accurate to 1e-8 or better.
 constexpr double kFlat = 1e-6;
 
-/// Return the point of smallest gap in the overlap of the parts that face each other exactly.
+/// Return the point of smallest gap in the overlap of the faces of both cores that are
+/// perpendicular to n.
 Point deepest_point(const Convex& a, const Convex& b, const V3& n, double separation, double size) {
     Poly pa, pb;
     facing_polygon(a, n, kFlat, pa);
@@ -147,7 +148,7 @@ void add_points(const Convex& a, const Convex& b, const V3& n, double separation
 
 namespace {
 
-/// Sort by name; of equal names keep the deeper point first.
+/// Sort points by feature number. If numbers are equal, the deeper point is first.
 void sort(Points& points) {
     std::sort(points.p, points.p + points.count, [](const Point& p, const Point& q) {
         return p.feature != q.feature ? p.feature < q.feature : p.gap < q.gap;

@@ -30,13 +30,13 @@ inline constexpr double kTilt = 0.2;
 void add_points(const Convex& a, const Convex& b, const V3& n, double separation, double margin,
                 Points& out);
 
-/// Keep four points of (nearly) one normal, in their order. If `row`, keep the ends of the row and
-/// the deepest point.
+/// Keep four points of (nearly) one normal, in their order. If `row` is true, keep the ends of the
+/// row and the deepest point.
 void reduce(Points& points, double size, bool row = false);
-/// Sort by feature, keep the deeper one of equal names, and write at most kMaxManifold points with
-/// `origin` added.
+/// Sort the points by feature, keep the deeper of two points with equal features, and write at most
+/// kMaxManifold points with `origin` added.
 void write_sorted(Points& points, const double* origin, Manifold& out);
-/// Reduce to four, sort by feature, and write with `origin` added.
+/// Reduce the points to four, sort them by feature, and write them with `origin` added.
 void finish(Points& points, const double* origin, double size, Manifold& out);
 /// Write a manifold of one point, with `origin` added.
 void finish(const Point& point, const double* origin, Manifold& out);

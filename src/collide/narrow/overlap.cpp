@@ -68,7 +68,7 @@ std::uint32_t crossing_name(int edge, int clip_edge) {
                    static_cast<unsigned>(std::max(other, clip_edge)));
 }
 
-/// Keep the part left of the line from p to q.
+/// Clip a polygon: keep the part left of the line from p to q.
 int clip(const Corner* in, int count, const Flat& p, const Flat& q, int clip_edge, double snap,
          Corner* out) {
     const double dx = q.x - p.x, dy = q.y - p.y, length = std::hypot(dx, dy);
@@ -120,8 +120,8 @@ void intersect_polygons(const View& view, const Shadow& a, const Shadow& b, doub
                   now[i].name, out);
 }
 
-/// Add the part of the segment s over the polygon. @param first  True if the segment belongs to
-/// shape 0.
+/// Add the contacts of the part of segment s that projects onto the polygon. @param first  True if
+/// the segment belongs to shape 0.
 void segment_polygon(const View& view, const Poly& s, const Shadow& polygon, bool first,
                      double snap, Points& out) {
     const Flat p = view.project_to_view(s.p[0]), q = view.project_to_view(s.p[1]);

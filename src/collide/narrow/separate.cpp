@@ -8,8 +8,8 @@
 namespace hawser::collide::narrow {
 namespace {
 
-/// Separate two intersecting cores without volume along normals of triangles and normals to one
-/// edge of each.
+/// Find the separation of two intersecting cores without volume. Candidates are normals of
+/// triangles and normals to one edge of each core.
 Separation part_flat(const Convex& a, const Convex& b) {
     V3 along = b.c - a.c;
     if (!(dot(along, along) > 0.0)) along = {0, 0, 1};
@@ -48,7 +48,7 @@ bool is_flat(const Convex& s) {
     return s.kind == ShapeKind::sphere || s.kind == ShapeKind::capsule || s.kind == ShapeKind::mesh;
 }
 
-/// Separate two intersecting cores, at least one of which has a volume.
+/// Find the separation of two intersecting cores, at least one of which has a volume.
 Separation part_solid(const Convex& a, const Convex& b) {
     Separation best = polish(a, b, epa(a, b), 0.0);
     // Near the axis of a round body all exits are nearly equally short; also try the radial one.

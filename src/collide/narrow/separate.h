@@ -8,8 +8,8 @@
 
 namespace hawser::collide::narrow {
 
-/// Find the largest s(n). If the cores are further apart than `enough` [m], return any n with s(n)
-/// > enough.
+/// Find the normal n with the largest separation s(n). If the cores are further apart than `enough`
+/// [m], return any n with s(n) > enough.
 Separation separate(const Convex& a, const Convex& b, double enough);
 
 }  // namespace hawser::collide::narrow

@@ -63,7 +63,8 @@ struct ShapeData {
 [[nodiscard]] std::unique_ptr<ShapeData> make_shape_data(const ShapeDef& def);
 
 namespace narrow {
-// Steps of make_shape_data(), in hull.cpp, mesh.cpp, heightfield.cpp.
+// Build the data of a hull. This function and the next ones are steps of make_shape_data()
+// (hull.cpp, mesh.cpp, heightfield.cpp).
 void make_hull(const ShapeDef& def, ShapeData& out);
 void make_mesh(const ShapeDef& def, ShapeData& out);
 void make_heightfield(const ShapeDef& def, ShapeData& out);

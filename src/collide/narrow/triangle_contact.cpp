@@ -16,8 +16,8 @@ constexpr double kSamePoint = 1e-6;  ///< Tolerance of equal points, relative to
 /// Minimum additional depth of an added point, relative to the size.
 constexpr double kDeeperFace = 1e-8;
 
-/// True if m (unit, out of the surface) is an admissible normal at the part of the triangle that
-/// faces it.
+/// True if the unit vector m, which points out of the surface, is an admissible normal at the part
+/// of the triangle that faces it.
 bool is_admissible_normal(const SurfaceTriangle& t, const V3& m) {
     Poly part;
     facing_polygon(t.triangle, m, 1e-5, part);

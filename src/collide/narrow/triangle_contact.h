@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file triangle_contact.h
-/// A convex shape against one triangle of a surface.
+/// Compute the contact of a convex shape with one triangle of a surface.
 ///
 /// Interior edges. A shape that slides over flat ground must not catch on interior edges. Let m be
 /// a normal out of the surface at an edge or a vertex v. It belongs to a nearest point only if no
 /// neighbouring vertex w rises towards it: m · (w − v) ≤ 0. If one does, the normal of the triangle
-/// replaces m, and only points over the triangle along its normal touch. The neighbours cover the
-/// rest. If a shape overlaps a surface, it has no nearest point; the same rule then applies to the
-/// normal of least penetration. A two-sided triangle that a shape does not overlap adds nothing:
-/// any point over it lies beyond it.
+/// replaces m, and only points over the triangle along its normal touch. The neighbouring
+/// triangles have the other points. If a shape overlaps a surface, it has no nearest point; the
+/// same rule then applies to the normal of least penetration. A two-sided triangle that a shape
+/// does not overlap adds nothing: any point over it lies beyond it.
 ///
-/// A shape may overlap triangles of a surface although none of them accepts a point. Example: its
-/// deepest point of each lies over another one. Then it is pushed along the normal of the nearest
-/// triangle.
+/// A shape may overlap triangles of a surface although none of them accepts a point. For
+/// example, the deepest point of each triangle lies over another triangle. The shape is then pushed
+/// along the normal of the nearest triangle.
 
 #include "collide/narrow/manifold.h"
 
@@ -44,7 +44,7 @@ void touch_triangle(const Convex& shape, const SurfaceTriangle& surface, double 
 /// Return the deepest point of a shape along the normal n of the triangle. Its gap may be positive.
 [[nodiscard]] Point deepest_along_normal(const Convex& shape, const SurfaceTriangle& t,
                                          const V3& n);
-/// True if no point is deep.
+/// True if no point lies deeper than the rounding tolerance.
 [[nodiscard]] bool none_overlaps(const Points& points);
 /// Return the middle of a shape. For a hull this is the mean of the vertices, because its frame may
 /// lie anywhere.
@@ -55,8 +55,8 @@ void touch_triangle(const Convex& shape, const SurfaceTriangle& surface, double 
 
 /// Transform points about `centre` from the frame of the surface to the world, reduce them to at
 /// most kMaxManifold, sort and write them. Points with one normal (within 8 degrees) form a group.
-/// Each group keeps up to four points, fewer if there are more than two groups. A capsule keeps its
-/// ends and the deepest point.
+/// Each group keeps up to four points, fewer if there are more than two groups. For a capsule the
+/// points at its ends and the deepest point are kept.
 void finish_surface(Points& points, const Placement& surface, const V3& centre, const Convex& shape,
                     Manifold& out);
 /// Reduce each group to at most four points if the buffer is nearly full.

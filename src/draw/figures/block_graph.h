@@ -38,10 +38,10 @@ struct BlockGraph {
 [[nodiscard]] BlockGraph block_graph_of_world(const SystemView& view,
                                               std::span<const std::int32_t> part_of_body = {});
 
-/// Return the graph part by part: all bodies of the part, then all rows that act on one of them.
-/// Rows that act on bodies of several parts occur in each of these parts, without the bodies of the
-/// others. This is the paper's kinematic split, in which each side solves for the force at the cut.
-/// Nodes in no part are left out.
+/// Return the graph ordered by parts. Each part has its bodies, followed by all rows that act on
+/// them. Rows that act on bodies of several parts occur in each of these parts, with the bodies of
+/// this part only. This is the paper's kinematic split, in which each side solves for the force at
+/// the cut. Nodes in no part are left out.
 [[nodiscard]] BlockGraph split_graph(const BlockGraph& whole, std::int32_t parts);
 
 /// Return one part of a split graph; `origin` refers to the nodes of `split`.

@@ -36,7 +36,7 @@ struct Scope {
     }
 };
 
-/// Return the view along which the box appears largest; the top view if two are equal.
+/// Return the view in which the box appears largest; the top view if two are equal.
 View widest_view(const Vec3& extent) {
     const std::array<View, 3> views{{{0, 1, 1.0, "top view"},
                                      {0, 2, 1.0, "side view along y"},

@@ -29,7 +29,7 @@ struct Swatch {
 /// Draw colours with names in rows that start at `at` and are at most `width` wide.
 void draw_swatches(Drawing& drawing, Point at, double width, const std::vector<Swatch>& swatches);
 
-/// Copy a picture into another one, scaled evenly to a width.
+/// Copy a drawing into another one, scaled equally in both directions to a width.
 void place(Drawing& page, const Drawing& panel, Point at, double width);
 
 /// Arrange panels row by row on one page; each row is stretched to the width of the page.

@@ -17,8 +17,8 @@ struct NamedTimeline {
     std::string note;  ///< Reason if there is no timeline; empty if there is one.
 };
 
-/// Draw timelines at the width of three square panels side by side. Simulated ones are marked in
-/// their caption and in the name of every line.
+/// Draw timelines at the width of three square panels side by side. Simulated timelines are marked
+/// in their caption and in the name of every line.
 [[nodiscard]] Drawing draw_timelines(const std::vector<NamedTimeline>& timelines,
                                      const std::string& title,
                                      const std::vector<std::string>& notes);

@@ -32,7 +32,7 @@ struct Columns {
     [[nodiscard]] static constexpr int other(int side) { return kSides - 1 - side; }
 };
 
-/// Mark wrong pivots, except padding.
+/// Mark the lanes with a wrong pivot in column c of the matrix m. Padding is not marked.
 HAWSER_INLINE void mark_wrong_pivots(const Columns<2>& m, int c, const V8& bad) {
     if (!any(bad)) return;
     for (int lane_ = 0; lane_ < factor::kLaneCount; ++lane_)
@@ -79,7 +79,7 @@ HAWSER_INLINE void factor_triangle(const Columns<kSides>& m, int c, int h, Trian
     }
 }
 
-/// Solve rows [r, r + R) below that triangle.
+/// Solve rows [r, r + R) below the triangle of factor_triangle().
 template <int R, int N, int kSides>
 HAWSER_INLINE void solve_below(const Columns<kSides>& m, int c, int r, int h,
                                const Triangle<N, kSides>& t) {
@@ -115,7 +115,8 @@ inline void factor_columns(const Columns<kSides> m, int c, int n, V8& bad) {
         });
 }
 
-/// Compute next = shifted window − L21 W21ᵀ. `l` and `w` point to the first update row.
+/// Compute the window of the next step: the shifted window minus L21 W21ᵀ. `l` and `w` point to the
+/// first update row.
 inline void update_window(const double* l, const double* w, long stride, const BatchStep& step,
                           const Shift& shift, const double* window, double* next) {
     for (int i = 0; i < step.q / kTile; ++i) {
@@ -181,8 +182,8 @@ HAWSER_INLINE SlotRecord read_slot_record(const double* room, int slot) {
     return p;
 }
 
-/// Store the last window as update matrices of the parents, lane by lane. The rows of a parent
-/// follow another order than the slots. An entry with swapped slots belongs to the other side.
+/// Store the last window as update matrices of the parents, lane by lane. The rows of a parent have
+/// another order than the slots. An entry whose slots are exchanged belongs to the other side.
 /// @param room  Buffer with a SlotRecord for each slot.
 template <int kSides>
 inline void store_tails(const FactorView& view, const Batch& batch, double* const (&window)[kSides],
@@ -209,7 +210,7 @@ inline void store_tails(const FactorView& view, const Batch& batch, double* cons
     }
 }
 
-/// Return the sum of whole numbers in a vector.
+/// Return the sum of the integers in a vector.
 HAWSER_INLINE int count(const V8& v) { return static_cast<int>(sum(v)); }
 
 template <int kSides>

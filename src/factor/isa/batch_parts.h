@@ -32,7 +32,7 @@ HAWSER_INLINE void tile(Part (&acc)[NI][NJ], const double* a, const double* b, l
     }
 }
 
-/// Call f with the tile size as a constant.
+/// Call f with the tile size n as a compile-time constant.
 template <class F>
 HAWSER_INLINE void with_size(int n, F&& f) {
     switch (n) {
@@ -51,14 +51,15 @@ HAWSER_INLINE void with_size(int n, F&& f) {
 /// Origin of the update slots of a step: the tile that contained them before.
 struct Shift {
     int body, window, before;  ///< Tiles of a body; of the window; of the update slots before.
-    /// Return the earlier tile, −1: new in this step.
+    /// Return the index of a tile in the window of the step before; −1 if the tile is new in this
+    /// step.
     [[nodiscard]] HAWSER_INLINE int earlier_tile(int tile) const {
         if (tile < window) return tile + body < window && before > 0 ? tile + body : -1;
         return tile < before ? tile : -1;
     }
 };
 
-/// Return the shift before a step of the batch.
+/// Return the shift of the window before a step of the batch.
 HAWSER_INLINE Shift shift_before(const factor::FactorView& view, const factor::Batch& batch,
                                  std::int32_t step) {
     const int before = step > batch.step_begin ? view.batch_steps[step - 1].q / kTile : 0;

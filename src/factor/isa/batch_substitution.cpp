@@ -17,8 +17,8 @@ using factor::BatchStep;
 using factor::FactorView;
 using factor::Front;
 
-/// Prefetch a panel that is read some steps later. Substitutions read each entry once, and large
-/// factors come from memory.
+/// Prefetch a panel that is read in a later step. Substitutions read each entry once, and large
+/// factors are not in a cache.
 HAWSER_INLINE void prefetch_panel(const double* panel, const BatchStep& step) {
     const double* p = panel + step.panel;
     const long size = 8L * step.p * (step.p + step.q);
@@ -32,7 +32,7 @@ constexpr int kAhead = 2;  // steps
 // of four registers do not fit on SSE2.
 inline constexpr bool kRigidInRegisters = kPartLanes >= 4;
 
-/// Load x of the step's body lane by lane, 0 for a lane without a body.
+/// Load x of the bodies of a batch step, one body per lane; 0 in a lane without a body.
 HAWSER_INLINE void load_rigid(const double* x, const std::int32_t* index, V8 (&v)[kLanes]) {
     for (int l = 0; l < kLanes; ++l) v[l] = index[l] < 0 ? V8{} : load_first(x + index[l], kRigid);
     transpose(v);
@@ -43,7 +43,7 @@ HAWSER_INLINE void store_rigid(double* x, const std::int32_t* index, V8 (&v)[kLa
         if (index[l] >= 0) store_first<kRigid>(x + index[l], v[l]);
 }
 
-/// Do one step of forward_batch().
+/// Perform one step of forward_batch(), for rigid bodies.
 inline void forward_rigid(const FactorView& view, const BatchStep& step, const Shift& shift,
                           const double* x, const double* carried, double* next) {
     const double* panel = view.panel + step.panel;
@@ -67,8 +67,8 @@ inline void forward_rigid(const FactorView& view, const BatchStep& step, const S
     }
 }
 
-/// Do one step of backward_batch().
-/// @param behind  The first six entries become x of this body.
+/// Perform one step of backward_batch(), for rigid bodies.
+/// @param behind  The first six entries are set to x of this body.
 inline void backward_rigid(const FactorView& view, const BatchStep& step, const double* panel,
                            double* behind, double* x) {
     V8 z[kLanes] = {};

@@ -8,7 +8,7 @@
 
 namespace hawser::HAWSER_ISA {
 
-/// Return v, forced into a register on instruction sets with many registers.
+/// Return v, forced into a register if the instruction set has enough registers.
 HAWSER_INLINE Part keep(Part v) {
 #if defined(__AVX512F__)
     asm("" : "+v"(v));

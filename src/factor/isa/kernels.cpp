@@ -9,8 +9,8 @@
 ///
 /// An unsymmetric front has two *sides* of one shape: side 0 holds the lower half, side 1 the
 /// upper half transposed. With unscaled columns W₀ = L D and W₁ = (D U)ᵀ the Schur complement is
-/// C −= L (D U) = L W₁ᵀ, and transposed Cᵀ −= Uᵀ W₀ᵀ. So each side is updated with the unscaled
-/// columns of the other. A symmetric front has one side, which is its own other.
+/// C −= L (D U) = L W₁ᵀ, and transposed Cᵀ −= Uᵀ W₀ᵀ. Each side is therefore updated with the
+/// unscaled columns of the other side. A symmetric front has one side, which takes both roles.
 #include "factor/kernels.h"
 
 #include "base/lanes.h"
@@ -47,7 +47,7 @@ constexpr Tile kAtOnce = {4, 2};
 constexpr int kRowStep = kPartLanes > 4 ? kPartLanes : 4;
 constexpr int kStepParts = kRowStep / kPartLanes;
 
-/// Return n rounded up to whole steps.
+/// Return n rounded up to a multiple of kRowStep.
 HAWSER_INLINE int round_up_to_step(int n) { return (n + kRowStep - 1) / kRowStep * kRowStep; }
 
 /// The pivot columns of a front.
@@ -165,7 +165,7 @@ inline void update_columns(double* c, long ldc, const double* l, const double* w
 }
 
 /// Update the columns [begin, end) of one side of a matrix with row r at l + r. The last columns
-/// are updated together, because a single column waits for its own chain of sums.
+/// are updated together, because a single column would be limited by the latency of its sums.
 template <bool kFirst>
 inline void update_block(double* c, long ldc, const double* l, const double* w, long ld, int depth,
                          int begin, int end, int rows) {
@@ -188,10 +188,10 @@ inline void add_block(double* to, long ld_to, const double* from, long ld_from, 
         });
 }
 
-/// Add the columns of the children's update matrices that are pivots of the front, or the others. A
-/// run of columns meets the runs of rows at and behind it in dense blocks. The triangle above the
-/// diagonal of the first block is copied and never read. Both sides receive the same values of a
-/// symmetric child.
+/// Add columns of the children's update matrices to the front: those that are pivots of the front
+/// (kPivots), or the others. A run of consecutive columns and the runs of rows at and behind it
+/// form dense blocks. The triangle above the diagonal of the first block is copied and never read.
+/// Both sides receive the same values of a symmetric child.
 template <bool kPivots, int kSide>
 inline void extend_add(const FactorView& view, const Front& front, double* panel, double* update) {
     const long ld = kPivots ? front.ld : front.ldu;
@@ -230,8 +230,8 @@ inline void update_behind_pivots(const Front& front, double* panel, double* upda
                             front.q, round_up_to_step(front.q));
 }
 
-/// Factor the pivot columns [d0, d1), at most kDepth. Each block first receives the updates of the
-/// blocks before it, so that it is written once.
+/// Factor the pivot columns [d0, d1), at most kDepth. Each block is written once, because it first
+/// receives the updates of all blocks before it.
 template <int kSides>
 inline int factor_deep(const Trapezoid<kSides> t, int d0, int d1) {
     int wrong = 0;

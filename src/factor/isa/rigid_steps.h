@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file rigid_steps.h
-/// Steps of a symmetric batch (factor/batches.h) that eliminate one rigid body without rows: six
-/// pivots. Most steps of chains and cables with condensed joints are of this form.
+/// Steps of a symmetric batch (factor/batches.h) that eliminate one rigid body without rows, which
+/// has six pivots. Most steps of chains and cables with condensed joints are of this form.
 ///
 /// The pivots form one chain of dependent operations: six times a division, a product and a sum.
-/// This takes about as long as all products of the step. No other operation of the step can precede
-/// them, but they need only the first two rows of tiles of the window. So these tiles come first,
-/// and the pivots of the next step are eliminated between the other tiles:
+/// This takes about as long as all products of the step. All other operations of the step need
+/// the pivots. The pivots need only the first two rows of tiles of the window. These tiles are
+/// therefore computed first, and the pivots of the next step are eliminated between the others:
 ///
 /// ```
 ///   rows k │ window k: body │ pivots k + 1: 0     1     2     3     4     5 │ rows k + 1 │ …
@@ -55,13 +55,13 @@ HAWSER_INLINE RigidStep rigid_step(const factor::FactorView& view, std::int32_t 
             view.slot_sign + step.slot, step.q / kTile};
 }
 
-/// Add the block of the matrix to a.
+/// Add the block of the matrix to the registers a.
 HAWSER_INLINE void add_block(const RigidStep& m, RigidBlock& a) {
     for (int i = 0; i < kRigid; ++i)
         for (int j = 0; j <= i; ++j) a[i][j] += load(m.panel + i * kRigidStride + kLanes * j);
 }
 
-/// Load the updates of earlier steps of the body into a.
+/// Load the updates of earlier steps for the body's block into the registers a.
 HAWSER_INLINE void load_block(const double* window, RigidBlock& a) {
     for (int i = 0; i < kRigid; ++i)
         for (int j = 0; j <= i; ++j)
@@ -178,13 +178,13 @@ HAWSER_INLINE void body_tiles(const RigidStep& m, const Shift& shift, const doub
     put(1, 1);
 }
 
-/// Return true if step k eliminates one rigid body without rows.
+/// Return true if batch step k eliminates a rigid body without rows.
 HAWSER_INLINE bool is_rigid(const factor::FactorView& view, const factor::Batch& batch,
                             std::int32_t k) {
     return batch.body == kRigid && view.batch_steps[k].p == kRigid;
 }
 
-/// Eliminate the pivots of the first of several consecutive rigid steps. Its window is in memory.
+/// Eliminate the pivots of the first of several consecutive rigid steps, whose window is in memory.
 inline void begin_rigid(const RigidStep& m, const Shift& shift, const double* window, V8& bad) {
     RigidBlock a;
     if (shift.before > 0)

@@ -3,8 +3,8 @@
 ///
 /// Blocks have up to eight pivots, and their number is a constant of the loops. The triangle of a
 /// block is a chain of dependent operations and stays in one vector. The rows below it are
-/// independent vectors. Vectors start at multiples of eight rows of the panel, so the first update
-/// rows may share one with the last pivots.
+/// independent vectors. Vectors start at multiples of eight rows of the panel, so one vector may
+/// contain the last pivots and the first update rows.
 #include "factor/isa/substitution.h"
 
 #include "base/lanes.h"
@@ -39,7 +39,8 @@ HAWSER_INLINE V8 load_ahead(const double* p) {
     return load(p);
 }
 
-/// Prefetch the data of a front besides its panel, and the front `kFrontsAhead` further on.
+/// Prefetch the panel of the front `kFrontsAhead` positions further on, and the other data of the
+/// present front.
 template <bool kUp>
 HAWSER_INLINE void prefetch_front(const FactorView& view, const Front& front, const double* x) {
     constexpr int kLine = 64;
@@ -92,9 +93,9 @@ inline void gather_forward(const FactorView& view, const Front& front, const dou
 }
 
 /// Solve columns [k, k + N) of U z = y with Uᵀ in the panel, after the rows behind them are solved,
-/// from vector `from` on. The independent products with these rows come first. The small
-/// triangle follows, in which each entry waits only for the one before it. z enters with y_k … and
-/// returns z_k ….
+/// from vector `from` on. The independent products with these rows are computed first. The small
+/// triangle follows, in which each entry depends only on the entry before it. z enters with y_k …
+/// and returns z_k ….
 template <int N, long kBytes>
 HAWSER_INLINE void backward_block(const double* panel, long ld, int k, int from, const double* y,
                                   double* z) {
@@ -187,8 +188,8 @@ void backward(const FactorView& view, std::int32_t begin, std::int32_t end, doub
 
 }  // namespace
 
-// Kept apart from the functions that they call: their lambdas then belong to this file alone, and
-// g++ inlines them.
+// Substitute forward in the fronts [begin, end). The lambdas of the functions that it calls belong
+// to this file alone, so that g++ inlines them.
 void forward_fronts(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
                     double* scratch) noexcept {
     view.distant ? forward<kAhead>(view, begin, end, x, scratch)

@@ -27,7 +27,7 @@ HAWSER_FAST Floats with_sign(Floats x, FloatBits sign) {
     return reinterpret_cast<Floats>(reinterpret_cast<FloatBits>(x) ^ sign);
 }
 
-/// Four lanes of single precision, for sums of several vectors at once.
+/// Vector of four lanes in single precision, for sums of several vectors at once.
 typedef float Four __attribute__((vector_size(16)));
 typedef int FourBits __attribute__((vector_size(16)));
 
@@ -100,7 +100,9 @@ void refer(const double* rows, int padded, int groups, double x, double y, float
     }
 }
 
-/// @tparam Sines  Store f as well, from which add_group() computes sines.
+/// Compute a cos(phase) of each component at all points of a batch, and the sum, which is the
+/// elevation.
+/// @tparam Sines  True: also store f, from which add_group() computes sines.
 template <bool Sines>
 HAWSER_FAST void surface_of(const marine::FastTable& table, int groups, const float* phase,
                             const float* dx, const float* dy, float* circle, double* sum) {
@@ -152,7 +154,7 @@ struct GroupPowers {
     }
 };
 
-/// Return e^(−k ζ) of the components from i on, over that of the middle of their group.
+/// Return e^(−k ζ) of the components from i on, divided by the value in the middle of their group.
 /// @tparam Degree  Degree of the polynomial; above kHighestDegree: each component by 2^x, not over
 /// the middle.
 template <int Degree>
@@ -188,8 +190,8 @@ struct FastSums {
     Floats u[3]{}, a[3]{};
 };
 
-/// Add one group. @tparam Bottom  Include its mirror image below the bottom. @param middle  e^(−k
-/// ζ) of the group's middle.
+/// Add the contribution of one group of components. @tparam Bottom  True: include the mirror image
+/// below the bottom. @param middle  e^(−k ζ) of the group's middle.
 template <int Degree, bool Bottom>
 HAWSER_FAST void add_group(const marine::FastTable& table, int group, const float* circle,
                            float depth, float middle, FastSums& to) {
@@ -219,7 +221,7 @@ HAWSER_FAST void add_group(const marine::FastTable& table, int group, const floa
     }
 }
 
-/// Add the groups [begin, end) at one point.
+/// Add the contributions of the groups [begin, end) at one point.
 template <bool Bottom>
 HAWSER_FAST void add_groups(const marine::FastTable& table, int begin, int end, const float* circle,
                             float depth, const float* middle, FastSums& to) {
@@ -229,7 +231,7 @@ HAWSER_FAST void add_groups(const marine::FastTable& table, int begin, int end, 
         });
 }
 
-/// Convert depths to single precision; slots beyond `count` repeat the last one.
+/// Convert depths to single precision. Slots beyond `count` repeat the last depth.
 HAWSER_FAST int first_depths(const marine::FastExtent* of, const double* depth, int count,
                              float* out) {
     int groups = 0;

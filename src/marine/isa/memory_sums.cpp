@@ -27,7 +27,8 @@ using marine::kMemoryBlock;
 /// Number of blocks of a tile: six motions and their pairs fit into the first-level cache.
 constexpr std::int64_t kTile = 16;
 
-/// Sum all pairs of six motions. Each sample of a motion is loaded once for all its pairs.
+/// Compute the memory sums of all pairs of six motions. Each sample of a motion is loaded once for
+/// all its pairs.
 void all_pairs(const double* k, const double* v, std::int64_t count, std::int64_t newest,
                double* out) noexcept {
     const std::int64_t stride = marine::memory_stride(count);
@@ -53,7 +54,7 @@ void all_pairs(const double* k, const double* v, std::int64_t count, std::int64_
     for (int i = 0; i < 6; ++i) out[i] += total_of(low[i] + high[i]);
 }
 
-/// Sum blocks that are contiguous in the ring, pair by pair.
+/// Compute the memory sums of some pairs of motions, whose blocks are contiguous in the ring.
 void some_pairs(const double* k, const double* v, std::int64_t stride, std::int64_t blocks,
                 const int* pairs, int pair_count, double* out) noexcept {
     const std::int64_t next = pair_count * kMemoryBlock;

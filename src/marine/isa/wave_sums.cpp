@@ -24,7 +24,8 @@ HAWSER_WAVES Wide wide(double x) { return Wide{} + x; }
 HAWSER_WAVES Wide at(const double* p) { return *reinterpret_cast<const Wide*>(p); }
 HAWSER_WAVES void put(double* p, Wide v) { *reinterpret_cast<Wide*>(p) = v; }
 HAWSER_WAVES Wide nearest(Wide x) { return (x + kWhole) - kWhole; }
-/// Return the sum of the lanes, by halves: shorter chains of dependent additions than lane by lane.
+/// Return the sum of the lanes, computed by halves, which has shorter chains of dependent additions
+/// than lane by lane.
 HAWSER_WAVES double total(Wide v) {
 #if defined(__AVX512F__)
     v += __builtin_shuffle(v, WideBits{4, 5, 6, 7, 0, 1, 2, 3});
@@ -62,7 +63,7 @@ HAWSER_WAVES Wide series(const double (&c)[N], Wide x) {
     for (int i = N - 2; i >= 0; --i) y = y * x + c[i];
     return y;
 }
-/// Evaluate the polynomial of every second coefficient, in x².
+/// Evaluate the polynomial of every second coefficient in x².
 template <int First, int N>
 HAWSER_WAVES Wide every_second(const double (&c)[N], Wide square) {
     constexpr int kLast = N - 1 - (N - 1 - First) % 2;

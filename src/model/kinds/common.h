@@ -34,7 +34,8 @@ struct BodyRef {
     const double* r;  ///< Rotation matrix, row-major 3×3.
     bool rotates;     ///< False for point masses: attachment points are ignored.
 
-    /// Return the world vector of an attachment arm given in the body's frame [m].
+    /// Convert an attachment point to a vector in the world frame [m].
+    /// @param local  Point in the frame of the body.
     [[nodiscard]] V3 arm(const double* local) const {
         return rotates ? load9(r) * load3(local) : V3{0, 0, 0};
     }
@@ -78,7 +79,7 @@ inline constexpr double kStopCompliance = 1e-12;
 
 inline double given(double value, double fallback) { return value == value ? value : fallback; }
 
-/// Set the damping time τ of the definition; without one, two steps.
+/// Set the damping time τ to that of the definition; without a definition, to two steps.
 inline void damping_or_flagged(const InteractionDef& def, double h, int row, RowSpec& out) {
     const double defined = def.damping_time.data()[row];
     out.damping_time = given(defined, 2.0 * h);

@@ -175,7 +175,8 @@ struct RangeData {
         return {d.params[0], d.params[1], JointData::of(d)};
     }
 #endif
-    /// Return the distance outside the range [m or rad]: negative below, positive above, 0 inside.
+    /// Return the distance of a coordinate q from the range [m or rad]: negative below, positive
+    /// above, 0 inside.
     [[nodiscard]] double outside(double q) const {
         return q < min ? q - min : (q > max ? q - max : 0.0);
     }

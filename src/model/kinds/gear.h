@@ -11,7 +11,7 @@
 /// Angles are known modulo whole turns. Since n₁ and n₂ are integers, a whole turn of a wheel
 /// changes the sum by a multiple of 2π, which wrap() removes. No turns are counted, so the row
 /// depends on poses alone and is the same after a restore. Outer teeth, n₂ > 0, turn the wheels
-/// against each other; inner teeth, n₂ < 0, with each other.
+/// in opposite senses; inner teeth, n₂ < 0, in the same sense.
 ///
 /// Limits: a slip of more than half a tooth within a step, π/n₁, engages the next tooth. The
 /// world's monitor of joints reports it before (EventKind::joint_open). The bearings of the wheels

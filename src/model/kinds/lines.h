@@ -28,7 +28,8 @@ inline PointData point_data(const InteractionDef& d, double length) {
 }
 #endif
 
-/// Evaluate row 0: distance of the points minus the rest length. A zero distance pushes along x.
+/// Evaluate row 0: distance of the points minus the rest length. If the distance is zero, the
+/// direction is x.
 template <int B, class D, class T, class Ref>
 inline void line_row(const D& d, const Ref* b, const T& length, Rows<B, 1, T>& out) {
     const V3T<T> ra = b[0].arm(d.point[0]), rb = b[1].arm(d.point[1]);

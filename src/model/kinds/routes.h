@@ -90,7 +90,7 @@ inline V3 tangent_direction(const V3& d, const V3& n, double separation) {
     return (scale * c) * flat - (scale * s) * cross(n, flat);
 }
 
-/// True if the tangent is within the limit kSteepest.
+/// True if the inclination of the tangent is within the limit kSteepest.
 inline bool keeps_apart(const V3& d, const V3& n, double separation) {
     const V3 flat = d - dot(d, n) * n;
     return separation * separation <= kSteepest * kSteepest * dot(flat, flat);
@@ -156,7 +156,8 @@ inline double span_path(const D& d, const SpanShape& s) {
     return path;
 }
 
-/// Evaluate the rows on the two bodies. @return the violation without the slides.
+/// Evaluate the rows of a span on its two bodies. @return the violation without the contribution of
+/// the slides.
 template <int B, class D>
 inline double span_row(const D& d, const BodyRef* b, Rows<B, 1>& out) {
     const SpanShape s = span_shape(d.end, b);

@@ -37,8 +37,8 @@ void check_line_type(const std::string& name, const Json& line, Findings& out) {
                     record::with_unit(d, "m"), ratio));
 }
 
-/// Visit all objects of a document. @param key  Name of the object in its parent, or the "name" of
-/// the nearest object that has one.
+/// Check all objects of a document, recursively. @param key  Name of the object in its parent, or
+/// the "name" of the nearest object that has one.
 void visit(const Json& json, const std::string& key, Findings& out) {
     if (json.is_array()) {
         for (const Json& entry : json) visit(entry, key, out);

@@ -66,8 +66,8 @@ struct Findings {
 /// Number of findings of one kind that a text lists.
 inline constexpr std::size_t kListedOfAKind = 5;
 
-/// Return one line for each finding, with the prefix `before`: the worst kListedOfAKind of each
-/// kind, and the number of others.
+/// Return one line for each finding, with the prefix `before`: the worst kListedOfAKind findings of
+/// each kind, and the number of the others.
 [[nodiscard]] std::string to_text(const Findings& findings, const std::string& before);
 
 }  // namespace hawser::report::start

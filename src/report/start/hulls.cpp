@@ -41,7 +41,7 @@ Floats floating_groups(const World& world, const SeaDef& sea, const base::Linked
     return out;
 }
 
-/// Add the carried weight: masses, and forces of lines and of the scene.
+/// Add the weight that each floating group carries: masses, and forces of lines and of the scene.
 void add_carried_weight(const World& world, const base::LinkedGroups& afloat, double gravity,
                         Floats& floats) {
     for (const BodyId id : world.bodies()) {

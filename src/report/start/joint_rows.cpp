@@ -24,7 +24,7 @@ bool is_open_range(const InteractionDef& def) {
     return kind_info(def.kind).is(kRangeKind) && def.get("max") - def.get("min") > 1e-9;
 }
 
-/// Return G M⁻¹ Gᵀ of one row with the bodies' masses [1/kg or 1/(kg m²)].
+/// Return G M⁻¹ Gᵀ of one row, with the masses of the bodies [1/kg or 1/(kg m²)].
 double mobility(const World& world, const InteractionDef& def, const RowsView& view,
                 std::size_t row) {
     double sum = 0.0;

@@ -33,7 +33,8 @@ struct Joint {
 
 class JointRows {
   public:
-    /// Collect the rows. A row is rigid if its compliance has no effect in a step.
+    /// Collect the rows of a world's joints. A row is rigid if its compliance has no effect in a
+    /// step.
     explicit JointRows(const World& world);
 
     [[nodiscard]] const std::vector<Joint>& joints() const { return joints_; }
@@ -47,7 +48,7 @@ class JointRows {
     /// Return the value of G v that the moving bodies must reach: the speed of a motor minus the
     /// rate of prescribed velocities.
     [[nodiscard]] const std::vector<double>& speeds() const { return speeds_; }
-    /// Return G v at present [m/s or rad/s].
+    /// Return the present G v of all rows [m/s or rad/s].
     [[nodiscard]] const std::vector<double>& rates() const { return rates_; }
     /// Return √W_ii of a row, which makes rows comparable.
     [[nodiscard]] double scale(std::size_t row) const { return scale_[row]; }
@@ -55,10 +56,10 @@ class JointRows {
     /// Return the part of b that no motion reaches. Call update() first.
     [[nodiscard]] std::vector<double> out_of_reach(std::span<const double> b);
     /// Move the bodies of `world` to the least sum of squared violations (Levenberg and Marquardt).
-    /// `world` must be the one of these rows. Rows and metric follow.
+    /// `world` must be the world of these rows. Rows and metric are updated.
     void close(World& world);
-    /// Return the kernel of Wᵀ of these rows, in the scale of scale(): a matrix with one column for
-    /// each repetition. Call update() first.
+    /// Return the kernel of Wᵀ of these rows, in the scale of scale(). The matrix has one column
+    /// for each redundancy. Call update() first.
     [[nodiscard]] Eigen::MatrixXd repetition_kernel(std::span<const std::int32_t> rows) const;
 
   private:

@@ -25,17 +25,18 @@ void check_bodies(const World& world, Findings& out);
 void check_cable_density(const record::SceneInfo& scene, const World& world, Findings& out);
 /// Find cables that are in air although their line type is for water (dry_lines.cpp).
 void check_dry_lines(const record::SceneInfo& scene, const World& world, Findings& out);
-/// Check the sea: different depth and seabeds, wires without drag, hulls in short waves, memories
-/// truncated too early (sea_scene.cpp).
+/// Check the sea: a depth that differs from that of the seabeds, wires without drag, hulls in short
+/// waves, and truncated radiation memories (sea_scene.cpp).
 void check_sea_scene(const record::SceneInfo& scene, const World& world, Findings& out);
 /// Check line types and winches of the document for inconsistent numbers (document.cpp).
 void check_document(const record::SceneInfo& scene, Findings& out);
-/// Check for bare drums that keep one element of their cable (drums.cpp).
+/// Check for bare drums that feed no elements, so that hauling stops within one element
+/// (drums.cpp).
 void check_drums(const record::SceneInfo& scene, const World& world, Findings& out);
 /// Check for points that an exercise needs and its goals do not award (points.cpp).
 void check_points(const exercise::Exercise& exercise, Findings& out);
 /// Check for phases without an end condition, goals that no control can reach in time, and stations
-/// without inputs (points.cpp). Texts contain the place in the document.
+/// without inputs (points.cpp). The texts of the findings contain the position in the document.
 void check_task(const exercise::Exercise& exercise, Findings& out);
 /// Check for controls of stations without a range: inputs without min or max, and signals that
 /// accept values far beyond those of a real control (points.cpp).
@@ -51,13 +52,13 @@ void check_hulls(const World& world, Findings& out);
 void check_tensions(const record::SceneInfo& scene, const World& world, Findings& out);
 /// Check for shapes inside each other (overlaps.cpp).
 void check_overlaps(const record::SceneInfo& scene, const World& world, Findings& out);
-/// Find joints that start open or with contradictory velocities (joints.cpp). Rows are those of the
-/// world.
+/// Find joints that are open at the start or whose velocities are inconsistent (joints.cpp). Rows
+/// are those of the world.
 void check_gaps(const World& world, const JointRows& rows, Findings& out);
 /// Find joints, motors and prescribed motions that are redundant or contradictory
 /// (repetitions.cpp).
 void check_repetitions(const World& world, JointRows& rows, Findings& out);
-/// Check for ranges that start outside or are disjoint (joints.cpp).
+/// Check for ranges that are violated at the start or disjoint (joints.cpp).
 void check_ranges(const World& world, Findings& out);
 /// Check for motors that friction holds (joints.cpp).
 void check_motor_friction(const World& world, Findings& out);

@@ -29,7 +29,8 @@ void check_points(const exercise::Exercise& e, Findings& out) {
 
 namespace {
 
-/// Return the earliest time at which each goal can be reached, by hold times and goals before [s].
+/// Return the earliest time at which each goal can be reached, from the hold times of this goal and
+/// the goals before it [s].
 std::vector<double> earliest_times(const exercise::Exercise& e) {
     std::vector<double> out;
     for (const exercise::Goal& goal : e.goals) {

@@ -20,8 +20,8 @@ std::vector<std::string> post_names(const std::string& text) {
     return out;
 }
 
-/// True if the cable's nodes have contact shapes and its elements have no mass to distribute to
-/// nodes.
+/// True if the nodes of the cable have contact shapes but its elements have no mass
+/// (`consistent_mass`), so that it cannot engage bollards.
 bool touches_alone(const World& world, const record::CableInfo& cable) {
     for (const InteractionId id : cable.elements) {
         const InteractionDef& def = world.interaction_def(id);
@@ -38,7 +38,7 @@ bool touches_alone(const World& world, const record::CableInfo& cable) {
     });
 }
 
-/// Return the distance from a post's middle to the nearest node [m].
+/// Return the distance from the middle of a bollard to the nearest node of a cable [m].
 double separation(const World& world, const ShapeDef& post, const record::CableInfo& cable) {
     const Vec3 at = world.world_point(post.body, post.position);
     double least = HUGE_VAL;

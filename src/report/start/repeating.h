@@ -16,7 +16,7 @@ struct Group {
     int repetitions = 0;               ///< Number of redundant rows; 0: not counted.
 };
 
-/// Return the groups at the poses of `rows`, ordered by their first joints.
+/// Return the groups of redundant joints at the poses of `rows`, ordered by their first joints.
 [[nodiscard]] std::vector<Group> find_groups(const World& world, JointRows& rows);
 
 }  // namespace hawser::report::start

@@ -15,8 +15,8 @@
 namespace hawser::report::start {
 namespace {
 
-/// Return the smallest significant difference of two depths. Smaller ones are rounding or the
-/// thickness of a wire.
+/// Return the smallest significant difference of two depths [m]. A smaller difference may be
+/// rounding or the thickness of a wire.
 double depth_digits(double depth) { return std::max(0.1, 0.005 * depth); }
 
 /// Ratio of wavelength to hull length, below which added mass and damping need coefficients that

@@ -15,7 +15,7 @@ namespace hawser::report::start {
 
 class StartForces {
   public:
-    /// Compute the forces at the present poses. @throws std::bad_alloc.
+    /// Compute the forces at the start from the present poses. @throws std::bad_alloc.
     explicit StartForces(const World& world);
     [[nodiscard]] bool known() const { return is_known_; }
     /// Return the norm of the force in the rows of an interaction that are in metres [N].
