@@ -39,13 +39,14 @@ struct SessionDef {
     std::string scene_text{};  ///< Scene as JSON text, if `scene` is empty.
     scene::Options options{};  ///< Changes to the scene, threads, budget.
     std::string restore{};  ///< File with a saved state of Session::save(); empty: `state` is used.
-    std::vector<std::byte> state{};  ///< State of WorldState::save(), if `restore` is empty. Both
-                                     ///< empty: start state of the scene.
-    std::string control{};           ///< File with input values over time (CSV, docs/cli.md).
-    std::string record{};            ///< Recording file.
-    std::string csv{};               ///< CSV file of tensions and motions.
-    std::int32_t every = 1;          ///< Steps between frames and between rows, 1 to 10⁶.
-    bool verify = false;  ///< True: the verifier checks each step; requires exact coupling.
+    /// State of WorldState::save(), if `restore` is empty. Wires must have the nodes of the scene;
+    /// after edits use Session::save() and `restore`. Both empty: start state of the scene.
+    std::vector<std::byte> state{};
+    std::string control{};   ///< File with input values over time (CSV, docs/cli.md).
+    std::string record{};    ///< Recording file.
+    std::string csv{};       ///< CSV file of tensions and motions.
+    std::int32_t every = 1;  ///< Steps between frames and between rows, 1 to 10⁶.
+    bool verify = false;     ///< True: the verifier checks each step; requires exact coupling.
 };
 
 /// Run of a scene or world.
