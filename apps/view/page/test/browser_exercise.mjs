@@ -10,14 +10,24 @@ export async function exercisePart(kit) {
     const report = join(out, 'report.html'), score = join(out, 'score.json');
     const server = await kit.serve('apps/view/page/test/harbour_exercise.json', '--wait', '--report', report, '--summary', score);
     const size = {viewport: {width: 960, height: 540}, query: '?quality=low'}, small = {query: '?quality=low'};
-    const instructor = await kit.open(kit.browser, server.instructor, size), station = await kit.open(kit.browser, server.winch, small), watcher = await kit.open(kit.browser, server.watcher, small);
+    const opened = async (address, options) => {
+        const page = await kit.open(kit.browser, address, options);
+        await kit.still(page);
+        return page;
+    };
+    const instructor = await opened(server.instructor, size), station = await opened(server.winch, small), watcher = await opened(server.watcher, small);
+    const picture = async name => {
+        await kit.still(instructor, false);
+        await instructor.screenshot({path: join(kit.pictures, name)});
+        await kit.still(instructor);
+    };
     const fault = name => instructor.locator(`[data-fault="${name}"]`);
     await check('the briefing waits for the instructor, who starts the run', async () => {
         for (const page of [instructor, station, watcher]) await page.locator('#briefing').waitFor();
         assert.match(await station.locator('#briefing').innerText(), /Your station: Winch[\s\S]*Tow taut: 10 points[\s\S]*The instructor starts/);
         assert.equal(await station.locator('#start').count(), 0);
         assert.equal(await station.evaluate(() => hawser.frame.time), 0);
-        await instructor.screenshot({path: join(kit.pictures, 'view_briefing.png')});
+        await picture('view_briefing.png');
         await instructor.keyboard.press('Enter');   // Start has the focus
         await until(station, () => document.getElementById('briefing').hidden && hawser.frame.time > 0);
     });
@@ -82,7 +92,7 @@ export async function exercisePart(kit) {
         await fault('frozen').click();
         await until(station, v => hawser.frame.outputs[0] !== v, a);
     });
-    await instructor.screenshot({path: join(kit.pictures, 'view_exercise.png')});
+    await picture('view_exercise.png');
     await check('the end is shown to all, with points; a restore takes it back', async () => {
         await instructor.locator('#end-exercise').click();
         for (const page of [instructor, station, watcher]) await page.locator('#over').waitFor();
