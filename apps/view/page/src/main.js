@@ -12,8 +12,10 @@ import {ExercisePanel} from './exercise.js';
 import {Instruments} from './instruments.js';
 import {kMove, kMoves} from './forms.js';
 import {bindKeys} from './keyboard.js';
+import {eventText} from './event_words.js';
 import {quantity} from './lever_logic.js';
 import {Levers} from './levers.js';
+import {Recent} from './map.js';
 import {Inspector, keysPanel, layersPanel, restorePanel} from './panels.js';
 import {Plots, showPlots} from './plots.js';
 import {tokenOf} from './protocol.js';
@@ -40,7 +42,8 @@ class App {
         this.briefing = new Briefing($('briefing'), this);
         this.debriefing = new Debriefing($('debriefing'), this);
         this.instruments = new Instruments($('instruments'), this);
-        this.timeline = new Timeline(time => this.link.ask({type: 'seek', time}));
+        this.recent = new Recent();
+        this.timeline = new Timeline(time => this.link.ask({type: 'seek', time}), this);
         this.drag = new Drag(this);
         this.state = {paused: false, rate: 1, restore_points: [], failure: null, range: null};
         this.script = {ms: 0, n: 0};
@@ -72,7 +75,8 @@ class App {
         on('frame', () => { this.fresh = true; });
         on('event', e => {
             this.timeline.tell(e);
-            this.alarms.event(e);
+            this.alarms.event(e, eventText(e, this.exercise.alarmNames));
+            this.recent.take(e);
             this.debriefing.collector.event(e);
             if (e.kind === 'command' && /restored/.test(e.words ?? '')) this.restored();
         });
@@ -181,6 +185,12 @@ class App {
 
     camera(mode) {
         if (!this.stage.setMode(mode)) toast('Nothing here that a camera could go with');
+        this.paintCamera();
+    }
+
+    /// Look at a point of the world from above its side.
+    goTo(at) {
+        this.stage.lookAt(at);
         this.paintCamera();
     }
 

@@ -183,6 +183,13 @@ export class Stage {
         return true;
     }
 
+    /// Look at a point freely, from 60 m at least.
+    lookAt(at) {
+        this.rig.setMode('free', this.subject);
+        this.rig.target.set(...at);
+        Object.assign(this.rig, {distance: Math.min(200, Math.max(60, this.rig.distance)), elevation: 0.4});
+    }
+
     resize(width, height, ratio) {
         this.width = width;
         this.height = height;
