@@ -26,7 +26,7 @@ import {kModes} from './camera.js';
 import {chooseLanguage, language, t, translatePage} from './words.js';
 
 const kPause = 'M3 2h4v12H3zM9 2h4v12H9z', kPlay = 'M4 2v12l10-6z';
-const kCameraNames = {free: 'Free', follow: 'Follow', board: 'Deck', bridge: 'Bridge', aft: 'Aft', hook: 'Hook', top: 'Chart'};
+const kCameraNames = {free: 'Free', follow: 'Follow', board: 'Deck', bridge: 'Bridge', aft: 'Aft', hook: 'Hook', top: 'Chart', cab: 'Cab', heli: 'Helicopter'};
 const kRanges = [0.25, 0.5, 1];
 
 class App {
@@ -178,9 +178,16 @@ class App {
     command(name) {
         const nudge = steps => { this.levers.nudge(steps, 'button'); this.levers.letGo(this.levers.active, 'button'); };
         const run = {play: () => this.play(), step: () => this.step(), neutral: () => this.levers.neutral(), next: () => this.levers.next(1), less: () => nudge(-1), more: () => nudge(1), release: () => this.levers.release(), acknowledge: () => this.alarms.all(),
-            previous: () => this.levers.next(-1), camera: () => this.camera(kModes[(kModes.indexOf(this.stage.rig.mode) + 1) % kModes.length])};
+            previous: () => this.levers.next(-1), camera: () => this.nextCamera(1)};
         if (kMoves[name]) this.levers.movePosition(...kMoves[name].map(v => v * kMove));
         run[name]?.();
+    }
+
+    /// Select the next camera that the scene can show. @return its mode
+    nextCamera(by) {
+        const modes = this.stage.modes(), to = modes[(modes.indexOf(this.stage.rig.mode) + by + modes.length) % modes.length];
+        this.camera(to);
+        return to;
     }
 
     camera(mode) {
@@ -208,7 +215,9 @@ class App {
     }
 
     paintCamera() {
+        const modes = this.scene ? this.stage.modes() : kModes;
         for (const b of $('cameras').children) {
+            b.hidden = !modes.includes(b.dataset.mode);
             b.setAttribute('aria-checked', String(b.dataset.mode === this.stage.rig.mode));
             b.tabIndex = b.dataset.mode === this.stage.rig.mode ? 0 : -1;
         }

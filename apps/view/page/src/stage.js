@@ -6,7 +6,7 @@ import {
 } from 'three';
 import {arrowLength, Arrows} from './arrows.js';
 import {Bodies} from './bodies.js';
-import {CameraRig, makeSubject} from './camera.js';
+import {cabOf, CameraRig, kModes, makeSubject} from './camera.js';
 import {Labels} from './labels.js';
 import {Lights} from './lights.js';
 import {nearestPiece} from './picking.js';
@@ -169,11 +169,26 @@ export class Stage {
         return this.bodies.bodies.filter(b => b.role === 'hook' && b.slot >= 0).sort((a, b) => a.position.distanceTo(at) - b.position.distanceTo(at));
     }
 
+    /// Return the nearest hook with a crane's cab: {hook, body, eye}; undefined: none.
+    cab() {
+        for (const hook of this.hooks()) {
+            const seat = cabOf(hook, this.bodies.bodies, this.info);
+            if (seat) return {hook, ...seat};
+        }
+    }
+
+    /// Return the modes that the scene can show.
+    modes() {
+        const hook = this.hooks().length > 0, cab = Boolean(this.cab()), subject = this.subjects().length > 0;
+        return kModes.filter(m => m === 'hook' ? hook : m === 'cab' ? cab : m === 'free' || m === 'top' || subject);
+    }
+
     setMode(mode) {
-        if (mode === 'hook') {
-            const [hook] = this.hooks();
-            if (!hook) return false;
-            this.rig.load = () => hook.position;
+        if (mode === 'hook' || mode === 'cab') {
+            const [hook] = this.hooks(), seat = mode === 'cab' ? this.cab() : null;
+            if (mode === 'cab' ? !seat : !hook) return false;
+            if (seat) this.rig.cab = () => ({eye: seat.eye.clone().applyMatrix4(seat.body.matrix), hook: seat.hook.position});
+            else this.rig.load = () => hook.position;
             this.rig.setMode(mode, this.subject ?? null);
             return true;
         }
@@ -224,7 +239,9 @@ export class Stage {
 
     draw(now) {
         const {camera, frame} = this;
-        this.rig.update();
+        const time = frame?.time ?? 0;
+        this.rig.update(Math.min(1, Math.max(0, time - (this.drawnTime ?? time))));
+        this.drawnTime = time;
         camera.updateMatrixWorld();
         const eye = camera.position, pixel = 2 * Math.tan(camera.fov * Math.PI / 360) / this.height;
         const under = this.afloat && eye.z < this.level - 0.3;

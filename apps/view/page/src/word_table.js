@@ -200,6 +200,8 @@ export const kWords = {
     'Aft': ['Aft', 'Achtern', 'Akter'],
     'Hook': ['Hook', 'Haken', 'Krok'],
     'Chart': ['Chart', 'Karte', 'Kart'],
+    'Cab': ['Cab', 'Kran', 'Kran'],
+    'Helicopter': ['Heli', 'Heli', 'Heli'],
     'Show': ['Show', 'Anzeigen', 'Vis'],
     'Restore': ['Restore', 'Zurück', 'Tilbake'],
     'Dials': ['Instruments', 'Instrumente', 'Instrumenter'],
