@@ -471,4 +471,10 @@ export const kWords = {
     'event mode_refused': ['mode refused', 'Betriebsart abgelehnt', 'modus avvist'],
     'event position_lost': ['off position by', 'außer Position um', 'ute av posisjon med'],
     'event failure_critical': ['worst single failure would lose the position; shortfall', 'größter Einzelausfall verlöre die Position; Fehlbetrag', 'verste enkeltfeil ville miste posisjonen; mangler'],
+    // Report on paper
+    'Print, PDF': ['Print, PDF', 'Drucken, PDF', 'Skriv ut, PDF'],
+    'Curves': ['Curves', 'Verläufe', 'Kurver'],
+    'Goal': ['Goal', 'Ziel', 'Mål'],
+    'Penalty': ['Penalty', 'Abzug', 'Trekk'],
+    'Station': ['Station', 'Station', 'Stasjon'],
 };

@@ -4,6 +4,29 @@ import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 
+/// Print the debriefing to PDF; return its size.
+async function printed(kit, page) {
+    await page.locator('#over-debrief').click();
+    await page.getByLabel('Names for the report').fill('A. Mate, B. Winchman');
+    await page.evaluate(() => { window.print = () => { window.printed = true; }; });
+    await page.locator('#print').click();
+    await kit.until(page, () => window.printed);
+    await page.emulateMedia({media: 'print'});
+    const text = await page.locator('#sheet').innerText();
+    assert.match(text, /A\. Mate, B\. Winchman, \d{4}-\d\d-\d\d \d\d:\d\d/);
+    assert.match(text, /points, 10 needed[\s\S]*Tow taut[\s\S]*✓?[\s\S]*Events and notes[\s\S]*Curves/);
+    assert.equal(await page.locator('#sheet .curve.display').count(), 1);
+    assert.ok(await page.locator('#sheet .curve.control').count() >= 1);
+    assert.equal(await page.locator('#levers').isVisible() || await page.locator('#bar').isVisible(), false);
+    const pdf = await page.pdf({path: join(kit.out, 'debriefing.pdf'), preferCSSPageSize: true});
+    assert.equal(pdf.subarray(0, 5).toString(), '%PDF-');
+    await page.emulateMedia({media: null});
+    await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+    assert.equal(await page.locator('#sheet').count(), 0);
+    await page.evaluate(() => hawser.debriefing.open(false));
+    return `${pdf.length} bytes`;
+}
+
 export async function exercisePart(kit) {
     const {check, until, out} = kit;
     console.log('--- an exercise: apps/view/page/test/harbour_exercise.json');
@@ -93,16 +116,18 @@ export async function exercisePart(kit) {
         await until(station, v => hawser.frame.outputs[0] !== v, a);
     });
     await picture('view_exercise.png');
-    await check('the end is shown to all, with points; a restore takes it back', async () => {
+    await check('the end is shown to all, with points', async () => {
         await instructor.locator('#end-exercise').click();
         for (const page of [instructor, station, watcher]) await page.locator('#over').waitFor();
         const text = (await watcher.locator('#over').innerText()).replaceAll('\n', ' ');
         assert.match(text, /points, 10 needed.*ended by the instructor/);
-        await instructor.locator('#over-close').click();
+        return text.slice(0, 90);
+    });
+    await check('the debriefing is printed alone, with names, date, score, goals, events and curves', () => printed(kit, instructor));
+    await check('a restore takes the end back', async () => {
         await instructor.evaluate(() => hawser.restore('start'));
         await until(station, () => document.getElementById('over').hidden && hawser.exercise.exercise.outcome === 'running');
         assert.equal(await station.locator('#goals .done').count(), 0);
-        return text.slice(0, 90);
     });
     for (const page of [instructor, station, watcher]) await kit.quiet(page);
     await check('the program ends in order and leaves report and score', async () => {
