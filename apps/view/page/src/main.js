@@ -292,6 +292,7 @@ class App {
         $('tools').addEventListener('click', () => this.menu(false));
         $('debrief').addEventListener('click', () => this.debriefing.toggle());
         $('shot').addEventListener('click', () => this.screenshot());
+        $('next-body').addEventListener('click', () => this.nextSubject());
         $('pull').addEventListener('click', () => this.drag.mode(!this.drag.on));
         $('lost-retry').addEventListener('click', () => this.link.retry());
         $('failure-close').addEventListener('click', () => { $('failure').hidden = true; this.closedFailure = this.failure?.time; });

@@ -477,4 +477,6 @@ export const kWords = {
     'Goal': ['Goal', 'Ziel', 'Mål'],
     'Penalty': ['Penalty', 'Abzug', 'Trekk'],
     'Station': ['Station', 'Station', 'Stasjon'],
+    'Next body': ['Next body', 'Nächster Körper', 'Neste objekt'],
+    'Next body for the camera (B)': ['Next body for the camera (B)', 'Nächster Körper für die Kamera (B)', 'Neste objekt for kameraet (B)'],
 };
