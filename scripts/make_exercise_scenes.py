@@ -215,8 +215,9 @@ def tow_gob():
     scene.update({
         "name": "tow_gob",
         "description": "The tug and barge of girting.json in waves of 2 m, with a gob wire: a ring "
-                       "of 150 kg round the towline, held down at the stern by the gob winch. Scene "
-                       "of the exercise tow_gob."})
+                       "of 150 kg round the towline, held down at the stern by the gob winch. The "
+                       "stability gauge reads the towline beyond the gob point. Scene of the "
+                       "exercise tow_gob."})
     scene["settings"]["duration"] = 900
     scene["sea"]["waves"][0].update({"height": 2.0, "period": 8})
     scene["sea"]["wind"]["speed"] = 10
@@ -232,6 +233,8 @@ def tow_gob():
                              "torque_pay": 120000.0, "power": 120000.0, "brake_static": 800000.0,
                              "element": 1.5, "mode": "brake", "overload_limit": 1200000.0})
     scene["chasers"] = [{"name": "gob", "on": "gob_ring", "reach": 2.0, "friction": 0.15}]
+    # Post side of the towline and gob wire together pull like the towline beyond the ring.
+    scene["stability"][0]["pin"] = eye
     scene["timeline"] = [{"at": 0.1, "description": "the gob shackle is round the towline",
                           "set": {"gob.close": 1}}]
     scene["outputs"] += [

@@ -110,10 +110,12 @@ void add_sea(const World& world, Json& out) {
         if (s.system != "sea") continue;
         if (s.name == "waves") factor = *s.value;
     }
+    const SeaCurrent surface = def->current.empty() ? SeaCurrent{} : def->current.front();
     out["sea"] = {{"depth", sea.depth()},
                   {"level", still_water(world)},
                   {"waves_factor", factor},
                   {"gauge", def->gauge},
+                  {"current", {{"speed", surface.speed}, {"direction", surface.direction}}},
                   {"components", waves_of(sea)}};
     for (const WaterHull& hull : def->hulls)
         out["hulls"].push_back({{"body", hull.body.index},

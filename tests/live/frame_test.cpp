@@ -148,6 +148,15 @@ TEST(LiveFrame, says_what_the_world_of_anchor_contact_is) {
                 1e6 * shown.seconds);
 }
 
+TEST(LiveFrame, reports_the_current_at_the_surface) {
+    const auto current = [](const std::string& file) {
+        return Shown(file, 1).json["sea"]["current"];
+    };
+    EXPECT_EQ(current("scenes/tow_to_sea.json")["speed"], 0.4);
+    EXPECT_NEAR(current("scenes/tow_to_sea.json")["direction"].get<double>(), 1.5707963, 1e-6);
+    EXPECT_EQ(current("scenes/girting.json")["speed"], 0.0);  // no current
+}
+
 TEST(LiveFrame, shows_chains_of_links_ropes_over_sheaves_and_scalar_bodies) {
     Shown links("scenes/mooring.json", 3);
     expect_bodies(links);

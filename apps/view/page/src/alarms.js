@@ -64,11 +64,12 @@ export class AlarmList {
             else this.dirty = this.book.clear(`a:${a.name}`) || this.dirty;
         }
     }
-    event(e) {
+    /// @param text  Words of the event.
+    event(e, text = e.words) {
         const what = kDangers[e.kind];
         if (!what) return;
         const key = `e:${e.kind}:${e.name}`;
-        this.book.raise(key, e.words || `${t(what)}: ${e.name}`, e.time, 'danger');
+        this.book.raise(key, text || `${t(what)}: ${e.name}`, e.time, 'danger');
         this.book.clear(key);
         this.dirty = true;
     }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Cameras: free, follow, on board (deck), bridge (forward), aft (conning position), hook (down from the
-/// jib on the load), top. Drag rotates, two fingers or the right button move,
+/// Cameras: free, follow, on board (deck), bridge (forward), aft (conning position), cab (from the crane
+/// driver's seat to the hook), hook (down from the jib on the load), top, helicopter (circles the ship). Drag rotates, two fingers or the right button move,
 /// wheel and pinch zoom. Angles in radians, azimuth from x towards y.
 import {Quaternion, Vector3} from 'three';
 
-export const kModes = ['free', 'follow', 'board', 'bridge', 'aft', 'hook', 'top'];
-const kAboard = ['board', 'bridge', 'aft'];
+export const kModes = ['free', 'follow', 'board', 'bridge', 'aft', 'hook', 'top', 'cab', 'heli'];
+const kAboard = ['board', 'bridge', 'aft', 'cab'];
+export const kCircle = 240;   // [s] of a turn of the helicopter
 const up = new Vector3(0, 0, 1);
 
 /// Return the heading of a body from its quaternion: the direction of its x axis, seen from above.
@@ -72,6 +73,7 @@ export class CameraRig {
             this.look.azimuth += dx * k;
             this.look.elevation = Math.min(1.4, Math.max(-1.4, this.look.elevation + dy * k));
         } else {
+            this.circles = false;   // a helicopter that is turned by hand hovers
             this.azimuth -= dx * k;
             this.elevation = Math.min(1.55, Math.max(-1.3, this.elevation + dy * k));
         }
@@ -104,21 +106,29 @@ export class CameraRig {
         if (this.mode !== 'follow' && mode === 'follow' && subject) this.azimuth = -2.5;
         this.mode = mode;
         this.subject = subject;
+        this.circles = mode === 'heli';
         this.camera.fov = kAboard.includes(mode) ? 62 : 42;
         const aft = mode === 'aft' || mode === 'board' && subject?.aft;
-        this.look = {azimuth: aft ? Math.PI : 0, elevation: mode === 'aft' ? -0.2 : mode === 'bridge' ? -0.06 : -0.12};
+        this.look = {azimuth: aft ? Math.PI : 0, elevation: mode === 'aft' ? -0.2 : mode === 'bridge' ? -0.06 : mode === 'cab' ? 0 : -0.12};
         if (subject && (mode === 'follow' || mode === 'top')) {
             this.distance = (mode === 'top' ? 4.6 : 2.7) * Math.max(6, subject.size);
             if (mode === 'follow') this.elevation = 0.2;
             this.target.copy(subject.position);
         }
         if (mode === 'hook') this.distance = 24;
+        if (mode === 'heli' && subject) Object.assign(this, {distance: 3.2 * Math.max(12, subject.size), elevation: 0.55});
         this.camera.updateProjectionMatrix();
     }
 
     /// Move the camera to the position of its mode. Call after bodies have moved.
-    update() {
+    /// @param dt  Time since the last picture [s]; 0 while the run is paused.
+    update(dt = 0) {
         const {camera, subject, mode, target} = this;
+        if (mode === 'cab' && this.cab) return this.inCab(this.cab());
+        if (mode === 'heli' && subject) {
+            target.copy(subject.position);
+            if (this.circles) this.azimuth += 2 * Math.PI * dt / kCircle;
+        }
         if (subject && this.aboardShip) return this.aboard(subject);
         if (mode === 'hook' && this.load) return this.overLoad(this.load());
         if (subject && mode === 'follow') target.copy(subject.position);
@@ -143,6 +153,15 @@ export class CameraRig {
         const way = new Vector3(Math.cos(elevation) * Math.cos(azimuth), Math.cos(elevation) * Math.sin(azimuth), Math.sin(elevation));
         camera.up.copy(up).applyQuaternion(q);
         camera.lookAt(way.applyQuaternion(q).add(camera.position));
+        this.planes(12);
+    }
+
+    /// Look from the crane's cab to its hook, by `look` beside it. @param at  {eye, hook}, vectors in the world.
+    inCab({eye, hook}) {
+        const {camera} = this, d = hook.clone().sub(eye), azimuth = Math.atan2(d.y, d.x) + this.look.azimuth, elevation = Math.max(-1.5, Math.min(1.5, Math.atan2(d.z, Math.hypot(d.x, d.y)) + this.look.elevation)), c = Math.cos(elevation);
+        camera.position.copy(eye);
+        camera.up.copy(up);
+        camera.lookAt(eye.x + c * Math.cos(azimuth), eye.y + c * Math.sin(azimuth), eye.z + Math.sin(elevation));
         this.planes(12);
     }
 
@@ -176,6 +195,21 @@ export class CameraRig {
         const d = this.camera.getWorldDirection(new Vector3());
         return Math.atan2(d.y, d.x);
     }
+}
+
+/// Return the eye of a crane's driver in the frame of the body that carries the seat: {body, eye}, or null
+/// without a crane. The seat is beside the foot of the boom: on the column, which turns with it, else at the
+/// boom; for a hook on a winch without a boom, at the deck inboard of the point where the wire leaves.
+/// @param hook  Body of the hook. @param scene  For drums and wires.
+export function cabOf(hook, bodies, scene) {
+    const prefix = hook.name.slice(0, Math.max(0, hook.name.lastIndexOf('/'))), own = bodies.filter(b => prefix && b.name.startsWith(`${prefix}/`) && b.half);
+    const column = own.find(b => /(column|tower|post|pedestal)$/.test(b.name)), boom = own.find(b => /boom$/.test(b.name));
+    if (column) return {body: column, eye: new Vector3(column.half[0] + 1, -column.half[1] - 1.2, column.half[2] + 1)};
+    if (boom) return {body: boom, eye: new Vector3(-boom.half[0], -boom.half[1] - 1.5, boom.half[2] + 1)};
+    const drum = (scene.drums ?? []).find(d => scene.wires[d.wire]?.ends?.includes(hook.id)), body = drum && bodies.find(b => b.id === drum.body && b.half);
+    if (!body) return null;
+    const [x, y, z] = drum.point;
+    return {body, eye: new Vector3(x - 5, 0.55 * y, (body.stern?.deck ?? body.half[2]) + Math.max(3, 0.5 * (z - body.half[2])))};
 }
 
 /// Return the view of a body as a subject; each frame updates the same object.

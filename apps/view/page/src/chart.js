@@ -22,9 +22,17 @@ export function scaleLength(half) {
 
 const heading = q => Math.atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z));
 
+/// Return a disc with the number of an event.
+function eventMark({label, bad}, x, y) {
+    const at = [x, y].map(v => Math.max(-92, Math.min(92, v))), text = svg('text', {x: at[0], y: at[1] + 3, 'text-anchor': 'middle', class: 'chart-number'});
+    text.textContent = label;
+    return [text, svg('circle', {cx: at[0], cy: at[1], r: 6.5, class: bad ? 'chart-event bad' : 'chart-event'})];
+}
+
 /// Draw the chart. @param bodies  Of the stage. @param frame  Last frame, for wires; may be missing.
 /// @param wind  {speed, to: direction to which it blows, from x towards y [rad]} or null.
-export function siteChart(bodies, scene, frame, wind = null) {
+/// @param marks  Events: {label, bad, at: [x, y, z]}; one outside the chart is at its edge.
+export function siteChart(bodies, scene, frame, wind = null, marks = []) {
     const shown = bodies.filter(b => b.half && kDrawn[b.role] && Number.isFinite(b.position.x) && Math.max(b.half[0], b.half[1]) < 2000).sort((a, b) => kDrawn[b.role] - kDrawn[a.role] || b.size - a.size).slice(0, 40);
     const big = shown.filter(b => kDrawn[b.role] === 3), view = chartView((big.length ? big : shown).map(b => [b.position.x, b.position.y, Math.hypot(b.half[0], b.half[1])]));
     const k = 100 / view.half, x = v => (v - view.x) * k, y = v => -(v - view.y) * k, parts = [];
@@ -60,5 +68,6 @@ export function siteChart(bodies, scene, frame, wind = null) {
         text.textContent = `${(wind.speed / 0.514444).toFixed(0)} kn ${bearing(270 - wind.to * 180 / Math.PI)}`;
         parts.push(svg('path', {d: 'M-9 0H6M2-4 8 0 2 4', transform: `translate(80 78) rotate(${(-wind.to * 180 / Math.PI).toFixed(0)})`, class: 'chart-wind'}), text);
     }
+    parts.push(...marks.flatMap(m => eventMark(m, x(m.at[0]), y(m.at[1]))).reverse());
     return svg('svg', {viewBox: '-100 -100 200 200', class: 'chart', role: 'img', 'aria-label': big.map(b => readable(b.name.replace(/\/hull$/, ''))).join(', ') || 'Chart'}, ...parts);
 }

@@ -2,63 +2,12 @@
 /// Debriefing: score, goals, displays, controls, notes and events of an exercise on one time line. A
 /// recording has them from the program, which computes the score anew; a live run has those that this
 /// page has received. Another run can be laid beside it, from a file that this panel has saved.
+import {controlCurves, curvePath, kHigh, kMarks, kMostRows, kWide, rangeOf, valueAt} from './curves.js';
 import {clock, el, svg, toast} from './dom.js';
+import {printSheet, reportSheet} from './report_sheet.js';
 import {readable} from './roles.js';
 import {shown} from './units.js';
 import {t} from './words.js';
-
-const kWide = 1000, kHigh = 36, kMostRows = 24;
-const kMarks = {goal: '✓', penalty: '−', alarm: '!', alarm_end: '·', fault: '⚡', fault_end: '·', restored: '↺', end: '■', note: '✎', command: '›'};
-
-/// Return the value at a time of samples (times ascend); NaN before the first one.
-export function valueAt(times, values, time) {
-    let lo = 0, hi = times.length;
-    while (lo < hi) {
-        const mid = (lo + hi) >> 1;
-        if (times[mid] <= time + 1e-9) lo = mid + 1;
-        else hi = mid;
-    }
-    return lo ? values[lo - 1] ?? NaN : NaN;
-}
-
-/// Return the controls of a debriefing as steps: {name, role, times, values}, the last value kept to
-/// `end`.
-export function controlCurves(controls, end) {
-    const rows = new Map();
-    for (const [time, role, input, value] of controls) {
-        if (!rows.has(input)) rows.set(input, {name: input, role, times: [], values: []});
-        const row = rows.get(input);
-        if (row.times.length) {   // a step: the old value up to this time
-            row.times.push(time);
-            row.values.push(row.values.at(-1));
-        }
-        row.times.push(time);
-        row.values.push(value);
-    }
-    for (const row of rows.values()) {
-        row.times.push(Math.max(end, row.times.at(-1)));
-        row.values.push(row.values.at(-1));
-    }
-    return [...rows.values()];
-}
-
-/// Return the path of a curve in a box of kWide × kHigh; gaps where there is no number.
-export function curvePath(times, values, [begin, end], [lo, hi]) {
-    let path = '', pen = false;
-    for (let i = 0; i < times.length; ++i) {
-        if (!Number.isFinite(values[i])) { pen = false; continue; }
-        const x = kWide * (times[i] - begin) / Math.max(1e-9, end - begin), y = kHigh - 3 - (kHigh - 6) * (values[i] - lo) / Math.max(1e-12, hi - lo);
-        path += `${pen ? 'L' : 'M'}${x.toFixed(1)} ${y.toFixed(1)}`;
-        pen = true;
-    }
-    return path;
-}
-
-const rangeOf = lists => {
-    let lo = Infinity, hi = -Infinity;
-    for (const v of lists.flat()) if (Number.isFinite(v)) { lo = Math.min(lo, v); hi = Math.max(hi, v); }
-    return lo <= hi ? hi > lo ? [lo, hi] : [lo - 0.5, hi + 0.5] : [0, 1];
-};
 
 /// Collects what a page of a live exercise receives, in the form of the message `debriefing`.
 export class Collector {
@@ -145,7 +94,7 @@ export class Debriefing {
         const d = this.data, end = Math.max(d.time, d.times.at(-1) ?? 0, this.other?.time ?? 0);
         this.span = [Math.min(0, d.times[0] ?? 0), Math.max(1, end)];
         this.rows = [];
-        const title = el('h2', {textContent: `${t('Debriefing')}: ${readable(d.name)}`}), entries = [...d.entries, ...(this.extra ?? [])].sort((a, b) => a.time - b.time);
+        const title = el('h2', {textContent: `${t('Debriefing')}: ${readable(d.name)}`}), entries = this.entries();
         const score = (one, label) => el('p', {className: 'debrief-score'}, label ? el('small', {textContent: `${label} `}) : null, el('output', {className: one.outcome, textContent: `${+one.points.toFixed(1)} ${t('of')} ${+one.possible.toFixed(1)} ${t('points')}`}),
             ` ${t(one.outcome === 'passed' ? 'Passed' : one.outcome === 'failed' ? 'Not passed' : 'running')}${one.end ? `: ${one.end}` : ''} (${clock(one.time)})`);
         const tables = el('div', {className: 'debrief-lists'}, title, score(d), this.other ? score(this.other, t('Other run')) : null, this.buttons(), this.tally('Goals', d.goals, this.other?.goals), this.tally('Penalties', d.penalties.filter(p => p.times > 0), this.other?.penalties),
@@ -158,10 +107,20 @@ export class Debriefing {
         document.body.style.setProperty('--console', `${this.box.offsetHeight + 8}px`);
     }
 
+    /// Return events and notes by time.
+    entries() {
+        return [...this.data.entries, ...(this.extra ?? [])].sort((a, b) => a.time - b.time);
+    }
+
+    /// Open the print dialog with the report as a page.
+    print() {
+        printSheet(reportSheet(this.data, this.entries(), {people: this.people.trim(), date: new Date(), span: this.span, other: this.other, unitOf: name => this.unitOf(name)}));
+    }
+
     buttons() {
         const people = el('input', {type: 'text', className: 'text', maxLength: 120, placeholder: t('Names'), 'aria-label': t('Names for the report'), value: this.people, oninput: e => { this.people = e.target.value; }});
         const file = el('input', {type: 'file', accept: '.json', hidden: true, onchange: e => this.compare(e.target.files[0])});
-        return el('div', {className: 'row'}, people, ...(this.recorded || this.app.mayControl ? [el('button', {id: 'report', textContent: t('Report'), onclick: () => this.report()})] : []),
+        return el('div', {className: 'row'}, people, ...(this.recorded || this.app.mayControl ? [el('button', {id: 'report', textContent: t('Report'), onclick: () => this.report()})] : []), el('button', {id: 'print', textContent: t('Print, PDF'), onclick: () => this.print()}),
             el('button', {textContent: t('Save data'), onclick: () => this.save(`${this.data.name}.json`, JSON.stringify(this.data), 'application/json')}), el('button', {textContent: t('Compare'), onclick: () => file.click()}), file,
             el('button', {textContent: t('Close'), onclick: () => this.open(false)}));
     }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The exercise: score, goals, penalties, alarms and displays; for the instructor its faults and its
-/// end. Decisions and alarms are announced to screen readers.
+/// The exercise: score, goals, penalties, alarms and displays; for the instructor a map with events, faults,
+/// notes and the end. Decisions and alarms are announced to screen readers.
 import {$, clock, el, memory} from './dom.js';
+import {EventMap} from './map.js';
 import {readable} from './roles.js';
 import {shown} from './units.js';
 import {stateWord} from './vessel.js';
@@ -28,6 +29,10 @@ export class ExercisePanel {
 
     get on() {
         return this.exercise !== null;
+    }
+
+    get alarmNames() {
+        return this.exercise?.alarms.map(a => a.name) ?? [];
     }
 
     setExercise(e) {
@@ -64,6 +69,8 @@ export class ExercisePanel {
         });
         const mine = e.stations.find(s => s.name === this.app.scene?.role.name);
         const parts = [el('h2', {textContent: readable(e.name), title: e.description}), el('p', {className: 'row score'}, this.score, this.left)];
+        this.map = this.app.mayControl ? new EventMap(this.app) : null;
+        if (this.map) parts.push(this.map.box);
         if (mine?.text) parts.push(el('p', {className: 'note', textContent: mine.text}));
         parts.push(el('div', {role: 'alert', 'aria-label': t('Alarms')}, this.alarms), el('h3', {textContent: t('Goals')}), this.goals);
         this.penaltyTitle = el('h3', {textContent: t('Penalties')});
@@ -161,6 +168,7 @@ export class ExercisePanel {
     update(frame, now) {
         if (!this.on || now < (this.due ?? 0)) return;
         this.due = now + 150;
+        this.map?.update(now);
         const {scene} = this.app, e = this.exercise;
         for (const d of this.displays) {
             const k = scene.outputs.findIndex(o => o.name === d.name), value = k < 0 ? NaN : frame.outputs[k];

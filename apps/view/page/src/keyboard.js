@@ -55,8 +55,7 @@ export function bindKeys(app) {
 }
 
 function arrowsInCameras(app, e) {
-    const at = kModes.indexOf(app.stage.rig.mode), to = kModes[(at + (e.key === 'ArrowRight' ? 1 : -1) + kModes.length) % kModes.length];
-    app.camera(to);
+    const to = app.nextCamera(e.key === 'ArrowRight' ? 1 : -1);
     $('cameras').querySelector(`[data-mode="${to}"]`).focus();
     e.preventDefault();
 }

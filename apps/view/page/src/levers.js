@@ -8,6 +8,7 @@ import {clampTo, groupLevers, leverRange, neutral, nudge, springHome, toDeflecti
 import {readable} from './roles.js';
 import {shown} from './units.js';
 import {choicesOf, signalOf} from './vessel.js';
+import {kWeather, weatherOf} from './weather.js';
 import {t} from './words.js';
 
 const kDangerous = new Set(['release']);   // a second press within 3 s confirms
@@ -16,6 +17,12 @@ const kDangerous = new Set(['release']);   // a second press within 3 s confirms
 export function choiceWord(def, value) {
     const word = def.words[value] ?? '', key = signalOf(def).endsWith('.mode') ? `${word === 'off' || ['joystick', 'heading', 'position', 'follow'].includes(word) ? 'mode' : 'winch'} ${word}` : word, words = t(key);
     return words === key && key !== word ? readable(word) : words === word ? readable(word) : words;
+}
+
+/// Group and slider of an input of the sea; {} for another input.
+function weatherInput(def, sea) {
+    const weather = weatherOf(def, sea);
+    return weather ? {weather, group: kWeather} : {};
 }
 
 export class Levers {
@@ -34,10 +41,10 @@ export class Levers {
         this.levers = [];
         this.place = null;
         const may = scene.role.inputs, mine = i => i.mine ?? (may === 'all' || may.includes(i.name));
-        const shown = scene.inputs.map((def, index) => ({...def, index, words: choicesOf(def, scene.vessels)})).filter(i => i.kind !== 'inner' && mine(i));
+        const shown = scene.inputs.map((def, index) => ({...def, index, words: choicesOf(def, scene.vessels), ...weatherInput(def, scene.sea)})).filter(i => i.kind !== 'inner' && mine(i) && !i.weather?.hidden);
         document.body.classList.toggle('levers-none', !shown.length || !live);
         if (!shown.length) return;
-        const rank = ([g]) => first.includes(g) ? 0 : 1;
+        const rank = ([g]) => g === kWeather && scene.role.name === 'instructor' ? -1 : first.includes(g) ? 0 : 1;
         const groups = [...groupLevers(shown)].sort((a, b) => rank(a) - rank(b));
         const closed = new Set(memory.get(`closed.${scene.name}`, shown.length > 14 ? groups.slice(2).map(([g]) => g) : []));
         for (const [group, members] of groups) {
@@ -57,18 +64,18 @@ export class Levers {
     }
 
     make(def, group) {
-        const range = leverRange(def), vague = / or /.test(def.unit ?? ''), unit = vague ? '' : def.unit === '1' ? '' : def.unit, at = this.levers.length, id = `lever-${at}`;
-        const rest = def.spring ?? neutral(range), own = def.name.startsWith(`${group}/`) || def.name.startsWith(`${group}.`) ? def.name.slice(group.length + 1) : def.name;
+        const {weather} = def, range = weather?.range ?? leverRange(def), vague = / or /.test(def.unit ?? ''), unit = vague ? '' : def.unit === '1' ? '' : def.unit, at = this.levers.length, id = `lever-${at}`;
+        const rest = def.spring ?? (weather ? clampTo(range, def.value ?? 0) : neutral(range)), own = weather ? weather.label : def.name.startsWith(`${group}/`) || def.name.startsWith(`${group}.`) ? def.name.slice(group.length + 1) : def.name;
         if (def.words?.length) return this.makeChoice(def, range, rest, own, at, id);
         const slider = el('input', {type: 'range', id, min: range[0], max: range[1], step: 'any', value: def.value ?? rest});
         const output = el('output', {htmlFor: id});
         const form = formOf(def, this.scene), words = endsOf(form, signalOf(def)), percent = inPercent(form, def.unit, range);
-        const text = v => percent ? `${Math.round(100 * v)} %` : shown(v, unit, signalOf(def));
+        const text = weather?.text ?? (v => percent ? `${Math.round(100 * v)} %` : shown(v, unit, signalOf(def)));
         const home = def.spring === null || def.spring === undefined ? vague ? def.unit : '' : def.spring === 0 ? t('returns to centre') : `${t('returns to')} ${text(def.spring)}`;
         const ends = el('div', {className: 'ends', 'aria-hidden': 'true'}, el('span', {textContent: words ? t(words[0]) : text(range[0])}),
             el('span', {className: 'home', textContent: words?.[1] ? t(words[1]) : home}), el('span', {textContent: words ? t(words[2]) : text(range[1])}));
         if (form === 'heading') ends.hidden = true;
-        const lever = {def, unit, range, rest, slider, output, value: Number(slider.value), held: new Set(), sent: null, until: 0, text, form, step: keyStep(form)};
+        const lever = {def, unit, range, rest, slider, output, value: Number(slider.value), held: new Set(), sent: null, until: 0, text, form, step: weather?.step ?? keyStep(form)};
         const picture = form === 'heading' ? headingDial(lever, v => { this.activate(at); this.move(at, v); }) : form === 'helm' ? helmWheel(lever) : null;
         // Orders of a vessel are taken over from its state until a station sets them.
         lever.order = form === 'position' || form === 'heading' ? this.scene.outputs.findIndex(o => o.name === signalOf(def)) : -1;

@@ -12,8 +12,10 @@ import {ExercisePanel} from './exercise.js';
 import {Instruments} from './instruments.js';
 import {kMove, kMoves} from './forms.js';
 import {bindKeys} from './keyboard.js';
+import {eventText} from './event_words.js';
 import {quantity} from './lever_logic.js';
 import {Levers} from './levers.js';
+import {Recent} from './map.js';
 import {Inspector, keysPanel, layersPanel, restorePanel} from './panels.js';
 import {Plots, showPlots} from './plots.js';
 import {tokenOf} from './protocol.js';
@@ -24,7 +26,7 @@ import {kModes} from './camera.js';
 import {chooseLanguage, language, t, translatePage} from './words.js';
 
 const kPause = 'M3 2h4v12H3zM9 2h4v12H9z', kPlay = 'M4 2v12l10-6z';
-const kCameraNames = {free: 'Free', follow: 'Follow', board: 'Deck', bridge: 'Bridge', aft: 'Aft', hook: 'Hook', top: 'Chart'};
+const kCameraNames = {free: 'Free', follow: 'Follow', board: 'Deck', bridge: 'Bridge', aft: 'Aft', hook: 'Hook', top: 'Chart', cab: 'Cab', heli: 'Helicopter'};
 const kRanges = [0.25, 0.5, 1];
 
 class App {
@@ -40,7 +42,8 @@ class App {
         this.briefing = new Briefing($('briefing'), this);
         this.debriefing = new Debriefing($('debriefing'), this);
         this.instruments = new Instruments($('instruments'), this);
-        this.timeline = new Timeline(time => this.link.ask({type: 'seek', time}));
+        this.recent = new Recent();
+        this.timeline = new Timeline(time => this.link.ask({type: 'seek', time}), this);
         this.drag = new Drag(this);
         this.state = {paused: false, rate: 1, restore_points: [], failure: null, range: null};
         this.script = {ms: 0, n: 0};
@@ -72,7 +75,8 @@ class App {
         on('frame', () => { this.fresh = true; });
         on('event', e => {
             this.timeline.tell(e);
-            this.alarms.event(e);
+            this.alarms.event(e, eventText(e, this.exercise.alarmNames));
+            this.recent.take(e);
             this.debriefing.collector.event(e);
             if (e.kind === 'command' && /restored/.test(e.words ?? '')) this.restored();
         });
@@ -174,13 +178,26 @@ class App {
     command(name) {
         const nudge = steps => { this.levers.nudge(steps, 'button'); this.levers.letGo(this.levers.active, 'button'); };
         const run = {play: () => this.play(), step: () => this.step(), neutral: () => this.levers.neutral(), next: () => this.levers.next(1), less: () => nudge(-1), more: () => nudge(1), release: () => this.levers.release(), acknowledge: () => this.alarms.all(),
-            previous: () => this.levers.next(-1), camera: () => this.camera(kModes[(kModes.indexOf(this.stage.rig.mode) + 1) % kModes.length])};
+            previous: () => this.levers.next(-1), camera: () => this.nextCamera(1)};
         if (kMoves[name]) this.levers.movePosition(...kMoves[name].map(v => v * kMove));
         run[name]?.();
     }
 
+    /// Select the next camera that the scene can show. @return its mode
+    nextCamera(by) {
+        const modes = this.stage.modes(), to = modes[(modes.indexOf(this.stage.rig.mode) + by + modes.length) % modes.length];
+        this.camera(to);
+        return to;
+    }
+
     camera(mode) {
         if (!this.stage.setMode(mode)) toast('Nothing here that a camera could go with');
+        this.paintCamera();
+    }
+
+    /// Look at a point of the world from above its side.
+    goTo(at) {
+        this.stage.lookAt(at);
         this.paintCamera();
     }
 
@@ -198,7 +215,9 @@ class App {
     }
 
     paintCamera() {
+        const modes = this.scene ? this.stage.modes() : kModes;
         for (const b of $('cameras').children) {
+            b.hidden = !modes.includes(b.dataset.mode);
             b.setAttribute('aria-checked', String(b.dataset.mode === this.stage.rig.mode));
             b.tabIndex = b.dataset.mode === this.stage.rig.mode ? 0 : -1;
         }
@@ -273,6 +292,7 @@ class App {
         $('tools').addEventListener('click', () => this.menu(false));
         $('debrief').addEventListener('click', () => this.debriefing.toggle());
         $('shot').addEventListener('click', () => this.screenshot());
+        $('next-body').addEventListener('click', () => this.nextSubject());
         $('pull').addEventListener('click', () => this.drag.mode(!this.drag.on));
         $('lost-retry').addEventListener('click', () => this.link.retry());
         $('failure-close').addEventListener('click', () => { $('failure').hidden = true; this.closedFailure = this.failure?.time; });

@@ -154,7 +154,7 @@ export function restorePanel(panel, app) {
 }
 
 const kKeys = [['space', 'pause, go on'], ['.', 'one step'], ['[ and ]', 'control before, next'], ['↑ ↓', 'move the control'], ['0', 'control to neutral'],
-    ['1 to 7', 'camera'], ['C', 'next camera'], ['B', 'next body for the camera'], ['P', 'pull bodies'], ['S', 'save a restore point'], ['R', 'restore the last one'], ['N', 'names'], ['G', 'plots'], ['I', 'instruments'],
+    ['1 to 9', 'camera'], ['C', 'next camera'], ['B', 'next body for the camera'], ['P', 'pull bodies'], ['S', 'save a restore point'], ['R', 'restore the last one'], ['N', 'names'], ['G', 'plots'], ['I', 'instruments'],
     ['A', 'acknowledge all alarms'], ['D', 'debriefing'], ['M', 'menu'], ['K', 'picture'], ['H', 'hide all panels'], ['← →', 'recording: event before, next'], ['?', 'this panel'], ['Esc', 'close, let go']];
 
 /// Words of the commands of a gamepad's buttons.

@@ -6,15 +6,16 @@ import {
 } from 'three';
 import {arrowLength, Arrows} from './arrows.js';
 import {Bodies} from './bodies.js';
-import {CameraRig, makeSubject} from './camera.js';
+import {cabOf, CameraRig, kModes, makeSubject} from './camera.js';
 import {Labels} from './labels.js';
 import {Lights} from './lights.js';
 import {nearestPiece} from './picking.js';
 import {makePlainSky, plainBed, plainPaint, plainWater} from './plain.js';
 import {Quality} from './quality.js';
 import {seaComponents, seaState} from './protocol.js';
+import {Spray} from './spray.js';
 import {air, AIR, fogOf, HORIZON, kClear, kSun, setAir} from './air.js';
-import {aimSun, encode, kWaveSum, lightUp, makeLight, makeSky, Seabed, tile, Water} from './surroundings.js';
+import {aimSun, encode, kWaveSum, lightUp, makeLight, makeSky, Seabed, tile, Water, waveHeight} from './surroundings.js';
 import {Wake} from './wake.js';
 import {Wires} from './wires.js';
 
@@ -63,6 +64,7 @@ export class Stage {
         this.wires = new Wires(this.low);
         this.water = new Water(this.low ? plainWater : null);
         this.wake = new Wake({waves: kWaveSum, encode, tile, defines: this.low ? {LOW: 1} : {}}, this.water.material.uniforms);
+        this.spray = new Spray({encode, defines: this.low ? {LOW: 1} : {}});
         this.lights = new Lights();
         this.seabed = new Seabed(this.low ? plainBed : null);
         this.light = makeLight(this.low);
@@ -71,7 +73,7 @@ export class Stage {
         this.quality = new Quality();
         this.show = {names: true, contacts: true, joints: false, water: true, clear: true, seabed: true, shadows: true, tubes: 'auto'};
         this.sky = this.low ? makePlainSky() : makeSky();
-        this.scene.add(this.sky, this.light, this.water.mesh, this.wake.mesh, this.lights.mesh, this.seabed.mesh, this.wires.tubes, this.wires.lines);
+        this.scene.add(this.sky, this.light, this.water.mesh, this.wake.mesh, this.spray.mesh, this.lights.mesh, this.seabed.mesh, this.wires.tubes, this.wires.lines);
         this.spring = this.makeSpring();
         this.full = 0.5;
         this.scratch = {ray: new Raycaster(), v: new Vector3(), p: new Vector2(), plane: new Plane(), lit: new Sphere()};
@@ -100,8 +102,10 @@ export class Stage {
         this.wires.setScene(scene.wires.map(w => ({...w, radius: Math.max(0.01, (w.diameter || 0.06) / 2)})));
         this.water.setWaves(seaComponents(scene.sea, scene.origin));
         this.wake.setScene(scene, this.bodies.bodies);
+        this.spray.setScene(this.bodies.bodies);
         this.lights.setScene(this.bodies.bodies);
         this.windAt = scene.outputs.findIndex(o => o.name === 'sea.wind');
+        this.windWay = scene.outputs.findIndex(o => o.name === 'sea.wind_direction');
         this.afloat = Boolean(scene.sea) || this.bodies.bodies.some(b => ['ship', 'semi', 'barge'].includes(b.role));
         this.findBed(scene);
         this.labels.setScene(this.bodies.bodies, scene.wires);
@@ -169,11 +173,26 @@ export class Stage {
         return this.bodies.bodies.filter(b => b.role === 'hook' && b.slot >= 0).sort((a, b) => a.position.distanceTo(at) - b.position.distanceTo(at));
     }
 
+    /// Return the nearest hook with a crane's cab: {hook, body, eye}; undefined: none.
+    cab() {
+        for (const hook of this.hooks()) {
+            const seat = cabOf(hook, this.bodies.bodies, this.info);
+            if (seat) return {hook, ...seat};
+        }
+    }
+
+    /// Return the modes that the scene can show.
+    modes() {
+        const hook = this.hooks().length > 0, cab = Boolean(this.cab()), subject = this.subjects().length > 0;
+        return kModes.filter(m => m === 'hook' ? hook : m === 'cab' ? cab : m === 'free' || m === 'top' || subject);
+    }
+
     setMode(mode) {
-        if (mode === 'hook') {
-            const [hook] = this.hooks();
-            if (!hook) return false;
-            this.rig.load = () => hook.position;
+        if (mode === 'hook' || mode === 'cab') {
+            const [hook] = this.hooks(), seat = mode === 'cab' ? this.cab() : null;
+            if (mode === 'cab' ? !seat : !hook) return false;
+            if (seat) this.rig.cab = () => ({eye: seat.eye.clone().applyMatrix4(seat.body.matrix), hook: seat.hook.position});
+            else this.rig.load = () => hook.position;
             this.rig.setMode(mode, this.subject ?? null);
             return true;
         }
@@ -181,6 +200,13 @@ export class Stage {
         if (!this.subjectBody && mode !== 'free' && mode !== 'top') return false;
         this.rig.setMode(mode, this.subject);
         return true;
+    }
+
+    /// Look at a point freely, from 60 m at least.
+    lookAt(at) {
+        this.rig.setMode('free', this.subject);
+        this.rig.target.set(...at);
+        Object.assign(this.rig, {distance: Math.min(200, Math.max(60, this.rig.distance)), elevation: 0.4});
     }
 
     resize(width, height, ratio) {
@@ -208,6 +234,7 @@ export class Stage {
         this.bodies.update(frame);
         this.water.setWind(this.windAt < 0 ? NaN : frame.outputs[this.windAt], this.waveFactor);
         this.wake.take(frame);
+        if (this.water.waves.length) this.sprayOf(frame);
         this.wires.fill(frame, this.full);
         if (this.subjectBody) {
             this.subject.position.copy(this.subjectBody.position);
@@ -215,9 +242,17 @@ export class Stage {
         }
     }
 
+    /// Advance the spray by the surface and the wind of a frame.
+    sprayOf(frame) {
+        const {waves} = this.water, speed = this.windAt < 0 ? 0 : frame.outputs[this.windAt] || 0, way = this.windWay < 0 ? 0 : frame.outputs[this.windWay] || 0;
+        this.spray.take(frame.time, (x, y) => this.level + this.waveFactor * waveHeight(waves, frame.time, x, y), [speed * Math.cos(way), speed * Math.sin(way)]);
+    }
+
     draw(now) {
         const {camera, frame} = this;
-        this.rig.update();
+        const time = frame?.time ?? 0;
+        this.rig.update(Math.min(1, Math.max(0, time - (this.drawnTime ?? time))));
+        this.drawnTime = time;
         camera.updateMatrixWorld();
         const eye = camera.position, pixel = 2 * Math.tan(camera.fov * Math.PI / 360) / this.height;
         const under = this.afloat && eye.z < this.level - 0.3;
@@ -226,6 +261,8 @@ export class Stage {
         this.water.update(frame?.time ?? 0, this.level, camera, this.waveFactor);
         this.wake.mesh.visible = this.water.mesh.visible && !under && this.wake.ships.length > 0;
         this.wake.level.value = this.level;
+        this.spray.mesh.visible = this.water.mesh.visible && !under && this.spray.count > 0;
+        this.spray.draw(pixel, this.ratio ?? 1);
         this.lights.update(eye, AIR.bright.value < 0.8 || air.visibility < 3000 ? 1 : 0);
         this.seabed.mesh.visible = this.show.seabed;
         this.seabed.update(camera);

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The foot of the page: scrubbing of recordings with events on the line, and the last events.
 import {$, clock, el} from './dom.js';
+import {eventText, ofSolver} from './event_words.js';
 
 const kShown = 12;
 const often = ['slack', 'taut', 'more'];   // would cover the line
 const bad = /break|fail|overload|alarm|part|diverg/;
 
 export class Timeline {
-    constructor(seek) {
+    /// @param app  For the names of alarms and the role.
+    constructor(seek, app) {
         this.seek = seek;
+        this.app = app;
         this.scrub = $('scrub');
         this.marks = $('marks');
         this.range = null;
@@ -37,7 +40,7 @@ export class Timeline {
         if (!this.range) return;
         const [a, b] = this.range;
         this.marks.replaceChildren(...(this.events ?? []).slice(0, 600).map(e => {
-            const mark = el('i', {className: e.kind === 'command' ? 'command' : '', title: `${clock(e.time)} ${e.words ?? e.name}`});
+            const mark = el('i', {className: e.kind === 'command' ? 'command' : '', title: `${clock(e.time)} ${this.words(e)}`});
             mark.style.left = `${100 * (e.time - a) / Math.max(1e-9, b - a)}%`;
             return mark;
         }));
@@ -69,10 +72,14 @@ export class Timeline {
         this.scrub.setAttribute('aria-valuetext', `${clock(time)} of ${clock(this.range[1])}`);
     }
 
-    /// Show an event and announce it to screen readers.
+    words(event) {
+        return eventText(event, this.app.exercise.alarmNames);
+    }
+
+    /// Show an event and announce it to screen readers. Findings of the solver are for the instructor.
     tell(event) {
-        if (often.includes(event.kind)) return;
-        const words = event.words ?? `${event.name} ${event.kind}`;
+        if (often.includes(event.kind) || ofSolver(event.kind) && this.app.exercise.on && !this.app.mayControl) return;
+        const words = this.words(event);
         const item = el('li', {className: bad.test(event.kind) ? 'bad' : 'note', textContent: `${clock(event.time)} ${words}`});
         $('events').prepend(item);
         while ($('events').children.length > kShown) $('events').lastChild.remove();

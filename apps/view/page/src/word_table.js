@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Table of words: key: [English, German, Norwegian]. A key is the English text, or a name of the
-/// program with its kind ("mode heading"). test/words_test.mjs checks that no cell is empty.
+/// program with its kind ("mode heading"). test/station_test.mjs checks that no cell is empty.
 /* eslint-disable */
 export const kWords = {
     // Instruments
@@ -200,6 +200,8 @@ export const kWords = {
     'Aft': ['Aft', 'Achtern', 'Akter'],
     'Hook': ['Hook', 'Haken', 'Krok'],
     'Chart': ['Chart', 'Karte', 'Kart'],
+    'Cab': ['Cab', 'Kran', 'Kran'],
+    'Helicopter': ['Heli', 'Heli', 'Heli'],
     'Show': ['Show', 'Anzeigen', 'Vis'],
     'Restore': ['Restore', 'Zurück', 'Tilbake'],
     'Dials': ['Instruments', 'Instrumente', 'Instrumenter'],
@@ -434,4 +436,47 @@ export const kWords = {
     'Aft tug': ['Aft tug', 'Heckschlepper', 'Aktre slepebåt'],
     'Tug fore': ['Fore tug', 'Bugschlepper', 'Forre slepebåt'],
     'Tug aft': ['Aft tug', 'Heckschlepper', 'Aktre slepebåt'],
+    // Weather, map, events
+    'Weather': ['Weather', 'Wetter', 'Vær'],
+    'Wave height (Hs)': ['Wave height (Hs)', 'Wellenhöhe (Hs)', 'Bølgehøyde (Hs)'],
+    'Current': ['Current', 'Strom', 'Strøm'],
+    'Wind from': ['Wind from', 'Wind aus', 'Vind fra'],
+    'Water level': ['Water level', 'Wasserstand', 'Vannstand'],
+    'Map': ['Map', 'Lagekarte', 'Kart'],
+    'at': ['at', 'bei', 'ved'],
+    'of MBL': ['of MBL', 'der Bruchlast', 'av bruddlast'],
+    'event line_break': ['parted at', 'gebrochen bei', 'røk ved'],
+    'event slack': ['slack', 'lose', 'slakk'],
+    'event taut': ['taut at', 'steif bei', 'stram ved'],
+    'event saturation': ['drive at its limit', 'Antrieb an der Grenze', 'drivverk på grensen'],
+    'event range': ['at the end of its range', 'am Ende des Bereichs', 'ved enden av området'],
+    'event layer': ['wire layer', 'Seillage', 'wirelag'],
+    'event brake_slip': ['brake slips at', 'Bremse rutscht bei', 'brems slurer ved'],
+    'event release': ['released at', 'ausgelöst bei', 'utløst ved'],
+    'event weak_link': ['wire end torn off at', 'Seilende abgerissen bei', 'wireende slitt av ved'],
+    'event drum_empty': ['drum empty at', 'Trommel leer bei', 'trommel tom ved'],
+    'event cut': ['cut at', 'gekappt bei', 'kuttet ved'],
+    'event join': ['joined over', 'verbunden über', 'koblet over'],
+    'event detach': ['let go at', 'losgeworfen bei', 'sluppet ved'],
+    'event chain_jump': ['chain jumped at', 'Kette übergesprungen bei', 'kjetting hoppet ved'],
+    'event render': ['renders at', 'fiert selbsttätig bei', 'gir etter ved'],
+    'event alarm': ['load alarm', 'Lastalarm', 'lastalarm'],
+    'event alarm_end': ['load alarm ended', 'Lastalarm beendet', 'lastalarm over'],
+    'event overload': ['opened by overload at', 'durch Überlast geöffnet bei', 'åpnet av overlast ved'],
+    'event missed': ['nothing within reach; nearest at', 'nichts in Reichweite; am nächsten', 'ingenting innen rekkevidde; nærmest'],
+    'event hauled_in': ['wire end at the fairlead at', 'Seilende an der Klüse bei', 'wireende ved klysset ved'],
+    'event lift_off': ['wire left its guide at', 'Seil aus der Führung bei', 'wire forlot føringen ved'],
+    'event lay_on': ['wire back in its guide at', 'Seil wieder in der Führung bei', 'wire tilbake i føringen ved'],
+    'event shed': ['lacks power', 'Leistung fehlt', 'mangler effekt'],
+    'event mode_refused': ['mode refused', 'Betriebsart abgelehnt', 'modus avvist'],
+    'event position_lost': ['off position by', 'außer Position um', 'ute av posisjon med'],
+    'event failure_critical': ['worst single failure would lose the position; shortfall', 'größter Einzelausfall verlöre die Position; Fehlbetrag', 'verste enkeltfeil ville miste posisjonen; mangler'],
+    // Report on paper
+    'Print, PDF': ['Print, PDF', 'Drucken, PDF', 'Skriv ut, PDF'],
+    'Curves': ['Curves', 'Verläufe', 'Kurver'],
+    'Goal': ['Goal', 'Ziel', 'Mål'],
+    'Penalty': ['Penalty', 'Abzug', 'Trekk'],
+    'Station': ['Station', 'Station', 'Stasjon'],
+    'Next body': ['Next body', 'Nächster Körper', 'Neste objekt'],
+    'Next body for the camera (B)': ['Next body for the camera (B)', 'Nächster Körper für die Kamera (B)', 'Neste objekt for kameraet (B)'],
 };

@@ -10,7 +10,7 @@
 import assert from 'node:assert/strict';
 import {spawn} from 'node:child_process';
 import {mkdirSync, mkdtempSync, readFileSync, statSync} from 'node:fs';
-import {tmpdir} from 'node:os';
+import {availableParallelism, loadavg, tmpdir} from 'node:os';
 import {dirname, join, resolve} from 'node:path';
 import {fileURLToPath} from 'node:url';
 import {chromium} from 'playwright-core';
@@ -85,7 +85,7 @@ async function open(browser, address, {query = '', ...options} = {}) {
         navigator.getGamepads = () => window.fakePads;
     });
     const folder = process.env.HAWSER_PAGE && resolve(root, process.env.HAWSER_PAGE);
-    for (const name of folder ? ['', 'view.js', 'view.css'] : []) await page.route(u => u.pathname === `/${name}`, r => r.fulfill({path: join(folder, name || 'index.html')}));
+    for (const name of folder ? ['', 'view.js', 'view.css', 'icon.svg'] : []) await page.route(u => u.pathname === `/${name}`, r => r.fulfill({path: join(folder, name || 'index.html')}));
     await page.goto(address.replace('/#', `/${query}#`), {timeout: 90000});
     await until(page, () => window.hawser?.frame !== undefined, null, 240000);   // drawing may hold up the page's own clock
     return page;
@@ -102,13 +102,17 @@ async function still(page, on = true) {
     }, on);
 }
 
-/// Waits for an expression of the page; tells its last value where it does not come true.
+/// Factor of all timeouts: the load of each processor, at least 1.
+const patience = () => Math.max(1, loadavg()[0] / availableParallelism());
+
+/// Wait for an expression of the page and return its value. The timeout [ms] is that of an idle machine.
 async function until(page, f, argument, timeout = 20000) {
+    timeout *= patience();
     const end = Date.now() + timeout;
     for (;;) {
         const value = await page.evaluate(f, argument);
         if (value) return value;
-        if (Date.now() > end) throw new Error(`not within ${timeout / 1000} s: ${f.toString().slice(0, 160)}`);
+        if (Date.now() > end) throw new Error(`not within ${(timeout / 1000).toFixed(0)} s: ${f.toString().slice(0, 160)}`);
         await page.waitForTimeout(60);
     }
 }

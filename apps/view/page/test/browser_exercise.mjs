@@ -4,20 +4,53 @@ import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 
+/// Print the debriefing to PDF; return its size.
+async function printed(kit, page) {
+    await page.locator('#over-debrief').click();
+    await page.getByLabel('Names for the report').fill('A. Mate, B. Winchman');
+    await page.evaluate(() => { window.print = () => { window.printed = true; }; });
+    await page.locator('#print').click();
+    await kit.until(page, () => window.printed);
+    await page.emulateMedia({media: 'print'});
+    const text = await page.locator('#sheet').innerText();
+    assert.match(text, /A\. Mate, B\. Winchman, \d{4}-\d\d-\d\d \d\d:\d\d/);
+    assert.match(text, /points, 10 needed[\s\S]*Tow taut[\s\S]*✓?[\s\S]*Events and notes[\s\S]*Curves/);
+    assert.equal(await page.locator('#sheet .curve.display').count(), 1);
+    assert.ok(await page.locator('#sheet .curve.control').count() >= 1);
+    assert.equal(await page.locator('#levers').isVisible() || await page.locator('#bar').isVisible(), false);
+    const pdf = await page.pdf({path: join(kit.out, 'debriefing.pdf'), preferCSSPageSize: true});
+    assert.equal(pdf.subarray(0, 5).toString(), '%PDF-');
+    await page.emulateMedia({media: null});
+    await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+    assert.equal(await page.locator('#sheet').count(), 0);
+    await page.evaluate(() => hawser.debriefing.open(false));
+    return `${pdf.length} bytes`;
+}
+
 export async function exercisePart(kit) {
     const {check, until, out} = kit;
     console.log('--- an exercise: apps/view/page/test/harbour_exercise.json');
     const report = join(out, 'report.html'), score = join(out, 'score.json');
     const server = await kit.serve('apps/view/page/test/harbour_exercise.json', '--wait', '--report', report, '--summary', score);
     const size = {viewport: {width: 960, height: 540}, query: '?quality=low'}, small = {query: '?quality=low'};
-    const instructor = await kit.open(kit.browser, server.instructor, size), station = await kit.open(kit.browser, server.winch, small), watcher = await kit.open(kit.browser, server.watcher, small);
+    const opened = async (address, options) => {
+        const page = await kit.open(kit.browser, address, options);
+        await kit.still(page);
+        return page;
+    };
+    const instructor = await opened(server.instructor, size), station = await opened(server.winch, small), watcher = await opened(server.watcher, small);
+    const picture = async name => {
+        await kit.still(instructor, false);
+        await instructor.screenshot({path: join(kit.pictures, name)});
+        await kit.still(instructor);
+    };
     const fault = name => instructor.locator(`[data-fault="${name}"]`);
     await check('the briefing waits for the instructor, who starts the run', async () => {
         for (const page of [instructor, station, watcher]) await page.locator('#briefing').waitFor();
         assert.match(await station.locator('#briefing').innerText(), /Your station: Winch[\s\S]*Tow taut: 10 points[\s\S]*The instructor starts/);
         assert.equal(await station.locator('#start').count(), 0);
         assert.equal(await station.evaluate(() => hawser.frame.time), 0);
-        await instructor.screenshot({path: join(kit.pictures, 'view_briefing.png')});
+        await picture('view_briefing.png');
         await instructor.keyboard.press('Enter');   // Start has the focus
         await until(station, () => document.getElementById('briefing').hidden && hawser.frame.time > 0);
     });
@@ -35,7 +68,7 @@ export async function exercisePart(kit) {
         assert.equal(await station.locator('#faults').isVisible(), false);
         assert.equal(await station.locator('#play').isDisabled(), true);
         assert.equal(await watcher.locator('#levers').isVisible(), false);
-        assert.equal(await instructor.locator('#faults button').count(), 3);
+        assert.equal(await instructor.locator("#faults [data-fault]").count(), 2);
         assert.match(await station.locator('#exercise').innerText(), /Winch of the tow/);
     });
     await check('goals to do and too late are told apart', async () => {
@@ -82,17 +115,19 @@ export async function exercisePart(kit) {
         await fault('frozen').click();
         await until(station, v => hawser.frame.outputs[0] !== v, a);
     });
-    await instructor.screenshot({path: join(kit.pictures, 'view_exercise.png')});
-    await check('the end is shown to all, with points; a restore takes it back', async () => {
+    await picture('view_exercise.png');
+    await check('the end is shown to all, with points', async () => {
         await instructor.locator('#end-exercise').click();
         for (const page of [instructor, station, watcher]) await page.locator('#over').waitFor();
         const text = (await watcher.locator('#over').innerText()).replaceAll('\n', ' ');
         assert.match(text, /points, 10 needed.*ended by the instructor/);
-        await instructor.locator('#over-close').click();
+        return text.slice(0, 90);
+    });
+    await check('the debriefing is printed alone, with names, date, score, goals, events and curves', () => printed(kit, instructor));
+    await check('a restore takes the end back', async () => {
         await instructor.evaluate(() => hawser.restore('start'));
         await until(station, () => document.getElementById('over').hidden && hawser.exercise.exercise.outcome === 'running');
         assert.equal(await station.locator('#goals .done').count(), 0);
-        return text.slice(0, 90);
     });
     for (const page of [instructor, station, watcher]) await kit.quiet(page);
     await check('the program ends in order and leaves report and score', async () => {

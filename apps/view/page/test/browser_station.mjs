@@ -33,19 +33,19 @@ async function instrumentsInView(kit, page) {
 }
 
 const output = (page, name) => page.evaluate(n => hawser.frame.outputs[hawser.scene.outputs.findIndex(o => o.name === n)], name);
+/// Select a control by the key ].
+async function select(page, name) {
+    await page.locator('#canvas').focus();
+    for (let i = 0; i < 40 && !await page.evaluate(n => hawser.levers.levers[hawser.levers.active].def.name === n, name); ++i) await page.keyboard.press(']');
+}
 const press = async (page, key, times) => { for (let i = 0; i < times; ++i) await page.keyboard.press(key); };
 
 async function sailBridge(kit, address) {
     const page = await kit.open(kit.browser, address, {viewport: {width: 1180, height: 820}, query: '?quality=low'}), {check, until} = kit;
     await kit.still(page);
     await check('bridge at 1180×820: thrusters, azimuth, rudders, heading, speed, DP, wire, stability in view', () => instrumentsInView(kit, page));
-    await check('bridge: autopilot and speed by keyboard, bow thruster by gamepad', async () => {
-        await page.locator('#canvas').focus();
-        await press(page, 'ArrowUp', 2);                        // mode: levers, joystick, autopilot
-        await until(page, () => hawser.frame.inputs[0] === 2);
-        await page.keyboard.press(']');
-        await press(page, 'ArrowUp', 9);                        // 9 of 20 steps to 4 m/s
-        await until(page, () => Math.abs(hawser.frame.inputs[1] - 1.8) < 1e-3);
+    await check('bridge: bow thruster by gamepad, autopilot and speed by keyboard', async () => {
+        // In levers: the autopilot orders the thrusters itself.
         await page.evaluate(() => { window.fakePads = [{id: 'Stub', index: 0, connected: true, axes: [0, 0, 0, 0], buttons: Array.from({length: 16}, () => ({pressed: false}))}]; });
         const axis = await page.evaluate(() => hawser.pads.mapping.axes.findIndex(a => a.lever === 'bow_thruster'));
         assert.ok(axis >= 0, 'the thruster has an axis');
@@ -53,6 +53,12 @@ async function sailBridge(kit, address) {
         await until(page, () => Math.abs(hawser.frame.inputs[3]) > 0.9);
         await page.evaluate(a => { window.fakePads[0].axes[a] = 0; }, axis);
         await until(page, () => hawser.frame.inputs[3] === 0);
+        await select(page, 'mode');
+        await press(page, 'ArrowUp', 2);                        // mode: levers, joystick, autopilot
+        await until(page, () => hawser.frame.inputs[0] === 2);
+        await page.keyboard.press(']');
+        await press(page, 'ArrowUp', 9);                        // 9 of 20 steps to 4 m/s
+        await until(page, () => Math.abs(hawser.frame.inputs[1] - 1.8) < 1e-3);
     });
     await check('bridge: the ship makes way on her heading; propellers and speed are shown', async () => {
         const t0 = await page.evaluate(() => hawser.frame.time);
@@ -84,13 +90,14 @@ async function sailWinch(kit, address) {
         await page.evaluate(() => { window.fakePads = [{id: 'Stub', index: 0, connected: true, axes: [0, 0, 0, 0], buttons: Array.from({length: 16}, () => ({pressed: false}))}]; });
         const axis = await page.evaluate(() => hawser.pads.mapping.axes.findIndex(a => a.lever === 'winch_speed'));
         const [sign] = await page.evaluate(a => [hawser.pads.mapping.axes[a].invert ? -1 : 1], axis);
-        await page.locator('#canvas').focus();
-        await page.evaluate(([a, s]) => { window.fakePads[0].axes[a] = 0.7 * s; }, [axis, sign]);
+        await select(page, 'winch_mode');
         await press(page, 'ArrowDown', 3);                      // brake, render, tension, haul and veer
         await until(page, () => hawser.frame.inputs[4] === 0);
+        await page.evaluate(([a, s]) => { window.fakePads[0].axes[a] = 0.7 * s; }, [axis, sign]);   // selects the speed
         await until(page, w => hawser.frame.outputs[hawser.scene.outputs.findIndex(o => o.name === 'tow_winch.wire_out')] > w + 5, before, 60000);
         await page.evaluate(a => { window.fakePads[0].axes[a] = 0; }, axis);
         await until(page, () => hawser.frame.inputs[5] === 0);   // the spring
+        await select(page, 'winch_mode');
         await press(page, 'ArrowUp', 3);
         await until(page, () => hawser.frame.inputs[4] === 3);
         await until(page, () => /Mode\s*Brake/.test(document.getElementById('instruments').innerText));

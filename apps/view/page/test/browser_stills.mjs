@@ -8,7 +8,7 @@ import {palettePicture} from './png.mjs';
 
 const kSize = {width: 1280, height: 720}, kCalls = 300, kTriangles = 600000;
 
-/// Each still: scene, seconds to run, inputs, air, camera: a mode, or target in the frame of a body, distance [m],
+/// Each still: scene, seconds to run, inputs, air, `drops`: least number of drops of spray, waited for at rate 1; camera: a mode, or target in the frame of a body, distance [m],
 /// elevation and azimuth [rad], the latter from the heading of the body.
 const kStills = {
     stern: {scene: 'exercises/anchor_handling.json', run: 6, camera: {body: 'ahts1/hull', at: [-30, 0, 2], distance: 46, elevation: 0.2, azimuth: 2.5}},
@@ -20,6 +20,9 @@ const kStills = {
     fog: {scene: 'exercises/tow_to_sea.json', run: 70, set: {mode: 2, speed_order: 3}, air: {visibility: 300}, camera: {body: 'ahts/hull', mode: 'bridge'}},
     splash: {scene: 'exercises/subsea_lift.json', run: 16, set: {hoist_mode: 0, hoist_speed: 0.35}, camera: {body: 'csv/hull', at: [-8, -14, 2], distance: 60, elevation: 0.12, azimuth: -1.2}},
     berth: {scene: 'exercises/berthing.json', run: 60, camera: {body: 'barge/hull', at: [0, -10, 2], distance: 190, elevation: 0.3, azimuth: -2.2}},
+    spray: {scene: 'exercises/tow_gob.json', run: 30, set: {mode: 2, speed_order: 4, 'sea.waves': 1.8, 'sea.wind': 16}, drops: 150, camera: {body: 'tug/hull', at: [6, 0, 1], distance: 46, elevation: 0.13, azimuth: 0.85}},
+    cab: {scene: 'exercises/crane_lift.json', run: 6, camera: {body: 'barge', mode: 'cab'}},
+    heli: {scene: 'exercises/tow_to_sea.json', run: 70, set: {mode: 2, speed_order: 3}, camera: {body: 'ahts/hull', mode: 'heli'}},
     under: {scene: 'exercises/anchor_handling.json', run: 6, camera: {body: 'ahts1/hull', at: [-20, 0, -8], distance: 90, elevation: -0.14, azimuth: 2.6}},
 };
 
@@ -40,11 +43,11 @@ async function draw(page, camera, air) {
         stage.shadowDue = 0;
         document.getElementById('toast').hidden = true;
         stage.draw(performance.now());
-        return {...stage.counts, time: hawser.frame.time};
+        return {...stage.counts, drops: stage.spray.count, time: hawser.frame.time};
     }, [camera, air]);
 }
 
-async function still(kit, name, {scene, run, set = {}, camera, air}) {
+async function still(kit, name, {scene, run, set = {}, drops = 0, camera, air}) {
     const server = await kit.serve(scene, '--wait');
     const page = await kit.open(kit.browser, server.instructor, {query: `?quality=${process.env.HAWSER_QUALITY ?? 'high'}&clean`, viewport: {width: 320, height: 200}});
     await kit.still(page);
@@ -55,6 +58,10 @@ async function still(kit, name, {scene, run, set = {}, camera, air}) {
         hawser.play();
     }, Object.entries(set));
     await kit.until(page, t => hawser.frame.time >= t, run, 300000);
+    if (drops) {
+        await page.evaluate(() => hawser.rate(1));
+        await kit.until(page, n => hawser.stage.spray.count >= n, drops, 180000);
+    }
     await page.evaluate(() => hawser.play());
     await kit.until(page, () => hawser.state.paused);
     await page.setViewportSize(kSize);
@@ -67,8 +74,9 @@ async function still(kit, name, {scene, run, set = {}, camera, air}) {
     await kit.quiet(page);
     await page.context().close();
     await server.end();
-    assert.ok(counts.calls > 5 && counts.calls <= kCalls && counts.triangles <= kTriangles, JSON.stringify(counts));
-    return `${counts.calls} draw calls, ${counts.triangles} triangles; ${counts.time.toFixed(0)} s; ${kit.size(path)} bytes`;
+    assert.ok(counts.drops >= 0.3 * drops && counts.calls > 5 && counts.calls <= kCalls && counts.triangles <= kTriangles, JSON.stringify(counts));
+    const thrown = drops ? `${counts.drops} drops, ` : '';
+    return `${thrown}${counts.calls} draw calls, ${counts.triangles} triangles; ${counts.time.toFixed(0)} s; ${kit.size(path)} bytes`;
 }
 
 export async function stillsPart(kit) {

@@ -111,7 +111,7 @@ test('the table of words has three languages, and each key of the page is in it'
     assert.equal(t('tow_tension', 'de'), 'tow_tension');
     assert.deepEqual([['nb-NO', 'en'], ['fr', 'de-AT'], ['fr']].map(chooseLanguage), ['no', 'de', 'en']);
     const folder = new URL('../src/', import.meta.url), missing = new Set();
-    const sources = ['forms', 'instruments', 'levers', 'vessel_cards', 'exercise', 'alarms', 'briefing', 'main', 'panels', 'debriefing', 'plots', 'timeline'];
+    const sources = ['curves', 'event_words', 'map', 'report_sheet', 'forms', 'instruments', 'levers', 'vessel_cards', 'exercise', 'alarms', 'briefing', 'main', 'panels', 'debriefing', 'plots', 'timeline'];
     for (const file of sources)
         for (const [, key] of readFileSync(new URL(`${file}.js`, folder), 'utf8').matchAll(/\bt\('((?:[^'\\]|\\.)*)'/g)) if (!kWords[key]) missing.add(key);
     assert.deepEqual([...missing], []);
