@@ -21,15 +21,32 @@ struct Shares {
 /// terms of the step τ = h and θ = ¾, for any damper of the line.
 constexpr Shares kRecoil{0.25, 0.0};
 
+/// Return the minimum damping time of a joint's row [s].
+/// @param spring  z = h²W/4ε of its vibration.
+///
+/// The trapezoidal rule never damps a vibration that the step does not resolve. In a closed loop
+/// the end-of-step iteration then feeds it. A tenth of a step damps it; up to z = ¼ (hω ≤ 1) there
+/// is no minimum. A rigid row needs half a step: without it the linearised row has the double root
+/// −1.
+double min_damping_time(double epsilon, double spring, double h) noexcept {
+    constexpr double kRigidPart = 0.5, kPart = 0.1, kResolved = 0.25;
+    if (epsilon == 0.0) return kRigidPart * h;
+    if (!(spring > kResolved)) return 0.0;
+    return kPart * h * (spring - kResolved) / (spring + kResolved);
+}
+
 /// Compute Υ and recall. The axial vibration of a wire's nodes is rarely resolved and would never
 /// decay with the trapezoidal rule alone. Such a wire therefore has the damping of at least half a
 /// step.
 Shares shares_of(const Interactions& in, std::size_t row, bool wire, double h) noexcept {
     const double w = in.mobility[row], e = in.epsilon[row];
+    const bool joint = (in.row_flags[row] & kRowJoint) != 0;
     double t = in.tau[row], late = 1.0, recall = 1.0;
+    if (joint && e == 0.0) t = std::max(t, min_damping_time(e, 0.0, h));
     if ((in.row_flags[row] & kRowDamper) && w > 0.0 && e > 0.0) {
         const double spring = 0.25 * h * h * w / e;
         if (wire) t = std::max(t, (late_fraction(spring) - 0.5) * h);
+        if (joint) t = std::max(t, min_damping_time(e, spring, h));
         late = late_fraction(h * t * w / e + spring);
         recall = 1.0 - 4.0 * t * (1.0 - late) / h;
     }

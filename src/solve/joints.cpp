@@ -34,12 +34,22 @@ void mark_record(model::Interactions& in, const context::JointSlot& joint,
 void find_turning(context::Model& model) noexcept {
     const model::Interactions& in = model.interactions;
     std::fill(model.system.turning.begin(), model.system.turning.end(), std::uint8_t{0});
-    model.completion.any = false;
+    model.completion.any = model.completion.any_compliant = false;
     for (const std::int32_t id : model.completion.joints) {
         if (!in.completed[at(id)]) continue;
         model.completion.any = true;
+        model.completion.any_compliant |= in.completed[at(id)] == assembly::kCompliant;
         for (int b = 0; b < in.bodies[at(id)]; ++b)
             model.system.turning[at(in.body[at(kMaxInteractionBodies * id + b)])] = 1;
+    }
+}
+
+/// Mark the rows of an interaction whose half-step violations are means of two poses.
+void mark_secants(model::Interactions& in, std::int32_t id, bool marked) noexcept {
+    for (int r = 0; r < in.rows[at(id)]; ++r) {
+        std::uint8_t& flags = in.row_flags[at(in.row_begin[at(id)] + r)];
+        flags = static_cast<std::uint8_t>(marked ? flags | model::kRowSecant
+                                                 : flags & ~model::kRowSecant);
     }
 }
 
@@ -57,13 +67,16 @@ void find_joints(context::Model& model, context::JointWork& joints) {
     auto node = [&](std::int32_t body) { return model.bodies.dof(body) > 0 ? body : ground; };
     for (std::int32_t id = 0; id < in.count(); ++id) {
         model.interactions.completed[at(id)] = 0;
-        if (model.system.rests(id) || !model::may_complete(in, id, model.def.step)) continue;
+        const bool joint = !model.system.rests(id) && model::may_complete(in, id, model.def.step);
+        const bool compliant = model::is_compliant(in, id);
+        mark_secants(model.interactions, id, joint && compliant);
+        if (!joint) continue;
         c.joints.push_back(id);
         c.places.push_back(
             {in.row_begin[at(id)],
              in.arms[at(id)] != 0 ? in.jac_begin[at(id)] + model::kArmsVibration : -1,
              std::min<std::int32_t>(in.rows[at(id)], 3)});
-        if (in.epsilon[at(in.row_begin[at(id)])] > 0.0) continue;  // compliant rows are determined
+        if (compliant) continue;  // its forces are determined
         const std::int32_t* body = &in.body[at(kMaxInteractionBodies * id)];
         c.rigid.push_back(id);
         joints.edges.emplace_back(node(body[0]), node(body[1]));
@@ -74,7 +87,7 @@ void find_joints(context::Model& model, context::JointWork& joints) {
     c.coarse_next.assign(c.joints.size(), 0);
     c.refused.assign(c.joints.size(), 0);
     c.lambda_with.assign(in.lambda.size(), 0.0);
-    c.any = false;
+    c.any = c.any_compliant = false;
     joints.turnings.assign(at(model.system.strips.count() + model.system.strips.groups()), {});
 }
 
@@ -104,8 +117,9 @@ void choose_completed(context::Model& model, const context::State& state,
                 const bool chosen = allowed && c.coarse_next[at(k)] == 0 && in.parted[at(id)] == 0;
                 std::uint8_t completed = 0;
                 if (chosen)
-                    completed = in.epsilon[at(c.places[at(k)].row)] == 0.0 ? assembly::kRigid
-                                                                           : assembly::kStiffDamper;
+                    completed = in.row_flags[at(c.places[at(k)].row)] & model::kRowSecant
+                                    ? assembly::kCompliant
+                                    : assembly::kRigid;
                 in.completed[at(id)] = completed;
                 mark_record(in, c.places[at(k)], chosen);
             }

@@ -329,12 +329,21 @@ inline DenseStep dense_step(const context::StepContext& ctx) {
             // Damper. The scheme's own damping acts only on the velocity after the step. A wire
             // whose transverse vibration is under-resolved has the damping of at least half a step.
             double theta = 1.0, seen = tau;
+            // A joint has the damping of half a step if it is rigid. If its vibration is
+            // under-resolved, it has that of up to a tenth of a step.
+            using enum InteractionKind;
+            const InteractionKind kind = in.def[i].kind;
+            const bool joint = kind == Ball || kind == Hinge || kind == Prismatic ||
+                               kind == Cylindrical || kind == Universal || kind == Lock;
+            if (joint && e == 0.0) seen = std::max(tau, 0.5 * h);
             if (!velocity && (in.row_flags[static_cast<std::size_t>(row)] & model::kRowDamper) &&
                 e > 0.0) {
                 const double w = row_mobility(ctx, id, s, r), spring = 0.25 * h * h * w / e;
                 const bool wire = in.def[i].kind == InteractionKind::Stretch ||
                                   in.def[i].kind == InteractionKind::WinchStretch;
                 if (wire) seen = std::max(tau, (late(spring) - 0.5) * h);
+                if (joint && spring > 0.25)
+                    seen = std::max(tau, 0.1 * h * (spring - 0.25) / (spring + 0.25));
                 theta = late(h * seen * w / e + spring);
             }
             const double ups = 1.0 / (1.0 + 4.0 * seen * theta / h);
