@@ -85,9 +85,10 @@ Json compare(const std::string& file, const CouplingOptions& o, const PoolCosts&
     }
     print_simulated(modes, o);
     const Quality& exact = modes[0].quality;
-    verdict.ask("momentum_defect", file, !exact.lost() && exact.figures.defect_max <= 1e-12,
-                fmt::format("momentum defect of exact coupling {:.1e} of h g m (bar: 1e-12)",
-                            exact.figures.defect_max));
+    verdict.require("momentum_defect", file,
+                    !exact.failed_or_diverged() && exact.figures.defect_max <= 1e-12,
+                    fmt::format("momentum defect of exact coupling {:.1e} of h g m (bar: 1e-12)",
+                                exact.figures.defect_max));
     const Json ratios = compare_exact(modes, file, o, verdict);
     return {{"scene", file}, {"parts", o.parts}, {"modes", rows}, {"exact_over_split", ratios}};
 }
@@ -98,8 +99,8 @@ Json check_boundaries(const CouplingOptions& o, Verdict& verdict) {
     double most = 0.0;
     for (const Json& row : rows)
         most = std::max(most, std::fabs(row.at("off_percent").get<double>()));
-    verdict.ask("stability_boundary", "two bodies", most <= 1.0,
-                fmt::format("the boundary is at most {:.3f} % off (bar: 1 %)", most));
+    verdict.require("stability_boundary", "two bodies", most <= 1.0,
+                    fmt::format("the boundary is at most {:.3f} % off (bar: 1 %)", most));
     return rows;
 }
 

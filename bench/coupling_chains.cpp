@@ -71,7 +71,7 @@ double largest(F&& stable) {
 
 /// True if the stretch of the one rod grows in 2,000 steps. Growth vanishes at the boundary, where
 /// the spectral radius does not resolve 1 %.
-bool grows(World& world) {
+bool stretch_grows(World& world) {
     Twist kick;
     kick.linear = {1e-3, 0, 0};
     world.set_velocity(BodyId{0}, kick);
@@ -142,7 +142,7 @@ Json two_body_boundaries(int cases) {
         const double theory = largest([&](double k) { return criterion(m1, m2, k, n) <= 2.0; });
         const double found = largest([&](double k) {
             World world = chain({m1, m2}, k, n, 1, Coupling::kinematic, Predictor::hold);
-            return !grows(world);
+            return !stretch_grows(world);
         });
         const double unit = kStep * kStep / m1, off = 100.0 * (found / theory - 1.0);
         fmt::print("  {:>6} {:>6} {:>6} {:>12.5g} {:>12.5g} {:>8.3f}\n", m1, m2, n, found * unit,

@@ -23,13 +23,13 @@ void cut_chains(scene::Scene& scene, int parts) {
 }
 
 /// True if a velocity exceeds those of the scenes, or is NaN.
-bool runaway(const World& world) {
+bool has_diverged(const World& world) {
     for (std::int32_t b = 0; b < world.body_count(); ++b)
         if (!(world.velocity(BodyId{b}).linear.norm() < 100.0)) return true;
     return false;
 }
 
-double explained(const Energy& e) {
+double accounted_energy(const Energy& e) {
     return e.mechanical() - e.applied - e.driven - e.edited + e.dissipated + e.friction +
            e.contact + e.damped;
 }
@@ -67,28 +67,28 @@ Quality measure_quality(World& world, int steps) {
     double start = 0.0, low = HUGE_VAL, high = -HUGE_VAL;
     for (int i = 0; i < steps; ++i) {
         observer.before_step(world);
-        if (world.step() != Status::ok || runaway(world)) {
-            q.lost_at = world.time();
+        if (world.step() != Status::ok || has_diverged(world)) {
+            q.time_of_loss = world.time();
             break;
         }
         observer.after_step(world);
         const Energy e = world.energy();
-        if (i == 0) start = explained(e);
+        if (i == 0) start = accounted_energy(e);
         low = std::min(low, e.kinetic);
         high = std::max(high, e.kinetic);
-        q.energy_drift = explained(e) - start;
+        q.energy_drift = accounted_energy(e) - start;
     }
     q.energy_exchanged = high - low;
-    q.figures = observer.result(world, q.lost_at < 0.0);
+    q.figures = observer.result(world, q.time_of_loss < 0.0);
     q.islands = world.stats().islands;
     q.cuts = world.stats().cuts;
     return q;
 }
 
 void Timed::run(int steps) {
-    for (int i = 0; i < steps && !lost; ++i) {
-        lost = world.step() != Status::ok || runaway(world);
-        if (lost) break;
+    for (int i = 0; i < steps && !failed_or_diverged; ++i) {
+        failed_or_diverged = world.step() != Status::ok || has_diverged(world);
+        if (failed_or_diverged) break;
         wall.push_back(1e3 * world.stats().step_seconds);
         cpu.push_back(1e3 * world.stats().solver_cpu_seconds);
     }

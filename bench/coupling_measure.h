@@ -48,10 +48,10 @@ struct CouplingOptions {
 
 struct Quality {
     verify::CouplingFigures figures;
-    double lost_at = -1.0;  ///< Time at which a step failed or diverged [s]; −1: none.
+    double time_of_loss = -1.0;  ///< Time at which a step failed or diverged [s]; −1: none.
     double energy_drift = 0.0, energy_exchanged = 0.0;  ///< [J]
     int islands = 0, cuts = 0;
-    [[nodiscard]] bool lost() const noexcept { return lost_at >= 0.0; }
+    [[nodiscard]] bool failed_or_diverged() const noexcept { return time_of_loss >= 0.0; }
 };
 
 /// Compare every step with an exact one from the same state.
@@ -61,7 +61,7 @@ struct Quality {
 struct Timed {
     World world;
     std::vector<double> wall{}, cpu{};  ///< [ms]
-    bool lost = false;
+    bool failed_or_diverged = false;
     void run(int steps);
 };
 

@@ -13,14 +13,14 @@ namespace hawser::bench::split {
 namespace {
 
 /// Return the value, or null if it was not measured.
-Json known(double value, bool measured) { return measured ? Json(value) : Json(); }
+Json value_or_null(double value, bool measured) { return measured ? Json(value) : Json(); }
 
 std::string printed(double value, bool measured, const char* format = "{:.2g}") {
     return measured ? fmt::format(fmt::runtime(format), value) : "-";
 }
 
 /// Return the index of a number of threads among those timed; their count if it is not.
-std::size_t place(const CouplingOptions& o, int threads) {
+std::size_t thread_index(const CouplingOptions& o, int threads) {
     return static_cast<std::size_t>(std::find(o.threads.begin(), o.threads.end(), threads) -
                                     o.threads.begin());
 }
@@ -36,7 +36,7 @@ Json row_of(const ModeFigures& m, const CouplingOptions& o) {
     Json times = Json::object(), predicted = Json::object();
     for (std::size_t k = 0; k < kSimulatedThreads.size(); ++k)
         predicted[std::to_string(kSimulatedThreads[k])] =
-            known(m.simulated.ms[k], m.simulated.steps > 0);
+            value_or_null(m.simulated.ms[k], m.simulated.steps > 0);
     for (std::size_t t = 0; t < o.threads.size(); ++t) {
         const bool some = !m.timed[t].wall.empty();
         times[std::to_string(o.threads[t])] = {
@@ -44,28 +44,28 @@ Json row_of(const ModeFigures& m, const CouplingOptions& o) {
             {"solver_cpu_ms", some ? Json(median(m.timed[t].cpu)) : Json()},
             {"steps", m.timed[t].wall.size()}};
     }
-    return {
-        {"mode", m.mode.name()},
-        {"cuts", q.cuts},
-        {"islands", q.islands},
-        {"threads", times},
-        {"simulated_step_ms", predicted},
-        {"serial_share", known(m.simulated.serial, m.simulated.steps > 0)},
-        {"lost_at", known(q.lost_at, q.lost())},
-        {"momentum_defect", {{"rms", f.defect_rms}, {"max", f.defect_max}}},
-        {"interface_residual", known(f.residual_max, split)},
-        {"jerk",
-         {{"run", known(f.jerk_max, some_steps)},
-          {"exact", known(f.jerk_exact_max, split && some_steps)},
-          {"difference", known(f.jerk_difference_max, split && some_steps)}}},
-        {"tension_error",
-         {{"rms", known(f.tension_error_rms, split)}, {"max", known(f.tension_error_max, split)}}},
-        {"energy_drift", known(q.energy_drift, some_steps)},
-        {"energy_exchanged", known(q.energy_exchanged, some_steps)},
-        {"spectral_radius", known(f.spectral_radius, !q.lost())},
-        {"largest_stable_stiffness",
-         {{"stable", known(m.stiffness.stable, searched)},
-          {"unstable", known(m.stiffness.unstable, m.stiffness.unstable > 0.0)}}}};
+    return {{"mode", m.mode.name()},
+            {"cuts", q.cuts},
+            {"islands", q.islands},
+            {"threads", times},
+            {"simulated_step_ms", predicted},
+            {"serial_share", value_or_null(m.simulated.serial, m.simulated.steps > 0)},
+            {"lost_at", value_or_null(q.time_of_loss, q.failed_or_diverged())},
+            {"momentum_defect", {{"rms", f.defect_rms}, {"max", f.defect_max}}},
+            {"interface_residual", value_or_null(f.residual_max, split)},
+            {"jerk",
+             {{"run", value_or_null(f.jerk_max, some_steps)},
+              {"exact", value_or_null(f.jerk_exact_max, split && some_steps)},
+              {"difference", value_or_null(f.jerk_difference_max, split && some_steps)}}},
+            {"tension_error",
+             {{"rms", value_or_null(f.tension_error_rms, split)},
+              {"max", value_or_null(f.tension_error_max, split)}}},
+            {"energy_drift", value_or_null(q.energy_drift, some_steps)},
+            {"energy_exchanged", value_or_null(q.energy_exchanged, some_steps)},
+            {"spectral_radius", value_or_null(f.spectral_radius, !q.failed_or_diverged())},
+            {"largest_stable_stiffness",
+             {{"stable", value_or_null(m.stiffness.stable, searched)},
+              {"unstable", value_or_null(m.stiffness.unstable, m.stiffness.unstable > 0.0)}}}};
 }
 
 void print_row(const ModeFigures& m) {
@@ -80,17 +80,17 @@ void print_row(const ModeFigures& m) {
     }
     std::string stable = "-";
     if (m.stiffness.stable > 0.0 || m.stiffness.unstable > 0.0)
-        stable = fmt::format("{}{:.2g}", m.stiffness.found() ? "" : ">", m.stiffness.stable);
+        stable = fmt::format("{}{:.2g}", m.stiffness.is_accurate() ? "" : ">", m.stiffness.stable);
     fmt::print(" {:>9.1e} {:>9} {:>9} {:>9} {:>9} {:>8} {:>9}", f.defect_max,
                printed(f.jerk_max, some_steps), printed(f.jerk_exact_max, split && some_steps),
                printed(100.0 * f.tension_error_rms, split), printed(q.energy_drift, some_steps),
-               printed(f.spectral_radius, !q.lost(), "{:.4f}"), stable);
-    if (q.lost()) fmt::print("  ran away at {:.2f} s", q.lost_at);
+               printed(f.spectral_radius, !q.failed_or_diverged(), "{:.4f}"), stable);
+    if (q.failed_or_diverged()) fmt::print("  ran away at {:.2f} s", q.time_of_loss);
     fmt::print("\n");
 }
 
 void print_simulated(const std::vector<ModeFigures>& modes, const CouplingOptions& o) {
-    const std::size_t two = place(o, 2);
+    const std::size_t two = thread_index(o, 2);
     fmt::print("  SIMULATED from one thread's spans [ms]\n  {:<17}", "");
     for (const int t : kSimulatedThreads) fmt::print(" {:>8}", fmt::format("{} t", t));
     fmt::print(" {:>13} {:>8}  serial by stage\n", "2 t, of meas.", "serial");
@@ -119,7 +119,8 @@ Json compare_exact(const std::vector<ModeFigures>& modes, const std::string& sce
     for (std::size_t t = 0; t < o.threads.size(); ++t) {
         const ModeFigures* best = nullptr;
         for (const ModeFigures& m : modes)
-            if (m.mode.coupling != Coupling::exact && !m.quality.lost() && !m.timed[t].lost &&
+            if (m.mode.coupling != Coupling::exact && !m.quality.failed_or_diverged() &&
+                !m.timed[t].failed_or_diverged &&
                 (!best || median(m.timed[t].wall) < median(best->timed[t].wall)))
                 best = &m;
         const bool judged = o.threads[t] == 2;
@@ -127,7 +128,7 @@ Json compare_exact(const std::vector<ModeFigures>& modes, const std::string& sce
             const std::string what =
                 fmt::format("on {} thread(s) no split stayed within bounds", o.threads[t]);
             if (judged)
-                verdict.ask("exact_step_time", scene, true, what);
+                verdict.require("exact_step_time", scene, true, what);
             else
                 fmt::print("  {}\n", what);
             continue;
@@ -138,8 +139,8 @@ Json compare_exact(const std::vector<ModeFigures>& modes, const std::string& sce
             "on {} thread(s) exact takes {:.2f} of the step time of {} ({:.2f} of its cpu)",
             o.threads[t], wall, best->mode.name(), cpu);
         if (judged)
-            verdict.ask("exact_step_time", scene, wall <= kBar,
-                        fmt::format("{} (bar: {:.2f})", what, kBar));
+            verdict.require("exact_step_time", scene, wall <= kBar,
+                            fmt::format("{} (bar: {:.2f})", what, kBar));
         else
             fmt::print("  {}\n", what);
         out.push_back({{"threads", o.threads[t]},

@@ -14,9 +14,9 @@ inline constexpr double kGrowth = 1.02;  ///< Spectral radius from which a step 
 
 /// Largest stable factor of the stiffness of the cuts, 1e-8 to 1e2.
 struct Stiffness {
-    double stable = 0.0;                ///< Largest factor found stable [1].
-    double unstable = 0.0;              ///< Smallest factor found unstable; 0: none [1].
-    [[nodiscard]] bool found() const {  ///< True if within a tenth of a decade.
+    double stable = 0.0;                      ///< Largest factor found stable [1].
+    double unstable = 0.0;                    ///< Smallest factor found unstable; 0: none [1].
+    [[nodiscard]] bool is_accurate() const {  ///< True if within a tenth of a decade.
         return unstable <= 0.0 || stable <= 0.0 || unstable <= stable * std::pow(10.0, 0.11);
     }
 };

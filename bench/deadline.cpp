@@ -63,28 +63,31 @@ double separation(const DeadlineRun& a, const DeadlineRun& b) {
 }
 
 /// Check properties that a budget may not change.
-void ask_physics(Verdict& verdict, double h, const DeadlineRun& exact, const DeadlineRun& kept) {
+void check_physics(Verdict& verdict, double h, const DeadlineRun& exact, const DeadlineRun& kept) {
     const PhaseFigures &e = exact.phase[1], &k = kept.phase[1];
     // Ten times the tolerance of a solved step; solved steps reach 1e-14.
-    verdict.ask(
+    verdict.require(
         "momentum", "", k.momentum <= 1e-9,
         fmt::format("momentum balanced: residual {:.1e} (exact {:.1e})", k.momentum, e.momentum));
-    verdict.ask("joints", "", k.violation <= std::max(2.0 * e.violation, 1e-3),
-                fmt::format("joints hold: {:.2e} m (exact {:.2e} m)", k.violation, e.violation));
-    verdict.ask("penetration", "", k.penetration <= std::max(2.0 * e.penetration, 5e-3),
-                fmt::format("boxes do not sink in: {:.2f} mm (exact {:.2f} mm)",
-                            1e3 * k.penetration, 1e3 * e.penetration));
+    verdict.require(
+        "joints", "", k.violation <= std::max(2.0 * e.violation, 1e-3),
+        fmt::format("joints hold: {:.2e} m (exact {:.2e} m)", k.violation, e.violation));
+    verdict.require("penetration", "", k.penetration <= std::max(2.0 * e.penetration, 5e-3),
+                    fmt::format("boxes do not sink in: {:.2f} mm (exact {:.2f} mm)",
+                                1e3 * k.penetration, 1e3 * e.penetration));
     // When the deck reverses, one iteration finds a box's sliding direction a step late. The lower
     // box is then pushed by the friction of three box weights, on both faces, for one step more.
     const double late = 3.0 * DeckCargo::kFriction * 9.81 * h;
-    verdict.ask("speed", "", k.speed <= DeckCargo::kSpeed + late,
-                fmt::format("no box is faster than the deck, {:.3f} m/s, and a step's friction, "
-                            "{:.3f} m/s: {:.3f} m/s (exact {:.3f} m/s)",
-                            DeckCargo::kSpeed, late, k.speed, e.speed));
+    verdict.require(
+        "speed", "", k.speed <= DeckCargo::kSpeed + late,
+        fmt::format("no box is faster than the deck, {:.3f} m/s, and a step's friction, "
+                    "{:.3f} m/s: {:.3f} m/s (exact {:.3f} m/s)",
+                    DeckCargo::kSpeed, late, k.speed, e.speed));
     const double drift = k.drift / k.exchanged, least = e.drift / e.exchanged;
-    verdict.ask("energy", "", drift <= std::max(2.0 * least, 0.01),
-                fmt::format("energy out of nothing: {:.2e} of what was exchanged (exact {:.2e})",
-                            drift, least));
+    verdict.require(
+        "energy", "", drift <= std::max(2.0 * least, 0.01),
+        fmt::format("energy out of nothing: {:.2e} of what was exchanged (exact {:.2e})", drift,
+                    least));
 }
 
 nlohmann::json run_json(const DeadlineRun& run) {
@@ -137,23 +140,24 @@ int compare_deadline(const DeadlineOptions& o) {
     fmt::print(
         "beyond the budget: {} steps with a first touch analysed, {} with one iteration, {} "
         "with more\n",
-        kept.late_analysis, kept.late_one, kept.late_more);
+        kept.late_with_analysis, kept.late_with_one_iteration, kept.late_with_more_iterations);
     fmt::print("boxes {:.3f} m from where the exact run has them at the end of the load\n\n",
                separation(exact, kept));
     Verdict verdict;
     const double within = fraction_within(kept, o.budget_ms);
-    verdict.ask("within_budget", "", within >= 0.99,
-                fmt::format("{:.2f} % of steps within {} ms (exact: {:.2f} %)", 100.0 * within,
-                            o.budget_ms, 100.0 * fraction_within(exact, o.budget_ms)));
-    verdict.ask("degraded_under_load", "", kept.phase[1].degraded > 0,
-                "the load had something degraded");
-    verdict.ask("exact_again", "", kept.exact_after >= 0 && kept.exact_after <= 60,
-                fmt::format("exact again {} steps after the load ended ({} of the steps after that "
-                            "degraded)",
-                            kept.exact_after, kept.phase[2].degraded));
-    ask_physics(verdict, kept.step, exact, kept);
-    verdict.ask("repeatable", "", again.hash == kept.hash,
-                fmt::format("repeated without a clock: state hash {:016x}", again.hash));
+    verdict.require("within_budget", "", within >= 0.99,
+                    fmt::format("{:.2f} % of steps within {} ms (exact: {:.2f} %)", 100.0 * within,
+                                o.budget_ms, 100.0 * fraction_within(exact, o.budget_ms)));
+    verdict.require("degraded_under_load", "", kept.phase[1].degraded > 0,
+                    "the load had something degraded");
+    verdict.require(
+        "exact_again", "", kept.exact_after >= 0 && kept.exact_after <= 60,
+        fmt::format("exact again {} steps after the load ended ({} of the steps after that "
+                    "degraded)",
+                    kept.exact_after, kept.phase[2].degraded));
+    check_physics(verdict, kept.step, exact, kept);
+    verdict.require("repeatable", "", again.hash == kept.hash,
+                    fmt::format("repeated without a clock: state hash {:016x}", again.hash));
     if (!o.json.empty())
         std::ofstream(o.json) << nlohmann::json{{"budget_ms", o.budget_ms},
                                                 {"within", within},

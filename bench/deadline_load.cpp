@@ -45,7 +45,7 @@ DeckCargo::DeckCargo(World& world, int stacks) : first_shape_(world.shape_count(
     }
 }
 
-void DeckCargo::set_down(World& world) {
+void DeckCargo::lower_deck(World& world) {
     const double g = -world.settings().gravity.z();
     for (std::size_t k = 0; k < boxes_.size(); ++k) {
         const auto level = static_cast<double>(k % kHigh);
@@ -61,7 +61,7 @@ void DeckCargo::set_down(World& world) {
     down_ = true;
 }
 
-void DeckCargo::take_away(World& world) {
+void DeckCargo::remove_boxes(World& world) {
     for (std::size_t k = 0; k < boxes_.size(); ++k) {
         Pose pose;
         pose.position = home_[k];

@@ -26,8 +26,8 @@ class DeckCargo {
 
     /// Add deck and boxes. @param stacks  Number of stacks of kHigh boxes.
     DeckCargo(World& world, int stacks);
-    void set_down(World& world);
-    void take_away(World& world);
+    void lower_deck(World& world);
+    void remove_boxes(World& world);
     /// Move the deck; called before each step.
     void move_deck(World& world) const;
 

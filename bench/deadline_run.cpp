@@ -31,7 +31,7 @@ class DeadlineRunner {
     }
 
     DeadlineRun run() {
-        for (int i = 0; i < kDeadlinePhases * o_.steps; ++i) take(i);
+        for (int i = 0; i < kDeadlinePhases * o_.steps; ++i) add_sample(i);
         out_.hash = scene_.world.state().hash();
         out_.step = scene_.world.settings().step;
         return std::move(out_);
@@ -45,17 +45,18 @@ class DeadlineRunner {
         return scene::load_file(o.scene, options);
     }
 
-    void take(int i) {
+    void add_sample(int i) {
         World& w = scene_.world;
         for (; next_ < control_.size() && control_[next_].time <= w.time() + 1e-9; ++next_)
             w.set_input({control_[next_].input}, control_[next_].value);
-        if (i == o_.steps) cargo_.set_down(w);
+        if (i == o_.steps) cargo_.lower_deck(w);
         if (i == 2 * o_.steps) {
             for (const BodyId b : cargo_.boxes()) out_.at_end_of_load.push_back(w.pose(b).position);
-            cargo_.take_away(w);
+            cargo_.remove_boxes(w);
         }
         cargo_.move_deck(w);
-        if (repeat_) w.solver().degrade_next_step(repeat_->left_out[static_cast<std::size_t>(i)]);
+        if (repeat_)
+            w.solver().degrade_next_step(repeat_->degradations[static_cast<std::size_t>(i)]);
         if (w.step() != Status::ok)
             throw std::runtime_error(
                 fmt::format("step {} failed: {}", i, to_string(w.stats().status)));
@@ -66,7 +67,7 @@ class DeadlineRunner {
         const World& w = scene_.world;
         const StepStats& s = w.stats();
         PhaseFigures& f = out_.phase[static_cast<std::size_t>(i / o_.steps)];
-        out_.left_out.push_back(s.degradation);
+        out_.degradations.push_back(s.degradation);
         if (i >= kUncountedSteps) {
             f.cpu.push_back(1e3 * s.solver_cpu_seconds);
             f.wall.push_back(1e3 * s.step_seconds);
@@ -74,9 +75,9 @@ class DeadlineRunner {
             out_.log.after_step(s);
             f.degraded += s.degradation.any() ? 1 : 0;
             if (f.cpu.back() > o_.budget_ms)
-                ++(s.plans + s.repairs > analyses_ ? out_.late_analysis
-                   : s.newton_iterations <= 1      ? out_.late_one
-                                                   : out_.late_more);
+                ++(s.plans + s.repairs > analyses_ ? out_.late_with_analysis
+                   : s.newton_iterations <= 1      ? out_.late_with_one_iteration
+                                                   : out_.late_with_more_iterations);
         }
         analyses_ = s.plans + s.repairs;
         f.contacts = std::max(f.contacts, s.contacts);

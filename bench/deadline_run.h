@@ -40,14 +40,14 @@ struct PhaseFigures {
 
 struct DeadlineRun {
     std::array<PhaseFigures, kDeadlinePhases> phase;
-    std::vector<Degradation> left_out;  ///< Degradation of each step.
+    std::vector<Degradation> degradations;  ///< Degradation of each step.
     report::Degradations log;
     std::vector<Vec3> at_end_of_load;  ///< Positions of the boxes.
     std::uint64_t hash = 0;
     double step = 0.0;     ///< h [s]
     int exact_after = -1;  ///< Steps until the first of kExactRow exact steps in sequence.
     /// Steps beyond the budget: with an analysis; with one iteration; with more.
-    int late_analysis = 0, late_one = 0, late_more = 0;
+    int late_with_analysis = 0, late_with_one_iteration = 0, late_with_more_iterations = 0;
 };
 
 /// Run. @param repeat  Degradations to impose; null: those of the budget. @param budget_ms  0: none

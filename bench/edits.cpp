@@ -40,8 +40,8 @@ struct Coming {
 };
 
 /// Objects of the edits: two hulls, and the last addition.
-struct Edited {
-    explicit Edited(World& w) : world(w) {
+struct EditedWire {
+    explicit EditedWire(World& w) : world(w) {
         for (const BodyId b : w.bodies())
             if (w.body_def(b).kind == BodyKind::rigid) hulls.push_back(b);
         if (hulls.size() < 2) throw std::runtime_error("the scene has no two rigid bodies");
@@ -122,7 +122,7 @@ EditFigures measure_edits(World& world, std::vector<Coming>& kinds, int warm, in
 }
 
 /// Time steps of a scene whose wires edit themselves.
-EditFigures measure_own(World& world, int steps) {
+EditFigures measure_own_edits(World& world, int steps) {
     std::vector<double> plain, with;
     for (int i = 0; i < steps; ++i) {
         const StepStats before = world.stats();
@@ -143,7 +143,7 @@ int report_own(const std::string& file, const EditFigures& f, const std::string&
     fmt::print("{}: a step {:.3g} ms, {} plans, {} repairs, {} growths\n", file, f.plain_ms,
                f.plans, f.repairs, f.growths);
     Verdict verdict;
-    verdict.ask("edit", "", f.edit_ms <= kMaxRatio * f.plain_ms, edit_line(f));
+    verdict.require("edit", "", f.edit_ms <= kMaxRatio * f.plain_ms, edit_line(f));
     if (!json.empty())
         std::ofstream(json) << nlohmann::json{{"scene", file},         {"step_ms", f.plain_ms},
                                               {"edit_ms", f.edit_ms},  {"plans", f.plans},
@@ -172,9 +172,9 @@ int edits_command(int argc, char** argv) {
 
     scene::Scene scene = scene::load_file(file);
     World& world = scene.world;
-    if (own) return report_own(file, measure_own(world, steps), json);
+    if (own) return report_own(file, measure_own_edits(world, steps), json);
     for (int i = 0; i < steps; ++i) (void)timed_step(world, nullptr);
-    Edited e(world);
+    EditedWire e(world);
     std::vector<Coming> kinds{
         {"lump", [&] { e.add_lump(); }, [&] { (void)world.remove_body(e.body); }},
         {"line", [&] { e.joint = world.add_interaction(e.line(e.hulls[0], e.hulls[1])); },
@@ -199,9 +199,10 @@ int edits_command(int argc, char** argv) {
     }
     fmt::print("  {} repairs, {} bytes more\n", f.repairs, f.bytes);
     Verdict verdict;
-    verdict.ask("edit", "", f.edit_ms <= kMaxRatio * f.plain_ms, edit_line(f));
-    verdict.ask("plans", "", f.plans == 0, fmt::format("{} new plans, to be none", f.plans));
-    verdict.ask("growths", "", f.growths == 0, fmt::format("{} growths, to be none", f.growths));
+    verdict.require("edit", "", f.edit_ms <= kMaxRatio * f.plain_ms, edit_line(f));
+    verdict.require("plans", "", f.plans == 0, fmt::format("{} new plans, to be none", f.plans));
+    verdict.require("growths", "", f.growths == 0,
+                    fmt::format("{} growths, to be none", f.growths));
     if (!json.empty()) {
         const nlohmann::json figures{
             {"scene", file},        {"step_ms", f.plain_ms}, {"edit_ms", f.edit_ms},

@@ -70,7 +70,7 @@ ProblemReport run(const ProblemSource& source, const FactorOptions& o) {
     TrialOptions trial = o.trial;
     if (report.scalars > 300'000) trial.rounds = std::min(trial.rounds, 3);
     trial.quick_choice |= report.scalars > kHuge;
-    trial.alternate = report.scalars <= kHuge;
+    trial.run_in_turns = report.scalars <= kHuge;
     for (const int threads : {1, o.threads}) {
         if (threads == 1 && !report.best.empty()) break;  // --threads 1
         trial.updates = threads == 1;
@@ -120,7 +120,7 @@ CLI::App* add_options(CLI::App& app, FactorOptions& o) {
 
 /// OpenBLAS 0.3.21 takes newer machines for a Prescott of 2004 and is then several times slower. It
 /// selects its kernels when it is loaded: start again with a better selection.
-void insist_on_fast_blas(char** argv) {
+void require_fast_blas(char** argv) {
     const std::string isa = instruction_set(), core = blas_core();
     if (getenv("OPENBLAS_CORETYPE") != nullptr || core != "OpenBLAS Prescott" || isa == "sse2")
         return;
@@ -128,7 +128,7 @@ void insist_on_fast_blas(char** argv) {
     execv("/proc/self/exe", argv);  // continues with the old one if this fails
 }
 
-int schedules(const std::vector<ProblemSource>& sources, const FactorOptions& o) {
+int run_schedules(const std::vector<ProblemSource>& sources, const FactorOptions& o) {
     PoolCosts costs = measure_pool_costs();
     costs.wake = 0.0;  // the timed part follows a solution that is not timed
     nlohmann::json all = nlohmann::json::array();
@@ -176,13 +176,13 @@ int factor_command(int argc, char** argv) {
         }
         return 0;
     }
-    insist_on_fast_blas(argv - 1);  // argv[0] is the subcommand, preceded by the program
+    require_fast_blas(argv - 1);  // argv[0] is the subcommand, preceded by the program
     const std::vector<ProblemSource> sources = choose(o);
     if (o.list) {
         for (const ProblemSource& p : sources) fmt::print("{}\n", p.name);
         return 0;
     }
-    if (o.schedule) return schedules(sources, o);
+    if (o.schedule) return run_schedules(sources, o);
     if (o.shares) {
         fmt::print("kernels {}, one thread; medians of {} rounds, wall time\n", instruction_set(),
                    o.trial.rounds);

@@ -41,7 +41,7 @@ constexpr const char* kLegend =
 /// A step counts as certified below this natural-map residual.
 constexpr double kCertified = 1e-6;
 
-double share(std::vector<double> v, double p) {
+double quantile_of(std::vector<double> v, double p) {
     if (v.empty()) return std::nan("");
     std::sort(v.begin(), v.end());
     return v[static_cast<std::size_t>(p * static_cast<double>(v.size() - 1))];
@@ -53,7 +53,7 @@ struct Run {
     std::vector<double> contacts, momentum;
     int uncertified = 0, failed = 0, flops_equations = 0;
 
-    void take(const StepStats& s) {
+    void add_sample(const StepStats& s) {
         work.push_back(s.factor_work);
         map.push_back(s.natural_map);
         cpu_ms.push_back(1e3 * s.solver_cpu_seconds);
@@ -77,26 +77,30 @@ Run run_scene(const std::string& file, const Method& method, int skip, int steps
             ++run.failed;
             break;
         }
-        if (i >= skip) run.take(scene.world.stats());
+        if (i >= skip) run.add_sample(scene.world.stats());
     }
     return run;
 }
 
 Json figures(const Run& r) {
-    return {
-        {"steps", r.work.size()},
-        {"failed", r.failed},
-        {"contacts", {{"median", share(r.contacts, 0.5)}, {"max", share(r.contacts, 1.0)}}},
-        {"factorisations",
-         {{"median", share(r.work, 0.5)},
-          {"p90", share(r.work, 0.9)},
-          {"max", share(r.work, 1.0)}}},
-        {"iterations", {{"median", share(r.iterations, 0.5)}, {"max", share(r.iterations, 1.0)}}},
-        {"natural_map",
-         {{"p50", share(r.map, 0.5)}, {"p95", share(r.map, 0.95)}, {"max", share(r.map, 1.0)}}},
-        {"uncertified_steps", r.uncertified},
-        {"momentum_residual_max", share(r.momentum, 1.0)},
-        {"solver_cpu_ms", {{"median", share(r.cpu_ms, 0.5)}, {"p90", share(r.cpu_ms, 0.9)}}}};
+    return {{"steps", r.work.size()},
+            {"failed", r.failed},
+            {"contacts",
+             {{"median", quantile_of(r.contacts, 0.5)}, {"max", quantile_of(r.contacts, 1.0)}}},
+            {"factorisations",
+             {{"median", quantile_of(r.work, 0.5)},
+              {"p90", quantile_of(r.work, 0.9)},
+              {"max", quantile_of(r.work, 1.0)}}},
+            {"iterations",
+             {{"median", quantile_of(r.iterations, 0.5)}, {"max", quantile_of(r.iterations, 1.0)}}},
+            {"natural_map",
+             {{"p50", quantile_of(r.map, 0.5)},
+              {"p95", quantile_of(r.map, 0.95)},
+              {"max", quantile_of(r.map, 1.0)}}},
+            {"uncertified_steps", r.uncertified},
+            {"momentum_residual_max", quantile_of(r.momentum, 1.0)},
+            {"solver_cpu_ms",
+             {{"median", quantile_of(r.cpu_ms, 0.5)}, {"p90", quantile_of(r.cpu_ms, 0.9)}}}};
 }
 
 void print_header(const std::string& name) {
@@ -120,7 +124,7 @@ void print_row(const char* method, const Json& f) {
 }
 
 /// Check the limits of `newton` in warm steps and print the result. @return true if they are met.
-bool judge(const Json& f) {
+bool check_limits(const Json& f) {
     constexpr double kMedian = 5.0, kP90 = 10.0;
     const double median = f["factorisations"]["median"].get<double>();
     const double p90 = f["factorisations"]["p90"].get<double>();
@@ -218,7 +222,7 @@ int friction_command(int argc, char** argv) {
             print_row(m.name, scene[m.name]);
             save(out, json_file);
         }
-        if (scene.contains("newton")) ok = judge(scene["newton"]) && ok;
+        if (scene.contains("newton")) ok = check_limits(scene["newton"]) && ok;
     }
     print_loads(methods, duration, out["loads"], [&] { save(out, json_file); });
     fmt::print("{}", kLegend);

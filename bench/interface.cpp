@@ -198,19 +198,20 @@ int interface_command(int argc, char** argv) {
     fmt::print("  contacts(out) {:.3g} us, events_since {:.3g} us, state_hash {:.3g} ms\n",
                f.contacts_us, f.events_us, f.hash_ms);
     Verdict verdict;
-    verdict.ask("state", "", f.no_copy,
-                fmt::format("state() {:.3g} ns, the world's own arrays", f.state_ns));
+    verdict.require("state", "", f.no_copy,
+                    fmt::format("state() {:.3g} ns, the world's own arrays", f.state_ns));
     // The bar is for 100 outputs.
-    verdict.ask("outputs", "", f.outputs_us <= 5.0 * outputs / 100.0,
-                fmt::format("{} outputs {:.3g} us, to be 5 us a 100", outputs, f.outputs_us));
-    verdict.ask("save", "", f.save_ms <= 1.0,
-                fmt::format("save of {:.3g} MB {:.3g} ms, to be 1 ms",
-                            1e-6 * static_cast<double>(f.bytes), f.save_ms));
-    verdict.ask("restore", "", f.restore_ms <= 1.5,
-                fmt::format("restore {:.3g} ms, to be 1.5 ms", f.restore_ms));
+    verdict.require("outputs", "", f.outputs_us <= 5.0 * outputs / 100.0,
+                    fmt::format("{} outputs {:.3g} us, to be 5 us a 100", outputs, f.outputs_us));
+    verdict.require("save", "", f.save_ms <= 1.0,
+                    fmt::format("save of {:.3g} MB {:.3g} ms, to be 1 ms",
+                                1e-6 * static_cast<double>(f.bytes), f.save_ms));
+    verdict.require("restore", "", f.restore_ms <= 1.5,
+                    fmt::format("restore {:.3g} ms, to be 1.5 ms", f.restore_ms));
     const double idle_us = 1e6 * idle_system_seconds();
-    verdict.ask("idle system", "", idle_us <= 0.1,
-                fmt::format("a system that does nothing {:.3g} us a step, to be 0.1 us", idle_us));
+    verdict.require(
+        "idle system", "", idle_us <= 0.1,
+        fmt::format("a system that does nothing {:.3g} us a step, to be 0.1 us", idle_us));
     if (!json.empty()) {
         const nlohmann::json figures{{"scene", file},
                                      {"outputs", outputs},

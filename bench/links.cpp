@@ -102,8 +102,8 @@ class Moorings {
     }
 
     void add_chain(const End& from, const End& to, int links) {
-        const auto nodes =
-            scene::hang(from.world, to.world, links * o_.length, links, Vec3(0.0, 0.0, -1.0));
+        const auto nodes = scene::hanging_nodes(from.world, to.world, links * o_.length, links,
+                                                Vec3(0.0, 0.0, -1.0));
         if (!nodes)
             throw std::runtime_error(
                 "a chain does not reach its ends: give more --links, or fewer "
@@ -116,7 +116,7 @@ class Moorings {
             const Vec3 a = (*nodes)[k], b = (*nodes)[k + 1];
             BodyDef link;
             link.position = 0.5 * (a + b);
-            link.orientation = Quat::FromTwoVectors(Vec3::UnitX(), b - a);
+            link.orientation = turn_between(Vec3::UnitX(), b - a);
             link.mass = kMass;
             const double thin = kMass * 0.05 * 0.05, flat = kMass * o_.length * o_.length / 12.0;
             link.inertia = Vec3(thin, thin + flat, thin + flat).asDiagonal();

@@ -48,7 +48,7 @@ constexpr Command kCommands[] = {
 /// them always, other systems only on request, and only Hawser's largest arrays request them.
 /// Results must not depend on this. The setting is read when the program is loaded. If the restart
 /// fails, continue without it.
-void insist_on_huge_pages(char** argv) {
+void require_huge_pages(char** argv) {
     constexpr const char* kTunables = "GLIBC_TUNABLES";
     if (std::getenv(kTunables) != nullptr) return;
     if (setenv(kTunables, "glibc.malloc.hugetlb=1", 1) == 0) execv("/proc/self/exe", argv);
@@ -72,7 +72,7 @@ int main(int argc, char** argv) {
         return usage(stdout, 0);
     for (const Command& c : kCommands) {
         if (std::strcmp(argv[1], c.name) != 0) continue;
-        insist_on_huge_pages(argv);
+        require_huge_pages(argv);
         try {
             return c.run(argc - 1, argv + 1);
         } catch (const std::exception& e) {

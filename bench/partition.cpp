@@ -97,7 +97,7 @@ PartRow our_row(const std::string& name, const PartCase& c, int parts, const Fac
     const graph::Hypergraph g = c.graph(o.exact);
     o.partitioner.neighbours.build(g);
     const double seconds =
-        median_seconds([&] { partition_again(g, parts, o.partitioner, o.partition); }, least);
+        median_seconds([&] { repartition(g, parts, o.partitioner, o.partition); }, least);
     PartRow r = measure_parts(name, c, o.partition.part, parts, amd);
     r.seconds = seconds;
     o.exact = inside_costs(c.pattern, o.partition.part, r.counts.node);
@@ -129,19 +129,21 @@ constexpr double kFree = 0.8;
 void check_part_times(Verdict& verdict, const std::string& name, const PartRow& best, const Race& r,
                       double update, const std::vector<FactorTimes>& factors) {
     if (r.metis > 0.0) {
-        verdict.ask("full_partition", name, r.ours * 10.0 <= r.metis,
-                    fmt::format("from the body graph, with cost, {:.1f} times faster than METIS "
-                                "k-way (bar: 10; by turns {:.1f})",
-                                r.metis / r.ours, r.metis_turn / r.turn));
-        verdict.ask("update", name, update * 100.0 <= r.metis,
-                    fmt::format("an update is {:.0f} times faster than METIS k-way (bar: 100)",
-                                r.metis / update));
+        verdict.require(
+            "full_partition", name, r.ours * 10.0 <= r.metis,
+            fmt::format("from the body graph, with cost, {:.1f} times faster than METIS "
+                        "k-way (bar: 10; by turns {:.1f})",
+                        r.metis / r.ours, r.metis_turn / r.turn));
+        verdict.require("update", name, update * 100.0 <= r.metis,
+                        fmt::format("an update is {:.0f} times faster than METIS k-way (bar: 100)",
+                                    r.metis / update));
     }
     const double even = std::max(1.10, best.largest);
-    verdict.ask("imbalance", name, best.imbalance <= even,
-                fmt::format("imbalance in exact flops {:.3f} (bar: {:.2f})", best.imbalance, even));
-    verdict.ask("fill", name, best.fill <= 1.10,
-                fmt::format("fill {:.3f} of AMD's (bar: 1.10)", best.fill));
+    verdict.require(
+        "imbalance", name, best.imbalance <= even,
+        fmt::format("imbalance in exact flops {:.3f} (bar: {:.2f})", best.imbalance, even));
+    verdict.require("fill", name, best.fill <= 1.10,
+                    fmt::format("fill {:.3f} of AMD's (bar: 1.10)", best.fill));
     for (const FactorTimes& t : factors) {
         if (t.threads == 2 && t.amd > kFree * factors.front().amd) {
             fmt::print(
@@ -151,10 +153,10 @@ void check_part_times(Verdict& verdict, const std::string& name, const PartRow& 
                 name, t.amd / factors.front().amd);
             continue;
         }
-        verdict.ask(fmt::format("factor_and_solve_{}", t.threads), name, t.ours < t.metis,
-                    fmt::format("factorisation and solution on {} thread(s) take {:.2f} of the "
-                                "time with METIS's partition (bar: less than 1)",
-                                t.threads, t.ours / t.metis));
+        verdict.require(fmt::format("factor_and_solve_{}", t.threads), name, t.ours < t.metis,
+                        fmt::format("factorisation and solution on {} thread(s) take {:.2f} of the "
+                                    "time with METIS's partition (bar: less than 1)",
+                                    t.threads, t.ours / t.metis));
     }
 }
 

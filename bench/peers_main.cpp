@@ -80,7 +80,8 @@ Options parse(int argc, char** argv) {
 
 /// Run a scene with contacts, in which few peers hold, with increasing numbers of substeps, as each
 /// result is of interest. Prints each result at once.
-std::vector<PeerResult> climb(const Scene& scene, const Reference& reference, const Options& o) {
+std::vector<PeerResult> raise_substeps(const Scene& scene, const Reference& reference,
+                                       const Options& o) {
     std::vector<PeerResult> rows;
     for (const std::string& name : o.engines) {
         const Engine engine = engine_by_name(name);
@@ -94,7 +95,7 @@ std::vector<PeerResult> climb(const Scene& scene, const Reference& reference, co
             std::fprintf(stderr, "%s: %s, %d substeps ...\n", scene.name.c_str(), name.c_str(),
                          substeps);
             const double wall =
-                spent([&] {
+                measure_time([&] {
                     rows.push_back(run_peer(engine, scene, substeps, reference, o.search, false));
                 }).wall;
             print_row(scene, rows.back());
@@ -107,7 +108,7 @@ std::vector<PeerResult> climb(const Scene& scene, const Reference& reference, co
 
 std::vector<PeerResult> compare(const Scene& scene, const Options& o) {
     const Reference reference = load_reference(o.reference, scene);
-    if (scene.touching) return climb(scene, reference, o);
+    if (scene.touching) return raise_substeps(scene, reference, o);
     const double duration = o.search.duration > 0.0 ? o.search.duration : scene.duration;
     std::vector<PeerResult> failed;
     std::vector<std::unique_ptr<Trial>> trials;
@@ -131,7 +132,7 @@ std::vector<PeerResult> compare(const Scene& scene, const Options& o) {
         }
         trials.push_back(std::make_unique<Trial>(engine, scene, reference, substeps, duration));
     }
-    alternate(trials);
+    run_in_turns(trials);
     std::vector<PeerResult> results;
     for (const auto& t : trials) results.push_back(t->result());
     results.insert(results.end(), failed.begin(), failed.end());

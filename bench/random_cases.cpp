@@ -69,9 +69,9 @@ class Maker {
         // Later choices depend on existing joints: additional ones come last.
         if (result_.loops) close_loops();
         if (result_.repeated) repeat_joints();
-        if (result_.contradictory) contradict();
+        if (result_.contradictory) add_inconsistent_joints();
         if (result_.wires) hang_wires();
-        if (result_.extreme && !masses_) stiffen();
+        if (result_.extreme && !masses_) add_stiff_springs();
         if (doc_["cables"].empty()) doc_.erase("cables");
         result_.text = doc_.dump(1);
     }
@@ -194,7 +194,7 @@ class Maker {
 
     /// Add inconsistent joints: beside a joint at a point another one, at distances that differ
     /// between both bodies; or two rods of different lengths between the same points.
-    void contradict() {
+    void add_inconsistent_joints() {
         const int count = static_cast<int>(joints_.size());
         Jointed first = joints_[static_cast<std::size_t>(dice_.number(0, count - 1))];
         const Placed &a = body(first.a), &b = body(first.b);
@@ -252,7 +252,7 @@ class Maker {
     }
 
     /// Add springs so stiff that a soft one beside them differs by 1e6.
-    void stiffen() {
+    void add_stiff_springs() {
         const double soft = dice_.spread(10.0, 1e3);
         for (const double k : {soft, soft * dice_.spread(1.1e6, 1e8)}) {
             const int i = moving();

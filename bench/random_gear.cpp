@@ -30,9 +30,9 @@ constexpr std::size_t kTensionIntervals = 4;
 constexpr double kPowerExcess = 1e-4;  ///< relative excess of the motor's power
 
 /// Passes steps to a verifier and keeps its first error, so that the run continues.
-class Witness : public Observer {
+class StepRecorder : public Observer {
   public:
-    explicit Witness(const World& world) : verifier_(world) {}
+    explicit StepRecorder(const World& world) : verifier_(world) {}
     void before_step(const World& world) override { verifier_.before_step(world); }
     void after_step(const World& world, std::span<const Event>) override {
         const std::string said = verifier_.after_step(world);
@@ -139,13 +139,14 @@ GearRun run_once(const GearCase& c, int divide, bool verify) {
         options.step = c.step / divide;
         scene::Scene scene = scene::load_text(c.text, "random scene", options);
         scene.world.prepare();
-        const auto findings = report::start::check_start(record::info_of(scene), scene.world);
+        const auto findings =
+            report::start::check_start(record::make_scene_info(scene), scene.world);
         if (findings.errors() > 0) {
             out.end = GearEnd::refused;
             out.reason = report::start::to_text(findings, "");
             return out;
         }
-        std::optional<Witness> witness;
+        std::optional<StepRecorder> witness;
         if (verify) witness.emplace(scene.world);
         Session session(std::move(scene));
         step_to_the_end(session, c, verify ? &*witness : nullptr, out);
@@ -203,11 +204,11 @@ const char* name_of(GearEnd end) {
 
 /// Counts of a family, and printed lines about single cases.
 struct GearTally {
-    int cases = 0, ends[4]{}, wrong_by_verify = 0, wrong_by_step = 0, wrong_by_power = 0,
+    int cases = 0, ends[4]{}, failed_by_verify = 0, failed_by_step = 0, failed_by_power = 0,
         no_reference = 0;
     std::vector<std::string> wrong, not_ok;
     [[nodiscard]] int ok() const { return ends[0]; }
-    [[nodiscard]] int all_wrong() const { return static_cast<int>(wrong.size()); }
+    [[nodiscard]] int all_failed() const { return static_cast<int>(wrong.size()); }
 };
 
 void count(const GearCase& c, std::uint64_t number, GearTally& tally, bool print) {
@@ -222,11 +223,11 @@ void count(const GearCase& c, std::uint64_t number, GearTally& tally, bool print
     }
     std::string faults;
     if (!run.objection.empty()) {
-        ++tally.wrong_by_verify;
+        ++tally.failed_by_verify;
         faults += fmt::format("; --verify {}", run.objection);
     }
     if (run.power > c.motor_power * (1.0 + kPowerExcess)) {
-        ++tally.wrong_by_power;
+        ++tally.failed_by_power;
         faults += fmt::format("; motor {:.6g} W, limit {:.6g} W", run.power, c.motor_power);
     }
     const GearRun fine = run_once(c, 4, false);
@@ -236,7 +237,7 @@ void count(const GearCase& c, std::uint64_t number, GearTally& tally, bool print
             fmt::format("{} {:.6g} at {:.3g} s, quarter step {:.6g}: {:.2f} of what is allowed",
                         d.output, d.value, d.at, d.reference, d.share);
         if (d.share > 1.0) {
-            ++tally.wrong_by_step;
+            ++tally.failed_by_step;
             faults += "; " + text;
         }
         if (print)
@@ -263,10 +264,10 @@ void write_json(const GearOptions& o, const GearTally& t) {
                                      {"suspect", t.ends[1]},
                                      {"failed", t.ends[2]},
                                      {"refused", t.ends[3]},
-                                     {"ok_but_wrong", t.all_wrong()},
-                                     {"wrong_by_verify", t.wrong_by_verify},
-                                     {"wrong_by_step", t.wrong_by_step},
-                                     {"wrong_by_power", t.wrong_by_power},
+                                     {"ok_but_wrong", t.all_failed()},
+                                     {"wrong_by_verify", t.failed_by_verify},
+                                     {"wrong_by_step", t.failed_by_step},
+                                     {"wrong_by_power", t.failed_by_power},
                                      {"no_reference", t.no_reference},
                                      {"wrong", t.wrong},
                                      {"not_ok", t.not_ok}};
@@ -301,7 +302,7 @@ int run_gear(const GearOptions& o) {
         tally.cases, tally.ends[0], tally.ends[1], tally.ends[2], tally.ends[3],
         tally.no_reference);
     fmt::print("{:<7} {} of {} runs ended ok although wrong (limit: none)\n",
-               none_wrong ? "ok" : "MISSED", tally.all_wrong(), tally.cases);
+               none_wrong ? "ok" : "MISSED", tally.all_failed(), tally.cases);
     fmt::print("{:<7} {:.1f} % of {} ended ok (limit: {:.0f} %)\n", enough ? "ok" : "MISSED",
                100.0 * share, tally.cases, 100.0 * least);
     return none_wrong && enough ? 0 : 1;

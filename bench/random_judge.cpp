@@ -34,7 +34,7 @@ struct Gap {
     double turned = 0.0;  ///< [rad].
 };
 
-Gap gap_of(const InteractionDef& d, const std::vector<Pose>& poses) {
+Gap joint_gap(const InteractionDef& d, const std::vector<Pose>& poses) {
     using enum InteractionKind;
     const Vec3 separation = point_of(d, poses, 1) - point_of(d, poses, 0);
     if (d.kind == Distance) return {std::abs(separation.norm() - d.get("length")), 0.0};
@@ -50,7 +50,7 @@ Gap gap_of(const InteractionDef& d, const std::vector<Pose>& poses) {
     return gap;
 }
 
-std::vector<Pose> poses_of(const World& world) {
+std::vector<Pose> all_poses(const World& world) {
     std::vector<Pose> poses;
     for (std::int32_t i = 0; i < world.body_count(); ++i) poses.push_back(world.pose(BodyId{i}));
     return poses;
@@ -65,7 +65,7 @@ double RandomMonitor::Swing::rise(double energy) {
     return now - least;
 }
 
-RandomMonitor::RandomMonitor(const World& world) : before_(poses_of(world)) {
+RandomMonitor::RandomMonitor(const World& world) : before_(all_poses(world)) {
     double weight = 0.0;
     for (std::int32_t i = 0; i < world.body_count(); ++i) {
         const BodyDef& d = world.body_def(BodyId{i});
@@ -105,7 +105,7 @@ void RandomMonitor::start(const World& world) {
     gravity_ = gravity(world, before_);
     elastic_ = elastic(world, before_);
     const double energy = kinetic_ + gravity_ + elastic_;
-    (void)between_.rise(energy);
+    (void)at_midpoint_.rise(energy);
     (void)by_force_.rise(energy);
     // The mean of the kinetic energies half a step before and after exceeds that between them if
     // bodies fall: by m (g h)²/8.
@@ -156,9 +156,9 @@ double RandomMonitor::kinetic(const World& world) const {
 }
 
 void RandomMonitor::check_joints(const World& world) {
-    const std::vector<Pose> poses = poses_of(world);
+    const std::vector<Pose> poses = all_poses(world);
     for (std::size_t i = 0; i < joints_.size(); ++i) {
-        const Gap gap = gap_of(world.interaction_def(joints_[i]), poses);
+        const Gap gap = joint_gap(world.interaction_def(joints_[i]), poses);
         const double violation = std::max(gap.along, 0.5 * size_[i] * gap.turned);
         if (!std::isfinite(violation)) out_.finite = false;
         out_.violation = std::max(out_.violation, violation);
@@ -170,7 +170,7 @@ void RandomMonitor::check_joints(const World& world) {
 }
 
 void RandomMonitor::check_energy(const World& world) {
-    const std::vector<Pose> poses = poses_of(world);
+    const std::vector<Pose> poses = all_poses(world);
     std::vector<Pose> half = poses;
     for (std::size_t i = 0; i < poses.size(); ++i)
         half[i] = {0.5 * (poses[i].position + before_[i].position),
@@ -180,7 +180,7 @@ void RandomMonitor::check_energy(const World& world) {
     const double height = gravity(world, half), spring = elastic(world, half);
     out_.exchanged += 0.5 * (std::abs(moved - kinetic_) + std::abs(height - gravity_) +
                              std::abs(spring - elastic_));
-    double rise = std::min(between_.rise(moved + height + spring),
+    double rise = std::min(at_midpoint_.rise(moved + height + spring),
                            by_force_.rise(moved + height + elastic_by_force(world)));
     // At the pose before, between the velocity before and this one; there is none before the first
     // step.

@@ -12,7 +12,7 @@
 namespace hawser::bench {
 
 /// Figures of a motion.
-struct Judged {
+struct JointErrors {
     double exchanged = 0.0;  ///< ½ Σ of changes of kinetic, gravity and elastic energy [J].
     /// Largest rise of mechanical energy above its earlier value, in three consecutive states [J].
     double created = 0.0;
@@ -47,7 +47,7 @@ class RandomMonitor {
     explicit RandomMonitor(const World& world);
     /// Check the state after a step.
     void sample(const World& world);
-    [[nodiscard]] const Judged& figures() const noexcept { return out_; }
+    [[nodiscard]] const JointErrors& figures() const noexcept { return out_; }
 
   private:
     /// Elastic element between two points: g²/(2 ε) of its length beyond the rest length.
@@ -77,10 +77,10 @@ class RandomMonitor {
     std::vector<Pose> before_;
     double kinetic_ = 0.0, gravity_ = 0.0, elastic_ = 0.0;  ///< Values of the state before.
     double floor_ = 0.0;  ///< Energy of all bodies one centimetre higher [J].
-    Swing at_poses_, between_, by_force_;
+    Swing at_poses_, at_midpoint_, by_force_;
     std::array<double, 2> risen_{};  ///< Smallest of the three in the last two states [J].
     bool begun_ = false;
-    Judged out_;
+    JointErrors out_;
 };
 
 }  // namespace hawser::bench

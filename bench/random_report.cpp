@@ -14,7 +14,7 @@ constexpr std::array<const char*, 4> kOutcomes{"ok", "doubtful", "failed", "refu
 const char* name_of(Outcome outcome) { return kOutcomes[static_cast<std::size_t>(outcome)]; }
 
 /// Return a letter for each category, as in the legend.
-std::string letters(const RandomCase& c) {
+std::string category_letters(const RandomCase& c) {
     return fmt::format("{}{}{}{}{}", c.loops ? 'L' : '-', c.repeated ? 'R' : '-',
                        c.contradictory ? 'C' : '-', c.wires ? 'W' : '-', c.extreme ? 'E' : '-');
 }
@@ -53,13 +53,14 @@ std::string reason_of(const Ended& e) {
 }  // namespace
 
 std::string reported(const Ended& e) {
-    const Judged& j = e.judged;
+    const JointErrors& j = e.judged;
     std::string text = fmt::format(
         "{:>6} {} {:<8} h {:.3e} s, energy {:.1e} of what was exchanged at {:.3g} s (swung "
         "{:.1e}), open {:.1e} m "
         "at {:.3g} s ({})",
-        e.number, letters(e.of), name_of(e.outcome), e.of.step, j.created_fraction, j.created_at,
-        j.oscillation_fraction, j.violation, j.violation_at, e.worst.empty() ? "-" : e.worst);
+        e.number, category_letters(e.of), name_of(e.outcome), e.of.step, j.created_fraction,
+        j.created_at, j.oscillation_fraction, j.violation, j.violation_at,
+        e.worst.empty() ? "-" : e.worst);
     if (!j.finite) text += ", not finite";
     if (!e.why.empty()) text += ": " + e.why;
     return text;
@@ -165,10 +166,10 @@ CaseList::CaseList(const std::string& path) : path_(path) {
 
 void CaseList::add(const Ended& e) {
     if (path_.empty()) return;
-    const Judged& j = e.judged;
+    const JointErrors& j = e.judged;
     const auto of = [&](Judge judge) { return e.verdict.of(judge).doubtful; };
     file_ << fmt::format("{},{},{},{},{:.4g},{:.3g},{:.3g},{:.3g},{:.3g},{:.3g},{},", e.number,
-                         letters(e.of), name_of(e.outcome),
+                         category_letters(e.of), name_of(e.outcome),
                          e.outcome == Outcome::ok ? "" : reason_of(e), e.of.step,
                          j.created_fraction, j.created_at, j.oscillation_fraction,
                          j.violation_fraction, j.violation_at, e.worst);

@@ -27,7 +27,7 @@ struct Ended {
     std::string worst;  ///< Name of the joint with the largest gap.
     Status status = Status::ok;
     hawser::Verdict verdict;  ///< Result of the world's monitors.
-    Judged judged;            ///< Result of this command's monitor.
+    JointErrors judged;       ///< Result of this command's monitor.
     double seconds = 0.0;     ///< Wall time.
     [[nodiscard]] bool wrong() const { return outcome == Outcome::ok && judged.wrong(); }
 };

@@ -99,7 +99,7 @@ Row measure(const ProblemSource& source, int rounds) {
 }
 
 /// Return the limit by flops and bytes [flop/s].
-double roof(const Row& r, double peak) {
+double roofline_limit(const Row& r, double peak) {
     return std::min(peak, r.flops / r.factor_bytes * r.limit.update);
 }
 
@@ -110,7 +110,7 @@ void print(const std::vector<Row>& rows, double peak) {
     fmt::print("{:<28} {:>8}  {:>8} {:>7} {:>8} {:>6} {:>5}  {:>8} {:>6} {:>6} {:>5}\n", "matrix",
                "L [MB]", "time", "flop/B", "GFLOP/s", "roof", "%", "time", "GB/s", "roof", "%");
     for (const Row& r : rows) {
-        const double rate = r.flops / r.factor, most = roof(r, peak);
+        const double rate = r.flops / r.factor, most = roofline_limit(r, peak);
         const double speed = r.solve_bytes / r.solve;
         fmt::print(
             "{:<28} {:>8.2f}  {:>5.2f} ms {:>7.2f} {:>8.1f} {:>6.1f} {:>5.0f}  {:>5.2f} ms "
@@ -133,7 +133,7 @@ nlohmann::json to_json(const Row& r, double peak) {
             {"flops", r.flops},
             {"factor_seconds", r.factor},
             {"factor_bytes", r.factor_bytes},
-            {"factor_roof_flops", roof(r, peak)},
+            {"factor_roof_flops", roofline_limit(r, peak)},
             {"solve_seconds", r.solve},
             {"solve_bytes", r.solve_bytes},
             {"read_bandwidth", r.limit.read},

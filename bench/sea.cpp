@@ -236,19 +236,20 @@ int sea_command(int argc, char** argv) {
             "triangle",
             waves, memory, hull);
         if (set.bar > 0.0)
-            verdict.ask("kernels", name, waves <= set.bar && memory <= 10.0, what);
+            verdict.require("kernels", name, waves <= set.bar && memory <= 10.0, what);
         else
             fmt::print("          {}: {}\n", name, what);
     }
     const double clip = clipping_ns();
-    verdict.ask("clipping", "", clip <= 20.0, fmt::format("clipping {:.1f} ns a triangle", clip));
+    verdict.require("clipping", "", clip <= 20.0,
+                    fmt::format("clipping {:.1f} ns a triangle", clip));
     for (const int threads : {1, 2}) {
         const SceneFigures f = scene_figures(file, threads, steps);
         const bool good = f.prestep <= (threads == 1 ? 1.3 : 0.8) && (threads > 1 || f.step <= 2.0);
-        verdict.ask("scene", fmt::format("{} on {}", file, threads), good,
-                    fmt::format("prestep {:.3f} ms, step {:.3f} ms; CPU of the stepping thread "
-                                "p50/p95/p99 {:.3f}/{:.3f}/{:.3f} ms, {:.0f} factorisations",
-                                f.prestep, f.step, f.cpu, f.cpu95, f.cpu99, f.factorisations));
+        verdict.require("scene", fmt::format("{} on {}", file, threads), good,
+                        fmt::format("prestep {:.3f} ms, step {:.3f} ms; CPU of the stepping thread "
+                                    "p50/p95/p99 {:.3f}/{:.3f}/{:.3f} ms, {:.0f} factorisations",
+                                    f.prestep, f.step, f.cpu, f.cpu95, f.cpu99, f.factorisations));
         scenes.push_back({{"threads", threads},
                           {"prestep_ms", f.prestep},
                           {"step_ms", f.step},

@@ -87,21 +87,21 @@ class Program {
         kill(pid_, SIGINT);
         return wait();
     }
-    [[nodiscard]] std::string words() const {
+    [[nodiscard]] std::string output_text() const {
         std::ifstream in(words_);
         return {std::istreambuf_iterator<char>(in), {}};
     }
     /// Return the text after `what` in its output, up to the end of the line.
-    [[nodiscard]] std::string word_behind(const std::string& what) const {
+    [[nodiscard]] std::string text_after(const std::string& what) const {
         for (int k = 0; k < 600; ++k) {
-            const std::string all = words();
+            const std::string all = output_text();
             const auto at = all.find(what);
             const auto end = at == std::string::npos ? at : all.find('\n', at);
             if (end != std::string::npos)
                 return all.substr(at + what.size(), end - at - what.size());
             std::this_thread::sleep_for(std::chrono::milliseconds(50));
         }
-        throw std::runtime_error("the program does not say \"" + what + "\":\n" + words());
+        throw std::runtime_error("the program does not say \"" + what + "\":\n" + output_text());
     }
     /// Return the memory from /proc/PID/status [kB].
     [[nodiscard]] double resident() const {
@@ -145,7 +145,7 @@ void read_on(std::uint16_t port, const std::string& token, double until, Reader&
 }
 
 /// Run a client that never reads, and connects again if it is dropped.
-void stay_deaf(std::uint16_t port, const std::string& token, double until, int& dropped) {
+void ignore_frames(std::uint16_t port, const std::string& token, double until, int& dropped) {
     while (wall() < until) {
         test::LiveClient client(port, token);
         const int small = 4096;
@@ -156,7 +156,8 @@ void stay_deaf(std::uint16_t port, const std::string& token, double until, int& 
     }
 }
 
-void come_and_go(std::uint16_t port, const std::string& token, double until, int& times) {
+void connect_and_disconnect(std::uint16_t port, const std::string& token, double until,
+                            int& times) {
     while (wall() < until) {
         test::LiveClient client(port, token);
         (void)client.wait_for("scene");
@@ -173,7 +174,7 @@ struct Seen {
 
 Seen serve(const ViewBench& options, const std::filesystem::path& folder) {
     Program program({"view", options.scene, "--port", "0"}, folder / "view.txt");
-    const std::string address = program.word_behind("watcher");
+    const std::string address = program.text_after("watcher");
     const auto port =
         static_cast<std::uint16_t>(std::stoi(address.substr(address.find("127.0.0.1:") + 10)));
     const std::string token = address.substr(address.find("token=") + 6);
@@ -187,10 +188,10 @@ Seen serve(const ViewBench& options, const std::filesystem::path& folder) {
     std::vector<std::thread> threads;
     for (Reader& reader : out.readers)
         threads.emplace_back([&] { read_on(port, token, until, reader); });
-    threads.emplace_back([&] { stay_deaf(port, token, until, out.deaf); });
+    threads.emplace_back([&] { ignore_frames(port, token, until, out.deaf); });
     threads.emplace_back([&] {
         try {
-            come_and_go(port, token, until, out.visits);
+            connect_and_disconnect(port, token, until, out.visits);
         } catch (const std::exception& error) {
             fmt::print("  the one that comes and goes: {}\n", error.what());
         }
@@ -203,12 +204,12 @@ Seen serve(const ViewBench& options, const std::filesystem::path& folder) {
 }
 
 /// Return the median of step_ms of `hawser run --realtime`.
-double alone(const ViewBench& options, const std::filesystem::path& folder) {
+double median_step_alone(const ViewBench& options, const std::filesystem::path& folder) {
     const std::string summary = (folder / "run.json").string();
     Program program({"run", options.scene, "--realtime", "--quiet", "--duration",
                      fmt::format("{}", options.seconds), "--summary", summary},
                     folder / "run.txt");
-    if (program.wait() != 0) throw std::runtime_error("hawser run: " + program.words());
+    if (program.wait() != 0) throw std::runtime_error("hawser run: " + program.output_text());
     std::ifstream in(summary);
     return nlohmann::json::parse(in).at("step_ms").at("median").get<double>();
 }
@@ -240,21 +241,23 @@ nlohmann::json report(const ViewBench& options, double median_alone, const Seen&
         "  the one that comes and goes came {} times, the one that never reads was dropped "
         "{} times\n",
         seen.visits, seen.deaf);
-    verdict.ask("rate", "readers", slowest >= 59.0,
-                fmt::format("{:.2f} frames/s at least", slowest));
-    verdict.ask("age", "readers", oldest <= 10.0, fmt::format("age p95 {:.2f} ms at most", oldest));
-    verdict.ask("step", "", median <= 1.1 * median_alone,
-                fmt::format("step_ms.median {:.3f} with clients, {:.3f} by run --realtime: {:.3f} "
-                            "times",
-                            median, median_alone, median / median_alone));
-    verdict.ask("made", "", fraction_of(frames, 0.5) <= 150.0,
-                fmt::format("a frame made in {:.0f} us, p95 {:.0f} us", fraction_of(frames, 0.5),
-                            fraction_of(frames, 0.95)));
-    verdict.ask("size", "", fraction_of(bytes, 1.0) <= 72e3,
-                fmt::format("a frame of {:.0f} bytes at most", fraction_of(bytes, 1.0)));
-    verdict.ask("memory", "", memory <= 256.0,
-                fmt::format("{:.0f} kB a client ({:.0f} kB before, {:.0f} kB with {:.0f})", memory,
-                            seen.memory_before, seen.memory_with, clients));
+    verdict.require("rate", "readers", slowest >= 59.0,
+                    fmt::format("{:.2f} frames/s at least", slowest));
+    verdict.require("age", "readers", oldest <= 10.0,
+                    fmt::format("age p95 {:.2f} ms at most", oldest));
+    verdict.require(
+        "step", "", median <= 1.1 * median_alone,
+        fmt::format("step_ms.median {:.3f} with clients, {:.3f} by run --realtime: {:.3f} "
+                    "times",
+                    median, median_alone, median / median_alone));
+    verdict.require("made", "", fraction_of(frames, 0.5) <= 150.0,
+                    fmt::format("a frame made in {:.0f} us, p95 {:.0f} us",
+                                fraction_of(frames, 0.5), fraction_of(frames, 0.95)));
+    verdict.require("size", "", fraction_of(bytes, 1.0) <= 72e3,
+                    fmt::format("a frame of {:.0f} bytes at most", fraction_of(bytes, 1.0)));
+    verdict.require("memory", "", memory <= 256.0,
+                    fmt::format("{:.0f} kB a client ({:.0f} kB before, {:.0f} kB with {:.0f})",
+                                memory, seen.memory_before, seen.memory_with, clients));
     return {{"scene", options.scene},
             {"seconds", options.seconds},
             {"readers", rows},
@@ -290,7 +293,7 @@ int view_command(int argc, char** argv) {
     Verdict verdict;
     fmt::print("{}: {:.6g} s by run --realtime, then by view with {} clients\n", options.scene,
                options.seconds, options.readers + 2);
-    const double median_alone = alone(options, folder);
+    const double median_alone = median_step_alone(options, folder);
     const Seen seen = serve(options, folder);
     const nlohmann::json figures = report(options, median_alone, seen, verdict);
     if (!options.json.empty()) std::ofstream(options.json) << figures.dump(2) << '\n';

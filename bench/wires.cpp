@@ -65,7 +65,7 @@ void print_figures(const WireFigures& f, double creep_asked) {
     }
     if (!f.holds) {
         fmt::print("{:<19} {:>8}  does not hold: {} ({:.3g} ms a frame, gap {:.1e} m)\n", f.method,
-                   f.substeps, f.why_not, f.ms, f.gap);
+                   f.substeps, f.reason_unusable, f.ms, f.gap);
         return;
     }
     const std::string own = f.ours ? fmt::format("{:.1e}", f.own_error) : "-";
@@ -83,7 +83,7 @@ json figures_json(const WireFigures& f) {
     j["ms_per_frame"] = f.ms;
     j["gap_m"] = f.gap;
     if (!f.holds) {
-        j["why_not"] = f.why_not;
+        j["why_not"] = f.reason_unusable;
         return j;
     }
     j["slip_ratio"] = f.ratio;

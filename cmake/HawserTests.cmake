@@ -20,10 +20,10 @@ find_package(PNG QUIET)
 find_package(Python3 COMPONENTS Interpreter REQUIRED)
 
 # Tests that need more than the library.
-set(HAWSER_REPORT_TESTS cli draw exercise export files golden live marine record report session
+set(HAWSER_REPORT_TESTS cli docs draw exercise export files golden live marine record report session
                         verify)
-set(HAWSER_SCENE_TESTS bench cli draw exercise export files golden live record report scene scenes
-                       session slow stepper threads validate verify vessel world)
+set(HAWSER_SCENE_TESTS bench cli docs draw exercise export files golden live record report scene
+                       scenes session slow stepper threads validate verify vessel world)
 # Folders of which no test is quick: those of bench test the benchmarks, not the library.
 set(HAWSER_FULL_TESTS bench slow)
 # Tests that start the program: it is built with them. Those of scene skip a test without it.
@@ -36,7 +36,7 @@ set(HAWSER_OPTIMISED_TESTS assembly bench collide factor marine nonsmooth)
 # Tests that run several threads: the thread sanitizer runs these.
 set(HAWSER_THREAD_TESTS runtime threads)
 # Folders whose quick tests take longest: they start first, so that all processors end together.
-set(HAWSER_FIRST_TESTS validate wire world stepper machine scene cli)
+set(HAWSER_FIRST_TESTS exercise validate wire world stepper machine scene cli)
 add_custom_target(hawser_quick_tests)
 add_custom_target(hawser_full_tests)
 add_dependencies(hawser_full_tests hawser_quick_tests)
@@ -222,6 +222,17 @@ if(NOT HAWSER_SANITIZE)
     add_test(NAME scripts
         COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/scripts/test_scripts.py")
     set_tests_properties(scripts PROPERTIES LABELS quick)
+
+    # Commands of README.md and of the tutorials: the short ones are quick.
+    if(TARGET hawser_program)
+        foreach(tier IN ITEMS quick full)
+            add_test(NAME page_commands.${tier}
+                COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/docs/test_commands.py"
+                        --tier ${tier} --bin "${PROJECT_BINARY_DIR}/bin")
+            set_tests_properties(page_commands.${tier} PROPERTIES LABELS ${tier} TIMEOUT 7200)
+        endforeach()
+        add_dependencies(hawser_quick_tests hawser_program)
+    endif()
 
     # Statistics in Python need numpy only. Without numpy the test is skipped.
     set(HAWSER_PYTHON_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "Interpreter of the Python package")

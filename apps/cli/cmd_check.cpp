@@ -49,8 +49,8 @@ struct CheckOptions {
 
     /// True if cables and operations are listed. With many scenes such a list would hide the
     /// mistakes.
-    [[nodiscard]] bool one_scene() const { return files.size() == 1; }
-    [[nodiscard]] bool says_cables() const { return json || cables || one_scene(); }
+    [[nodiscard]] bool lists_details() const { return files.size() == 1; }
+    [[nodiscard]] bool says_cables() const { return json || cables || lists_details(); }
 };
 
 struct Checked {
@@ -59,7 +59,7 @@ struct Checked {
     report::start::Findings start;
     std::vector<report::start::CableStart> cables;
 
-    [[nodiscard]] bool good() const { return scene && start.errors() == 0; }
+    [[nodiscard]] bool is_good() const { return scene && start.errors() == 0; }
 };
 
 /// Read an exercise: check its scene, and find points that cannot be reached.
@@ -68,13 +68,14 @@ void read_exercise(const SceneOptions& options, Checked& out) {
         exercise::Loaded loaded = exercise::load_file(options.file, options.options());
         report::start::check_points(loaded.exercise, out.start);
         report::start::check_task(loaded.exercise, out.start);
+        report::start::check_controls(loaded.exercise, loaded.scene, out.start);
         out.scene = std::move(loaded.scene);
     } catch (const scene::SceneError& error) {
         out.mistakes.push_back(error);
     }
 }
 
-Checked examine(const CheckOptions& options, const std::string& file) {
+Checked check_file(const CheckOptions& options, const std::string& file) {
     SceneOptions one = options.scene;
     one.file = file;
     Checked out;
@@ -83,7 +84,7 @@ Checked examine(const CheckOptions& options, const std::string& file) {
     else
         out.scene = one.load(out.mistakes);
     if (!out.scene) return out;
-    const record::SceneInfo info = record::info_of(*out.scene);
+    const record::SceneInfo info = record::make_scene_info(*out.scene);
     report::start::Findings found = report::start::check_start(info, out.scene->world);
     for (report::start::Finding& f : found.list) out.start.list.push_back(std::move(f));
     out.start.sort();
@@ -91,7 +92,7 @@ Checked examine(const CheckOptions& options, const std::string& file) {
     return out;
 }
 
-std::string counted(std::size_t count, const char* what) {
+std::string with_count(std::size_t count, const char* what) {
     return count == 0 ? "" : fmt::format(", {} {}{}", count, what, count == 1 ? "" : "s");
 }
 
@@ -107,12 +108,12 @@ void print_lines(const std::string& file, const Checked& checked, const CheckOpt
     fmt::print(stderr, "{}", report::start::to_text(checked.start, file + ": "));
     fmt::print(
         "{}: {}{}{}: {} bodies, {} interactions, {} cables, {} inputs, {} outputs, hash {:016x}\n",
-        file, checked.good() ? "ok" : "impossible", counted(checked.start.errors(), "error"),
-        counted(checked.start.warnings(), "warning"), scene.world.bodies().size(),
+        file, checked.is_good() ? "ok" : "impossible", with_count(checked.start.errors(), "error"),
+        with_count(checked.start.warnings(), "warning"), scene.world.bodies().size(),
         scene.world.interactions().size(), scene.cables.size(), scene.world.inputs().size(),
         scene.world.output_ids().size(), scene.hash);
     fmt::print("{}", report::start::to_text(checked.cables, kMaxCables));
-    if (options.one_scene())
+    if (options.lists_details())
         for (const scene::Operation& operation : scene.timeline)
             fmt::print("  at {:.6g} s: {}\n", operation.at, to_string(operation));
     if (options.signals) fmt::print("{}", signal_lines(scene.world));
@@ -134,7 +135,7 @@ Report cable_report(const std::vector<report::start::CableStart>& cables) {
     return out;
 }
 
-Report report_of(const std::string& file, const Checked& checked) {
+Report make_report(const std::string& file, const Checked& checked) {
     Report mistakes = Report::array(), findings = Report::array();
     for (const scene::SceneError& m : checked.mistakes)
         mistakes.push_back({{"file", m.file}, {"path", m.path}, {"message", m.message}});
@@ -144,7 +145,7 @@ Report report_of(const std::string& file, const Checked& checked) {
                             {"about", f.about},
                             {"value", f.value},
                             {"text", f.text}});
-    Report report{{"file", file}, {"good", checked.good()}, {"mistakes", std::move(mistakes)}};
+    Report report{{"file", file}, {"good", checked.is_good()}, {"mistakes", std::move(mistakes)}};
     if (checked.scene) {
         report["errors"] = checked.start.errors();
         report["warnings"] = checked.start.warnings();
@@ -166,15 +167,15 @@ int check(const CheckOptions& options) {
     for (const std::string& file : options.files) {
         Checked checked;
         try {
-            checked = examine(options, file);
+            checked = check_file(options, file);
         } catch (const std::bad_alloc&) {
             checked.mistakes.emplace_back(file, "", "out of memory");
         } catch (const std::exception& e) {
             checked.mistakes.emplace_back(file, "", e.what());
         }
-        if (!checked.good()) code = kUsageError;
+        if (!checked.is_good()) code = kUsageError;
         if (options.json)
-            reports.push_back(report_of(file, checked));
+            reports.push_back(make_report(file, checked));
         else
             print_lines(file, checked, options);
     }

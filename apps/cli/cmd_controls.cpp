@@ -65,7 +65,7 @@ const SystemSignal* find_signal(const World& world, const std::string& name) {
     return nullptr;
 }
 
-Candidate candidate_of(const World& world, InputId id) {
+Candidate random_input_from(const World& world, InputId id) {
     const InputDef& def = world.input_def(id);
     return {{.name = def.name,
              .min = def.min,
@@ -76,7 +76,7 @@ Candidate candidate_of(const World& world, InputId id) {
 }
 
 /// Return the range of the signal over the factor, narrowed by that of the input.
-Candidate candidate_of(const World& world, const scene::SignalInput& lever) {
+Candidate random_input_from(const World& world, const scene::SignalInput& lever) {
     Candidate out{{.name = lever.name,
                    .min = lever.min,
                    .max = lever.max,
@@ -92,7 +92,7 @@ Candidate candidate_of(const World& world, const scene::SignalInput& lever) {
     return out;
 }
 
-Candidate candidate_of(const SystemSignal& signal) {
+Candidate random_input_from(const SystemSignal& signal) {
     return {{.name = signal.system + "." + signal.name,
              .min = signal.min,
              .max = signal.max,
@@ -102,27 +102,27 @@ Candidate candidate_of(const SystemSignal& signal) {
             0.0};
 }
 
-std::vector<Candidate> candidates_of(const scene::Scene& scene, bool with_signals) {
+std::vector<Candidate> random_inputs_from(const scene::Scene& scene, bool with_signals) {
     const World& world = scene.world;
     std::vector<Candidate> out;
     for (const InputId id : world.inputs())
         if (!record::is_inner_input(world, world.input_def(id).name))
-            out.push_back(candidate_of(world, id));
+            out.push_back(random_input_from(world, id));
     for (const scene::SignalInput& lever : scene.signal_inputs)
-        out.push_back(candidate_of(world, lever));
+        out.push_back(random_input_from(world, lever));
     if (!with_signals) return out;
     for (const SystemSignal& signal : world.system_signals()) {
         const std::string name = signal.system + "." + signal.name;
         const bool set = std::any_of(scene.signal_inputs.begin(), scene.signal_inputs.end(),
                                      [&](const auto& lever) { return lever.signal == name; });
-        if (signal.input && !set) out.push_back(candidate_of(signal));
+        if (signal.input && !set) out.push_back(random_input_from(signal));
     }
     return out;
 }
 
 /// Return the inputs of the exercise's stations. `hawser exercise` rejects others.
-std::vector<Candidate> candidates_of(const exercise::Loaded& loaded) {
-    std::vector<Candidate> all = candidates_of(loaded.scene, true);
+std::vector<Candidate> random_inputs_from(const exercise::Loaded& loaded) {
+    std::vector<Candidate> all = random_inputs_from(loaded.scene, true);
     std::erase_if(all, [&](const Candidate& c) {
         const auto& stations = loaded.exercise.stations;
         return std::none_of(stations.begin(), stations.end(), [&](const auto& station) {
@@ -133,7 +133,7 @@ std::vector<Candidate> candidates_of(const exercise::Loaded& loaded) {
     return all;
 }
 
-double limit_of(const std::string& option, const std::string& text) {
+double read_limit(const std::string& option, const std::string& text) {
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
     if (text.empty() || *end != '\0' || !std::isfinite(value))
@@ -149,8 +149,8 @@ void apply_range(const std::string& option, std::vector<Candidate>& candidates) 
         throw std::runtime_error(
             fmt::format("--range {}: expected NAME=MIN:MAX, e.g. winch.speed=-2:2", option));
     const std::string name = option.substr(0, equals);
-    const double min = limit_of(option, option.substr(equals + 1, colon - equals - 1));
-    const double max = limit_of(option, option.substr(colon + 1));
+    const double min = read_limit(option, option.substr(equals + 1, colon - equals - 1));
+    const double max = read_limit(option, option.substr(colon + 1));
     const auto found = std::find_if(candidates.begin(), candidates.end(),
                                     [&](const Candidate& c) { return c.input.name == name; });
     if (found == candidates.end()) {
@@ -171,8 +171,8 @@ void apply_range(const std::string& option, std::vector<Candidate>& candidates) 
 }
 
 /// Return the inputs with a finite range; name the others on standard error.
-std::vector<record::RandomInput> limited(const std::vector<Candidate>& candidates,
-                                         const std::string& file) {
+std::vector<record::RandomInput> finite_inputs(const std::vector<Candidate>& candidates,
+                                               const std::string& file) {
     std::vector<record::RandomInput> out;
     for (const Candidate& c : candidates) {
         record::RandomInput input = c.input;
@@ -214,9 +214,9 @@ int write_controls(ControlsOptions& options) {
     const scene::Scene& scene = loaded.scene;
     check_outputs({{"the scene", options.scene.file}}, {{"-o", options.out}});
     std::vector<Candidate> candidates =
-        exercise ? candidates_of(loaded) : candidates_of(scene, options.signals);
+        exercise ? random_inputs_from(loaded) : random_inputs_from(scene, options.signals);
     for (const std::string& range : options.ranges) apply_range(range, candidates);
-    const std::vector<record::RandomInput> inputs = limited(candidates, scene.path);
+    const std::vector<record::RandomInput> inputs = finite_inputs(candidates, scene.path);
     if (inputs.empty()) throw std::runtime_error(no_inputs(scene, options.signals || exercise));
     options.def.duration =
         options.duration.value_or(exercise ? loaded.exercise.duration : scene.duration);

@@ -64,7 +64,7 @@ class Controls {
             names_.push_back("fault." + fault.name);
         if (!file.empty()) changes_ = record::read_control(file, names_);
     }
-    void take(double now, exercise::Run& run) {
+    void apply_controls(double now, exercise::Run& run) {
         for (; next_ < changes_.size() && changes_[next_].time <= now; ++next_) {
             const auto k = static_cast<std::size_t>(changes_[next_].input);
             const double value = changes_[next_].value;
@@ -179,8 +179,8 @@ int fail(exercise::Run& run, const Session& session) {
 }
 
 /// Run the exercise. @return kOk if it ended by itself, else the exit code of the failure.
-int drive(exercise::Run& run, Session& session, Controls& controls, Progress& progress,
-          const ExerciseOptions& options) {
+int run_exercise(exercise::Run& run, Session& session, Controls& controls, Progress& progress,
+                 const ExerciseOptions& options) {
     constexpr double kSlack = 1e-6;  // Times are multiples of the step up to rounding.
     catch_signals();
     const CancelledBySignal cancelled(session.world());
@@ -189,21 +189,21 @@ int drive(exercise::Run& run, Session& session, Controls& controls, Progress& pr
         if (stop_requested()) break;
         const double now = session.time() + kSlack * session.world().settings().step;
         save_due(options.saves, now, saved, session);
-        controls.take(now, run);
+        controls.apply_controls(now, run);
         if (const Status status = run.step(); status == Status::cancelled) {
             break;
         } else if (status != Status::ok) {
             progress.close();
             return fail(run, session);
         }
-        progress.at(session.world().step_count());
+        progress.update(session.world().step_count());
     }
     if (run.ended()) return kOk;
     run.end("interrupted", true);
     return kInterrupted;
 }
 
-int perform(const ExerciseOptions& options) {
+int run_command(const ExerciseOptions& options) {
     if (!options.replay.empty()) return rescore(options);
     scene::Options scene_options;
     scene_options.threads = options.threads;
@@ -228,10 +228,11 @@ int perform(const ExerciseOptions& options) {
     exercise::Run run(loaded.exercise, session);
     const double h = session.world().settings().step;
     Progress progress(std::llround(loaded.exercise.duration / h), h, !options.quiet);
-    const int end = drive(run, session, controls, progress, options);
+    const int end = run_exercise(run, session, controls, progress, options);
     progress.close();
     (void)session.finish(end == kInterrupted);
-    if (verifier && !options.quiet) fmt::print("{}", report::to_text(verifier->result()));
+    if (verifier && !options.quiet)
+        fmt::print("{}", report::to_text(verifier->result(), report::Detail::user));
     const int code = conclude(options, loaded.exercise, run.result(), run.curves(), recording);
     return end == kOk ? code : end;
 }
@@ -273,7 +274,7 @@ void add_exercise(CLI::App& app, Command& chosen) {
                    "ends the run as failed")
         ->excludes("--replay");
     command->add_flag("--quiet", options->quiet, "No progress and no score on the terminal");
-    command->callback([&chosen, options] { chosen = [options] { return perform(*options); }; });
+    command->callback([&chosen, options] { chosen = [options] { return run_command(*options); }; });
 }
 
 }  // namespace hawser::cli

@@ -52,7 +52,7 @@ exporting::Frames frames_of(const record::Recording& recording, const ExportOpti
 }
 
 /// Report the branches of a recording that are not in the file.
-void say_takes(const record::Recording& recording) {
+void report_branches(const record::Recording& recording) {
     if (recording.takes.empty()) return;
     fmt::print(
         stderr,
@@ -78,13 +78,13 @@ int export_recording(const ExportOptions& options) {
     if (record::same_file(file, options.file))
         throw std::runtime_error(file.string() + ": would replace the recording");
     const exporting::Frames frames = frames_of(recording, options);
-    say_takes(recording);
+    report_branches(recording);
     if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     Progress progress(static_cast<std::int64_t>(frames.size()), recording.settings.step,
                       !options.quiet);
-    const auto tell = [&](std::size_t done) { progress.at(static_cast<std::int64_t>(done)); };
+    const auto tell = [&](std::size_t done) { progress.update(static_cast<std::int64_t>(done)); };
     if (gltf) {
         exporting::write_gltf(recording, frames, file, tell);
     } else if (options.contacts) {

@@ -64,7 +64,7 @@ std::string default_scene() {
 }
 
 /// Return the common data of all panels.
-nlohmann::ordered_json origin_of(const scene::Scene& scene, const FiguresOptions& options) {
+nlohmann::ordered_json panel_origin(const scene::Scene& scene, const FiguresOptions& options) {
     return {{"scene", scene.name},
             {"scene_file", scene.path},
             {"scene_hash", fmt::format("{:016x}", scene.hash)},
@@ -90,7 +90,7 @@ Status run_to(World& world, double at) {
 class Writer {
   public:
     Writer(const FiguresOptions& options, const scene::Scene& scene)
-        : folder_(options.folder), origin_(origin_of(scene, options)) {
+        : folder_(options.folder), origin_(panel_origin(scene, options)) {
         parameters_ = fmt::format(
             "{} at {:.4g} s  ·  scene hash {:016x}  ·  {}  ·  {}  ·  Hawser {}", scene.name,
             scene.world.time(), scene.hash, command_line(), instruction_set(), version());
@@ -134,7 +134,7 @@ Parts partition(const World& world, int parts) {
             world.splits().partition({.use = PartitionUse::separators, .parts = parts})};
 }
 
-void mark(draw::InteractionGraph& graph, const Parts& parts) {
+void mark_parts(draw::InteractionGraph& graph, const Parts& parts) {
     for (draw::GraphNode& n : graph.nodes) {
         n.part = std::max(-1, parts.cuts.part_of_body[draw::at(n.body.index)]);
         n.separator = std::binary_search(parts.separators.separator.begin(),
@@ -175,7 +175,7 @@ void figure1(Writer& writer, const World& world, const Parts& parts, const Order
         "fig1_graph", "Interaction graph",
         {fmt::format("{} bodies, {} interactions", graph.nodes.size(), graph.edges.size())}, graph,
         false));
-    mark(graph, parts);
+    mark_parts(graph, parts);
     panels.push_back(graph_panel(
         "fig1_cut_graph", "Cut graph",
         {fmt::format("{} parts, {} interactions cut, largest part {:.2f} x the mean",
@@ -222,7 +222,8 @@ int figures(FiguresOptions options) {
     }
     Writer writer(options, scene);
     const Parts parts = partition(scene.world, options.scene.parts.value_or(kParts));
-    draw::BlockGraph whole = draw::graph_of(scene.world.solver().matrix(), parts.cuts.part_of_body);
+    draw::BlockGraph whole =
+        draw::block_graph_of_world(scene.world.solver().matrix(), parts.cuts.part_of_body);
     const draw::BlockGraph pieces = draw::split_graph(whole, parts.cuts.parts);
     whole.part.assign(whole.part.size(), -1);  // pictures of the whole show no parts
     std::vector<OrderedMatrix> full, split;

@@ -46,7 +46,7 @@ struct PlotOptions {
     std::size_t frames = 0;
     draw::ViewOptions scene;
 
-    [[nodiscard]] bool wants(const std::string& picture) const {
+    [[nodiscard]] bool is_requested(const std::string& picture) const {
         return only.empty() || std::find(only.begin(), only.end(), picture) != only.end();
     }
 };
@@ -63,14 +63,14 @@ std::size_t frame_at(const record::Recording& recording, std::optional<double> t
 }
 
 /// Return the pixels per point for readable text in a picture of the given size.
-double pixels_of(const PlotOptions& options) {
+double pixels_per_point(const PlotOptions& options) {
     constexpr double kUsualWidth = 1280.0;  // Usual width [points]
     const int width = options.size.empty() ? 2560 : std::atoi(options.size.c_str());
     return std::clamp(width / kUsualWidth, 0.6, 4.0);
 }
 
 /// Return the options for views. @throws std::runtime_error if they are invalid.
-draw::ViewOptions view_of(const PlotOptions& options) {
+draw::ViewOptions view_options(const PlotOptions& options) {
     draw::ViewOptions out = options.scene;
     if (options.view == "side") out.shown = draw::Shown::side;
     if (options.view == "top") out.shown = draw::Shown::top;
@@ -83,8 +83,8 @@ draw::ViewOptions view_of(const PlotOptions& options) {
             throw std::runtime_error(fmt::format(
                 "--size {}: expected WIDTHxHEIGHT, such as 1280x720, from 320x240 to 8192x8192",
                 options.size));
-        out.width = width / pixels_of(options);
-        out.height = height / pixels_of(options);
+        out.width = width / pixels_per_point(options);
+        out.height = height / pixels_per_point(options);
     }
     if (!options.axes.empty()) {
         const Vec3 low(options.axes[0], options.axes[1], options.axes[2]),
@@ -115,12 +115,12 @@ int plot_frames(const PlotOptions& options, const record::Recording& recording,
     std::vector<std::size_t> chosen;
     for (std::size_t i = 0; i < count; ++i)
         chosen.push_back(count == 1 ? n - 1 : i * (n - 1) / (count - 1));
-    draw::ViewOptions view = view_of(options);
+    draw::ViewOptions view = view_options(options);
     if (!view.box) {
         view.box = draw::shown_box(recording, chosen);
         view.around = true;
     }
-    const double pixels = options.size.empty() ? 1.5 : pixels_of(options);
+    const double pixels = options.size.empty() ? 1.5 : pixels_per_point(options);
     if (view.width <= 0.0) view.width = 1280.0, view.height = 720.0;
     std::filesystem::create_directories(options.folder);
     for (std::size_t i = 0; i < chosen.size(); ++i) {
@@ -144,7 +144,7 @@ void check_names(const PlotOptions& options) {
     for (std::size_t i = 0; i < options.frames; ++i) check(folder / frame_name(i));
     if (options.frames > 0) return;
     for (const char* picture : kPictures)
-        if (options.wants(picture))
+        if (options.is_requested(picture))
             for (const char* ending : {".svg", ".png"})
                 check(folder / (picture + std::string(ending)));
 }
@@ -152,7 +152,7 @@ void check_names(const PlotOptions& options) {
 int plot(const PlotOptions& options) {
     check_pictures(options);
     check_names(options);
-    const draw::ViewOptions view = view_of(options);
+    const draw::ViewOptions view = view_options(options);
     const record::Recording recording = record::Recording::open(options.file);
     if (recording.frame_count() == 0)
         throw record::RecordingError(options.file + ": the recording has no complete frame");
@@ -164,13 +164,14 @@ int plot(const PlotOptions& options) {
     const std::filesystem::path folder = options.folder;
     const std::size_t frame = frame_at(recording, options.at);
     const auto write = [&](const char* name, const auto& make, const char* why_not) {
-        if (!options.wants(name)) return;
+        if (!options.is_requested(name)) return;
         const std::optional<draw::Drawing> drawing = make();
         if (!drawing) {
             fmt::print("no picture \"{}\": {}\n", name, why_not);
             return;
         }
-        for (const auto& file : draw::write_pictures(*drawing, folder / name, pixels_of(options)))
+        for (const auto& file :
+             draw::write_pictures(*drawing, folder / name, pixels_per_point(options)))
             fmt::print("wrote {}\n", file.string());
     };
     write(

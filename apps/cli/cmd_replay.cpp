@@ -99,7 +99,7 @@ class Replay {
                 return kMismatch;
             }
         }
-        if (const int code = ended ? conclude(last, progress) : kOk; code != kOk) return code;
+        if (const int code = ended ? finish_replay(last, progress) : kOk; code != kOk) return code;
         progress.close();
         if (ended && world_.state().motion_hash() != recording_.end_hash) {
             fmt::print(
@@ -111,7 +111,7 @@ class Replay {
         fmt::print("{}: same state hash at all {} frames{}, {} steps, last {:016x}\n",
                    recording_.file, frames, ended ? " and at the end" : "", taken_,
                    world_.state().motion_hash());
-        return say_end();
+        return report_end();
     }
 
   private:
@@ -126,7 +126,7 @@ class Replay {
     }
 
     /// Advance to the end and apply the changes after the last step.
-    int conclude(std::int64_t last, Progress& progress) {
+    int finish_replay(std::int64_t last, Progress& progress) {
         const int code = advance(last, recording_.takes.size(), progress);
         if (code == kOk) repeater_.before_step(world_);
         return code;
@@ -134,7 +134,7 @@ class Replay {
 
     /// Report the end of the recorded run, unless it finished. @return kUsageError if the recording
     /// is incomplete: the missing part was not repeated.
-    int say_end() const {
+    int report_end() const {
         if (recording_.ending == record::Ending::interrupted)
             fmt::print("the recorded run was interrupted at {:.6g} s\n", world_.time());
         if (recording_.ending == record::Ending::failed)
@@ -161,7 +161,7 @@ class Replay {
                            failure(world_));
                 return kFailed;
             }
-            progress.at(taken_);
+            progress.update(taken_);
         }
         return kOk;
     }

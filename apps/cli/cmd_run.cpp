@@ -83,6 +83,9 @@ void add_run(CLI::App& app, Command& chosen) {
     command->add_flag("--unchecked", options->unchecked,
                       "Run a scene whose start `hawser check` rejects");
     command->add_flag("--quiet", options->quiet, "No progress and no report");
+    command->add_flag("--verbose", options->verbose,
+                      "Report figures of the solver as well: matrix, factorisations, times of "
+                      "stages, residuals");
     command->callback([&chosen, options, save_at, save] {
         if (save->count() > 0) std::tie(options->save_time, options->save_file) = *save_at;
         chosen = [options] {

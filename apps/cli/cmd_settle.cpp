@@ -46,7 +46,7 @@ struct Motion {
     BodyId where{};        ///< … and its body.
 };
 
-Motion motion_of(const World& world) {
+Motion measure_motion(const World& world) {
     Motion out;
     for (const BodyId id : world.bodies()) {
         if (!moves(world, id)) continue;
@@ -130,15 +130,15 @@ class Settler {
                            failure(world));
                 return kFailed;
             }
-            if (const std::string other = other_than_stored(world); !other.empty()) {
+            if (const std::string other = unsaved_state(world); !other.empty()) {
                 progress.close();
                 fmt::print(stderr, "hawser: not settled: at {:.6g} s {}\n", time(), other);
                 return kFailed;
             }
-            motion_ = motion_of(world);
+            motion_ = measure_motion(world);
             quiet = motion_.fastest < options_.tolerance ? quiet + h : 0.0;
-            progress.at(++step_, fmt::format("fastest {:.2e} m/s ({})", motion_.fastest,
-                                             name(motion_.where)));
+            progress.update(++step_, fmt::format("fastest {:.2e} m/s ({})", motion_.fastest,
+                                                 name(motion_.where)));
         }
         settled_ = last && quiet >= kQuietTime;
         return kOk;
@@ -147,7 +147,7 @@ class Settler {
     /// Compare the world with the contents of a state file. A state file cannot store broken
     /// elements, and nodes added or removed at a drum or by refinement. @return the difference in
     /// words; empty: none.
-    [[nodiscard]] std::string other_than_stored(const World& world) const {
+    [[nodiscard]] std::string unsaved_state(const World& world) const {
         if (const EventExtremes part = world.events().extremes(EventKind::line_break);
             part.count > 0)
             return "the element " + record::interaction_label(world, part.first.interaction) +

@@ -60,10 +60,11 @@ void add_view(CLI::App& app, Command& chosen) {
         ->check(positive());
     command->add_flag("--rt", options->rt,
                       "Request real-time scheduling and pin each thread to a processor");
-    CLI::Option* go = command->add_flag(
-        "--go", options->go, "Start at once; default: the instructor starts in the page");
+    CLI::Option* start_at_once =
+        command->add_flag("--go", options->start_at_once,
+                          "Start at once; default: the instructor starts in the page");
     command->add_flag("--paused", options->paused, "Wait for a client, also with a recording")
-        ->excludes(go);
+        ->excludes(start_at_once);
     command->add_flag("--open", options->open, "Open the instructor's page in a browser");
     command->callback([&chosen, options] { chosen = [options] { return view(*options); }; });
 }

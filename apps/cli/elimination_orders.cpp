@@ -55,7 +55,7 @@ const char* name_of(Ordering ordering) {
 
 bool metis_available() { return HAWSER_HAVE_METIS != 0; }
 
-std::vector<std::int32_t> order_of(const BlockPattern& pattern, Ordering ordering) {
+std::vector<std::int32_t> elimination_order(const BlockPattern& pattern, Ordering ordering) {
     if (ordering == Ordering::amd) return minimum_degree_order(pattern);
     std::vector<std::int32_t> order(pattern.size.size());
     std::iota(order.begin(), order.end(), 0);

@@ -23,6 +23,7 @@ enum class Ordering : std::uint8_t {
 
 /// Return an order with rows after their bodies. @throws std::runtime_error for METIS if it is not
 /// available.
-[[nodiscard]] std::vector<std::int32_t> order_of(const BlockPattern& pattern, Ordering ordering);
+[[nodiscard]] std::vector<std::int32_t> elimination_order(const BlockPattern& pattern,
+                                                          Ordering ordering);
 
 }  // namespace hawser::cli

@@ -73,11 +73,11 @@ OrderedMatrix order_matrix(const draw::BlockGraph& graph, std::int32_t parts, Or
         return m;
     }
     if (parts == 0)
-        m.order = order_of(pattern_of(graph), ordering);
+        m.order = elimination_order(pattern_of(graph), ordering);
     else
         for (std::int32_t p = 0; p < parts; ++p) {
             const draw::BlockGraph piece = draw::part_graph(graph, p);
-            for (const std::int32_t node : order_of(pattern_of(piece), ordering))
+            for (const std::int32_t node : elimination_order(pattern_of(piece), ordering))
                 m.order.push_back(piece.origin[at(node)]);
         }
     m.factor = draw::factor_blocks(graph.start, graph.adjacent, m.order);

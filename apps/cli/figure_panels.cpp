@@ -14,7 +14,7 @@ namespace {
 using nlohmann::ordered_json;
 
 /// Format 12345 as 12,345.
-std::string grouped(std::int64_t value) {
+std::string with_thousands(std::int64_t value) {
     std::string digits = std::to_string(value);
     for (auto k = static_cast<std::ptrdiff_t>(digits.size()) - 3; k > 0; k -= 3)
         digits.insert(static_cast<std::size_t>(k), ",");
@@ -29,7 +29,8 @@ double fill_ratio(const OrderedMatrix& m) {
 
 std::string size_note(const OrderedMatrix& m) {
     return fmt::format("n = {}   nnz(K) = {} (lower triangle)   {} bodies and interactions",
-                       grouped(m.counts.scalars), grouped(m.counts.nnz), grouped(m.counts.nodes));
+                       with_thousands(m.counts.scalars), with_thousands(m.counts.nnz),
+                       with_thousands(m.counts.nodes));
 }
 
 ordered_json matrix_data(const OrderedMatrix& m) {
@@ -71,7 +72,7 @@ Panel fill_panel(const std::string& name, const std::string& title, const Ordere
     if (timed && m.part_seconds.size() > 1)
         time += fmt::format(", longest part {:.3g} ms", 1e3 * m.longest_seconds());
     const std::string work = fmt::format("nnz(L) = {} ({:.2f} x nnz(K))   {:.3g} Mflop   {}",
-                                         grouped(m.counts.factor_nnz), fill_ratio(m),
+                                         with_thousands(m.counts.factor_nnz), fill_ratio(m),
                                          1e-6 * static_cast<double>(m.counts.flops), time);
     ordered_json d = matrix_data(m);
     d["factor_nnz"] = m.counts.factor_nnz;

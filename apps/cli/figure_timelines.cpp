@@ -27,7 +27,7 @@ TraceView trace_steps(World& world, double at) {
     return world.solver().trace();
 }
 
-draw::Timeline typical(const TraceView& trace) {
+draw::Timeline typical_timeline(const TraceView& trace) {
     return draw::timeline_of(trace, draw::typical_step(trace));
 }
 
@@ -47,14 +47,14 @@ std::vector<draw::NamedTimeline> run_timelines(SceneOptions options, const Timel
     };
     const auto add = [&](const std::string& what, const TraceView& one) {
         out.push_back({fmt::format("{}, measured on {}", what, threads_note(run.threads)),
-                       typical(traced(run.threads)),
+                       typical_timeline(traced(run.threads)),
                        {}});
         out.push_back({fmt::format("{}, SIMULATED on {}", what, threads_note(run.simulated)),
                        draw::simulated_timeline(one, draw::typical_step(one), run.simulated, costs),
                        {}});
     };
     const TraceView serial = traced(1);
-    out.push_back({"Serial, measured on one thread", typical(serial), {}});
+    out.push_back({"Serial, measured on one thread", typical_timeline(serial), {}});
     const SceneOptions exact = options;
     const std::string split = fmt::format("Split: kinematic, clique first, {} parts", run.parts);
     try {

@@ -83,9 +83,9 @@ void print_orders(const SystemView& view) {
     fmt::print("    {:<24} {:>10} {:>10} {:>14} {:>11}\n", "", "nnz(L)", "Mflop", "Mflop on path",
                "at most");
     const BlockPattern pattern = pattern_of(view);
-    print_order("AMD", view, order_of(pattern, Ordering::amd));
+    print_order("AMD", view, elimination_order(pattern, Ordering::amd));
     if (metis_available())
-        print_order("METIS nested dissection", view, order_of(pattern, Ordering::metis));
+        print_order("METIS nested dissection", view, elimination_order(pattern, Ordering::metis));
     else
         fmt::print("    {:<24} not in this build\n", "METIS nested dissection");
     print_order("ours", view, view.order);

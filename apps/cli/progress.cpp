@@ -34,20 +34,20 @@ Progress::Progress(std::int64_t steps, double step, bool enabled)
       enabled_(enabled),
       terminal_(isatty(STDERR_FILENO) == 1),
       start_(Clock::now()),
-      shown_(start_) {}
+      last_shown_(start_) {}
 
 Progress::~Progress() { close(); }
 
-void Progress::at(std::int64_t done, const std::string& note) {
+void Progress::update(std::int64_t done, const std::string& note) {
     if (!enabled_) return;
     const Clock::time_point now = Clock::now();
     if (terminal_) {
-        if (now - shown_ < kBarInterval && done < steps_) return;
-        shown_ = now;
-        bar(done, note);
-    } else if (now - shown_ >= kLineInterval ||
-               (done * 10 >= next_tenth_ * steps_ && now - shown_ >= kTenthInterval)) {
-        shown_ = now;
+        if (now - last_shown_ < kBarInterval && done < steps_) return;
+        last_shown_ = now;
+        draw_bar(done, note);
+    } else if (now - last_shown_ >= kLineInterval ||
+               (done * 10 >= next_tenth_ * steps_ && now - last_shown_ >= kTenthInterval)) {
+        last_shown_ = now;
         next_tenth_ = done * 10 / steps_ + 1;
         line(done, note);
     }
@@ -58,7 +58,7 @@ double Progress::factor(std::int64_t done) const {
     return wall > 0.0 ? static_cast<double>(done) * step_ / wall : 0.0;
 }
 
-void Progress::bar(std::int64_t done, const std::string& note) {
+void Progress::draw_bar(std::int64_t done, const std::string& note) {
     const double share =
         std::clamp(static_cast<double>(done) / static_cast<double>(steps_), 0.0, 1.0);
     const double wall = seconds(Clock::now() - start_);

@@ -20,20 +20,20 @@ class Progress {
     Progress& operator=(const Progress&) = delete;
 
     /// Update the progress. Cheap: reads the clock and writes rarely.
-    void at(std::int64_t done, const std::string& note = {});
+    void update(std::int64_t done, const std::string& note = {});
     /// End the bar's line.
     void close();
 
   private:
     using Clock = std::chrono::steady_clock;
-    void bar(std::int64_t done, const std::string& note);
+    void draw_bar(std::int64_t done, const std::string& note);
     void line(std::int64_t done, const std::string& note);
     [[nodiscard]] double factor(std::int64_t done) const;
 
     std::int64_t steps_;
     double step_;
     bool enabled_, terminal_;
-    Clock::time_point start_, shown_;
+    Clock::time_point start_, last_shown_;
     std::int64_t next_tenth_ = 1;
     bool open_ = false;
 };

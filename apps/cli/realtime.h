@@ -15,7 +15,7 @@ class Pacer {
     explicit Pacer(double step);
     /// Wait until the next frame is due. Call after each step.
     void wait();
-    [[nodiscard]] std::int64_t missed() const noexcept { return missed_; }
+    [[nodiscard]] std::int64_t frames_missed() const noexcept { return missed_; }
     /// Return the largest delay [s].
     [[nodiscard]] double lateness_max() const noexcept { return lateness_max_; }
 

@@ -36,7 +36,7 @@ constexpr double kMaxRunSteps = 0x1p53;
 }  // namespace
 
 RunSession::RunSession(const RunOptions& options)
-    : options_(options), session_(open()), info_(record::info_of(session_.scene())) {
+    : options_(options), session_(open()), info_(record::make_scene_info(session_.scene())) {
     for (const std::string& difference : session_.differences())
         if (!options_.quiet)
             fmt::print(stderr, "{}: differs in {}\n", options_.restore, difference);
@@ -71,7 +71,7 @@ void RunSession::check_files(const scene::Scene& scene) const {
 
 void RunSession::check_start(const scene::Scene& scene) {
     if (options_.unchecked) return;
-    const auto findings = report::start::check_start(record::info_of(scene), scene.world);
+    const auto findings = report::start::check_start(record::make_scene_info(scene), scene.world);
     if (!options_.quiet || findings.errors() > 0)
         fmt::print(stderr, "{}", report::start::to_text(findings, scene.path + ": "));
     if (findings.errors() > 0)
@@ -164,10 +164,10 @@ int RunSession::run() {
     while (world.step_count() - first < steps_) {
         interrupted = stop_requested();
         if (interrupted) break;
-        const Status status = take_step(progress);
+        const Status status = run_step(progress);
         save_if_due();
         if (status != Status::ok) break;
-        progress.at(world.step_count() - first);
+        progress.update(world.step_count() - first);
         if (pacer_) pacer_->wait();
     }
     progress.close();
@@ -175,7 +175,7 @@ int RunSession::run() {
 }
 
 /// Perform a step. An operation of the timeline that fails ends the run, with all files complete.
-Status RunSession::take_step(Progress& progress) {
+Status RunSession::run_step(Progress& progress) {
     try {
         const Status status = session_.step();
         if (status != Status::ok) return status;
@@ -209,7 +209,7 @@ int RunSession::finish(bool interrupted, double wall_seconds) {
     summary.wall_seconds = wall_seconds;
     summary.warnings = warnings_;
     if (pacer_) {
-        summary.missed_frames = pacer_->missed();
+        summary.missed_frames = pacer_->frames_missed();
         summary.lateness_max = pacer_->lateness_max();
     }
     if (coupling_) summary.coupling = coupling_->result(world);
@@ -225,7 +225,10 @@ int RunSession::finish(bool interrupted, double wall_seconds) {
     const std::string timeline = options_.trace.finish(world, info_.name);
     written_.insert(written_.end(), options_.trace.files.begin(), options_.trace.files.end());
     if (!options_.quiet) {
-        fmt::print("{}{}", report::to_text(summary), timeline);
+        fmt::print("{}{}",
+                   report::to_text(
+                       summary, options_.verbose ? report::Detail::solver : report::Detail::user),
+                   timeline);
         if (!written_.empty()) fmt::print("  wrote        {}\n", fmt::join(written_, ", "));
         std::fflush(stdout);
     }
@@ -236,7 +239,7 @@ int RunSession::finish(bool interrupted, double wall_seconds) {
     }
     if (wrong) {
         fmt::print(stderr, "hawser: failed at {:.6g} s (diverged): {}\n", world.time(),
-                   summary.verdict.said);
+                   summary.verdict.description);
         return kFailed;
     }
     if (ending == record::Ending::failed) {

@@ -26,6 +26,7 @@ struct RunOptions {
     SceneOptions scene;
     std::optional<double> duration;  ///< Time at which the run ends [s].
     bool realtime = false, rt = false, quiet = false, verify = false;
+    bool verbose = false;    ///< Report figures of the solver as well.
     bool unchecked = false;  ///< Run even if check_start() finds mistakes.
     std::string record, csv, summary, restore, save_file;
     std::optional<double> save_time;  ///< Time of the state to save [s]
@@ -49,7 +50,7 @@ class RunSession {
     [[nodiscard]] std::int32_t stride() const;
     void open_outputs();
     void add_observers();
-    [[nodiscard]] Status take_step(Progress& progress);
+    [[nodiscard]] Status run_step(Progress& progress);
     void save_if_due();
     int finish(bool interrupted, double wall_seconds);
 

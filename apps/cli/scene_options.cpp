@@ -82,7 +82,7 @@ namespace {
 
 bool is_json(const std::string& file) { return file.ends_with(".json"); }
 
-std::string only(const std::vector<std::string>& files, bool json) {
+std::string single_file(const std::vector<std::string>& files, bool json) {
     std::string out;
     for (const std::string& file : files) {
         if (is_json(file) != json) continue;
@@ -108,8 +108,8 @@ void SceneOptions::add_control_to(CLI::App& command) {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-std::string SceneOptions::control() const { return only(controls, false); }
-std::string SceneOptions::operations() const { return only(controls, true); }
+std::string SceneOptions::control() const { return single_file(controls, false); }
+std::string SceneOptions::operations() const { return single_file(controls, true); }
 
 scene::Options SceneOptions::options() const {
     scene::Options options;

@@ -25,7 +25,7 @@ std::string unit_of(const World& world, const InputDef& input) {
     return "1";
 }
 
-std::string target_of(const World& world, const InputDef& input) {
+std::string target_words(const World& world, const InputDef& input) {
     if (input.interaction.valid())
         return fmt::format("{} of {}", input.param,
                            record::interaction_label(world, input.interaction));
@@ -41,7 +41,7 @@ std::string signal_lines(const World& world) {
     for (const InputId id : world.inputs()) {
         const InputDef& input = world.input_def(id);
         fmt::format_to(out, "  input            {} [{}] {:.6g} … {:.6g}: {}\n", input.name,
-                       unit_of(world, input), input.min, input.max, target_of(world, input));
+                       unit_of(world, input), input.min, input.max, target_words(world, input));
     }
     for (const OutputId id : world.output_ids()) {
         const OutputDef& output = world.output_def(id);
@@ -61,7 +61,7 @@ nlohmann::ordered_json signal_report(const World& world) {
                           {"min", input.min},
                           {"max", input.max},
                           {"value", world.input(id)},
-                          {"sets", target_of(world, input)}});
+                          {"sets", target_words(world, input)}});
     }
     for (const OutputId id : world.output_ids()) {
         const OutputDef& output = world.output_def(id);

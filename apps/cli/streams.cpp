@@ -19,15 +19,15 @@ namespace {
 
 struct Stream {
     int descriptor;
-    int lost = 0;  ///< Error of the first failed write; 0: none failed.
+    int write_error = 0;  ///< Error of the first failed write; 0: none failed.
 };
 
 Stream g_out{STDOUT_FILENO}, g_error{STDERR_FILENO};
 
 /// Write to the stream. Always report all bytes as written, so that no print fails.
-extern "C" ssize_t take(void* cookie, const char* from, std::size_t size) {
+extern "C" ssize_t write_to_stream(void* cookie, const char* from, std::size_t size) {
     auto& stream = *static_cast<Stream*>(cookie);
-    for (std::size_t done = 0; done < size && stream.lost == 0;) {
+    for (std::size_t done = 0; done < size && stream.write_error == 0;) {
         const ssize_t n = ::write(stream.descriptor, from + done, size - done);
         if (n >= 0) {
             done += static_cast<std::size_t>(n);
@@ -35,7 +35,7 @@ extern "C" ssize_t take(void* cookie, const char* from, std::size_t size) {
             pollfd wait{stream.descriptor, POLLOUT, 0};
             (void)::poll(&wait, 1, -1);
         } else if (errno != EINTR) {
-            stream.lost = errno;
+            stream.write_error = errno;
         }
     }
     return static_cast<ssize_t>(size);
@@ -43,7 +43,7 @@ extern "C" ssize_t take(void* cookie, const char* from, std::size_t size) {
 
 void replace(std::FILE*& standard, Stream& stream, int buffering) noexcept {
     cookie_io_functions_t functions{};
-    functions.write = take;
+    functions.write = write_to_stream;
     std::FILE* const mine = fopencookie(&stream, "w", functions);
     if (mine == nullptr) return;
     (void)std::setvbuf(mine, nullptr, buffering, BUFSIZ);
@@ -67,11 +67,11 @@ void open_streams() noexcept {
 
 int close_streams(int code) noexcept {
     (void)std::fflush(stdout);
-    if (g_out.lost == 0) return code;
+    if (g_out.write_error == 0) return code;
     char text[200];
     const int size =
         std::snprintf(text, sizeof text, "hawser: standard output: %s; the output is lost\n",
-                      std::strerror(g_out.lost));
+                      std::strerror(g_out.write_error));
     if (size > 0) (void)std::fwrite(text, 1, std::strlen(text), stderr);
     return code == kOk ? kUsageError : code;
 }

@@ -16,7 +16,7 @@ bool to_number(const std::string& text, double& value) {
 }
 
 /// Return the reason why `text` is no finite number ≥ 0 (or > 0); empty if it is one.
-std::string fault(const std::string& text, bool zero_too) {
+std::string number_fault(const std::string& text, bool zero_too) {
     double value = 0.0;
     if (to_number(text, value) && (value > 0.0 || (zero_too && value == 0.0))) return {};
     return fmt::format("expected a number {}, found \"{}\"",
@@ -26,11 +26,11 @@ std::string fault(const std::string& text, bool zero_too) {
 }  // namespace
 
 CLI::Validator positive() {
-    return {[](const std::string& text) { return fault(text, false); }, "> 0"};
+    return {[](const std::string& text) { return number_fault(text, false); }, "> 0"};
 }
 
 CLI::Validator not_negative() {
-    return {[](const std::string& text) { return fault(text, true); }, ">= 0"};
+    return {[](const std::string& text) { return number_fault(text, true); }, ">= 0"};
 }
 
 CLI::Validator finite() {

@@ -7,6 +7,7 @@
 #include "debrief/debrief.h"
 #include "live/debriefing.h"
 #include "live/driver.h"
+#include "live/page_files.h"
 #include "live/player.h"
 #include "live/server.h"
 #include "outputs.h"
@@ -61,6 +62,11 @@ live::ServerOptions server_options(const ViewOptions& options, std::vector<live:
 }
 
 void print_addresses(const live::Server& server, const live::ServerOptions& options) {
+    if (!live::has_page())
+        fmt::print(stderr,
+                   "hawser view: this program was built without its page, because node was "
+                   "missing. Browsers show a note instead. Build the page in the folder of the "
+                   "sources: make view\n");
     for (const live::Role& role : options.roles)
         fmt::print("{:<12} {}\n", role.name, server.address_of(role));
     if (options.address != "127.0.0.1" && options.address != "::1")
@@ -112,7 +118,7 @@ int view_scene(const ViewOptions& options) {
             options.scene.file +
             ": a scene has no score: --report and --summary are for exercises");
     Session session = open_session(options);
-    serve(options, session, {.recording = options.record, .paused = !options.go},
+    serve(options, session, {.recording = options.record, .paused = !options.start_at_once},
           {live::instructor(), live::watcher()}, [] {});
     return kOk;
 }
@@ -154,7 +160,7 @@ int view_exercise(const ViewOptions& options) {
     exercise::Run run(loaded.exercise, session);
     serve(options, session,
           {.recording = options.record,
-           .paused = !options.go,
+           .paused = !options.start_at_once,
            .exercise = &loaded.exercise,
            .run = &run,
            .report =
@@ -169,8 +175,8 @@ int view_exercise(const ViewOptions& options) {
 /// Compute the score of a recorded exercise. @return an empty debriefing for a recording of a
 /// scene.
 /// @param score  Kept by the caller while the debriefing is used.
-live::Debriefing debriefing_of(const record::Recording& recording, int threads,
-                               std::optional<exercise::Rescored>& score) {
+live::Debriefing make_debriefing(const record::Recording& recording, int threads,
+                                 std::optional<exercise::Rescored>& score) {
     if (!exercise::is_recorded(recording)) return {};
     fmt::print("computing the score of the recording\n");
     std::fflush(stdout);
@@ -208,7 +214,7 @@ int view_recording(const ViewOptions& options) {
         fmt::print(stderr, "{}: not complete: {}\n", recording.file, recording.damage);
     std::optional<exercise::Rescored> score;
     live::Hub hub;
-    live::Player player(recording, hub, debriefing_of(recording, options.scene.threads, score));
+    live::Player player(recording, hub, make_debriefing(recording, options.scene.threads, score));
     if (!player.fault().empty())
         fmt::print(stderr, "{}: shown without its shapes: {}\n", recording.file, player.fault());
     const live::ServerOptions to_serve =

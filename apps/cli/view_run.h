@@ -17,7 +17,7 @@ struct ViewOptions {
     std::string report, summary;  ///< Files of an exercise.
     int port = 8080, clients = 16;
     std::int32_t stride = 1;
-    bool rt = false, paused = false, go = false, open = false;
+    bool rt = false, paused = false, start_at_once = false, open = false;
 };
 
 /// Serve until a signal. @return the exit code. @throws std::exception

@@ -41,7 +41,7 @@ constexpr Word kWords[] = {
 constexpr std::uint64_t kMaxId = std::uint64_t{1} << 53U;
 constexpr auto kLargestId = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
 
-void take_name(const Json& value, const char* key, std::size_t most, Command& out) {
+void read_name(const Json& value, const char* key, std::size_t most, Command& out) {
     if (!value.is_string()) throw Refused(std::string(key) + " is to be a name");
     const auto& text = value.get_ref<const std::string&>();
     if (text.empty() || text.size() > most || !out.name.assign(text))
@@ -49,7 +49,7 @@ void take_name(const Json& value, const char* key, std::size_t most, Command& ou
     out.by_name = true;
 }
 
-void take_value(const Json& value, Command& out) {
+void read_value(const Json& value, Command& out) {
     if (!value.is_number() || !std::isfinite(value.get<double>()))
         throw Refused("value is to be a finite number");
     out.value = value.get<double>();
@@ -61,9 +61,9 @@ void read_set(const Json& from, const Command& begun, std::vector<Command>& out)
         throw Refused("set needs either input and value, or inputs");
     if (list == from.end()) {
         Command one = begun;
-        take_name(from["input"], "input", one.name.kMaximum, one);
+        read_name(from["input"], "input", one.name.kMaximum, one);
         if (!from.contains("value")) throw Refused("value is missing");
-        take_value(from["value"], one);
+        read_value(from["value"], one);
         out.push_back(one);
         return;
     }
@@ -73,8 +73,8 @@ void read_set(const Json& from, const Command& begun, std::vector<Command>& out)
         if (!pair.is_array() || pair.size() != 2)
             throw Refused("inputs is to be a list of pairs of a name and a value");
         Command one = begun;
-        take_name(pair[0], "input", one.name.kMaximum, one);
-        take_value(pair[1], one);
+        read_name(pair[0], "input", one.name.kMaximum, one);
+        read_value(pair[1], one);
         one.answer = false;
         out.push_back(one);
     }
@@ -82,7 +82,7 @@ void read_set(const Json& from, const Command& begun, std::vector<Command>& out)
 }
 
 /// Read the body, wire or joint that a message names.
-void read_place(const Json& from, bool joints, bool names, Command& out) {
+void read_target(const Json& from, bool joints, bool names, Command& out) {
     constexpr double kMaxPlaces = 2147483647.0;
     const int given = static_cast<int>(from.contains("body")) +
                       static_cast<int>(from.contains("wire")) +
@@ -91,27 +91,27 @@ void read_place(const Json& from, bool joints, bool names, Command& out) {
         throw Refused(joints ? "one of body, wire and joint is to be given"
                              : "either body or wire is to be given");
     if (from.contains("body")) {
-        out.target_id = static_cast<std::int32_t>(whole(from, "body", 0.0, kMaxPlaces));
+        out.target_id = static_cast<std::int32_t>(read_integer(from, "body", 0.0, kMaxPlaces));
         if (from.contains("s")) throw Refused("s goes with a wire");
         return;
     }
     if (from.contains("joint")) {
         out.by_joint = true;
-        out.target_id = static_cast<std::int32_t>(whole(from, "joint", 0.0, kMaxPlaces));
+        out.target_id = static_cast<std::int32_t>(read_integer(from, "joint", 0.0, kMaxPlaces));
         if (from.contains("s")) throw Refused("s goes with a wire");
         return;
     }
     out.by_wire = true;
     if (names && from["wire"].is_string())
-        take_name(from["wire"], "wire", out.name.kMaximum, out);
+        read_name(from["wire"], "wire", out.name.kMaximum, out);
     else
-        out.target_id = static_cast<std::int32_t>(whole(from, "wire", 0.0, kMaxPlaces));
+        out.target_id = static_cast<std::int32_t>(read_integer(from, "wire", 0.0, kMaxPlaces));
     out.value = number(from, "s", 0.0, 1.0);
 }
 
 void read_drag(const Json& from, Command& out) {
     constexpr double kMaxStiffness = 1e9;  // Largest stiffness [N/m].
-    read_place(from, false, false, out);
+    read_target(from, false, false, out);
     if (from.contains("point")) {
         if (out.by_wire) throw Refused("point goes with a body");
         out.point = vector(from, "point");
@@ -127,7 +127,7 @@ void read_command(const Json& from, Command one, std::vector<Command>& out) {
         case CommandKind::set:
             return read_set(from, one, out);
         case CommandKind::step:
-            one.value = from.contains("count") ? whole(from, "count", 1.0, kMaxSteps) : 1.0;
+            one.value = from.contains("count") ? read_integer(from, "count", 1.0, kMaxSteps) : 1.0;
             break;
         case CommandKind::rate:
             one.value = number(from, "value", kMinRate, kMaxRate);
@@ -137,28 +137,28 @@ void read_command(const Json& from, Command one, std::vector<Command>& out) {
             break;
         case CommandKind::part:
             if (!from.contains("wire")) throw Refused("wire is missing");
-            read_place(from, false, true, one);
+            read_target(from, false, true, one);
             break;
         case CommandKind::pick:
-            read_place(from, true, false, one);
+            read_target(from, true, false, one);
             break;
         case CommandKind::save:
         case CommandKind::restore:
             if (!from.contains("name")) throw Refused("name is missing");
-            take_name(from["name"], "name", kMostName, one);
+            read_name(from["name"], "name", kMostName, one);
             break;
         case CommandKind::fault:
             if (!from.contains("name")) throw Refused("name is missing");
-            take_name(from["name"], "name", one.name.kMaximum, one);
-            one.value = switched(from, "active") ? 1.0 : 0.0;
+            read_name(from["name"], "name", one.name.kMaximum, one);
+            one.value = read_switch(from, "active") ? 1.0 : 0.0;
             break;
         case CommandKind::note:
             if (!from.contains("text")) throw Refused("text is missing");
-            take_name(from["text"], "text", one.name.kMaximum, one);
+            read_name(from["text"], "text", one.name.kMaximum, one);
             break;
         case CommandKind::report:
             if (from.contains("people"))
-                take_name(from["people"], "people", one.name.kMaximum, one);
+                read_name(from["people"], "people", one.name.kMaximum, one);
             break;
         case CommandKind::seek:
             one.value = number(from, "time", 0.0, kMaxTime);
@@ -190,7 +190,7 @@ void read_hello(const Json& from, Request& out) {
     out.token = from["token"].get<std::string>();
 }
 
-const Word& word_of(const std::string& type) {
+const Word& find_command_word(const std::string& type) {
     const auto* const at = std::find_if(std::begin(kWords), std::end(kWords),
                                         [&](const Word& w) { return type == w.name; });
     if (at != std::end(kWords)) return *at;
@@ -202,7 +202,7 @@ const Word& word_of(const std::string& type) {
 
 void read_message(std::string_view text, Request& out) {
     if (text.size() > kMaxMessage) throw Refused("a message has at most 16 kB");
-    const Json from = parsed(text);
+    const Json from = parse_message(text);
     if (from.is_discarded()) throw Refused("this is not JSON");
     if (!from.is_object()) throw Refused("a message is a JSON object");
     if (from.contains("id")) {
@@ -213,12 +213,12 @@ void read_message(std::string_view text, Request& out) {
         // As a double, 2^53 + 1 would become 2^53.
         if (id.is_number_unsigned() && id.get<std::uint64_t>() > kMaxId)
             throw Refused("id is to be from 0 to 9007199254740992");
-        out.id = static_cast<std::int64_t>(whole(from, "id", 0.0, kMaxWhole));
+        out.id = static_cast<std::int64_t>(read_integer(from, "id", 0.0, kMaxWhole));
     }
     const auto type = from.find("type");
     if (type == from.end() || !type->is_string()) throw Refused("a message has a type");
     if (*type == "hello") return read_hello(from, out);
-    const Word& word = word_of(type->get_ref<const std::string&>());
+    const Word& word = find_command_word(type->get_ref<const std::string&>());
     out.kind = word.kind;
     check_keys(from, word);
     Command begun;

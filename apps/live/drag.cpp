@@ -62,7 +62,7 @@ void Drags::begin(World& world, std::uint32_t client, BodyId body, const Vec3& p
         drags_.push_back(drag);
 }
 
-void Drags::put_back(World& world, BodyId body) {
+void Drags::restore_force(World& world, BodyId body) {
     const auto base =
         std::find_if(bases_.begin(), bases_.end(), [&](const Base& b) { return b.body == body; });
     if (base == bases_.end()) return;
@@ -75,29 +75,29 @@ void Drags::end(World& world, std::uint32_t client) {
     if (mine == drags_.end()) return;
     const BodyId body = mine->body;
     drags_.erase(mine);
-    put_back(world, body);
+    restore_force(world, body);
     if (std::none_of(drags_.begin(), drags_.end(), [&](const Drag& d) { return d.body == body; }))
         std::erase_if(bases_, [&](const Base& b) { return b.body == body; });
 }
 
-void Drags::lift(World& world) {
-    for (const Base& base : bases_) put_back(world, base.body);
+void Drags::remove_forces(World& world) {
+    for (const Base& base : bases_) restore_force(world, base.body);
 }
 
 void Drags::end_all(World& world) {
-    lift(world);
+    remove_forces(world);
     drags_.clear();
     bases_.clear();
 }
 
-void Drags::drop_gone(const World& world) {
+void Drags::remove_gone_bodies(const World& world) {
     std::erase_if(drags_, [&](const Drag& d) { return !world.alive(d.body); });
     std::erase_if(bases_, [&](const Base& b) { return !world.alive(b.body); });
 }
 
 void Drags::before_step(World& world) {
     if (drags_.empty()) return;
-    drop_gone(world);
+    remove_gone_bodies(world);
     const double h = world.settings().step;
     for (const Base& base : bases_) {
         Vec3 force = base.force, torque = base.torque;

@@ -32,7 +32,7 @@ class Drags {
     /// Apply the forces for the next step.
     void before_step(World& world);
     /// Remove the forces until the next step, so that a saved state does not contain them.
-    void lift(World& world);
+    void remove_forces(World& world);
     [[nodiscard]] bool any() const noexcept { return !drags_.empty(); }
 
   private:
@@ -47,8 +47,8 @@ class Drags {
         BodyId body;
         Vec3 force, torque;
     };
-    void put_back(World& world, BodyId body);
-    void drop_gone(const World& world);
+    void restore_force(World& world, BodyId body);
+    void remove_gone_bodies(const World& world);
 
     std::vector<Drag> drags_;
     std::vector<Base> bases_;

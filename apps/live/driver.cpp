@@ -16,7 +16,7 @@ constexpr double kFarFromOrigin =
 constexpr int kLookAtOrigin = 300;  // steps
 
 /// Return a point near the moving bodies, rounded to few digits.
-Vec3 middle_of(const World& world, const FramePlan& plan) {
+Vec3 view_centre(const World& world, const FramePlan& plan) {
     Vec3 sum = Vec3::Zero();
     const std::vector<BodyId>& bodies = !plan.rigid.empty() ? plan.rigid : plan.lumps;
     for (const BodyId id : bodies) sum += world.pose(id).position;
@@ -37,7 +37,7 @@ Driver::Driver(Session& session, Hub& hub, const DriverOptions& options)
       plan_(FramePlan::of(session.scene())),
       playing_(options.paused) {
     if (options_.run != nullptr) lesson_.emplace(*options_.exercise, *options_.run);
-    origin_ = middle_of(session_.world(), plan_);
+    origin_ = view_centre(session_.world(), plan_);
     notes_.epoch = 1;
     save("start");
     send_scene();
@@ -81,7 +81,7 @@ void Driver::send_state() {
 void Driver::follow_pieces() {
     if (plan_.current(session_.world())) return;
     FramePlan next = FramePlan::of(session_.scene());
-    const bool same = next.same_scene(plan_);
+    const bool same = next.is_same_scene(plan_);
     plan_ = std::move(next);
     if (same) return;
     ++notes_.epoch;
@@ -90,7 +90,7 @@ void Driver::follow_pieces() {
 
 void Driver::follow_origin() {
     if (session_.world().step_count() % kLookAtOrigin != 0) return;
-    const Vec3 middle = middle_of(session_.world(), plan_);
+    const Vec3 middle = view_centre(session_.world(), plan_);
     if ((middle - origin_).norm() < kFarFromOrigin) return;
     origin_ = middle;
     ++notes_.epoch;
@@ -103,7 +103,7 @@ void Driver::publish() {
         static_cast<std::uint16_t>((playing_.paused() ? kPaused : 0) | (failure_ ? kFailed : 0) |
                                    (drags_.any() ? kDragged : 0));
     notes_.deadline_ms = 1e3 * world.settings().step / playing_.rate();
-    notes_.late_ms = 1e3 * playing_.late();
+    notes_.late_ms = 1e3 * playing_.delay();
     ++notes_.number;
     if (lesson_) notes_.shown = lesson_->frozen(world, plan_);
     // Clients cannot use frames without the scene.
@@ -115,7 +115,7 @@ void Driver::publish() {
     ++figures_.frames;
     hub_.frames.publish();
     hub_.wake();
-    playing_.showed();
+    playing_.note_shown();
     changed_ = false;
 }
 
@@ -161,7 +161,7 @@ void Driver::step() {
 /// Report an exercise's progress, if there is one, and pause at its end. Later steps have no score.
 void Driver::after_exercise_step() {
     if (!lesson_) return;
-    lesson_->tell(session_.world(), out_);
+    lesson_->report_news(session_.world(), out_);
     if (lesson_->ended() && !over_) {
         playing_.pause();
         send_state();
@@ -171,15 +171,15 @@ void Driver::after_exercise_step() {
 }
 
 void Driver::advance() {
-    take_commands();
+    perform_commands();
     const int clients = hub_.clients.load(std::memory_order_relaxed);
     if (clients != clients_) {
         clients_ = clients;
         send_state();
     }
-    if (playing_.runs()) {
+    if (playing_.is_running()) {
         step();
-        playing_.took(session_.world().settings().step);
+        playing_.record_step(session_.world().settings().step);
         publish();
         return;
     }
@@ -192,7 +192,7 @@ void Driver::run(const std::function<bool()>& stop) {
     while (!stop()) {
         advance();
         playing_.wait([this] {
-            take_commands();
+            perform_commands();
             return false;  // the next step shows the changes
         });
     }

@@ -71,7 +71,7 @@ class Driver {
         std::vector<std::byte> state;
     };
 
-    void take_commands();
+    void perform_commands();
     void perform(const Command& command);
     void set_input(const Command& command);
     void drag(const Command& command);
@@ -105,8 +105,8 @@ class Driver {
     Drags drags_;
     Playing playing_;
     std::vector<Point> points_;
-    double states_took_ = 0.0;  ///< Time of the last saving or restoring [s].
-    double states_free_ = 0.0;  ///< Time of clock_now() from which the next one is allowed [s].
+    double state_seconds_ = 0.0;  ///< Time of the last saving or restoring [s].
+    double states_free_ = 0.0;    ///< Time of clock_now() from which the next one is allowed [s].
     std::optional<Failure> failure_;
     bool reported_ = false, changed_ = true;
     bool over_ = false;  ///< True if the exercise had ended at the last check.

@@ -23,15 +23,15 @@ constexpr double kRestoresAllowed = 0.1;  // [s] time for it that is always allo
 
 }  // namespace
 
-void Driver::take_commands() {
+void Driver::perform_commands() {
     Command command;
     for (int n = 0; n < kMaxCommands && hub_.commands.pop(command); ++n) {
         try {
             perform(command);
         } catch (const DefError& refused) {
-            out_.refuse(command, refused.what());
+            out_.reject(command, refused.what());
         } catch (const exercise::Refused& refused) {
-            out_.refuse(command, refused.what());
+            out_.reject(command, refused.what());
         }
         follow_pieces();
     }
@@ -77,7 +77,7 @@ void Driver::perform(const Command& command) {
             restore(command);
             break;
         case CommandKind::pick:
-            out_.send(command.client, picked(session_.world(), plan_, command));
+            out_.send(command.client, picked_json(session_.world(), plan_, command));
             return;
         case CommandKind::fault:
             lesson().fault(command);
@@ -127,7 +127,7 @@ void Driver::drag(const Command& command) {
     if (!command.by_wire)
         return drags_.begin(world, command.client, body_of(world, command.target_id), point, target,
                             command.stiffness);
-    const WireSource& wire = wire_of(plan_, command);
+    const WireSource& wire = find_wire_source(plan_, command);
     if (!wire.wire.valid()) throw DefError("\"" + wire.name + "\" has no nodes to pull at");
     drags_.begin(world, command.client, node_near(world, wire.wire, command.value), Vec3::Zero(),
                  target, command.stiffness);
@@ -142,7 +142,7 @@ void Driver::note(const Command& command) {
 
 void Driver::part(const Command& command) {
     World& world = session_.world();
-    const WireSource wire = wire_of(plan_, command);
+    const WireSource wire = find_wire_source(plan_, command);
     if (wire.wire.valid())
         world.wires().part(wire.wire, command.value * world.wires().length(wire.wire));
     else if (!wire.pieces.empty() && !wire.pieces.front().joint)
@@ -160,19 +160,19 @@ void Driver::afford_states(const char* what) const {
     throw DefError(fmt::format(
         "{}: saving and restoring this scene takes {:.2g} s, and would stop the run; try again in "
         "{:.1f} s",
-        what, states_took_, wait + 0.05));
+        what, state_seconds_, wait + 0.05));
 }
 
 void Driver::count_states(double begun) {
-    states_took_ = clock_now() - begun;
+    state_seconds_ = clock_now() - begun;
     const double from = std::max(states_free_, begun - kRestoresAllowed / options_.states_fraction);
-    states_free_ = from + states_took_ / options_.states_fraction;
+    states_free_ = from + state_seconds_ / options_.states_fraction;
 }
 
 void Driver::save(const std::string& name) {
     afford_states("save");
     const double begun = clock_now();
-    drags_.lift(session_.world());
+    drags_.remove_forces(session_.world());
     const World& world = session_.world();
     Point point{name, world.time(), 0, world.state().structure(), world.state().save()};
     const auto same = std::find_if(points_.begin(), points_.end(),
@@ -202,7 +202,7 @@ void Driver::restore(const Command& command) {
     drags_.end_all(session_.world());
     session_.restore(at->made_of, at->state);
     if (lesson_) {
-        lesson_->back_to(at->mark);
+        lesson_->return_to_mark(at->mark);
         over_ = lesson_->ended();
     }
     failure_.reset();

@@ -111,7 +111,7 @@ void send_events(const World& world, std::span<const Event> events, Outbox& out)
         const std::string where = record::event_label(world, event);
         out.event(
             event.time, to_string(event.kind), where, event.value,
-            event_words(where, event.kind, event.value) + record::breaking_note(world, event));
+            event_words(where, event.kind, event.value) + record::describe_breaking(world, event));
     };
     for (const Event& event : events)
         if (!frequent(event.kind)) tell(event);
@@ -140,7 +140,7 @@ Failure failure_of(const World& world, Status status) {
         const Finding& worst = verdict.of(verdict.judge);
         if (worst.interaction.valid() || worst.body.valid())
             out.element = record::position_label(world, worst.interaction, worst.body);
-        out.reason = record::sentence(world, verdict.judge, worst, out.element);
+        out.reason = record::finding_sentence(world, verdict.judge, worst, out.element);
         out.remedy = record::remedy_for(world, verdict.judge);
     }
     return out;

@@ -22,27 +22,27 @@ std::vector<Id> copy(std::span<const Id> from) {
     return {from.begin(), from.end()};
 }
 
-HeldPoint held(const World& world, const InteractionDef& def, std::size_t k) {
+HeldPoint held_point(const World& world, const InteractionDef& def, std::size_t k) {
     const BodyKind kind = world.body_def(def.body[k]).kind;
     const bool turns = kind != BodyKind::lump && !def.point[k].isZero(0.0);
     return {def.body[k].index, turns, turns ? def.point[k] : Vec3::Zero()};
 }
 
-PieceSource piece(const World& world, InteractionId id) {
+PieceSource make_piece_source(const World& world, InteractionId id) {
     const InteractionDef& def = world.interaction_def(id);
     PieceSource out{.element = id};
     out.routed = kind_info(def.kind).is(kRouted);
-    for (std::size_t k = 0; k < 2; ++k) out.end[k] = held(world, def, k);
+    for (std::size_t k = 0; k < 2; ++k) out.end[k] = held_point(world, def, k);
     return out;
 }
 
-WireSource wire_of(const World& world, WireId id) {
+WireSource make_wire_source(const World& world, WireId id) {
     WireSource out{.kind = WireKind::wire, .wire = id, .name = world.wires().name(id)};
     const auto nodes = world.wires().nodes(id);
     const auto elements = world.wires().elements(id);
     for (std::size_t e = 0; e < elements.size(); ++e) {
         if (!world.alive(elements[e])) continue;
-        PieceSource one = piece(world, elements[e]);
+        PieceSource one = make_piece_source(world, elements[e]);
         one.backwards = e < nodes.size() && one.end[0].body != nodes[e].index &&
                         one.end[1].body == nodes[e].index;
         out.pieces.push_back(one);
@@ -57,8 +57,8 @@ WireSource links_of(const World& world, const scene::Cable& cable) {
         if (!world.alive(cable.stretch[j]) || !world.alive(cable.stretch[j + 1])) continue;
         PieceSource one{.element = cable.stretch[j + 1]};
         one.joint = true;
-        one.end[0] = held(world, world.interaction_def(cable.stretch[j]), 0);
-        one.end[1] = held(world, world.interaction_def(cable.stretch[j + 1]), 0);
+        one.end[0] = held_point(world, world.interaction_def(cable.stretch[j]), 0);
+        one.end[1] = held_point(world, world.interaction_def(cable.stretch[j + 1]), 0);
         out.pieces.push_back(one);
     }
     return out;
@@ -98,7 +98,7 @@ void add_bodies(const World& world, FramePlan& plan) {
 
 void add_wires(const scene::Scene& scene, FramePlan& plan) {
     const World& world = scene.world;
-    for (const WireId id : world.wires().ids()) plan.wires.push_back(wire_of(world, id));
+    for (const WireId id : world.wires().ids()) plan.wires.push_back(make_wire_source(world, id));
     std::vector<bool> in_cable(at(world.interaction_count()), false);
     for (const scene::Cable& cable : scene.cables) {
         if (!cable.links) continue;
@@ -114,7 +114,7 @@ void add_wires(const scene::Scene& scene, FramePlan& plan) {
                                   .wire = {},
                                   .name = record::interaction_label(world, id),
                                   .cable = -1,
-                                  .pieces = {piece(world, id)}});
+                                  .pieces = {make_piece_source(world, id)}});
         }
         if (kind.is(kForceOnSecond) && !in_cable[at(id.index)])
             plan.joints.push_back({id, {def.body[0].index, def.body[1].index}, def.point[1]});
@@ -230,7 +230,7 @@ bool FramePlan::current(const World& world) const {
            world.system_signals().size() == all_signals;
 }
 
-bool FramePlan::same_scene(const FramePlan& other) const {
+bool FramePlan::is_same_scene(const FramePlan& other) const {
     const auto same_joint = [](const JointSource& a, const JointSource& b) { return a.id == b.id; };
     // A line has one piece, which identifies it. The pieces of a wire may differ.
     const auto same_wire = [](const WireSource& a, const WireSource& b) {

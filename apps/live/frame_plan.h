@@ -86,7 +86,7 @@ struct FramePlan {
     /// True if the world has the same objects as at the creation of the plan.
     [[nodiscard]] bool current(const World& world) const;
     /// True if the scene is unchanged for clients: only nodes of wires may differ.
-    [[nodiscard]] bool same_scene(const FramePlan& other) const;
+    [[nodiscard]] bool is_same_scene(const FramePlan& other) const;
 };
 
 }  // namespace hawser::live

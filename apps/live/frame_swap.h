@@ -28,7 +28,7 @@ class FrameSwap {
     }
     /// Return the newest frame. It belongs to the reader until the next call. @return null if there
     /// is no new frame since the last call.
-    [[nodiscard]] const Bytes* take() noexcept {
+    [[nodiscard]] const Bytes* newest_frame() noexcept {
         if ((middle_.load(std::memory_order_relaxed) & kFresh) == 0) return nullptr;
         reading_ = middle_.exchange(reading_, std::memory_order_acq_rel) & kIndex;
         return &buffers_[reading_];

@@ -19,7 +19,7 @@ namespace {
 
 float single(double value) noexcept { return static_cast<float>(value); }
 
-Vec3 place(const StateView& state, const HeldPoint& held) {
+Vec3 world_position(const StateView& state, const HeldPoint& held) {
     const double* x = &state.positions[3 * at(held.body)];
     Vec3 out(x[0], x[1], x[2]);
     if (held.turns) {
@@ -29,12 +29,12 @@ Vec3 place(const StateView& state, const HeldPoint& held) {
     return out;
 }
 
-void put(std::vector<float>& to, const Vec3& v) {
+void append_floats(std::vector<float>& to, const Vec3& v) {
     for (int k = 0; k < 3; ++k) to.push_back(single(v[k]));
 }
 
-float* put_rigid(const StateView& state, const std::vector<BodyId>& bodies, const Vec3& origin,
-                 float* to) {
+float* append_poses(const StateView& state, const std::vector<BodyId>& bodies, const Vec3& origin,
+                    float* to) {
     for (const BodyId id : bodies) {
         const double* x = &state.positions[3 * at(id.index)];
         const double* q = &state.orientations[4 * at(id.index)];
@@ -44,8 +44,8 @@ float* put_rigid(const StateView& state, const std::vector<BodyId>& bodies, cons
     return to;
 }
 
-float* put_lumps(const StateView& state, const std::vector<BodyId>& bodies, const Vec3& origin,
-                 float* to) {
+float* append_nodes(const StateView& state, const std::vector<BodyId>& bodies, const Vec3& origin,
+                    float* to) {
     for (const BodyId id : bodies) {
         const double* x = &state.positions[3 * at(id.index)];
         for (int k = 0; k < 3; ++k) *to++ = single(x[k] - origin[k]);
@@ -54,13 +54,13 @@ float* put_lumps(const StateView& state, const std::vector<BodyId>& bodies, cons
 }
 
 template <class T>
-float* put_all(const std::vector<T>& from, float* to) {
+float* append_all(const std::vector<T>& from, float* to) {
     static_assert(sizeof(T) == sizeof(float));
     if (!from.empty()) std::memcpy(to, from.data(), from.size() * sizeof(T));
     return to + from.size();
 }
 
-float* put_joints(const World& world, const std::vector<JointSource>& joints, float* to) {
+float* append_joints(const World& world, const std::vector<JointSource>& joints, float* to) {
     for (const JointSource& joint : joints) {
         const auto force = world.force(joint.id);
         for (std::size_t k = 0; k < 3; ++k) *to++ = k < force.size() ? single(force[k]) : 0.0F;
@@ -68,7 +68,7 @@ float* put_joints(const World& world, const std::vector<JointSource>& joints, fl
     return to;
 }
 
-float* put_signals(const World& world, const FramePlan& plan, float* to) {
+float* append_signals(const World& world, const FramePlan& plan, float* to) {
     const auto outputs = world.outputs();
     for (const OutputId id : plan.outputs)
         *to++ = at(id.index) < outputs.size() ? single(outputs[at(id.index)])
@@ -89,9 +89,10 @@ void FrameWriter::add_wire(const World& world, const WireSource& wire, const Sta
     float pull_before = 0.0F;
     bool routed_before = false;
     for (const PieceSource& piece : wire.pieces) {
-        std::array<Vec3, 2> ends = piece.routed ? world.wires().ends(piece.element)
-                                                : std::array<Vec3, 2>{place(state, piece.end[0]),
-                                                                      place(state, piece.end[1])};
+        std::array<Vec3, 2> ends = piece.routed
+                                       ? world.wires().ends(piece.element)
+                                       : std::array<Vec3, 2>{world_position(state, piece.end[0]),
+                                                             world_position(state, piece.end[1])};
         if (piece.backwards) std::swap(ends[0], ends[1]);
         float pull = -1.0F;
         if (piece.joint)
@@ -99,14 +100,14 @@ void FrameWriter::add_wire(const World& world, const WireSource& wire, const Sta
         else if (world.intact(piece.element))
             pull = std::max(0.0F, single(-world.force(piece.element)[0]));
         if (points_.size() / 3 == before) {
-            put(points_, ends[0] - origin);
+            append_floats(points_, ends[0] - origin);
         } else if ((ends[0] - last).squaredNorm() > kTogether * kTogether) {
             // On a wheel the line continues; otherwise an element between was removed.
-            put(points_, ends[0] - origin);
+            append_floats(points_, ends[0] - origin);
             tensions_.push_back(routed_before && piece.routed ? std::max(pull, pull_before)
                                                               : -1.0F);
         }
-        put(points_, ends[1] - origin);
+        append_floats(points_, ends[1] - origin);
         tensions_.push_back(pull);
         last = ends[1];
         pull_before = pull;
@@ -132,8 +133,8 @@ void FrameWriter::add_contacts(const World& world, const Vec3& origin, FrameHead
             ++head.contacts_left;
             continue;
         }
-        put(forces_, contact.point - origin);
-        put(forces_, contact.force);
+        append_floats(forces_, contact.point - origin);
+        append_floats(forces_, contact.force);
     }
 }
 
@@ -198,16 +199,16 @@ void FrameWriter::write(const World& world, const FramePlan& plan, const Vec3& o
     out.resize(head.length);
     auto* to = reinterpret_cast<float*>(out.data() + kFrameHeader);
     const StateView state = world.state().arrays();
-    to = put_rigid(state, plan.rigid, origin, to);
-    to = put_lumps(state, plan.lumps, origin, to);
+    to = append_poses(state, plan.rigid, origin, to);
+    to = append_nodes(state, plan.lumps, origin, to);
     for (const BodyId id : plan.scalars) *to++ = single(state.positions[3 * at(id.index)]);
-    to = put_all(counts_, to);
-    to = put_all(points_, to);
-    to = put_all(tensions_, to);
-    to = put_all(forces_, to);
-    to = put_joints(world, plan.joints, to);
+    to = append_all(counts_, to);
+    to = append_all(points_, to);
+    to = append_all(tensions_, to);
+    to = append_all(forces_, to);
+    to = append_joints(world, plan.joints, to);
     float* const outputs = to;
-    to = put_signals(world, plan, to);
+    to = append_signals(world, plan, to);
     for (const ShownOutput& shown : notes.shown) outputs[shown.output] = single(shown.value);
     add_stats(world, notes, to, head);
     head.clock = clock_now();

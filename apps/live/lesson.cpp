@@ -21,7 +21,7 @@ bool of_faults(exercise::EntryKind kind) {
     return kind == exercise::EntryKind::fault || kind == exercise::EntryKind::fault_end;
 }
 
-std::string words_of(const exercise::Entry& entry) {
+std::string entry_text(const exercise::Entry& entry) {
     using exercise::EntryKind;
     const std::string& what = entry.text.empty() ? entry.name : entry.text;
     switch (entry.kind) {
@@ -107,7 +107,7 @@ void Lesson::end(const Command& command) {
     run_.end(fmt::format("ended by the {}", command.role.view()), false);
 }
 
-void Lesson::back_to(int mark) {
+void Lesson::return_to_mark(int mark) {
     run_.back_to(mark);
     // The last entry records the restored state. Clients receive it as a command instead.
     reported_ = run_.result().entries.size();
@@ -118,7 +118,7 @@ void Lesson::send_entries(Outbox& out) {
     for (; reported_ < entries.size(); ++reported_) {
         const exercise::Entry& entry = entries[reported_];
         out.event(entry.time, exercise::to_string(entry.kind), entry.name, entry.points,
-                  words_of(entry), of_faults(entry.kind));
+                  entry_text(entry), of_faults(entry.kind));
     }
 }
 
@@ -172,7 +172,7 @@ void Lesson::send_now(Outbox& out) {
     out.faults(faults());
 }
 
-void Lesson::tell(const World& world, Outbox& out) {
+void Lesson::report_news(const World& world, Outbox& out) {
     constexpr std::int64_t kEvery = 15;  // steps
     const std::int64_t step = world.step_count();
     const bool news = reported_ != run_.result().entries.size();

@@ -46,10 +46,10 @@ class Lesson {
     [[nodiscard]] bool ended() const noexcept { return run_.ended(); }
 
     [[nodiscard]] int mark() { return run_.mark(); }
-    void back_to(int mark);
+    void return_to_mark(int mark);
 
     /// Report news: entries at once; points, seconds and active items four times a second.
-    void tell(const World& world, Outbox& out);
+    void report_news(const World& world, Outbox& out);
     /// Report everything, after commands.
     void send_now(Outbox& out);
     /// Return the outputs whose frame values are those of frozen displays.

@@ -45,13 +45,13 @@ double number_or(const Json& from, const char* key, double least, double most, d
     return from.contains(key) ? number(from, key, least, most) : otherwise;
 }
 
-double whole(const Json& from, const char* key, double least, double most) {
+double read_integer(const Json& from, const char* key, double least, double most) {
     const double value = number(from, key, least, most);
     if (value != std::floor(value)) throw Refused(std::string(key) + " is to be a whole number");
     return value;
 }
 
-bool switched(const Json& from, const char* key) {
+bool read_switch(const Json& from, const char* key) {
     const auto at = from.find(key);
     if (at == from.end()) throw Refused(std::string(key) + " is missing");
     if (!at->is_boolean()) throw Refused(std::string(key) + " is to be true or false");
@@ -73,7 +73,7 @@ std::array<double, 3> vector(const Json& from, const char* key) {
     return out;
 }
 
-Json parsed(std::string_view text) {
+Json parse_message(std::string_view text) {
     std::vector<std::set<std::string>> open;  // keys of the enclosing objects
     std::string twice;
     Json out = Json::parse(

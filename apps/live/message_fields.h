@@ -34,13 +34,13 @@ inline constexpr double kMaxWhole = 9007199254740992.0;
 [[nodiscard]] double number(const Json& from, const char* key, double least, double most);
 [[nodiscard]] double number_or(const Json& from, const char* key, double least, double most,
                                double otherwise);
-[[nodiscard]] double whole(const Json& from, const char* key, double least, double most);
-[[nodiscard]] bool switched(const Json& from, const char* key);
+[[nodiscard]] double read_integer(const Json& from, const char* key, double least, double most);
+[[nodiscard]] bool read_switch(const Json& from, const char* key);
 /// Read the coordinates of a point [m], each within 10,000 km.
 [[nodiscard]] std::array<double, 3> vector(const Json& from, const char* key);
 
 /// Parse a message as JSON. Return a discarded value if it is invalid. @throws Refused for
 /// duplicate keys, of which the JSON reader would silently use the last.
-[[nodiscard]] Json parsed(std::string_view text);
+[[nodiscard]] Json parse_message(std::string_view text);
 
 }  // namespace hawser::live

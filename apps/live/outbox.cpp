@@ -43,7 +43,7 @@ void Outbox::answer(const Command& to) {
     send(to.client, {{"type", "ok"}, {"id", to.id}});
 }
 
-void Outbox::refuse(const Command& to, const std::string& reason) {
+void Outbox::reject(const Command& to, const std::string& reason) {
     Json out{{"type", "error"}, {"of", to_string(to.kind)}, {"reason", reason}};
     if (to.id != kNoId) out["id"] = to.id;
     send(to.client, out);
@@ -52,7 +52,7 @@ void Outbox::refuse(const Command& to, const std::string& reason) {
 void Outbox::report(const Command& to, std::string html) {
     constexpr std::size_t kMost = 900 * 1024;  // of 1 MB that may wait for a client
     if (html.size() > kMost)
-        return refuse(to, "the report is larger than 900 kB: use `hawser exercise --report`");
+        return reject(to, "the report is larger than 900 kB: use `hawser exercise --report`");
     Json out{{"type", "report"}, {"html", std::move(html)}};
     if (to.id != kNoId) out["id"] = to.id;
     send(to.client, out);
@@ -71,7 +71,7 @@ void Outbox::faults(const Json& message) {
 bool Outbox::flush() {
     const auto try_one = [this](std::optional<std::string>& waiting, MessageKind kind) {
         if (!waiting) return;
-        if (hub_.messages.room() == 0) return;
+        if (hub_.messages.free_slots() == 0) return;
         (void)post(kind, 0, std::move(*waiting), kind == MessageKind::faults);
         waiting.reset();
     };

@@ -27,7 +27,7 @@ class Outbox {
     /// Send a client's command to all clients.
     void command(double time, const Command& of, const std::string& words, bool control = false);
     void answer(const Command& to);  ///< Send `ok` if the message had an id.
-    void refuse(const Command& to, const std::string& reason);
+    void reject(const Command& to, const std::string& reason);
     void send(std::uint32_t client, const Json& message);
     /// Send a report (HTML), or refuse one that exceeds the queue of a client.
     void report(const Command& to, std::string html);

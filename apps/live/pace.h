@@ -14,20 +14,20 @@ class Pace {
     void begin() noexcept { due_ = Clock::now(); }
     /// Record a step of this length [s]. If it is late by more than a quarter of a second, restart
     /// the clock. Steps therefore never follow each other at full speed to catch up.
-    void took(double step, double rate) noexcept {
+    void record_step(double step, double rate) noexcept {
         due_ +=
             std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(step / rate));
         const auto now = Clock::now();
-        late_ = std::chrono::duration<double>(now - due_).count();
-        if (late_ > 0.25) due_ = now;
+        delay_ = std::chrono::duration<double>(now - due_).count();
+        if (delay_ > 0.25) due_ = now;
     }
     [[nodiscard]] Clock::time_point due() const noexcept { return due_; }
     /// Return the delay of the last step's end; negative: early [s].
-    [[nodiscard]] double late() const noexcept { return late_; }
+    [[nodiscard]] double delay() const noexcept { return delay_; }
 
   private:
     Clock::time_point due_ = Clock::now();
-    double late_ = 0.0;
+    double delay_ = 0.0;
 };
 
 }  // namespace hawser::live

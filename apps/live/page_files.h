@@ -20,4 +20,11 @@ struct PageFile {
 
 [[nodiscard]] std::span<const PageFile> page_files();
 
+/// True if the program contains the page, not only the note of fallback/page_files.cpp.
+[[nodiscard]] inline bool has_page() {
+    for (const PageFile& file : page_files())
+        if (file.path == "/view.js") return true;
+    return false;
+}
+
 }  // namespace hawser::live

@@ -99,7 +99,7 @@ BodyId body_of(const World& world, std::int32_t number) {
     return *at;
 }
 
-const WireSource& wire_of(const FramePlan& plan, const Command& command) {
+const WireSource& find_wire_source(const FramePlan& plan, const Command& command) {
     if (!command.by_name) {
         const auto number = static_cast<std::size_t>(command.target_id);
         if (command.target_id < 0 || number >= plan.wires.size())
@@ -115,10 +115,10 @@ const WireSource& wire_of(const FramePlan& plan, const Command& command) {
                    record::nearest_name(command.name.view(), names) + "\"");
 }
 
-nlohmann::json picked(const World& world, const FramePlan& plan, const Command& command) {
+nlohmann::json picked_json(const World& world, const FramePlan& plan, const Command& command) {
     Json out;
     if (command.by_wire) {
-        const WireSource& wire = wire_of(plan, command);
+        const WireSource& wire = find_wire_source(plan, command);
         out = of_wire(world, wire, command.value, static_cast<int>(&wire - plan.wires.data()));
     } else if (command.by_joint) {
         const auto at =

@@ -14,10 +14,10 @@ namespace hawser::live {
 [[nodiscard]] BodyId body_of(const World& world, std::int32_t number);
 /// Return the wire of a plan that a command names, by number or name. @throws DefError with the
 /// nearest name.
-[[nodiscard]] const WireSource& wire_of(const FramePlan& plan, const Command& command);
+[[nodiscard]] const WireSource& find_wire_source(const FramePlan& plan, const Command& command);
 
 /// Return the message `picked` (docs/live.md). @throws DefError if the object does not exist.
-[[nodiscard]] nlohmann::json picked(const World& world, const FramePlan& plan,
-                                    const Command& command);
+[[nodiscard]] nlohmann::json picked_json(const World& world, const FramePlan& plan,
+                                         const Command& command);
 
 }  // namespace hawser::live

@@ -109,7 +109,7 @@ void Player::publish() {
     scene_.write(frame_, flags, ++number_, hub_.frames.back());
     hub_.frames.publish();
     hub_.wake();
-    playing_.showed();
+    playing_.note_shown();
     changed_ = false;
 }
 
@@ -147,26 +147,26 @@ void Player::perform(const Command& command) {
     send_state();
 }
 
-void Player::take_commands() {
+void Player::perform_commands() {
     Command command;
     while (hub_.commands.pop(command)) {
         try {
             perform(command);
         } catch (const DefError& refused) {
-            out_.refuse(command, refused.what());
+            out_.reject(command, refused.what());
         }
     }
 }
 
 void Player::advance() {
-    take_commands();
+    perform_commands();
     const int clients = hub_.clients.load(std::memory_order_relaxed);
     if (clients != clients_) {
         clients_ = clients;
         send_state();
     }
-    if (playing_.runs() && !changed_) {
-        playing_.took(gap());
+    if (playing_.is_running() && !changed_) {
+        playing_.record_step(gap());
         if (frame_ + 1 < recording_.frame_count()) ++frame_;
         if (playing_.count_step()) send_state();
         if (frame_ + 1 == recording_.frame_count() && !playing_.paused()) {
@@ -183,7 +183,7 @@ void Player::run(const std::function<bool()>& stop) {
     while (!stop()) {
         advance();
         playing_.wait([this] {
-            take_commands();
+            perform_commands();
             return changed_;
         });
     }

@@ -33,7 +33,7 @@ class Player {
 
   private:
     void perform(const Command& command);
-    void take_commands();
+    void perform_commands();
     void publish();
     void send_state();
     void send_timeline();

@@ -19,21 +19,21 @@ class Playing {
 
     [[nodiscard]] bool paused() const noexcept { return paused_; }
     /// True if steps are due: not paused, or single steps were requested.
-    [[nodiscard]] bool runs() const noexcept { return !paused_ || to_go_ > 0; }
+    [[nodiscard]] bool is_running() const noexcept { return !paused_ || steps_left_ > 0; }
     [[nodiscard]] double rate() const noexcept {
         return rate_;
     }  ///< Return the rate of simulated over wall time.
     /// Return the delay of the last step's end; negative: early [s].
-    [[nodiscard]] double late() const noexcept { return pace_.late(); }
+    [[nodiscard]] double delay() const noexcept { return pace_.delay(); }
 
     void pause() noexcept {
         paused_ = true;
-        to_go_ = 0;
+        steps_left_ = 0;
     }
     /// Restart the clock: the next step is due at once.
     void begin_clock() noexcept { pace_.begin(); }
     /// Discard requested single steps.
-    void forget_steps() noexcept { to_go_ = 0; }
+    void forget_steps() noexcept { steps_left_ = 0; }
 
     /// Perform pause, resume, step and rate; ignore other commands.
     void perform(const Command& command) noexcept {
@@ -43,11 +43,11 @@ class Playing {
                 return;
             case CommandKind::resume:
                 paused_ = false;
-                to_go_ = 0;
+                steps_left_ = 0;
                 break;
             case CommandKind::step:
                 paused_ = true;
-                to_go_ = static_cast<int>(command.value);
+                steps_left_ = static_cast<int>(command.value);
                 break;
             case CommandKind::rate:
                 rate_ = command.value;
@@ -60,12 +60,12 @@ class Playing {
 
     /// Record that a step was taken, also a failed one. The next step is due after it. @param step
     /// Its length [s].
-    void took(double step) noexcept { pace_.took(step, rate_); }
+    void record_step(double step) noexcept { pace_.record_step(step, rate_); }
     /// Count a requested single step. @return true if it was the last one.
     bool count_step() noexcept {
-        if (to_go_ <= 0) return false;
-        --to_go_;
-        return to_go_ == 0;
+        if (steps_left_ <= 0) return false;
+        --steps_left_;
+        return steps_left_ == 0;
     }
 
     /// Wait until the next step is due. The wait has slices, so that commands are performed at once
@@ -73,12 +73,13 @@ class Playing {
     /// returns true to end the wait.
     template <class Take>
     void wait(Take&& take) {
-        if (!runs()) {
+        if (!is_running()) {
             std::this_thread::sleep_for(kSlice);
             pace_.begin();
             return;
         }
-        for (auto now = Pace::Clock::now(); runs() && now < pace_.due(); now = Pace::Clock::now()) {
+        for (auto now = Pace::Clock::now(); is_running() && now < pace_.due();
+             now = Pace::Clock::now()) {
             const auto until = std::min(pace_.due(), now + kSlice);
             std::this_thread::sleep_until(until);
             if (until != pace_.due() && take()) return;
@@ -86,7 +87,7 @@ class Playing {
     }
 
     /// Note that a frame has just been shown.
-    void showed() noexcept { shown_ = Pace::Clock::now(); }
+    void note_shown() noexcept { shown_ = Pace::Clock::now(); }
     /// True if 100 ms have passed since the last frame. A paused scene is sent ten times a second,
     /// so that new clients receive it.
     [[nodiscard]] bool due_to_show() const noexcept {
@@ -98,7 +99,7 @@ class Playing {
 
     Pace pace_;
     bool paused_;
-    int to_go_ = 0;  ///< Number of remaining single steps.
+    int steps_left_ = 0;  ///< Number of remaining single steps.
     double rate_ = 1.0;
     Pace::Clock::time_point shown_{};
 };

@@ -15,7 +15,7 @@ namespace {
 constexpr double kTogether = 1e-3;  // [m] ends closer than this coincide
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
-void put_point(std::vector<float>& to, const Vec3& v) {
+void append_point(std::vector<float>& to, const Vec3& v) {
     for (int k = 0; k < 3; ++k) to.push_back(static_cast<float>(v[k]));
 }
 
@@ -42,13 +42,13 @@ bool RecordedScene::add_recorded(const record::Frame& frame, std::string_view na
             const float pull = pulls[recorded.first_piece + p];
             const Vec3 begin = end(0);
             if (p == 0) {
-                put_point(points, begin);
+                append_point(points, begin);
             } else if ((begin - last).squaredNorm() > kTogether * kTogether) {
-                put_point(points, begin);  // it lies on a wheel between them
+                append_point(points, begin);  // it lies on a wheel between them
                 tensions.push_back(std::max(pull, tensions.back()));
             }
             last = end(1);
-            put_point(points, last);
+            append_point(points, last);
             tensions.push_back(pull);
         }
         return true;
@@ -71,9 +71,9 @@ void RecordedScene::add_wire(const record::Frame& frame, std::size_t wire,
         for (std::size_t k = 0; k < n; ++k) {
             const Pose& pose = frame.poses[at(cable.nodes[k])];
             const bool first = k == 0, last = k + 1 == n;
-            put_point(points,
-                      (first || last ? on_body(pose, cable.end[first ? 0 : 1]) : pose.position) -
-                          origin_);
+            append_point(points,
+                         (first || last ? on_body(pose, cable.end[first ? 0 : 1]) : pose.position) -
+                             origin_);
             const std::size_t e = std::min<std::size_t>(k, at(std::max(1, cable.elements)) - 1);
             if (!last) tensions.push_back(frame.tensions[at(cable.first_element) + e]);
         }
@@ -82,7 +82,7 @@ void RecordedScene::add_wire(const record::Frame& frame, std::size_t wire,
     // Ropes over sheaves and rods: straight between their points; tension is not recorded.
     for (const PieceSource& piece : source.pieces) {
         for (const HeldPoint& held : piece.end)
-            put_point(points, on_body(frame.poses[at(held.body)], held.point) - origin_);
+            append_point(points, on_body(frame.poses[at(held.body)], held.point) - origin_);
         tensions.push_back(kUnknown);
     }
 }

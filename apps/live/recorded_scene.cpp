@@ -84,7 +84,7 @@ void RecordedScene::build_world() {
 }
 
 void RecordedScene::build_from_list() {
-    own_list_ = true;
+    uses_recorded_list_ = true;
     scene::Scene fresh;
     scene_ = std::move(fresh);
     scene_.name = recording_.scene_name;
@@ -164,7 +164,7 @@ void RecordedScene::follow_inputs() {
 
 nlohmann::json RecordedScene::json() const {
     Json out = scene_json(scene_, plan_, {.epoch = 1, .origin = origin_, .recording = true});
-    if (own_list_) out["shapes"] = outlines_json(recording_);
+    if (uses_recorded_list_) out["shapes"] = outlines_json(recording_);
     for (std::size_t w = 0; w < sources_.size(); ++w) {
         if (sources_[w].cable < 0) continue;
         const record::RecordedCable& cable = recording_.cables[at(sources_[w].cable)];

@@ -58,7 +58,7 @@ class RecordedScene {
     const record::Recording& recording_;
     scene::Scene scene_;
     FramePlan plan_;
-    bool own_list_ = false;  ///< True if bodies and outlines are those of the recording.
+    bool uses_recorded_list_ = false;  ///< True if bodies and outlines are those of the recording.
     std::vector<Source> sources_;
     std::vector<std::int32_t> input_of_;  ///< Input of the plan for each input of the recording.
     Vec3 origin_{0.0, 0.0, 0.0};

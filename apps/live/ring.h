@@ -41,7 +41,7 @@ class Ring {
         return true;
     }
     /// Return a lower bound of the free slots. Called by the writer.
-    [[nodiscard]] std::size_t room() const noexcept {
+    [[nodiscard]] std::size_t free_slots() const noexcept {
         return slots_.size() -
                (tail_.load(std::memory_order_relaxed) - head_.load(std::memory_order_acquire));
     }

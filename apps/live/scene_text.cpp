@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <map>
+#include <numbers>
 
 namespace hawser::live {
 namespace {
@@ -228,6 +229,25 @@ const char* to_string(BodyKind kind) noexcept {
     return "";
 }
 
+/// Light of the pictures, from the key "plot" of the scene's document. Angles in rad.
+Json light_json(const scene::Scene& scene) {
+    constexpr double kDegree = std::numbers::pi / 180.0;
+    Json out{{"light", "day"},
+             {"visibility", nullptr},
+             {"sun_azimuth", nullptr},
+             {"sun_elevation", nullptr}};
+    const Json document = Json::parse(scene.text, nullptr, false);
+    if (!document.is_object() || !document.contains("plot")) return out;
+    const Json& plot = document["plot"];
+    out["light"] = plot.value("light", "day");
+    if (plot.contains("visibility")) out["visibility"] = plot["visibility"];
+    if (plot.contains("sun_azimuth_deg"))
+        out["sun_azimuth"] = kDegree * plot["sun_azimuth_deg"].get<double>();
+    if (plot.contains("sun_elevation_deg"))
+        out["sun_elevation"] = kDegree * plot["sun_elevation_deg"].get<double>();
+    return out;
+}
+
 Json scene_json(const scene::Scene& scene, const FramePlan& plan, const SceneNotes& notes) {
     const World& world = scene.world;
     Json out{{"type", "scene"},
@@ -244,6 +264,7 @@ Json scene_json(const scene::Scene& scene, const FramePlan& plan, const SceneNot
              {"view_box", Json::array()},
              {"stats", kStatNames}};
     for (const Vec3& corner : scene.plot_view_box) out["view_box"].push_back(lengths(corner));
+    out["light"] = light_json(scene);
     Json stages = Json::array();
     for (int s = 0; s < kStageCount; ++s) stages.push_back(to_string(static_cast<Stage>(s)));
     out["stages"] = std::move(stages);

@@ -63,7 +63,7 @@ struct Server::Impl final : Floor {
         });
     }
     ~Impl() override {
-        asio::post(context, [this] { goodbye(); });
+        asio::post(context, [this] { send_goodbye(); });
         thread.join();
         // Clients that are still connected use timers of the context, which is destroyed before the
         // base class.
@@ -122,13 +122,13 @@ struct Server::Impl final : Floor {
         woken.async_wait(asio::posix::stream_descriptor::wait_read, [this](Error error) {
             if (error) return;
             hub_.clear();
-            take_messages();
-            take_frame();
+            receive_messages();
+            receive_frame();
             await_hub();
         });
     }
 
-    void take_messages() {
+    void receive_messages() {
         Message message;
         while (hub_.messages.pop(message)) {
             auto text = std::make_shared<const std::string>(std::move(message.text));
@@ -138,7 +138,7 @@ struct Server::Impl final : Floor {
                 case MessageKind::scene:
                     scene_ = text;
                     for (const auto& [number, client] : all)
-                        if (client->known()) client->send_scene(*text);
+                        if (client->has_role()) client->send_scene(*text);
                     continue;
                 case MessageKind::state:
                     state_ = text;
@@ -157,13 +157,13 @@ struct Server::Impl final : Floor {
             }
             for (const auto& [number, client] : all)
                 if ((message.to == 0 || message.to == number) &&
-                    (!message.control || (client->known() && client->role()->control)))
+                    (!message.control || (client->has_role() && client->role()->control)))
                     client->send(text);
         }
     }
 
-    void take_frame() {
-        const Bytes* frame = hub_.frames.take();
+    void receive_frame() {
+        const Bytes* frame = hub_.frames.newest_frame();
         if (!frame) return;
         if (clients_.empty()) {
             newest_.reset();
@@ -185,10 +185,10 @@ struct Server::Impl final : Floor {
         });
     }
 
-    void left(std::uint32_t number) override {
+    void client_left(std::uint32_t number) override {
         const auto at = clients_.find(number);
         if (at == clients_.end()) return;
-        if (at->second->known()) {
+        if (at->second->has_role()) {
             hub_.clients.fetch_sub(1, std::memory_order_relaxed);
             Command gone;
             gone.kind = CommandKind::left;
@@ -200,7 +200,7 @@ struct Server::Impl final : Floor {
     }
     std::uint32_t next_number() override { return ++last_number; }
 
-    void goodbye() {
+    void send_goodbye() {
         Error ignored;
         (void)acceptor.close(ignored);
         const auto bye =
@@ -239,8 +239,8 @@ std::string Server::address_of(const Role& role) const {
 
 ServerFigures Server::figures() const noexcept {
     return {.frames_sent = impl_->sent_.load(),
-            .frames_left_out = impl_->left_out_.load(),
-            .refused = impl_->refused_.load(),
+            .frames_left_out = impl_->frames_skipped_.load(),
+            .refused = impl_->rejected_.load(),
             .dropped = impl_->dropped_.load()};
 }
 

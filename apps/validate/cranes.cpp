@@ -65,7 +65,7 @@ struct Quay {
 
 /// Return the length of the line of knuckle_crane() from its geometry: from the drum over the
 /// knuckle's sheave, along the jib, and two falls. The hook hangs one sheave diameter lower [m].
-double line_of(const KnuckleCraneDef& d) {
+double line_length(const KnuckleCraneDef& d) {
     const double r = d.hoist.sheave_radius, x = d.boom.length - d.hoist.drum.x();
     const double z = d.hoist.drum.z(), first = std::sqrt(x * x + z * z - r * r);
     const double comes = std::asin(r / std::hypot(x, z)) - std::atan2(z, x);
@@ -90,7 +90,7 @@ void report_falls(Report& report) {
     Quay soft(knuckle_crane, kMass, std::function<void(KnuckleCraneDef&)>(rigid));
     const KnuckleCraneDef d = knuckle_crane({});
     soft.run(20.0);
-    const double k = 4.0 * d.hoist.EA / line_of(d);
+    const double k = 4.0 * d.hoist.EA / line_length(d);
     const double hang = soft.mean(20.0, [&] { return soft.w.system_signal("crane.hang"); });
     report.compare("knuckle boom: stretch of two falls under 20 t [m]", {kMass * kGravity / k},
                    {hang - d.hook.hang}, 0.01, "W L/(n^2 EA); mean of 20 s: the load swings");
@@ -173,7 +173,7 @@ void report_lattice(Report& report) {
 }
 
 /// Read the control file of a scene: values by time.
-std::multimap<double, std::pair<std::string, double>> control_of(const std::string& file) {
+std::multimap<double, std::pair<std::string, double>> read_control_values(const std::string& file) {
     std::ifstream in(file);
     std::multimap<double, std::pair<std::string, double>> out;
     std::vector<std::string> names;
@@ -193,12 +193,12 @@ std::multimap<double, std::pair<std::string, double>> control_of(const std::stri
 }
 
 /// Move a load from deck to deck. @return the distance of the load from its target at the end [m].
-double set_down(double mass, double& alarm) {
+double move_load_to_deck(double mass, double& alarm) {
     scene::Scene s =
         open_scene("crane_knuckle", kCraneStep, {"bodies.load.mass=" + std::to_string(mass)});
     std::filesystem::path file(s.path);
     file.replace_extension(".control.csv");
-    const auto control = control_of(file.string());
+    const auto control = read_control_values(file.string());
     if (control.empty()) throw std::runtime_error("there is no " + file.string());
     auto next = control.begin();
     for (long i = 0; i < std::lround(s.duration / kCraneStep); ++i) {
@@ -217,8 +217,8 @@ void case_cranes(Report& report) {
     report_cylinders(report);
     report_lattice(report);
     double light = 0.0, heavy = 0.0;
-    const double off = set_down(20e3, light);
-    (void)set_down(25e3, heavy);
+    const double off = move_load_to_deck(20e3, light);
+    (void)move_load_to_deck(25e3, heavy);
     report.compare("crane_knuckle: load from its target at the end [m]", {0.0}, {off}, 0.2,
                    "set down and let go", 1.0);
     report.compare("crane_knuckle: highest alarm with 20 t and with 25 t", {0.0, 2.0},

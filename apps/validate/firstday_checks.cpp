@@ -49,7 +49,7 @@ int warnings(const std::vector<std::string>& set, FindingKind kind) {
     scene::Options options;
     options.set = set;
     const scene::Scene scene = scene::load_text(kGood, "warned", options);
-    const auto found = report::start::check_start(record::info_of(scene), scene.world);
+    const auto found = report::start::check_start(record::make_scene_info(scene), scene.world);
     return static_cast<int>(std::count_if(found.list.begin(), found.list.end(), [&](const auto& f) {
         return f.kind == kind && !f.error;
     }));

@@ -101,7 +101,7 @@ double mean_drift(double period, double amplitude, double a33, double b33) {
 }
 
 /// Return the drag of a current on a box of 20 x 10 x 8 m at a draught, over ½ρ C_dA u².
-Vec3 drag_share(double draught, double mass, double design, double step, const Vec3& flow) {
+Vec3 current_drag(double draught, double mass, double design, double step, const Vec3& flow) {
     World w(WorldDef{.step = step, .gravity = Vec3(0, 0, -kGravity)});
     const bool held = mass <= 0.0;
     const BodyId body =
@@ -161,14 +161,14 @@ void case_first_drag(Report& report) {
     for (const double step : kSteps60) {
         const std::string at = fmt::format(", step 1/{:.0f}", 1.0 / step);
         for (const double draught : {1.5, 3.0, 4.5}) {
-            const Vec3 x = drag_share(draught, 0.0, 3.0, step, {1.5, 0, 0});
-            const Vec3 y = drag_share(draught, 0.0, 3.0, step, {0, -1.5, 0});
+            const Vec3 x = current_drag(draught, 0.0, 3.0, step, {1.5, 0, 0});
+            const Vec3 y = current_drag(draught, 0.0, 3.0, step, {0, -1.5, 0});
             report.compare(
                 fmt::format("C_dA along x and y at {:.1f} of 3 m design draught{}", draught, at),
                 {40.0 * draught / 3.0, -80.0 * draught / 3.0}, {x.x(), y.y()}, 1e-9, "rounding");
         }
         const double mass = kRho * 20.0 * 10.0 * 3.2;
-        const Vec3 x = drag_share(3.2, mass, 0.0, step, {1.0, 0, 0});
+        const Vec3 x = current_drag(3.2, mass, 0.0, step, {1.0, 0, 0});
         report.compare("C_dA of a box that floats, design draught by its mass" + at, {40.0},
                        {x.x()}, 1e-9, "rounding");
     }

@@ -19,7 +19,7 @@ std::string at_step(double step) { return fmt::format(", step 1/{:.0f}", 1.0 / s
 
 void run_for(World& w, double seconds) { advance(w, std::lround(seconds / w.settings().step)); }
 
-double events_of(const World& w, EventKind kind) {
+double event_count(const World& w, EventKind kind) {
     return static_cast<double>(w.events().extremes(kind).count);
 }
 
@@ -102,13 +102,13 @@ void report_drum(Report& report, double step) {
         }
     };
     drive(20.0, -1.0);
-    const double stops = events_of(w, EventKind::hauled_in);
+    const double stops = event_count(w, EventKind::hauled_in);
     const auto left = static_cast<double>(w.wires().elements(wire).size());
     drive(12.0, 1.0);
     drive(40.0, 0.0);
     report.compare(
         "bare drum hauled to its stop and out: events hauled_in, elements left" + at_step(step),
-        {1.0, 1.0, 1.0}, {stops, left, events_of(w, EventKind::hauled_in)}, 0.0, "counts");
+        {1.0, 1.0, 1.0}, {stops, left, event_count(w, EventKind::hauled_in)}, 0.0, "counts");
     const double length = 4.0 * kElement + kRadius * w.pose(drum).position.x();
     const double last = w.interaction_def(w.wires().elements(wire).back()).get("length");
     report.compare("torque of its motor at rest [N m]" + at_step(step),

@@ -12,7 +12,7 @@ namespace {
 double speed(const World& world, const char* name) {
     return world.velocity(body(world, name)).linear.norm();
 }
-double spin(const World& world, const char* name) {
+double spin_rate(const World& world, const char* name) {
     return world.velocity(body(world, name)).angular.x();
 }
 double force(const World& world, const char* name) {
@@ -20,7 +20,7 @@ double force(const World& world, const char* name) {
 }
 
 /// Return the largest distance of a body from its present position, over a time.
-double drift(World& world, const char* name, double time) {
+double largest_drift(World& world, const char* name, double time) {
     const Vec3 from = world.pose(body(world, name)).position;
     double most = 0.0;
     const long steps = steps_to(world, world.time() + time);
@@ -50,20 +50,20 @@ void case_joint_friction(Report& report) {
     report.compare("block at 2 m/s against 300 N on 100 kg [m/s]", {2.0 - 3.0 * t0},
                    {speed(w, "stops")}, 1e-9, "relative; v - F t/m");
     report.compare("wheel at 10 rad/s against 12 N m on 3 kg m2 [rad/s]", {10.0 - 4.0 * t0},
-                   {spin(w, "coasts")}, 1e-9, "relative; w - T t/I");
+                   {spin_rate(w, "coasts")}, 1e-9, "relative; w - T t/I");
     report.compare("wheel of 20 kg in a bearing, 0.02 m of its force [rad/s]",
-                   {10.0 - 0.02 * 20.0 * kGravity / 3.0 * t0}, {spin(w, "bearing")}, 1e-9,
+                   {10.0 - 0.02 * 20.0 * kGravity / 3.0 * t0}, {spin_rate(w, "bearing")}, 1e-9,
                    "relative; w - mu r m g t/I");
     // Both stop, at 2/3 s and 2.5 s, and stay at rest.
     advance(w, steps_to(w, 3.0));
     report.compare("speed of the block and of the wheel after they stopped", {0.0, 0.0},
-                   {speed(w, "stops"), spin(w, "coasts")}, 1e-12, "absolute: dry friction holds",
-                   1.0);
+                   {speed(w, "stops"), spin_rate(w, "coasts")}, 1e-12,
+                   "absolute: dry friction holds", 1.0);
     report.compare("way of the block until it stopped [m]", {2.0 / 3.0},
                    {w.pose(body(w, "stops")).position.x()}, 1e-6,
                    "relative; v0^2 m/(2 F), which is a whole number of steps");
     report.compare("drift of a block held by friction 0.42 on a slope of 0.4, 10 s [m]", {0.0},
-                   {drift(w, "held", 10.0)}, 1e-9, "absolute: friction is a spring", 1.0);
+                   {largest_drift(w, "held", 10.0)}, 1e-9, "absolute: friction is a spring", 1.0);
 }
 
 void case_bollard(Report& report) {
@@ -72,8 +72,9 @@ void case_bollard(Report& report) {
     scene::Scene s = open_scene("joint_friction", 1.0 / 240.0, {"settings.on_diverged=warn"});
     World& w = s.world;
     advance(w, steps_to(w, 3.0));  // the lines ring
-    report.compare("drift of weights 100 : 250, 5 s [m]", {0.0}, {drift(w, "grips_heavy", 5.0)},
-                   1e-6, "absolute: below exp(mu pi) = 2.566; what is left of the ringing", 1.0);
+    report.compare("drift of weights 100 : 250, 5 s [m]", {0.0},
+                   {largest_drift(w, "grips_heavy", 5.0)}, 1e-6,
+                   "absolute: below exp(mu pi) = 2.566; what is left of the ringing", 1.0);
     scene::Scene again = open_scene("joint_friction", 1.0 / 240.0);
     World& runs = again.world;
     advance(runs, steps_to(runs, 1.0));
@@ -126,15 +127,16 @@ void case_motor_limits(Report& report) {
     const double t = middle(w);
     report.compare("block of 100 kg pushed by 150 N [m/s]", {1.5 * t}, {speed(w, "starts")}, 1e-9,
                    "relative; F t/m");
-    report.compare("wheel of 3 kg m2 turned by 6 N m [rad/s]", {2.0 * t}, {spin(w, "spins")}, 1e-9,
-                   "relative; T t/I");
+    report.compare("wheel of 3 kg m2 turned by 6 N m [rad/s]", {2.0 * t}, {spin_rate(w, "spins")},
+                   1e-9, "relative; T t/I");
     const double sinks = kGravity * std::sin(0.5) - 4.0;
     report.compare("block let down by 400 N on a slope of 0.5 rad [m/s]", {sinks * t},
                    {speed(w, "sinks")}, 1e-9, "relative; (g sin a - F/m) t");
     report.compare("its force [N]", {-400.0}, {force(w, "sinks_slide_motor")}, 1e-12, "relative");
     advance(w, steps_to(w, 5.0));
     report.compare("speeds reached [m/s, rad/s]", {2.0, 8.0},
-                   {speed(w, "starts"), spin(w, "spins")}, 1e-9, "relative: what was asked for");
+                   {speed(w, "starts"), spin_rate(w, "spins")}, 1e-9,
+                   "relative: what was asked for");
     report.compare("way of a block held by 480 N, 5 s [m]", {0.0},
                    {(w.pose(body(w, "stays")).position - from).norm()}, 1e-6,
                    "absolute: a motor is a speed of 0 with a compliance of 1e-12 m/s/N", 1.0);

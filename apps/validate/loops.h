@@ -104,7 +104,7 @@ inline World compliant_four_bar(double step, const JointLaw& law) {
         const Vec3 along = last[i] - first[i];
         BodyDef bar =
             solid_box(0.5 * (first[i] + last[i]), mass[i], {0.5 * along.norm(), 0.1, 0.05});
-        bar.orientation = Quat::FromTwoVectors(Vec3::UnitX(), along);
+        bar.orientation = turn_between(Vec3::UnitX(), along.normalized());
         bar.angular_velocity = rate[i] * normal;
         bar.velocity = speed[i] + bar.angular_velocity.cross(0.5 * along);
         link[i + 1] = w.add_body(bar);

@@ -46,7 +46,7 @@ Result four_bar(double step) {
 }
 
 /// Return the angles of the test set at 0.03 s: β, Θ, γ, Φ, δ, Ω, ε [rad].
-std::vector<double> squeezer(double step) {
+std::vector<double> run_squeezer(double step) {
     scene::Scene s = open_scene("andrews_squeezer", step);
     // Absolute angles of the seven bodies at the start.
     constexpr double kStart[7] = {-0.06171389001427645, -0.06171389001427645, 0.4552798191630704,
@@ -103,7 +103,7 @@ void case_andrews(Report& report) {
     report.converge(targets,
                     [](double step) {
                         Result result;
-                        for (const double angle : squeezer(step)) result.push_back({angle});
+                        for (const double angle : run_squeezer(step)) result.push_back({angle});
                         return result;
                     },
                     {{2e-6, 1e-6, 5e-7, 2.5e-7}, 3});

@@ -29,7 +29,7 @@ double outside_cone(const World& world, double friction) {
 /// g/p if p > 0, at any speed. At p ≤ 0 no finite force lets it slide on. The step is so short and
 /// the contact so stiff that Σ is a thousandth of p. The rod is so thin that its radius moves the
 /// threshold by 1e-5.
-void bracket(Report& report, double angle, double factor) {
+void check_first_step(Report& report, double angle, double factor) {
     constexpr double kRadius = 1e-5, kStep = 1e-4;
     const double c = std::cos(angle), s = std::sin(angle);
     const double threshold = (1.0 + 3.0 * c * c) / (3.0 * s * c);
@@ -100,8 +100,8 @@ void case_painleve(Report& report) {
                        {std::max(0.0, highest - start - rise)}, 1e-9, "no energy is made", 1.0);
     }
     for (const double angle : {std::atan(2.0), kPi / 4.0}) {
-        bracket(report, angle, 0.975);
-        bracket(report, angle, 1.025);
+        check_first_step(report, angle, 0.975);
+        check_first_step(report, angle, 1.025);
     }
 }
 

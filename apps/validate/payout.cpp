@@ -44,7 +44,7 @@ struct Lowering {
     }
     /// Return the length of wire that is out, from the masses of elements and the winch's own
     /// account [m].
-    [[nodiscard]] double out() const {
+    [[nodiscard]] double length_out() const {
         double sum = get("at_drum");
         for (const InteractionId id : w.wires().elements(wire))
             if (id != ids.line) sum += w.interaction_def(id).get("mass") / kLineMass;
@@ -60,12 +60,12 @@ struct Lowered : Changes {
 };
 
 /// Lower by `way`, wait, haul up again.
-Lowered lower(double way, double element, double damping, int end) {
+Lowered lower_and_haul(double way, double element, double damping, int end) {
     Lowering d(element, damping, end);
     Lowered r;
     const double even = way / kSpeed - kRamp, wait = 5.0, once = even + 2.0 * kRamp + wait;
     const auto speed = [&](double t) { return kSpeed * speed_at(t, even); };
-    const double whole = kStored + d.out();
+    const double whole = kStored + d.length_out();
     const long steps = std::lround(2.0 * once / kStep);
     std::vector<double> pull;
     std::vector<std::size_t> edits;
@@ -73,7 +73,7 @@ Lowered lower(double way, double element, double damping, int end) {
     for (long i = 0; i < steps; ++i) {
         const double t = static_cast<double>(i) * kStep;
         d.w.set_system_signal("winch.speed", t < once ? speed(t) : -speed(t - once));
-        const double out = d.out();
+        const double out = d.length_out();
         advance(d.w, 1);
         // The winch's value is that at the beginning of the step.
         const double now = d.get("pull");
@@ -81,20 +81,20 @@ Lowered lower(double way, double element, double damping, int end) {
         if (d.w.wires().nodes(d.wire).size() != nodes) edits.push_back(pull.size());
         nodes = d.w.wires().nodes(d.wire).size();
         r.nodes = std::max(r.nodes, static_cast<int>(nodes));
-        r.account = std::max(r.account, std::abs(d.out() + d.get("wire_left") - whole));
+        r.account = std::max(r.account, std::abs(d.length_out() + d.get("wire_left") - whole));
         const double ramps = std::fmod(t, once);
         const bool steady = ramps > kRamp + 2.0 && ramps < even + kRamp;
         const double weight = kGravity * (kAnchor + kLineMass * out);
         if (steady) r.error = std::max(r.error, std::abs(now / weight - 1.0));
     }
     r.edits = static_cast<int>(edits.size());
-    static_cast<Changes&>(r) = changes_of(pull, edits);
+    static_cast<Changes&>(r) = largest_changes(pull, edits);
     r.grade = d.w.verdict().grade;
     return r;
 }
 
 void check(Report& report, double way, double element, double damping, int end = 0) {
-    const Lowered r = lower(way, element, damping, end);
+    const Lowered r = lower_and_haul(way, element, damping, end);
     const std::string what =
         fmt::format("{:g} m, elements of {:g} m, {}{}", way, element,
                     std::isnan(damping) ? "default damping" : fmt::format("damping {:g}", damping),

@@ -67,7 +67,8 @@ struct Changes {
 };
 /// Return the largest changes of a tension per step, near edits and elsewhere. @param edits  Steps
 /// after which nodes were added or removed, ascending.
-inline Changes changes_of(const std::vector<double>& pull, const std::vector<std::size_t>& edits) {
+inline Changes largest_changes(const std::vector<double>& pull,
+                               const std::vector<std::size_t>& edits) {
     Changes r;
     std::size_t next = 0;
     for (std::size_t i = 120; i + 1 < pull.size(); ++i) {

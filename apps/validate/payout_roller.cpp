@@ -57,7 +57,7 @@ struct OverRoller {
     [[nodiscard]] double get(const std::string& signal) const { return w.system_signal(signal); }
     /// Return the length of wire that is out, from the masses of nodes and the accounts of winch
     /// and guide [m].
-    [[nodiscard]] double out() const {
+    [[nodiscard]] double length_out() const {
         double sum = get("winch.at_drum") + get("roller.wire_before") + get("roller.wire_behind");
         for (const BodyId id : w.wires().nodes(wire))
             if (w.body_def(id).kind == BodyKind::lump) sum += w.body_def(id).mass / kLineMass;
@@ -77,7 +77,7 @@ RollerRun lower_over_roller(double way, double speed, double element, double dam
     RollerRun r;
     const double even = way / speed - kRamp, wait = 5.0, once = even + 2.0 * kRamp + wait;
     const auto wanted = [&](double t) { return speed * speed_at(t, even); };
-    const double whole = kStored + d.out();
+    const double whole = kStored + d.length_out();
     const long steps = std::lround(2.0 * once / kStep);
     std::vector<double> pull;
     std::vector<std::size_t> edits;
@@ -93,14 +93,15 @@ RollerRun lower_over_roller(double way, double speed, double element, double dam
             edits.push_back(pull.size());
             nodes.assign(now.begin(), now.end());
         }
-        r.account = std::max(r.account, std::abs(d.out() + d.get("winch.wire_left") - whole));
+        r.account =
+            std::max(r.account, std::abs(d.length_out() + d.get("winch.wire_left") - whole));
         const double part = std::fmod(t, once);
         if (part < kRamp + 2.0 || part > even + kRamp) continue;
         const double euler = std::exp(kFriction * d.get("roller.angle"));
         r.ratio = std::max(r.ratio,
                            std::abs((t < once ? behind / before : before / behind) / euler - 1.0));
     }
-    static_cast<Changes&>(r) = changes_of(pull, edits);
+    static_cast<Changes&>(r) = largest_changes(pull, edits);
     r.grade = d.w.verdict().grade;
     return r;
 }

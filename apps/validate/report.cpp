@@ -71,16 +71,16 @@ void Report::converge(const std::vector<Target>& targets,
     for (const double step : steps) results.push_back(simulate(step));
     for (std::size_t q = 0; q < targets.size(); ++q) {
         const Target& t = targets[q];
-        Check& c = compare(t.quantity, t.reference, results[study.judged].at(q), t.tolerance,
+        Check& c = compare(t.quantity, t.reference, results[study.is_checked].at(q), t.tolerance,
                            t.reason, t.scale);
         c.steps = steps;
-        c.least_order = t.least_order;
+        c.min_order = t.min_order;
         for (const Result& r : results) {
             c.errors.push_back(distance(r.at(q), t.reference) / scale_of(t.scale, t.reference));
         }
         c.order =
             std::log(c.errors.front() / c.errors.back()) / std::log(steps.front() / steps.back());
-        c.passed = c.passed && c.order >= c.least_order;
+        c.passed = c.passed && c.order >= c.min_order;
     }
 }
 
@@ -122,7 +122,7 @@ std::string Report::json() const {
             {"reference", c.reference}, {"ours", c.ours},           {"error", number(c.error)},
             {"order", number(c.order)}, {"tolerance", c.tolerance}, {"reason", c.reason},
             {"passed", c.passed},       {"steps", c.steps},         {"errors", c.errors}};
-        if (!std::isnan(c.least_order)) entry["least_order"] = c.least_order;
+        if (!std::isnan(c.min_order)) entry["least_order"] = c.min_order;
         if (!c.message.empty()) entry["message"] = c.message;
         list.push_back(std::move(entry));
     }

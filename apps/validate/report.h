@@ -20,7 +20,7 @@ struct Check {
     double error = 0.0;                                       ///< |ours − reference| / scale.
     double order = std::numeric_limits<double>::quiet_NaN();  ///< Order over the whole study.
     double tolerance = 0.0;                                   ///< Largest error accepted.
-    double least_order = std::numeric_limits<double>::quiet_NaN();
+    double min_order = std::numeric_limits<double>::quiet_NaN();
     std::vector<double> steps;   ///< Steps of a convergence study [s].
     std::vector<double> errors;  ///< Error at each of them.
     std::string reason;          ///< Why this tolerance.
@@ -35,9 +35,9 @@ using Result = std::vector<std::vector<double>>;
 struct Target {
     std::string quantity;
     std::vector<double> reference;
-    double scale = 0.0;        ///< Divisor of the error; 0: the length of the reference.
-    double tolerance = 1e-3;   ///< Tolerance at the reference step.
-    double least_order = 1.9;  ///< Least order over all halvings.
+    double scale = 0.0;       ///< Divisor of the error; 0: the length of the reference.
+    double tolerance = 1e-3;  ///< Tolerance at the reference step.
+    double min_order = 1.9;   ///< Least order over all halvings.
     std::string reason = "relative, second order";
 };
 
@@ -46,7 +46,7 @@ struct Target {
 /// (third order) may have opposite signs and distort single halvings.
 struct Steps {
     std::vector<double> steps;
-    std::size_t judged = 0;
+    std::size_t is_checked = 0;
 };
 /// Error at h = 1/960 s, order over three halvings about it.
 inline const Steps kAbout960{{1.0 / 480, 1.0 / 960, 1.0 / 1920, 1.0 / 3840}, 1};

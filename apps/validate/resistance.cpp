@@ -22,7 +22,7 @@ std::vector<BodyId> group(const World& world, const char* name, int count) {
 }
 
 /// Return the value with the largest distance from `wanted`.
-double worst_of(double wanted, const std::vector<double>& values) {
+double farthest_from_wanted(double wanted, const std::vector<double>& values) {
     return *std::max_element(values.begin(), values.end(), [&](double a, double b) {
         return std::abs(a - wanted) < std::abs(b - wanted);
     });
@@ -68,7 +68,7 @@ void case_rolling_resistance(Report& report) {
     for (const BodyId b : spinning) spin.push_back(std::abs(s.world.velocity(b).angular.z()));
     const double torsion = 2.5 * kTorsional * kGravity / (kBall * kBall);  // of I = 2/5 m R²
     const double left = 2.0 - torsion * (0.25 - 0.5 * kStep);
-    report.compare("spin after 0.25 s [rad/s]", {left}, {worst_of(left, spin)}, 1e-3,
+    report.compare("spin after 0.25 s [rad/s]", {left}, {farthest_from_wanted(left, spin)}, 1e-3,
                    "relative; w - 5 mu_s g t/(2 R^2)");
 
     for (const BodyId b : rolling) from.push_back(s.world.velocity(b).linear);
@@ -91,18 +91,19 @@ void case_rolling_resistance(Report& report) {
         off.push_back((a - a.dot(heading) * heading).head<2>().norm());
         lost.push_back((from[8 + i] - s.world.velocity(stopping[i]).linear).dot(heading) / 1.25);
     }
-    report.compare("rolling down, worst of 8 headings [m/s^2]", {down}, {worst_of(down, gained)},
-                   1e-3, "relative; 5/7 (g sin a - mu_r/R g cos a)");
-    report.compare("off its heading [m/s^2]", {0.0}, {worst_of(0.0, off)}, 1e-3,
+    report.compare("rolling down, worst of 8 headings [m/s^2]", {down},
+                   {farthest_from_wanted(down, gained)}, 1e-3,
+                   "relative; 5/7 (g sin a - mu_r/R g cos a)");
+    report.compare("off its heading [m/s^2]", {0.0}, {farthest_from_wanted(0.0, off)}, 1e-3,
                    "of the acceleration: a disk, not a box", down);
     report.compare("rolling on the level, worst of 8 headings [m/s^2]", {slower},
-                   {worst_of(slower, lost)}, 1e-3, "relative; 5/7 mu_r g/R");
+                   {farthest_from_wanted(slower, lost)}, 1e-3, "relative; 5/7 mu_r g/R");
     advance(s.world, steps_to(s.world, 4.0));
     for (std::size_t i = 0; i < 8; ++i)
         way.push_back((s.world.pose(stopping[i]).position - start[i]).norm());
     const double stop = 2.0 * 2.0 / (2.0 * slower);
-    report.compare("way until it stops, worst of 8 headings [m]", {stop}, {worst_of(stop, way)},
-                   1e-3, "relative; v^2/(2 a)");
+    report.compare("way until it stops, worst of 8 headings [m]", {stop},
+                   {farthest_from_wanted(stop, way)}, 1e-3, "relative; v^2/(2 a)");
 }
 
 }  // namespace hawser::validate

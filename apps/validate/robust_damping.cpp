@@ -11,7 +11,7 @@ namespace hawser::validate {
 namespace {
 
 /// Return x(t) of x'' + 2 d x' + w² x = 0 from x(0) = 1, x'(0) = 0, d < w.
-double swing_at(double d, double w, double t) {
+double damped_oscillation(double d, double w, double t) {
     const double rate = std::sqrt(w * w - d * d);
     return std::exp(-d * t) * (std::cos(rate * t) + d / rate * std::sin(rate * t));
 }
@@ -50,7 +50,7 @@ double damper_error(double step) {
     w.add_interaction(spring);
     return largest_error(
         w, [&](const World& now) { return now.pose(bob).position.x() - 1.0; },
-        [](double t) { return 0.1 * swing_at(1.0, 10.0, t); });
+        [](double t) { return 0.1 * damped_oscillation(1.0, 10.0, t); });
 }
 
 /// Return the error of 2 kg thrown at 3 m/s against 4 N s/m, under 1 N along its path [m].
@@ -90,7 +90,7 @@ double heave_error(double step) {
     w.add_interaction(water);
     return largest_error(
         w, [&](const World& now) { return now.pose(id).position.z(); },
-        [](double t) { return swing_at(kShare * kRate, kRate, t); });
+        [](double t) { return damped_oscillation(kShare * kRate, kRate, t); });
 }
 
 void study(Report& report, const char* quantity, double scale, double limit, const char* reason,
@@ -103,8 +103,8 @@ void study(Report& report, const char* quantity, double scale, double limit, con
     c.errors = errors;
     // Over both quarterings together.
     c.order = std::log(errors.front() / errors.back()) / std::log(16.0);
-    c.least_order = 1.9;
-    c.passed = c.passed && c.order >= c.least_order;
+    c.min_order = 1.9;
+    c.passed = c.passed && c.order >= c.min_order;
 }
 
 }  // namespace

@@ -89,13 +89,13 @@ void case_repeated_joints(Report& report) {
         const Slew one = slew(rate, false, cost), two = slew(rate, true, cost);
         const Vec3 exact = boom_exact(rate, 2.0);
         const std::string at = fmt::format(", {} rad/s", rate);
-        below(report, "boom on two hinges against one [m]" + at, (two.boom - one.boom).norm(), 1e-4,
-              "the same motion");
-        below(report, "boom against the exact motion [m]" + at,
-              std::max((one.boom - exact).norm(), (two.boom - exact).norm()), 3e-3,
-              "Lagrange's equations by RK4");
-        below(report, "energy that nothing explains" + at,
-              std::max(one.unexplained, two.unexplained), 1e-2, "of what was exchanged");
+        require_below(report, "boom on two hinges against one [m]" + at,
+                      (two.boom - one.boom).norm(), 1e-4, "the same motion");
+        require_below(report, "boom against the exact motion [m]" + at,
+                      std::max((one.boom - exact).norm(), (two.boom - exact).norm()), 3e-3,
+                      "Lagrange's equations by RK4");
+        require_below(report, "energy that nothing explains" + at,
+                      std::max(one.unexplained, two.unexplained), 1e-2, "of what was exchanged");
     }
     cost.report(report, "boom");
 }
@@ -122,9 +122,9 @@ void case_long_motions(Report& report) {
         sum += error;
         most = std::max(most, std::abs(error));
     }
-    below(report, "double pendulum, 600 s: mean energy error",
-          std::abs(sum) / static_cast<double>(steps), 5e-3, "of weight times depth");
-    below(report, "double pendulum, 600 s: momentary", most, 5e-2, "of weight times depth");
+    require_below(report, "double pendulum, 600 s: mean energy error",
+                  std::abs(sum) / static_cast<double>(steps), 5e-3, "of weight times depth");
+    require_below(report, "double pendulum, 600 s: momentary", most, 5e-2, "of weight times depth");
     cost.report(report, "double pendulum");
 
     World chain({.step = 1.0 / 240.0, .gravity = {0, 0, 0}});
@@ -151,8 +151,9 @@ void case_long_motions(Report& report) {
         const Vec3 arm = chain.pose(last).orientation * Vec3(0.4, 0, 0);
         tip = std::max(tip, (t.linear + t.angular.cross(arm)).norm());
     }
-    below(report, fmt::format("chain of 7 rods, tips to {:.0f} m/s: |dL|/L", tip),
-          (angular_momentum(chain) - before).norm() / before.norm(), 1e-5, "20 s at 1/240 s");
+    require_below(report, fmt::format("chain of 7 rods, tips to {:.0f} m/s: |dL|/L", tip),
+                  (angular_momentum(chain) - before).norm() / before.norm(), 1e-5,
+                  "20 s at 1/240 s");
     chained.report(report, "chain of rods");
 }
 
@@ -183,8 +184,8 @@ void case_ships_on_chain(Report& report) {
         const double expected = kPull * (1.0 - kLinks * 50.0 / (2.0 * 3.3e6 + kLinks * 50.0));
         advance(w, 1);
         const std::string at = fmt::format(", h = 1/{:.0f}", 1.0 / step);
-        below(report, "first tension of 20 links of 50 kg between 3,300 t" + at,
-              std::abs(-w.force(middle)[0] / expected - 1.0), 5e-3, "relative");
+        require_below(report, "first tension of 20 links of 50 kg between 3,300 t" + at,
+                      std::abs(-w.force(middle)[0] / expected - 1.0), 5e-3, "relative");
         double sum = 0.0;
         const long steps = steps_to(w, 1.0) - 1;
         for (long k = 0; k < steps; ++k) {
@@ -194,8 +195,8 @@ void case_ships_on_chain(Report& report) {
         means.push_back(sum / static_cast<double>(steps));
     }
     const auto [low, high] = std::minmax_element(means.begin(), means.end());
-    below(report, "means of 1 s at 1/60, 1/240, 1/960 s, apart", *high / *low - 1.0, 2e-3,
-          "relative");
+    require_below(report, "means of 1 s at 1/60, 1/240, 1/960 s, apart", *high / *low - 1.0, 2e-3,
+                  "relative");
     std::vector<double> first;
     for (const char* compliance : {"", "defaults.compliance=0"}) {
         scene::Scene s = open_scene(
@@ -204,8 +205,8 @@ void case_ships_on_chain(Report& report) {
         advance(s.world, 1);
         first.push_back(tension(s.world, interaction(s.world, "tow_east/j0")));
     }
-    below(report, "mooring: first tow tension against compliance 0",
-          std::abs(first[0] / first[1] - 1.0), 5e-3, "relative");
+    require_below(report, "mooring: first tow tension against compliance 0",
+                  std::abs(first[0] / first[1] - 1.0), 5e-3, "relative");
 }
 
 }  // namespace hawser::validate

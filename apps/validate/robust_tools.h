@@ -27,15 +27,14 @@ inline InteractionDef joint(const World& w, InteractionKind kind, BodyId a, Body
     for (std::size_t k = 0; k < 2; ++k) {
         const Pose pose = w.pose(d.body[k]);
         d.point[k] = pose.orientation.conjugate() * (at - pose.position);
-        d.frame[k] =
-            pose.orientation.conjugate() * Quat::FromTwoVectors(Vec3::UnitZ(), axis.normalized());
+        d.frame[k] = pose.orientation.conjugate() * turn_between(Vec3::UnitZ(), axis.normalized());
     }
     return d;
 }
 
 /// Report a figure that must be small.
-inline void below(Report& report, const std::string& what, double value, double limit,
-                  const std::string& reason) {
+inline void require_below(Report& report, const std::string& what, double value, double limit,
+                          const std::string& reason) {
     report.compare(what, {0.0}, {value}, limit, reason, 1.0);
 }
 
@@ -50,8 +49,9 @@ struct Cost {
     }
     void report(Report& r, const std::string& what) const {
         const auto n = static_cast<double>(steps);
-        below(r, what + ": factorisations a step", factorisations / n, 1.05, "mean");
-        below(r, what + ": substitutions a step, filter included", substitutions / n, 6.0, "mean");
+        require_below(r, what + ": factorisations a step", factorisations / n, 1.05, "mean");
+        require_below(r, what + ": substitutions a step, filter included", substitutions / n, 6.0,
+                      "mean");
     }
 };
 

@@ -148,7 +148,7 @@ struct Worst {
 };
 
 /// Run all wires of a ratio and a bend.
-void zigzags(Report& report, double ratio, double bend) {
+void run_zigzag_wires(Report& report, double ratio, double bend) {
     Worst created, calm, lively, most;
     double few = 0.0, many = 0.0;
     int runs = 0, stiff_runs = 0;
@@ -192,8 +192,8 @@ void zigzags(Report& report, double ratio, double bend) {
 
 /// First vibration mode of a taut wire between fixed ends.
 struct Sway {
-    double period = 0.0;  ///< Mean of the first 19 [s].
-    double kept = 0.0;    ///< Amplitude after them, relative to the first.
+    double period = 0.0;          ///< Mean of the first 19 [s].
+    double amplitude_left = 0.0;  ///< Amplitude after them, relative to the first.
 };
 
 Sway sway(double steps_a_period) {
@@ -222,7 +222,7 @@ Sway sway(double steps_a_period) {
     for (std::size_t k = from; k + 1 < y.size(); ++k) {
         if (y[k] < y[k - 1] || y[k] < y[k + 1]) continue;
         const double bow = y[k - 1] - 2.0 * y[k] + y[k + 1], tilt = 0.5 * (y[k + 1] - y[k - 1]);
-        out.kept = std::max(out.kept, (y[k] - 0.5 * tilt * tilt / bow) / 0.05);
+        out.amplitude_left = std::max(out.amplitude_left, (y[k] - 0.5 * tilt * tilt / bow) / 0.05);
     }
     return out;
 }
@@ -260,7 +260,7 @@ void settle(Report& report, const std::string& scene, double step, const std::st
 
 void case_zigzag_wires(Report& report) {
     for (const double ratio : {0.5, 2.0, 8.0, 50.0})
-        for (const double bend : {1e-3, 1e-2, 0.1, 0.3}) zigzags(report, ratio, bend);
+        for (const double bend : {1e-3, 1e-2, 0.1, 0.3}) run_zigzag_wires(report, ratio, bend);
 }
 
 void case_long_wire(Report& report) {
@@ -288,8 +288,9 @@ void case_wire_sway(Report& report) {
         const bool fine = steps > 100.0;
         report.compare(fmt::format("period at {:g} steps a period [s]", steps), {exact.period},
                        {ours.period}, fine ? 1e-3 : 1e-2, "against 960 steps a period");
-        report.compare(fmt::format("amplitude after 19 periods, {:g} steps", steps), {exact.kept},
-                       {ours.kept}, fine ? 5e-3 : 6e-2, "of that with 960 steps a period");
+        report.compare(fmt::format("amplitude after 19 periods, {:g} steps", steps),
+                       {exact.amplitude_left}, {ours.amplitude_left}, fine ? 5e-3 : 6e-2,
+                       "of that with 960 steps a period");
     }
 }
 

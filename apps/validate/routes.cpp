@@ -72,7 +72,7 @@ class Post {
             factorisations = std::max(factorisations, w.stats().factorisations);
         }
     }
-    [[nodiscard]] double slid() const { return w.pose(line.slides.front()).position.x(); }
+    [[nodiscard]] double slide_distance() const { return w.pose(line.slides.front()).position.x(); }
     /// Return the displacement at all turning points.
     [[nodiscard]] std::vector<double> slides() const {
         std::vector<double> out;
@@ -118,13 +118,13 @@ void check_posts(Report& report) {
         Post below(k.places, k.turns, k.light, 1.0 - kNear, k.moves, 0.3),
             above(k.places, k.turns, k.light, 1.0 + kNear, k.moves, 0.3);
         for (Post* p : {&below, &above}) p->run(60.0);
-        const double held = below.slid(), ran = above.slid();
+        const double held = below.slide_distance(), ran = above.slide_distance();
         for (Post* p : {&below, &above}) p->run(5.0);
         // It would move at the speed at which the weights' damping balances the excess load.
         const double too_much = kNear * kGravity * above.ratio;
         const double speed = too_much / (0.3 * 2.0 * above.ratio);
-        if (std::abs(below.slid() - held) > 1e-9) begins = 1.0;
-        if (!(std::abs(above.slid() - ran) > 0.5 * speed * 5.0)) begins = 1.0;
+        if (std::abs(below.slide_distance() - held) > 1e-9) begins = 1.0;
+        if (!(std::abs(above.slide_distance() - ran) > 0.5 * speed * 5.0)) begins = 1.0;
         Post beyond(k.places, k.turns, k.light, 1.1, k.moves, 0.0);
         beyond.run(3.0);  // the lighter one has not reached the post
         slides = std::max(slides, std::abs(beyond.tensions() / beyond.ratio - 1.0));

@@ -40,7 +40,7 @@ struct FloatingBox {
 };
 
 /// Return ω of x_{k+1} + x_{k−1} = 2 cos(ωh) x_k, about its mean.
-double frequency_of(const std::vector<double>& x, double h) {
+double discrete_frequency(const std::vector<double>& x, double h) {
     double above = 0.0, below = 0.0;
     for (std::size_t k = 1; k + 1 < x.size(); ++k) {
         above += (x[k + 1] + x[k - 1]) * x[k];
@@ -67,7 +67,7 @@ void check_heave(Report& report) {
         if (i < 6000) z.push_back(x);
     }
     report.compare("heave period at h = 1/60 [s]", {kPi * h / std::atan(0.5 * omega * h)},
-                   {2.0 * kPi / frequency_of(z, h)}, 1e-5, "tan(w_h h/2) = w h/2");
+                   {2.0 * kPi / discrete_frequency(z, h)}, 1e-5, "tan(w_h h/2) = w h/2");
     report.compare("its invariant over 1,000 periods, spread", {0.0}, {(high - low) / high}, 1e-9,
                    "rounding", 1.0);
 }
@@ -87,7 +87,8 @@ void check_roll(Report& report) {
         angle.push_back(2.0 * box.w.pose(box.body).orientation.x());
     }
     report.compare("roll period, GM = 1.867 m [s]", {2.0 * kPi / omega},
-                   {2.0 * kPi / frequency_of(angle, h)}, 1e-3, "0.1 %; second order in the step");
+                   {2.0 * kPi / discrete_frequency(angle, h)}, 1e-3,
+                   "0.1 %; second order in the step");
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ class SemiSubmersible {
     void step(double damping) {
         const double rate = 2.0 * kPi / kHoldPeriod;
         const Twist v = w_.velocity(body_);
-        const std::array<double, 6> x = place();
+        const std::array<double, 6> x = displacement();
         Vec3 push = Vec3::Zero(), turn = Vec3::Zero();
         for (const int k : {0, 1}) {
             spring_[std::size_t(k)] = inert_[k] * rate * rate * x[std::size_t(k)];
@@ -95,7 +95,7 @@ class SemiSubmersible {
     }
 
     /// Return the displacement of the reference point of the coefficients, and the rotation vector.
-    [[nodiscard]] std::array<double, 6> place() const {
+    [[nodiscard]] std::array<double, 6> displacement() const {
         const Pose pose = w_.pose(body_);
         const Vec3 x = pose.position + pose.orientation * c_->reference;
         const Eigen::AngleAxisd turn(pose.orientation);
@@ -105,7 +105,7 @@ class SemiSubmersible {
 
     void take() {
         time_.push_back(w_.time());
-        place_.push_back(place());
+        place_.push_back(displacement());
         springs_.push_back(spring_);
     }
 

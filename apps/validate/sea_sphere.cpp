@@ -32,8 +32,8 @@ std::vector<double> heights(World& w, double duration) {
 }
 
 /// Find the times at which a signal passes 0, up or down, and its extremes.
-void crossings_of(const std::vector<double>& z, std::vector<double>& at,
-                  std::vector<double>& extreme) {
+void find_crossings(const std::vector<double>& z, std::vector<double>& at,
+                    std::vector<double>& extreme) {
     for (std::size_t i = 0; i + 1 < z.size(); ++i) {
         const double t = kSphereStep * static_cast<double>(i + 1);
         if (z[i] * z[i + 1] < 0.0) at.push_back(t + kSphereStep * z[i] / (z[i] - z[i + 1]));
@@ -77,7 +77,7 @@ void case_sea_sphere(Report& report) {
     auto scene = open_scene("sphere_decay", kSphereStep);
     const std::vector<double> z = heights(scene.world, 40.0);
     std::vector<double> at, extreme;
-    crossings_of(z, at, extreme);
+    find_crossings(z, at, extreme);
     const double when[] = {1.139, 3.390, 5.579, 7.748}, peak[] = {-0.866, 0.636, -0.464, 0.346};
     for (std::size_t i = 0; i < 4; ++i)
         report.compare(fmt::format("sphere let go, {}. crossing [s]", i + 1), {when[i]}, {at.at(i)},

@@ -35,7 +35,9 @@ class Balance {
         };
         created_ = std::max(created_, sum(e) - sum(start_));
     }
-    [[nodiscard]] double share() const { return exchanged_ > 0.0 ? created_ / exchanged_ : 0.0; }
+    [[nodiscard]] double error_fraction() const {
+        return exchanged_ > 0.0 ? created_ / exchanged_ : 0.0;
+    }
 
   private:
     Energy start_, before_;
@@ -46,8 +48,8 @@ class Balance {
 struct WetCase {
     std::string name;
     std::function<std::vector<BodyId>(World&, bool with_sea)> build;  ///< Bodies in the water.
-    double thrown = 0.0;      ///< Initial speed of all of them [m/s].
-    double most_speed = 0.0;  ///< Afterwards [m/s].
+    double thrown = 0.0;     ///< Initial speed of all of them [m/s].
+    double max_speed = 0.0;  ///< Afterwards [m/s].
 };
 
 void throw_all(World& w, std::span<const BodyId> bodies, double speed) {
@@ -128,14 +130,14 @@ void run_wet(Report& report, const WetCase& c, int steps) {
         if (i > 60 || i + 1 == steps) speed = std::max(speed, fastest_wet(w, bodies));
     }
     report.compare(c.name + ": highest speed, the first second left out [m/s]", {0.0}, {speed},
-                   c.most_speed, "of the water, and of falling", 1.0);
+                   c.max_speed, "of the water, and of falling", 1.0);
     report.compare(c.name + ": energy from nothing over what was exchanged", {0.0},
-                   {balance.share()}, 1e-3, "none comes", 1.0);
+                   {balance.error_fraction()}, 1e-3, "none comes", 1.0);
 }
 
 WaveDef high_sea() { return {.kind = WaveKind::jonswap, .height = 8.0, .period = 12.0}; }
 
-std::vector<BodyId> build_lump(World& w, bool with_sea, double drag, double volume, double added) {
+std::vector<BodyId> build_node(World& w, bool with_sea, double drag, double volume, double added) {
     const BodyId body =
         w.add_body({.name = "lump", .kind = BodyKind::lump, .position = {0, 0, -3}, .mass = 1.0});
     if (!with_sea) return {body};
@@ -195,10 +197,10 @@ std::vector<BodyId> build_plank(World& w, bool with_sea) {
 const std::vector<WetCase>& wet_cases() {
     static const std::vector<WetCase> all = {
         {"added mass of 5 masses",
-         [](World& w, bool sea) { return build_lump(w, sea, 0.05, 1.1 / 1025.0, 5.0 / 1.1); }, 0.0,
+         [](World& w, bool sea) { return build_node(w, sea, 0.05, 1.1 / 1025.0, 5.0 / 1.1); }, 0.0,
          20.0},
         {"body of 5 m2/kg, thrown at 40 m/s",
-         [](World& w, bool sea) { return build_lump(w, sea, 5.0, 1e-3, 0.0); }, 40.0, 20.0},
+         [](World& w, bool sea) { return build_node(w, sea, 5.0, 1e-3, 0.0); }, 40.0, 20.0},
         {"slack rope at 40 m/s", build_rope, 40.0, 20.0},
         {"plank of 0.1 mm draught", build_plank, 0.0, 20.0},
     };

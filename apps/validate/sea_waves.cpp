@@ -20,7 +20,7 @@ struct Record {
     double kurtosis = 0.0;
 };
 
-Record record_of(const Sea& sea) {
+Record record_waves(const Sea& sea) {
     double sums[5] = {}, before = 0.0, first = -1.0, last = -1.0;
     int crossings = 0;
     const long count = std::lround(kHours / kEvery);
@@ -75,7 +75,7 @@ void case_sea_statistics(Report& report) {
                              .period = 9.0,
                              .seed = static_cast<std::uint64_t>(seed)});
         const Sea sea(def);
-        const Record record = record_of(sea);
+        const Record record = record_waves(sea);
         height += 4.0 * record.deviation / kSeeds;
         kurtosis += record.kurtosis / kSeeds;
         period += record.period / crossing_period(sea) / kSeeds;

@@ -17,7 +17,7 @@ constexpr double kFrame = 1.0 / 60.0;
 constexpr double kSettled = 60.0;  ///< Duration of the evaluated end of the run [s].
 
 /// Return the tension of the first element astern of the roller [N].
-double outboard(const World& w, WireId wire, BodyId roller) {
+double tension_outboard(const World& w, WireId wire, BodyId roller) {
     const auto nodes = w.wires().nodes(wire);
     const auto elements = w.wires().elements(wire);
     const double x = w.pose(roller).position.x();
@@ -47,7 +47,7 @@ void case_tow_payout(Report& report) {
         std::int32_t on_roller = 0;
         for (const ContactView& c : w.contacts()) on_roller += c.force.norm() > 0.0 ? 1 : 0;
         least = std::min(least, on_roller);
-        const double now = outboard(w, wire, roller);
+        const double now = tension_outboard(w, wire, roller);
         largest = std::max(largest, now);
         if (w.time() < s.duration - kSettled) continue;
         pull += now;

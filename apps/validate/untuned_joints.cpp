@@ -91,9 +91,9 @@ void report_energy(Report& report, const CompliantLoop& loop, double step) {
             if (t == 0.0 && e <= 1e-9) undamped.add(b);
         }
     const std::string at = fmt::format("{}, 1/{:.0f} s, 20 s: ", loop.name, 1.0 / step);
-    below(report, at + "energy that nothing explains", all.unexplained, 5e-3, "of the exchange");
-    below(report, at + "energy gained", all.gained, 2e-2, "of the exchange");
-    below(report, at + "energy lost, damping time 0, to 1e-9 m/N", undamped.lost, 2e-2,
+    require_below(report, at + "energy that nothing explains", all.unexplained, 5e-3, "of the exchange");
+    require_below(report, at + "energy gained", all.gained, 2e-2, "of the exchange");
+    require_below(report, at + "energy lost, damping time 0, to 1e-9 m/N", undamped.lost, 2e-2,
           "of the exchange");
     report.compare(at + "results of the monitors, 1: all good", {1.0}, {all.good ? 1.0 : 0.0}, 0.0,
                    "exact");

@@ -29,7 +29,7 @@ WinchDef aided_winch(WireId wire) {
 }
 
 /// Return the amplitude of a load of 20 t below a ship that heaves by 1.5 m.
-double load_heave(double frequency, WinchMode mode, double most_speed) {
+double load_heave(double frequency, WinchMode mode, double max_speed) {
     constexpr double kHeave = 1.5, kHigh = 60.0;
     World w{WorldDef{.step = kAidStep}};
     constexpr double kShip = 5e6, kHungLoad = 20e3;
@@ -49,7 +49,7 @@ double load_heave(double frequency, WinchMode mode, double most_speed) {
                                        .mass_per_length = 10.0});
     WinchDef def = aided_winch(wire);
     def.mode = mode;
-    def.heave_speed = most_speed;
+    def.heave_speed = max_speed;
     w.add(def);
     double low = 1e300, high = -1e300;
     for (int i = 0; i < 120 * 60; ++i) {

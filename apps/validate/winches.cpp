@@ -76,18 +76,18 @@ class Deck {
 };
 
 /// Return the radius of layer k, 1 is the innermost.
-double radius_of(int k) { return kCore + kWire / 2.0 + kWire * (k - 1); }
+double layer_radius(int k) { return kCore + kWire / 2.0 + kWire * (k - 1); }
 
 void report_layers(Report& report) {
     // Sums in closed form: Σ k = 36, Σ r, Σ r³ over the eight full layers.
     double full = 0.0, inertia = 0.0;
     const double torus = 0.75 * kWire * kWire / 4.0;
     for (int k = 1; k <= 8; ++k) {
-        const double turns = 2.0 * kPi * kWraps * radius_of(k);
+        const double turns = 2.0 * kPi * kWraps * layer_radius(k);
         full += turns;
-        inertia += kMass * turns * (radius_of(k) * radius_of(k) + torus);
+        inertia += kMass * turns * (layer_radius(k) * layer_radius(k) + torus);
     }
-    const double rest = kStored - full, r9 = radius_of(9);
+    const double rest = kStored - full, r9 = layer_radius(9);
     inertia += kMass * rest * (r9 * r9 + torus) + kDrum;
     const double wraps = 8.0 * kWraps + rest / (2.0 * kPi * r9);
     WinchDef def = anchor_winch();
@@ -103,7 +103,7 @@ void report_layers(Report& report) {
     d.run(50.0, 2.0);
     const double off = kStored - d.get("wire_left");
     report.compare("turns by which the wire came off [rad]",
-                   {rest / r9 + (off - rest) / radius_of(8)},
+                   {rest / r9 + (off - rest) / layer_radius(8)},
                    {d.turned() - d.w.velocity(d.ids.drum).linear.x() * kWinchStep}, 1e-4,
                    "relative; a layer ends within a step");
 }
@@ -113,7 +113,7 @@ void report_pull(Report& report) {
     for (int k : {1, 5, 9}) {
         WinchDef def = anchor_winch();
         double below = 0.0;
-        for (int i = 1; i < k; ++i) below += 2.0 * kPi * kWraps * radius_of(i);
+        for (int i = 1; i < k; ++i) below += 2.0 * kPi * kWraps * layer_radius(i);
         def.stored = below + 80.0;
         def.mode = WinchMode::speed;
         def.speed = -0.1;
@@ -121,11 +121,11 @@ void report_pull(Report& report) {
         Deck d(def);
         d.run(40.0, 0.0);
         measured.push_back(d.pull());
-        expected.push_back(measured.front() * radius_of(1) / radius_of(k));
+        expected.push_back(measured.front() * layer_radius(1) / layer_radius(k));
     }
     report.compare("stall pull in layers 1, 5 and 9 [N]", expected, measured, 1e-4,
                    "relative; torque over radius: r1/rk");
-    report.compare("stall torque [N m]", {5e5}, {measured.front() * radius_of(1)}, 1e-4,
+    report.compare("stall torque [N m]", {5e5}, {measured.front() * layer_radius(1)}, 1e-4,
                    "relative");
 }
 

@@ -13,11 +13,11 @@ namespace {
 constexpr int kSpans = 10;
 
 /// A wire between two points, or with a weight at its end, at rest.
-struct Span {
+struct TautSpan {
     World w{WorldDef{.step = 1.0 / 60.0}};
     WireId wire{};
 
-    explicit Span(const WireDef& of, const Vec3& to, double weight) {
+    explicit TautSpan(const WireDef& of, const Vec3& to, double weight) {
         WireDef def = of;
         def.from = w.add_body({.name = "from", .kind = BodyKind::fixed});
         def.to = weight > 0.0 ? w.add_body({.name = "to",
@@ -29,7 +29,7 @@ struct Span {
         wire = w.wires().add(def);
     }
     /// Return the tension in the middle of an element at a material coordinate [m].
-    [[nodiscard]] double at(WireId of, double s) const { return w.wires().tension(of, s); }
+    [[nodiscard]] double tension_at(WireId of, double s) const { return w.wires().tension(of, s); }
 };
 
 WireDef random_wire(Uniform& random, double length) {
@@ -57,7 +57,7 @@ void report_joined_wires(Report& report) {
         const double weight = hangs ? random(1e3, 2e4) : 0.0;
         const Vec3 to = hangs ? Vec3(0, 0, -length)
                               : Vec3(length * random(0.7, 0.95), 0, -length * random(0.0, 0.2));
-        Span whole(def, to, weight), joined(def, to, weight);
+        TautSpan whole(def, to, weight), joined(def, to, weight);
         // Cut a span at a node: a new node would change the discretisation.
         const double element = length / def.elements;
         const double s = hangs ? length * random(0.2, 0.8) : element * random.whole(5, 19);
@@ -73,8 +73,8 @@ void report_joined_wires(Report& report) {
         const double up_to = hangs ? s : length;
         for (double k = 0.5; (k + 0.499) * element < up_to; k += 1.0) {
             const double at = k * element;
-            const double expected = whole.at(whole.wire, at);
-            worst = std::max(worst, std::abs(joined.at(joined.wire, at) / expected - 1.0));
+            const double expected = whole.tension_at(whole.wire, at);
+            worst = std::max(worst, std::abs(joined.tension_at(joined.wire, at) / expected - 1.0));
         }
     }
     report.compare("tension of a wire cut and spliced over that of one uncut, worst", {0.0},

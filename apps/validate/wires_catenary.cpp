@@ -16,7 +16,7 @@ namespace hawser::validate {
 namespace {
 
 /// Return the root of an increasing function, by bisection in the logarithm.
-double rooted(double low, double high, const std::function<double(double)>& f) {
+double increasing_root(double low, double high, const std::function<double(double)>& f) {
     for (int i = 0; i < 200; ++i) {
         const double middle = std::sqrt(low * high);
         (f(middle) < 0.0 ? low : high) = middle;
@@ -44,14 +44,14 @@ struct Line {
         return h / weight * (std::sqrt(1.0 + v * v / (h * h)) - 1.0) + v * v / (2.0 * EA * weight);
     }
     [[nodiscard]] double lift(double h) const {
-        return rooted(1e-9, 1e12, [&](double v) { return height(h, v) - rise; });
+        return increasing_root(1e-9, 1e12, [&](double v) { return height(h, v) - rise; });
     }
     [[nodiscard]] double laid_pull() const {
-        return rooted(1.0, 1e9, [&](double h) { return reach(h, lift(h)) - span; });
+        return increasing_root(1.0, 1e9, [&](double h) { return reach(h, lift(h)) - span; });
     }
     /// Return H for ends of equal height [N].
     [[nodiscard]] double hung_pull() const {
-        return rooted(1.0, 1e12, [&](double h) {
+        return increasing_root(1.0, 1e12, [&](double h) {
             return h * length / EA + 2.0 * h / weight * std::asinh(weight * length / (2.0 * h)) -
                    span;
         });
@@ -77,7 +77,7 @@ struct Started {
                (place(e + 1) - place(e)).normalized();
     }
     /// Return the largest distance of a node from its start [m].
-    [[nodiscard]] double moved() const {
+    [[nodiscard]] double largest_shift() const {
         double most = 0.0;
         for (std::size_t i = 0; i < start.nodes.size(); ++i)
             most = std::max(most, (place(i) - start.nodes[i]).norm());
@@ -85,14 +85,14 @@ struct Started {
     }
 };
 
-WorldDef sixtieth() {
+WorldDef world_def_60hz() {
     WorldDef def;
     def.step = 1.0 / 60.0;
     return def;
 }
 
-Started started(const CatenaryDef& shape, double radius = 0.0, double friction = 0.0) {
-    Started out{World(sixtieth()), {}, catenary(shape)};
+Started start_shape(const CatenaryDef& shape, double radius = 0.0, double friction = 0.0) {
+    Started out{World(world_def_60hz()), {}, catenary(shape)};
     const auto fixed = [&](const char* name, const Vec3& at) {
         return out.world.add_body({.name = name, .kind = BodyKind::fixed, .position = at});
     };
@@ -137,7 +137,7 @@ void case_wire_catenary(Report& report) {
         CatenaryDef def;
         def.to = {kRope.span, 0, 0};
         def.sections = {{kRope.length, kRope.weight, kRope.EA, n}};
-        Started s = started(def);
+        Started s = start_shape(def);
         advance(s.world, 60);
         const auto middle = static_cast<std::size_t>(n) / 2;
         const auto what = [&](const char* text) { return fmt::format("{}, {} elements", text, n); };
@@ -149,7 +149,7 @@ void case_wire_catenary(Report& report) {
                        {std::hypot(h, 0.5 * kRope.weight * kRope.length)}, {end.norm()}, limit,
                        "the same, half an element's weight added");
         report.compare(what("sag [m]"), {sag}, {-s.place(middle).z()}, limit, "the same");
-        report.compare(what("moved in 60 steps [m]"), {0.0}, {s.moved()}, 1e-8,
+        report.compare(what("moved in 60 steps [m]"), {0.0}, {s.largest_shift()}, 1e-8,
                        "absolute: it starts in balance", 1.0);
     }
 }
@@ -166,7 +166,7 @@ void case_wire_touchdown(Report& report) {
         def.to = {chain.span, 0, 0};
         def.sections = {{chain.length, chain.weight, chain.EA, kElements}};
         def.seabed = FlatSeabed{-chain.rise, friction};
-        Started s = started(def, kRadius, friction);
+        Started s = start_shape(def, kRadius, friction);
         advance(s.world, 60);
         const Vec3 end = -s.pull(kElements - 1) - Vec3(0, 0, s.start.weight_to);
         std::size_t last = 0;
@@ -181,7 +181,7 @@ void case_wire_touchdown(Report& report) {
                        0.01, "of the horizontal pull", h);
         report.compare(what("length that lies [m]"), {laid}, {s.start.s[last]}, 0.01,
                        "relative; elements of 2 m");
-        report.compare(what("moved in 60 steps [m]"), {0.0}, {s.moved()}, 0.01,
+        report.compare(what("moved in 60 steps [m]"), {0.0}, {s.largest_shift()}, 0.01,
                        "absolute: the bottom gives way under the chain", 1.0);
     }
 }

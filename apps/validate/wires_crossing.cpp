@@ -24,7 +24,7 @@ constexpr long kPressed = 60, kSettled = 120, kFalls = 180, kMean = 30;  // step
 using Piece = std::array<Vec3, 2>;
 
 /// Return six times the volume of the tetrahedron of two pieces; 0 if they lie in a plane.
-double between(const Piece& a, const Piece& b) {
+double crossing_volume(const Piece& a, const Piece& b) {
     return (a[1] - a[0]).cross(b[1] - b[0]).dot(b[0] - a[0]);
 }
 
@@ -35,15 +35,17 @@ bool crosses(const Piece& a, const Piece& b) {
     return s > 0.0 && s < all && t > 0.0 && t < all;
 }
 
-Piece moved(const std::array<Piece, 2>& x, double t) {
+Piece pose_between(const std::array<Piece, 2>& x, double t) {
     return {x[0][0] + t * (x[1][0] - x[0][0]), x[0][1] + t * (x[1][1] - x[0][1])};
 }
 
 /// True if two pieces passed through each other from one pose to the next. Bisection finds the
 /// moments at which they lie in a plane; they must cross at such a moment.
-bool passed(const std::array<Piece, 2>& a, const std::array<Piece, 2>& b) {
+bool wires_passed(const std::array<Piece, 2>& a, const std::array<Piece, 2>& b) {
     constexpr int kParts = 32, kHalvings = 40;
-    const auto volume = [&](double t) { return between(moved(a, t), moved(b, t)); };
+    const auto volume = [&](double t) {
+        return crossing_volume(pose_between(a, t), pose_between(b, t));
+    };
     double last = volume(0.0);
     for (int k = 1; k <= kParts; ++k) {
         double low = static_cast<double>(k - 1) / kParts, high = static_cast<double>(k) / kParts;
@@ -53,7 +55,7 @@ bool passed(const std::array<Piece, 2>& a, const std::array<Piece, 2>& b) {
                 const double middle = 0.5 * (low + high);
                 ((volume(middle) > 0.0) == (last > 0.0) ? low : high) = middle;
             }
-            if (crosses(moved(a, low), moved(b, low))) return true;
+            if (crosses(pose_between(a, low), pose_between(b, low))) return true;
         }
         last = next;
     }
@@ -61,7 +63,7 @@ bool passed(const std::array<Piece, 2>& a, const std::array<Piece, 2>& b) {
 }
 
 /// True if the boxes around the motions of two pieces are separate.
-bool far_apart(const std::array<Piece, 2>& a, const std::array<Piece, 2>& b) {
+bool boxes_separate(const std::array<Piece, 2>& a, const std::array<Piece, 2>& b) {
     const auto least = [](const std::array<Piece, 2>& x) {
         return x[0][0].cwiseMin(x[0][1]).cwiseMin(x[1][0].cwiseMin(x[1][1])).eval();
     };
@@ -131,7 +133,7 @@ struct Crossed {
     }
     /// Break the wire directly or by a cut, at a random position between its second and its last
     /// but one element.
-    void part(Chance& chance) {
+    void break_wire(Chance& chance) {
         const auto elements = w.wires().elements(wires[0]);
         const double share = chance.between(1.5, static_cast<double>(elements.size()) - 1.5);
         if (chance.next() < 0.5)
@@ -167,7 +169,7 @@ void sample(const Crossed& c, std::size_t pose, std::vector<Segment>& out) {
 
 /// Return the energy of wires from the forces that they exert [J]. A piece that rotates fast is
 /// longer at a pose than its tension implies (docs/limits.md).
-double held(const Crossed& c) {
+double elastic_energy_from_forces(const Crossed& c) {
     double sum = 0.0;
     for (const WireId wire : c.wires)
         for (const InteractionId id : c.w.wires().elements(wire)) {
@@ -191,7 +193,7 @@ Outcome run_crossed(Chance& chance) {
     Outcome out;
     for (const ContactView& contact : c.w.contacts())
         out.touched = out.touched || contact.force.norm() > 0.0;
-    c.part(chance);
+    c.break_wire(chance);
     std::vector<Segment> segments;
     std::optional<double> least;
     double mean = 0.0;
@@ -203,10 +205,11 @@ Outcome run_crossed(Chance& chance) {
         for (std::size_t a = 0; a < segments.size(); ++a)
             for (std::size_t b = a + 1; b < segments.size(); ++b)
                 if (segments[a].wire != segments[b].wire &&
-                    !far_apart(segments[a].x, segments[b].x))
-                    out.through += passed(segments[a].x, segments[b].x) ? 1 : 0;
+                    !boxes_separate(segments[a].x, segments[b].x))
+                    out.through += wires_passed(segments[a].x, segments[b].x) ? 1 : 0;
         const Energy e = c.w.energy();
-        const double by_force = held(c), now = e.kinetic + e.gravity + by_force;
+        const double by_force = elastic_energy_from_forces(c),
+                     now = e.kinetic + e.gravity + by_force;
         // In single steps forces oscillate when a loose end becomes taut.
         mean += (now - (i < kMean ? mean : past[static_cast<std::size_t>(i % kMean)])) /
                 static_cast<double>(i < kMean ? i + 1 : kMean);

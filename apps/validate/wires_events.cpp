@@ -24,7 +24,7 @@ class Dice {
         state_ = state_ * 6364136223846793005u + 1442695040888963407u;
         return static_cast<double>(state_ >> 11) * 0x1p-53;
     }
-    std::size_t below(std::size_t n) {
+    std::size_t random_below(std::size_t n) {
         return static_cast<std::size_t>(next() * static_cast<double>(n));
     }
 
@@ -111,7 +111,7 @@ void edit(FreeWire& f, Dice& dice, Edits& sum) {
     constexpr std::size_t kMinimum = 20, kMaximum = 96;
     constexpr double kShortest = 2.0;  // m
     const auto elements = f.w.wires().elements(f.wire);
-    const std::size_t n = elements.size(), k = 1 + dice.below(n - 2);
+    const std::size_t n = elements.size(), k = 1 + dice.random_below(n - 2);
     const bool in = dice.next() < 0.5;
     const double share = 0.3 + 0.4 * dice.next();
     const Possession before = possession(f.w, f.wire);
@@ -197,7 +197,7 @@ struct Resting {
         return tension(w, w.wires().elements(wire).back());
     }
     /// Return the largest change of that tension in half a second [N].
-    double shaken() {
+    double largest_change() {
         const double before = tension_at_end();
         double most = 0.0;
         for (int i = 0; i < 30; ++i) {
@@ -219,13 +219,13 @@ void check_resting(Report& report, double pull, double element) {
     const std::size_t n = r.w.wires().elements(r.wire).size();
     for (std::size_t k = 1; k + 2 < n; k += std::max<std::size_t>(1, n / 5)) {
         const BodyId node = r.w.wires().insert_node(r.w.wires().elements(r.wire)[k], 0.5);
-        worst[0] = std::max(worst[0], r.shaken());
+        worst[0] = std::max(worst[0], r.largest_change());
         if (!r.w.wires().remove_node(node, kPi)) ++stayed;
-        worst[1] = std::max(worst[1], r.shaken());
+        worst[1] = std::max(worst[1], r.largest_change());
         if (!r.w.wires().remove_node(r.w.wires().nodes(r.wire)[k + 1], kPi)) ++stayed;
-        worst[2] = std::max(worst[2], r.shaken());
+        worst[2] = std::max(worst[2], r.largest_change());
         (void)r.w.wires().insert_node(r.w.wires().elements(r.wire)[k], 0.5);
-        worst[0] = std::max(worst[0], r.shaken());
+        worst[0] = std::max(worst[0], r.largest_change());
     }
     const std::string what = fmt::format("{:.0f} kN, elements of {} m", pull / 1e3, element);
     const char* names[3] = {"a node comes", "it goes", "another one goes"};

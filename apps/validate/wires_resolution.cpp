@@ -34,7 +34,7 @@ class Draw {
 double signal(const World& w, const char* name) {
     return w.system_signal(std::string("nodes.") + name);
 }
-double edits_of(const World& w) { return signal(w, "inserted") + signal(w, "removed"); }
+double edit_count(const World& w) { return signal(w, "inserted") + signal(w, "removed"); }
 
 /// A wire at rest over 190 m with a rise of 50 m, of a tension at its upper end, whose ends may
 /// move. Drag has waves die out within some seconds.
@@ -95,8 +95,8 @@ void check_at_rest(Report& report, double pull, double element) {
     for (int i = 0; i < 60 * 90; ++i) {
         const double last = s.pull();
         advance(s.w, 1);
-        if (edits_of(s.w) != edits) before = last;
-        edits = edits_of(s.w);
+        if (edit_count(s.w) != edits) before = last;
+        edits = edit_count(s.w);
         if (edits > 0.0) worst = std::max(worst, std::abs(s.pull() - before));
     }
     const std::string what = fmt::format("{:.0f} kN, from {} m", pull / 1e3, element);
@@ -106,7 +106,7 @@ void check_at_rest(Report& report, double pull, double element) {
                    allowed);
     advance(s.w, 60 * 60);
     report.compare(fmt::format("edits in a minute of rest, {}", what), {0.0},
-                   {edits_of(s.w) - edits}, 0.0,
+                   {edit_count(s.w) - edits}, 0.0,
                    fmt::format("none; {:.0f} nodes, {:.3g} to {:.3g} m", signal(s.w, "nodes"),
                                signal(s.w, "shortest"), signal(s.w, "longest")),
                    1.0);
@@ -208,7 +208,7 @@ void check_dragged(Report& report) {
         }
     }
     d.move(0.0);
-    const double moved = edits_of(d.w);
+    const double moved = edit_count(d.w);
     advance(d.w, 60 * 10);
     d.lengths(near, far);
     report.compare("longest element over the roller, dragged at 0.5 m/s [m]", {1.0}, {worst_near},
@@ -218,9 +218,9 @@ void check_dragged(Report& report) {
     report.compare(
         "shortest element far from it [m]", {9.0}, {far}, 6.0,
         fmt::format("long again; {:.0f} edits, {:.0f} nodes", moved, signal(d.w, "nodes")), 1.0);
-    const double settled = edits_of(d.w);
+    const double settled = edit_count(d.w);
     advance(d.w, 60 * 60);
-    report.compare("edits in a minute of rest, roller", {0.0}, {edits_of(d.w) - settled}, 0.0,
+    report.compare("edits in a minute of rest, roller", {0.0}, {edit_count(d.w) - settled}, 0.0,
                    "none", 1.0);
 }
 
@@ -251,7 +251,7 @@ void check_random(Report& report) {
             s.w.set_velocity(s.upper, t);
             advance(s.w, 1);
         }
-        edits += edits_of(s.w);
+        edits += edit_count(s.w);
         worst_material =
             std::max(worst_material, std::abs(signal(s.w, "material") / s.length - 1.0));
         worst_grade = std::max(worst_grade, static_cast<double>(s.w.verdict().grade));

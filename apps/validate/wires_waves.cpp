@@ -47,10 +47,10 @@ struct Pieces {
     double element;  ///< Length of an element [m].
     int left, right;
     double axial_damping;  ///< As in WireDef.
-    bool consistent, by_load;
+    bool consistent, breaks_by_load;
 };
 
-World parted(const Pieces& p, double step, WireId& wire) {
+World broken_wire_world(const Pieces& p, double step, WireId& wire) {
     World w({.step = step, .gravity = Vec3::Zero()});
     std::vector<double> x;
     for (int i = 0; i <= p.left + p.right + 1; ++i)
@@ -60,11 +60,11 @@ World parted(const Pieces& p, double step, WireId& wire) {
         if (p.consistent) d.set("mass", kPerMetre * p.element);
         if (!std::isnan(p.axial_damping))
             d.damping_time[0] = p.axial_damping * p.element * std::sqrt(kPerMetre / kStiffness);
-        if (p.by_load && i == weak) d.set("breaking_load", 0.99 * kPull);
+        if (p.breaks_by_load && i == weak) d.set("breaking_load", 0.99 * kPull);
     });
     const InteractionId element = w.wires().elements(wire)[weak];
-    advance(w, p.by_load ? 1 : 12);
-    if (!p.by_load) w.wires().part(element);
+    advance(w, p.breaks_by_load ? 1 : 12);
+    if (!p.breaks_by_load) w.wires().part(element);
     if (w.intact(element)) throw std::runtime_error("the weak element has not parted");
     return w;
 }
@@ -73,7 +73,7 @@ World parted(const Pieces& p, double step, WireId& wire) {
 /// reaches the piece's other end [m/s].
 std::array<double, 2> recoil_speeds(const Pieces& p, double step) {
     WireId wire;
-    World w = parted(p, step, wire);
+    World w = broken_wire_world(p, step, wire);
     const double c = std::sqrt(kStiffness / kPerMetre), begin = w.time();
     std::array<double, 2> mean{};
     BodyId node[2];
@@ -102,7 +102,7 @@ std::array<double, 2> recoil_speeds(const Pieces& p, double step) {
 }
 
 /// Return the value farther from the reference.
-double worse(double a, double b, double reference) {
+double farther_from(double a, double b, double reference) {
     return std::abs(a - reference) > std::abs(b - reference) ? a : b;
 }
 
@@ -116,10 +116,10 @@ void check_parting(Report& report, double piece, std::size_t s, double limit, co
         const int n = static_cast<int>(std::lround(piece / element));
         for (const double damping : {0.0, 0.1, 0.5, 1.0, 2.0, 10.0, kDefault})
             for (const bool consistent : {false, true})
-                for (const bool by_load : {false, true}) {
-                    const auto [left, right] =
-                        recoil_speeds({element, n, n, damping, consistent, by_load}, kRecoil[s]);
-                    worst = worse(worse(left, right, speed), worst, speed);
+                for (const bool breaks_by_load : {false, true}) {
+                    const auto [left, right] = recoil_speeds(
+                        {element, n, n, damping, consistent, breaks_by_load}, kRecoil[s]);
+                    worst = farther_from(farther_from(left, right, speed), worst, speed);
                 }
         report.compare(fmt::format("recoil, {} m in elements of {} m, 1/{:.0f} s [m/s]", piece,
                                    element, 1.0 / kRecoil[s]),
@@ -139,10 +139,10 @@ void check_random_parting(Report& report, std::size_t s) {
         };
         const int left = count(), right = count();
         const double damping = std::exp(chance.between(-5.0, 3.0));
-        const bool consistent = chance.next() < 0.5, by_load = chance.next() < 0.5;
+        const bool consistent = chance.next() < 0.5, breaks_by_load = chance.next() < 0.5;
         const auto [a, b] =
-            recoil_speeds({element, left, right, damping, consistent, by_load}, kRecoil[s]);
-        worst = worse(worse(a, b, speed), worst, speed);
+            recoil_speeds({element, left, right, damping, consistent, breaks_by_load}, kRecoil[s]);
+        worst = farther_from(farther_from(a, b, speed), worst, speed);
     }
     report.compare(
         fmt::format("recoil, {} random wires, 1/{:.0f} s [m/s]", kRandom, 1.0 / kRecoil[s]),
@@ -214,7 +214,7 @@ struct Pulsed {
         throw std::runtime_error("no node there");
     }
     /// Return the largest displacement within half a pulse of x, before the junction [m].
-    [[nodiscard]] double highest(double x) const {
+    [[nodiscard]] double largest_displacement(double x) const {
         double most = 0.0;
         for (const BodyId node : w.wires().nodes(wire)) {
             const Vec3 p = w.pose(node).position;
@@ -239,7 +239,7 @@ void check_pulse(Report& report, double step, bool edited) {
         // sent the other way.
         const double crest = kStart + p.speed * p.w.time();
         if (crest > kJunction + 70.0 && crest < kJunction + 170.0)
-            back = std::max(back, p.highest(2.0 * kJunction - crest));
+            back = std::max(back, p.largest_displacement(2.0 * kJunction - crest));
     }
     const double half = 0.6 * kPulse / p.speed;
     const Passing a = passing(z[0], step, half), b = passing(z[1], step, half);

@@ -23,12 +23,12 @@ nlohmann::json figures_of(const HashComparison& c, const std::string& method) {
     for (const HashRun& r : c.runs)
         runs.push_back({{"threads", r.threads},
                         {"restored_from", r.restored_from},
-                        {"saved_after", r.saved_after},
+                        {"saved_after", r.steps_to_saved},
                         {"first_difference", r.first_difference}});
     return {{"scene", c.scene},
             {"nonsmooth", method},
             {"steps", c.steps},
-            {"saved_after", c.saved_after},
+            {"saved_after", c.steps_to_saved},
             {"status", to_string(c.status)},
             {"hash", fmt::format("{:016x}", c.hash)},
             {"contacts_max", c.contacts_max},
@@ -47,8 +47,8 @@ void print_line(const HashComparison& c, const std::string& method) {
         if (r.first_difference == 0) continue;
         fmt::print("    {} thread(s), {}: first difference after step {}\n", r.threads,
                    r.restored_from == 0 ? std::string("from the start")
-                                        : fmt::format("from step {} of {} thread(s)", r.saved_after,
-                                                      r.restored_from),
+                                        : fmt::format("from step {} of {} thread(s)",
+                                                      r.steps_to_saved, r.restored_from),
                    r.first_difference);
     }
     std::fflush(stdout);

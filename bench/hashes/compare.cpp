@@ -151,7 +151,7 @@ HashComparison compare_hashes(const std::string& file, const HashOptions& option
     out.scene = std::filesystem::path(file).stem().string();
     out.steps = options.steps;
     const int middle = options.steps / 2;
-    out.saved_after = middle;
+    out.steps_to_saved = middle;
     const std::vector<int>& threads = options.threads;
     std::vector<Saved> saved(threads.size());
     std::map<int, Saved> states = steps_to_save(options, middle);

@@ -28,22 +28,22 @@ struct HashRun {
     int threads = 1;
     int restored_from = 0;  ///< Number of threads of the world that saved its initial state; 0: the
                             ///< start.
-    std::int64_t saved_after = 0;  ///< Number of steps before this state.
+    std::int64_t steps_to_saved = 0;  ///< Number of steps before this state.
     std::int64_t first_difference = 0;
 };
 
 struct HashComparison {
     std::string scene;
-    std::int64_t steps = 0;          ///< Steps of each run from the start.
-    std::int64_t saved_after = 0;    ///< Steps after which states were saved.
-    Status status = Status::ok;      ///< Status of the last step of the first run.
-    std::uint64_t hash = 0;          ///< After the last step of the first run.
-    std::int32_t contacts_max = 0;   ///< Contact points in a step.
-    std::int32_t sliding_max = 0;    ///< Contact points with friction at its limit.
-    std::int64_t sliding_steps = 0;  ///< Number of steps with sliding contacts.
-    std::int64_t edited_steps = 0;   ///< Number of steps with additions or removals of bodies or
-                                     ///< interactions.
-    std::vector<HashRun> runs;       ///< All except the first run.
+    std::int64_t steps = 0;           ///< Steps of each run from the start.
+    std::int64_t steps_to_saved = 0;  ///< Steps after which states were saved.
+    Status status = Status::ok;       ///< Status of the last step of the first run.
+    std::uint64_t hash = 0;           ///< After the last step of the first run.
+    std::int32_t contacts_max = 0;    ///< Contact points in a step.
+    std::int32_t sliding_max = 0;     ///< Contact points with friction at its limit.
+    std::int64_t sliding_steps = 0;   ///< Number of steps with sliding contacts.
+    std::int64_t edited_steps = 0;    ///< Number of steps with additions or removals of bodies or
+                                      ///< interactions.
+    std::vector<HashRun> runs;        ///< All except the first run.
 
     [[nodiscard]] bool equal() const noexcept;
 };

@@ -99,7 +99,7 @@ std::vector<std::int32_t> order_alike(std::span<const BlockOp> ops) {
     return order;
 }
 
-void BlockWrite::out_of_reach() {
+void BlockWrite::is_out_of_reach() {
     throw std::length_error("blocks are written past what 32 bits can address");
 }
 

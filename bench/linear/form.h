@@ -67,9 +67,9 @@ struct BlockWrite {
           turned(turn),
           diagonal(op.row == op.col) {
         for (int k = 0; k < kMaxRows; ++k) count[k] = op.count[k];
-        if (address != to) out_of_reach();
+        if (address != to) is_out_of_reach();
     }
-    [[noreturn]] static void out_of_reach();
+    [[noreturn]] static void is_out_of_reach();
 
   private:
     /// Select without a branch: the result is not predictable.

@@ -30,7 +30,7 @@ struct Parts {
 
     Parts(const BlockForm& f, bool keep)
         : form(f), symbolic(factor::analyse(f.pattern, factor::plan_elimination(f.pattern))) {
-        if (keep) factor::keep_updates(symbolic);
+        if (keep) factor::separate_updates(symbolic);
         numeric.reserve(symbolic, 1);
         dirty.reserve(symbolic);
     }
@@ -43,7 +43,7 @@ struct Parts {
                 numeric.values()[t.address + i * (t.step + t.ld)] = form.pattern.sign[at(v)];
         }
     }
-    double whole() {
+    double all_columns() {
         numeric.clear(symbolic, serial);
         fill(false);
         const double from = thread_us();
@@ -88,8 +88,8 @@ void print_form(const PaperScene& scene, const BlockForm& form, const char* name
     std::vector<double> stacked, kept;
     Parts stacks(form, false), parts(form, true);
     for (int k = 0; k < kSamples; ++k) {
-        stacked.push_back(stacks.whole());
-        kept.push_back(parts.whole());
+        stacked.push_back(stacks.all_columns());
+        kept.push_back(parts.all_columns());
     }
     fmt::print("{:<17} {:7.0f} {:7.0f} {:7.2f} {:7.2f} ", name, median(stacked), median(kept),
                8e-6 * static_cast<double>(stacks.symbolic.work_size),

@@ -27,7 +27,7 @@ void Placer::place(const BlockForm& form, const factor::Analysis& analysis,
                    const std::vector<factor::Piece>& pieces, std::vector<BlockWrite>& ops,
                    std::vector<Range>& of_piece, base::Executor& executor) {
     const factor::Symbolic& s = analysis.symbolic();
-    if (s.panel_size > std::numeric_limits<std::uint32_t>::max()) BlockWrite::out_of_reach();
+    if (s.panel_size > std::numeric_limits<std::uint32_t>::max()) BlockWrite::is_out_of_reach();
     find_nodes(s, pieces);
     sort(form, executor);
     of_piece.resize(pieces.size());
@@ -49,15 +49,15 @@ void Placer::place(const BlockForm& form, const factor::Analysis& analysis,
         return at(std::upper_bound(start_.begin(), start_.end(), block) - start_.begin());
     };
     auto task = [&](int part, int thread) noexcept {
-        place_groups(form, analysis, part == 0 ? 0 : first(part), first(part + 1),
-                     row_.data() + n * at(thread), ops.data());
+        assign_group_addresses(form, analysis, part == 0 ? 0 : first(part), first(part + 1),
+                               row_.data() + n * at(thread), ops.data());
     };
     executor.for_each(parts, task);
 }
 
-void Placer::place_groups(const BlockForm& form, const factor::Analysis& analysis,
-                          std::size_t begin, std::size_t end, std::int32_t* rows,
-                          BlockWrite* ops) const {
+void Placer::assign_group_addresses(const BlockForm& form, const factor::Analysis& analysis,
+                                    std::size_t begin, std::size_t end, std::int32_t* rows,
+                                    BlockWrite* ops) const {
     const factor::Symbolic& s = analysis.symbolic();
     const BlockOp* const from = form.ops.data();
     const Place* const places = places_.data();

@@ -36,8 +36,9 @@ class Placer {
     };
     void find_nodes(const factor::Symbolic& s, const std::vector<factor::Piece>& pieces);
     void sort(const BlockForm& form, base::Executor& executor);
-    void place_groups(const BlockForm& form, const factor::Analysis& analysis, std::size_t begin,
-                      std::size_t end, std::int32_t* row, BlockWrite* ops) const;
+    void assign_group_addresses(const BlockForm& form, const factor::Analysis& analysis,
+                                std::size_t begin, std::size_t end, std::int32_t* row,
+                                BlockWrite* ops) const;
 
     std::vector<Place> places_;                                   ///< By node.
     std::vector<std::pair<std::int64_t, std::int32_t>> by_slot_;  ///< By rank: panel, piece.

@@ -45,7 +45,7 @@ struct LongFactor {
         path.resize(n);
     }
     /// Find the columns that row k of L meets, in the order of the tree: path[top, n).
-    std::size_t reach(const Permuted& m, std::size_t k) {
+    std::size_t meeting_columns(const Permuted& m, std::size_t k) {
         std::size_t top = m.order.size();
         flag[k] = static_cast<std::int32_t>(k);
         for (std::int32_t p = m.start[k]; p < m.start[k + 1]; ++p) {
@@ -65,7 +65,7 @@ struct LongFactor {
         std::fill(count.begin(), count.end(), 0);
         std::fill(flag.begin(), flag.end(), -1);
         for (std::size_t k = 0; k < n; ++k) {
-            std::size_t top = reach(m, k);
+            std::size_t top = meeting_columns(m, k);
             d[k] = y[k];
             y[k] = 0;
             for (; top < n; ++top) {

@@ -39,9 +39,11 @@ double best_sample(const Result& r) {
 json result_json(const Result& r) {
     json updates = json::array();
     for (const UpdateTime& u : r.update)
-        updates.push_back({{"contacts_changed", u.changed},
-                           {"ms", 1e3 * u.time},
-                           {"analysed_anew_ms", u.anew < 0.0 ? json() : json(1e3 * u.anew)}});
+        updates.push_back(
+            {{"contacts_changed", u.changed},
+             {"ms", 1e3 * u.time},
+             {"analysed_anew_ms",
+              u.analysis_from_scratch < 0.0 ? json() : json(1e3 * u.analysis_from_scratch)}});
     json samples = json::array();
     for (const double t : r.totals) samples.push_back(1e3 * t);
     if (!r.failure.empty())
@@ -50,23 +52,24 @@ json result_json(const Result& r) {
                 {"order", r.order},
                 {"threads", r.threads},
                 {"failure", r.failure}};
-    return {{"solver", r.library},
-            {"form", r.form},
-            {"order", r.order},
-            {"threads", r.threads},
-            {"analyse_ms", 1e3 * r.analyse},
-            {"own_analyse_ms", r.own_analyse < 0.0 ? json() : json(1e3 * r.own_analyse)},
-            {"update", updates},
-            {"refresh_ms", 1e3 * r.phases.refresh},
-            {"factor_ms", 1e3 * r.phases.factor},
-            {"solve_ms", 1e3 * r.phases.solve},
-            {"refine_ms", 1e3 * r.phases.refine},
-            {"total_ms", 1e3 * r.total},
-            {"samples_ms", samples},
-            {"factor_nnz", r.factor_nnz},
-            {"flops", r.flops},
-            {"bytes", r.bytes},
-            {"error", r.error}};
+    return {
+        {"solver", r.library},
+        {"form", r.form},
+        {"order", r.order},
+        {"threads", r.threads},
+        {"analyse_ms", 1e3 * r.analyse},
+        {"own_analyse_ms", r.own_order_analysis < 0.0 ? json() : json(1e3 * r.own_order_analysis)},
+        {"update", updates},
+        {"refresh_ms", 1e3 * r.phases.refresh},
+        {"factor_ms", 1e3 * r.phases.factor},
+        {"solve_ms", 1e3 * r.phases.solve},
+        {"refine_ms", 1e3 * r.phases.refine},
+        {"total_ms", 1e3 * r.total},
+        {"samples_ms", samples},
+        {"factor_nnz", r.factor_nnz},
+        {"flops", r.flops},
+        {"bytes", r.bytes},
+        {"error", r.error}};
 }
 
 void print_memory(const ProblemReport& report) {
@@ -84,7 +87,8 @@ void print_memory(const ProblemReport& report) {
             fmt::print(
                 "  hawser: {} contacts changed: update {:.3f} ms, an analysis in turns with it "
                 "{:.3f} ms: {:.2f} times\n",
-                u.changed, 1e3 * u.time, 1e3 * u.anew, u.anew / u.time);
+                u.changed, 1e3 * u.time, 1e3 * u.analysis_from_scratch,
+                u.analysis_from_scratch / u.time);
     }
 }
 
@@ -124,8 +128,8 @@ void print_report(const ProblemReport& report) {
         fmt::print(
             "{:<20} {:>1} {:>10.3f} {:>6} {:>10} {:>6} {:>10} {:>10} {:>10} {:>12.0f} {:>10}\n",
             r.library, r.threads, 1e3 * r.analyse, ratio(r.analyse),
-            r.own_analyse < 0.0 ? "-" : fmt::format("{:.3f}", 1e3 * r.own_analyse),
-            ratio(r.own_analyse), update_ms(r, 10), update_ms(r, 50), update_ms(r, 200),
+            r.own_order_analysis < 0.0 ? "-" : fmt::format("{:.3f}", 1e3 * r.own_order_analysis),
+            ratio(r.own_order_analysis), update_ms(r, 10), update_ms(r, 50), update_ms(r, 200),
             r.factor_nnz, r.flops > 0.0 ? fmt::format("{:.2f}", 1e-6 * r.flops) : "-");
     }
     print_memory(report);
@@ -178,7 +182,8 @@ nlohmann::json to_json(const ProblemReport& report) {
         const Result* base = ours(report.best, r.threads);
         if (base == nullptr || !r.failure.empty()) continue;
         best.back()["analyse_ratio"] = r.analyse / base->analyse;
-        if (r.own_analyse >= 0.0) best.back()["own_analyse_ratio"] = r.own_analyse / base->analyse;
+        if (r.own_order_analysis >= 0.0)
+            best.back()["own_analyse_ratio"] = r.own_order_analysis / base->analyse;
     }
     for (const Result& r : report.tried) tried.push_back(result_json(r));
     return {{"name", report.name},

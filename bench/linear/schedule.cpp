@@ -14,9 +14,9 @@ namespace hawser::bench {
 namespace {
 
 /// Runs on one thread the tasks of several threads.
-class Pretend final : public base::Executor {
+class SimulatedExecutor final : public base::Executor {
   public:
-    Pretend(runtime::Pool& pool, int threads) : pool_(pool), threads_(threads) {}
+    SimulatedExecutor(runtime::Pool& pool, int threads) : pool_(pool), threads_(threads) {}
     void run(int count, Task task, void* context) noexcept override {
         pool_.run(count, task, context);
     }
@@ -48,7 +48,7 @@ class Work {
         vectors_.resize(problem_.system);
         solver_->analyse(problem_.input(condensed), serial);
         // Memory for the second thread; serial executors use the first.
-        Pretend two(one_, 2);
+        SimulatedExecutor two(one_thread_, 2);
         solver_->analyse(problem_.input(condensed), two);
     }
 
@@ -68,8 +68,8 @@ class Work {
         return m;
     }
 
-    [[nodiscard]] runtime::Pool& one() noexcept { return one_; }
-    [[nodiscard]] runtime::Pool& two() noexcept { return two_; }
+    [[nodiscard]] runtime::Pool& one() noexcept { return one_thread_; }
+    [[nodiscard]] runtime::Pool& two() noexcept { return two_threads_; }
     [[nodiscard]] runtime::Trace& trace() noexcept { return trace_; }
 
   private:
@@ -83,14 +83,14 @@ class Work {
         Marks m;
         m.at[0] = trace_.now();
         invert_sigma(*in.system, *in.form, inverse, team);
-        fold(*in.system, *in.form, inverse, vectors_, team);
+        fold_right_side(*in.system, *in.form, inverse, vectors_, team);
         solver_->refresh(in, team);
         m.at[1] = trace_.now();
         solver_->factor_and_begin(vectors_.folded, team);
         m.at[2] = trace_.now();
         solver_->finish(vectors_.folded, team);
         m.at[3] = trace_.now();
-        unfold(*in.system, *in.form, inverse, vectors_, team);
+        unfold_solution(*in.system, *in.form, inverse, vectors_, team);
         fold_residual(*in.system, *in.form, vectors_, team);
         solver_->solve(vectors_.folded, team);
         add_correction(*in.system, *in.form, inverse, vectors_, team);
@@ -102,13 +102,13 @@ class Work {
     bool condensed_;
     std::unique_ptr<Solver> solver_;
     SweepVectors vectors_;
-    runtime::Pool one_{1}, two_{2};
+    runtime::Pool one_thread_{1}, two_threads_{2};
     runtime::Trace trace_{1, 1 << 16};
 };
 
 /// Combine several runs of a program into one with median times: another program that occupies the
 /// processor lengthens a task in only one of them.
-ProgramTimes typical(const std::vector<ProgramTimes>& runs) {
+ProgramTimes median_times(const std::vector<ProgramTimes>& runs) {
     ProgramTimes p = runs.front();
     std::vector<double> v;
     auto middle = [&](auto&& of) {
@@ -137,7 +137,7 @@ struct Stretch {
         t.one_best = *std::min_element(one.begin(), one.end());
         t.two_best = *std::min_element(two.begin(), two.end());
         for (std::size_t k = 0; k < std::size(kScheduleThreads); ++k) {
-            const ProgramTimes p = typical(program[k]);
+            const ProgramTimes p = median_times(program[k]);
             t.predicted.push_back(simulate(p, kScheduleThreads[k], costs).seconds);
             t.speed_up.push_back(p.work() / t.predicted.back());
             t.serial = p.serial();
@@ -198,7 +198,7 @@ ScheduleReport measure_schedule(const ProblemSource& source, bool condensed, int
         }
         disturbed_two += b.disturbed ? 1U : 0U;
         for (std::size_t k = 0; k < std::size(kScheduleThreads); ++k) {
-            Pretend team(work.one(), kScheduleThreads[k]);
+            SimulatedExecutor team(work.one(), kScheduleThreads[k]);
             work.one().record(&work.trace());
             const Marks m = counted(team, work.one());
             work.one().record(nullptr);
@@ -216,8 +216,8 @@ ScheduleReport measure_schedule(const ProblemSource& source, bool condensed, int
     report.whole = whole.times(costs);
     for (int i = 0; i + 1 < kMarks; ++i) {
         report.phases.push_back({kPhase[i], median(one[i]), median(two[i]),
-                                 simulate(typical(phase_two[i]), 2, costs).seconds});
-        describe_loops(typical(phase[i]), kPhase[i], costs, report.loops);
+                                 simulate(median_times(phase_two[i]), 2, costs).seconds});
+        describe_loops(median_times(phase[i]), kPhase[i], costs, report.loops);
     }
     return report;
 }

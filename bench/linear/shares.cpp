@@ -52,14 +52,14 @@ void work(Ours& ours, Problem& p, SweepVectors& v, Laps& laps) {
     laps.start();
     invert_sigma(p.system, *in.form, p.inverse, serial);
     laps.lap("1/Sigma");
-    fold(p.system, *in.form, p.inverse, v, serial);
+    fold_right_side(p.system, *in.form, p.inverse, v, serial);
     laps.lap("right-hand side");
     ours.refresh(in, serial);
     ours.factor_and_begin(v.folded, serial);
     laps.lap("values, factorisation, forward");
     ours.finish(v.folded, serial);
     laps.lap("backward");
-    unfold(p.system, *in.form, p.inverse, v, serial);
+    unfold_solution(p.system, *in.form, p.inverse, v, serial);
     laps.lap("multipliers");
     fold_residual(p.system, *in.form, v, serial);
     laps.lap("residual");
@@ -106,7 +106,7 @@ void print_update(const PaperOptions& paper, int rounds) {
     constexpr int kChanged = 50;
     PaperScene scene(paper);
     base::SerialExecutor serial;
-    Ours follows(Order::library), anew(Order::library);
+    Ours follows(Order::library), from_scratch(Order::library);
     Laps laps;
     for (int k = 0; k <= rounds; ++k) {
         const BlockForm form = make_form(scene.system(), true);
@@ -114,16 +114,16 @@ void print_update(const PaperOptions& paper, int rounds) {
         in.form = &form;
         if (k == 0) {
             follows.analyse(in, serial);
-            anew.analyse(in, serial);
+            from_scratch.analyse(in, serial);
         } else {
             laps.start();
             follows.repair(in, serial);
             laps.lap("repair");
             follows.find_places(serial);
             laps.lap("addresses");
-            anew.plan(in, serial);
+            from_scratch.plan(in, serial);
             laps.lap("analysis");
-            anew.find_places(serial);
+            from_scratch.find_places(serial);
             laps.lap("its addresses");
         }
         scene.change_contacts(kChanged, k);

@@ -25,8 +25,8 @@ struct SweepView {
     bool distant;        ///< True if the blocks are several times larger than a core's own cache.
 };
 
-SweepView view_of(const BlockSystem& s, const BlockForm& f, const std::vector<double>& inverse,
-                  SweepVectors& v) {
+SweepView make_sweep_view(const BlockSystem& s, const BlockForm& f,
+                          const std::vector<double>& inverse, SweepVectors& v) {
     const SweepTables& t = f.tables;
     const std::size_t size = s.values.size();
     return {
@@ -284,13 +284,13 @@ void SweepVectors::resize(const BlockSystem& system) {
     for (auto* v : {&x, &r, &s, &folded}) v->assign(n, 0.0);
 }
 
-void fold(const BlockSystem& s, const BlockForm& f, const std::vector<double>& inverse,
-          SweepVectors& vectors, base::Executor& executor) {
+void fold_right_side(const BlockSystem& s, const BlockForm& f, const std::vector<double>& inverse,
+                     SweepVectors& vectors, base::Executor& executor) {
     if (!f.condensed) {
         std::copy(s.rhs.begin(), s.rhs.begin() + s.scalars(), vectors.folded.begin());
         return;
     }
-    const SweepView v = view_of(s, f, inverse, vectors);
+    const SweepView v = make_sweep_view(s, f, inverse, vectors);
     // Scalars of bodies are multiplied by unset values, which are never read.
     in_pieces(s.scalars(), executor, [&](std::int64_t begin, std::int64_t end) {
         scale(v.inverse, v.b, v.s, begin, end);
@@ -298,20 +298,20 @@ void fold(const BlockSystem& s, const BlockForm& f, const std::vector<double>& i
     all_bodies(f, v, false, executor);
 }
 
-void unfold(const BlockSystem& s, const BlockForm& f, const std::vector<double>& inverse,
-            SweepVectors& vectors, base::Executor& executor) {
+void unfold_solution(const BlockSystem& s, const BlockForm& f, const std::vector<double>& inverse,
+                     SweepVectors& vectors, base::Executor& executor) {
     if (!f.condensed) {
         std::copy(vectors.folded.begin(), vectors.folded.end(), vectors.x.begin());
         return;
     }
     spread(f, vectors.folded, vectors.x, executor);
-    all_rows(f, view_of(s, f, inverse, vectors), Sweep::unfold, executor);
+    all_rows(f, make_sweep_view(s, f, inverse, vectors), Sweep::unfold, executor);
 }
 
 void fold_residual(const BlockSystem& s, const BlockForm& f, SweepVectors& vectors,
                    base::Executor& executor) {
     static const std::vector<double> none;
-    const SweepView v = view_of(s, f, none, vectors);
+    const SweepView v = make_sweep_view(s, f, none, vectors);
     if (!f.condensed) all_rows(f, v, Sweep::residual, executor);
     all_bodies(f, v, true, executor);
 }
@@ -322,7 +322,7 @@ void add_correction(const BlockSystem& s, const BlockForm& f, const std::vector<
         for (std::size_t i = 0; i < vectors.x.size(); ++i) vectors.x[i] += vectors.folded[i];
         return;
     }
-    const SweepView v = view_of(s, f, inverse, vectors);
+    const SweepView v = make_sweep_view(s, f, inverse, vectors);
     spread(f, vectors.folded, vectors.s, executor);
     all_rows(f, v, Sweep::correct, executor);
     all_scalars(f, executor, [&](std::size_t k, std::size_t i) { v.x[k] += v.folded[i]; });

@@ -25,12 +25,14 @@ struct SweepVectors {
 
 /// Set folded to the right-hand side of the form: b of the kept nodes plus Gᵀ Σ⁻¹ b of the
 /// eliminated.
-void fold(const BlockSystem& system, const BlockForm& form, const std::vector<double>& inverse,
-          SweepVectors& vectors, base::Executor& executor);
+void fold_right_side(const BlockSystem& system, const BlockForm& form,
+                     const std::vector<double>& inverse, SweepVectors& vectors,
+                     base::Executor& executor);
 
 /// Compute x from the form's solution in folded, and then its folded saddle residual.
-void unfold(const BlockSystem& system, const BlockForm& form, const std::vector<double>& inverse,
-            SweepVectors& vectors, base::Executor& executor);
+void unfold_solution(const BlockSystem& system, const BlockForm& form,
+                     const std::vector<double>& inverse, SweepVectors& vectors,
+                     base::Executor& executor);
 void fold_residual(const BlockSystem& system, const BlockForm& form, SweepVectors& vectors,
                    base::Executor& executor);
 

@@ -37,7 +37,7 @@ class Watch {
     double last_;
 };
 
-bool wanted(const Variant& v, const TrialOptions& o) {
+bool is_selected(const Variant& v, const TrialOptions& o) {
     const bool ours = v.library.starts_with("hawser");
     if (o.quick_choice && (v.order != (ours ? Order::library : Order::amd_blocks))) return false;
     if (o.libraries.empty()) return true;
@@ -60,7 +60,7 @@ Result describe(Candidate& c) {
 
 /// Samples of one candidate, and their evaluation.
 struct Samples {
-    std::vector<double> analyse, own_analyse, refresh, factor, solve, refine, total;
+    std::vector<double> analyse, own_order_analysis, refresh, factor, solve, refine, total;
     void add(const Phases& p) {
         refresh.push_back(p.refresh);
         factor.push_back(p.factor);
@@ -70,7 +70,7 @@ struct Samples {
     }
     void finish(Result& r) const {
         r.analyse = median(analyse);
-        if (!own_analyse.empty()) r.own_analyse = median(own_analyse);
+        if (!own_order_analysis.empty()) r.own_order_analysis = median(own_order_analysis);
         r.phases = {median(refresh), median(factor), median(solve), median(refine)};
         r.total = median(total);
         r.totals = total;
@@ -81,7 +81,7 @@ struct Samples {
 /// time, and a short one finds caches and branch prediction with data of another solver. They also
 /// wake the threads, which stay awake for the turn, like in a time step. @param others  Another
 /// solver had the turn before.
-void take_turn(Candidate& c, Samples& s, bool others) {
+void run_turn(Candidate& c, Samples& s, bool others) {
     constexpr double kShort = 0.02, kOthers = 0.03;  // [s]
     const bool first_of_all = s.total.empty();
     const Phases p = c.work();
@@ -110,11 +110,11 @@ Result try_variant(Problem& problem, const Variant& variant, int threads) {
         r = describe(c);
         Samples s;
         s.analyse.push_back(c.analyse());
-        for (int turn = 0; turn < 2; ++turn) take_turn(c, s, turn == 0);
+        for (int turn = 0; turn < 2; ++turn) run_turn(c, s, turn == 0);
         // Short ones are disturbed more, and there is time for more of them.
         constexpr double kShort = 0.005;  // [s]
         const bool is_short = *std::min_element(s.total.begin(), s.total.end()) < kShort;
-        for (int turn = 0; is_short && turn < 8; ++turn) take_turn(c, s, false);
+        for (int turn = 0; is_short && turn < 8; ++turn) run_turn(c, s, false);
         s.finish(r);
         // Variants are compared by their best sample, which other programs disturb least.
         r.total = *std::min_element(s.total.begin(), s.total.end());
@@ -139,8 +139,8 @@ bool second_is_better(Problem& problem, const Variant& a, const Variant& b, int 
     Samples of_first, of_second;
     constexpr int kTurns = 9;
     for (int turn = 0; turn < kTurns; ++turn) {
-        take_turn(first, of_first, true);
-        take_turn(second, of_second, true);
+        run_turn(first, of_first, true);
+        run_turn(second, of_second, true);
     }
     return median(of_second.total) < median(of_first.total);
 }
@@ -152,12 +152,12 @@ void time_updates(Problem& problem, std::vector<std::unique_ptr<Candidate>>& can
                   const TrialOptions& options) {
     if (!source.paper) return;  // only this scene has contacts to edit
     constexpr int kSteps = 4;
-    std::vector<std::unique_ptr<Candidate>> anew(candidates.size());
+    std::vector<std::unique_ptr<Candidate>> from_scratch(candidates.size());
     for (std::size_t k = 0; k < candidates.size(); ++k) {
         const Candidate& c = *candidates[k];
         if (c.variant().library != "hawser") continue;
-        anew[k] = std::make_unique<Candidate>(problem, c.variant(), c.threads());
-        anew[k]->analyse();
+        from_scratch[k] = std::make_unique<Candidate>(problem, c.variant(), c.threads());
+        from_scratch[k]->analyse();
     }
     PaperScene scene(*source.paper);
     int step = 0;
@@ -171,7 +171,7 @@ void time_updates(Problem& problem, std::vector<std::unique_ptr<Candidate>>& can
             for (std::size_t c = 0; c < candidates.size(); ++c) {
                 const Input input = edited.input(candidates[c]->variant().condensed);
                 auto analyse = [&](bool now) {
-                    if (now && anew[c]) whole[c].push_back(anew[c]->analyse(input));
+                    if (now && from_scratch[c]) whole[c].push_back(from_scratch[c]->analyse(input));
                 };
                 analyse(step % 2 != 0);
                 times[c].push_back(candidates[c]->update(input, nodes));
@@ -214,7 +214,7 @@ void Candidate::sleep() {
 }
 /// Put the threads of the pool to sleep: a spinning pool would occupy a core of a library with its
 /// own threads.
-void Candidate::rest() {
+void Candidate::sleep_pool() {
     if (pool_ && own_ != pool_.get()) pool_->pause();
 }
 
@@ -252,7 +252,7 @@ Phases Candidate::work() {
     std::vector<double>& inverse = problem_->inverse;
     base::Executor& team = executor();
     auto solve = [&] {
-        rest();
+        sleep_pool();
         solver_->solve(vectors_.folded, *own_);
         wake();
     };
@@ -260,15 +260,15 @@ Phases Candidate::work() {
     wake();
     Watch watch(processor_time());
     invert_sigma(*in.system, *in.form, inverse, team);
-    fold(*in.system, *in.form, inverse, vectors_, team);
+    fold_right_side(*in.system, *in.form, inverse, vectors_, team);
     solver_->refresh(in, team);
-    rest();
+    sleep_pool();
     p.refresh = watch.lap();
     solver_->factor_and_begin(vectors_.folded, *own_);
     p.factor = watch.lap();
     solver_->finish(vectors_.folded, *own_);
     wake();
-    unfold(*in.system, *in.form, inverse, vectors_, team);
+    unfold_solution(*in.system, *in.form, inverse, vectors_, team);
     p.solve = watch.lap();
     fold_residual(*in.system, *in.form, vectors_, team);
     solve();
@@ -284,7 +284,7 @@ std::vector<Result> compare(Problem& problem, const ProblemSource& source, int t
     std::map<std::string, Tried> best, next;
     std::vector<std::string> order;
     for (const Variant& v : all_variants(options.through_public)) {
-        if (!wanted(v, options)) continue;
+        if (!is_selected(v, options)) continue;
         const Result r = try_variant(problem, v, threads);
         all.push_back(r);
         const auto it = best.find(v.library);
@@ -304,12 +304,12 @@ std::vector<Result> compare(Problem& problem, const ProblemSource& source, int t
         constexpr double kClose = 1.5, kShort = 0.02;  // ratio of times; [s]
         Tried& first = best[name];
         const double least = first.second.total;
-        if (options.alternate && least < kShort && other.second.total < kClose * least &&
+        if (options.run_in_turns && least < kShort && other.second.total < kClose * least &&
             second_is_better(problem, first.first, other.first, threads))
             first = other;
     }
     std::vector<Result> results;
-    if (!options.alternate) {
+    if (!options.run_in_turns) {
         for (const std::string& name : order) results.push_back(best[name].second);
         return results;
     }
@@ -324,11 +324,11 @@ std::vector<Result> compare(Problem& problem, const ProblemSource& source, int t
     for (std::size_t k = 0; k < candidates.size(); ++k)
         for (int i = 0; i < 3; ++i) {
             samples[k].analyse.push_back(candidates[k]->analyse());
-            samples[k].own_analyse.push_back(candidates[k]->analyse_own());
+            samples[k].own_order_analysis.push_back(candidates[k]->analyse_own());
         }
     for (int round = 0; round < options.rounds; ++round)
         for (std::size_t k = 0; k < candidates.size(); ++k)
-            take_turn(*candidates[k], samples[k], candidates.size() > 1 || round == 0);
+            run_turn(*candidates[k], samples[k], candidates.size() > 1 || round == 0);
     for (std::size_t k = 0; k < candidates.size(); ++k) {
         samples[k].finish(results[k]);
         complete(*candidates[k], problem, results[k]);

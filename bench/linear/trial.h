@@ -28,20 +28,20 @@ struct Phases {
 
 /// Time to follow changed contacts.
 struct UpdateTime {
-    int changed = 0;     ///< Number of contacts.
-    double time = 0.0;   ///< Median [s].
-    double anew = -1.0;  ///< Time of a new analysis of the same systems, in turns with it; −1: the
-                         ///< solver has no other method.
+    int changed = 0;                      ///< Number of contacts.
+    double time = 0.0;                    ///< Median [s].
+    double analysis_from_scratch = -1.0;  ///< Time of a new analysis of the same systems, in turns
+                                          ///< with it; −1: the solver has no other method.
 };
 
 /// Reported results of one solver on one problem with one number of threads.
 struct Result {
     std::string library, form, order, failure;
     int threads = 1;
-    double analyse = 0.0;       ///< [s]
-    double own_analyse = -1.0;  ///< With the library's own order; −1: none.
-    Phases phases{};            ///< Medians.
-    double total = 0.0;         ///< Median of the totals [s].
+    double analyse = 0.0;              ///< [s]
+    double own_order_analysis = -1.0;  ///< With the library's own order; −1: none.
+    Phases phases{};                   ///< Medians.
+    double total = 0.0;                ///< Median of the totals [s].
     std::vector<UpdateTime> update{};
     double factor_nnz = 0.0, flops = 0.0, bytes = 0.0, error = 0.0;
     std::vector<double> totals{};  ///< Each sample [s].
@@ -53,7 +53,7 @@ struct TrialOptions {
     std::vector<int> edits{10, 50, 200};   ///< Numbers of changed contacts, if the problem has any.
     bool quick_choice = false;             ///< Try only AMD on blocks; for Hawser only its own
                                            ///< order.
-    bool alternate = true;                 ///< Keep all solvers in memory and alternate.
+    bool run_in_turns = true;              ///< Keep all solvers in memory and alternate.
     bool updates = true;
     bool through_public = false;  ///< See all_variants().
 };
@@ -86,7 +86,7 @@ class Candidate {
     /// time.
     [[nodiscard]] bool processor_time() const noexcept { return threads_ == 1; }
     void wake();
-    void rest();
+    void sleep_pool();
 
     Problem* problem_;
     Variant variant_;

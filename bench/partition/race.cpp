@@ -12,8 +12,8 @@
 
 namespace hawser::bench {
 
-void partition_again(const graph::Hypergraph& g, int parts, graph::Partitioner& p,
-                     graph::Partition& out) {
+void repartition(const graph::Hypergraph& g, int parts, graph::Partitioner& p,
+                 graph::Partition& out) {
     p.graph = g;
     p.cost.build(g, p.neighbours);
     p.units.build(g, p.neighbours);
@@ -39,7 +39,7 @@ Race race(const PartCase& c, int parts, const std::vector<std::int64_t>& exact) 
     graph::Splitter splitter;
     const bool foreign = !metis_parts(f, f.weight, parts).empty();
     const auto metis = [&] { (void)metis_parts(f, f.weight, parts); };
-    const auto ours = [&] { partition_again(g, parts, p, out); };
+    const auto ours = [&] { repartition(g, parts, p, out); };
     const auto time_of = [](const auto& call) {
         const double from = thread_seconds();
         call();
@@ -54,7 +54,7 @@ Race race(const PartCase& c, int parts, const std::vector<std::int64_t>& exact) 
         graph::Partitioner other;
         graph::Partition parts_of_other;
         other.neighbours.build(g);
-        d.push_back(time_of([&] { partition_again(g, parts, other, parts_of_other); }));
+        d.push_back(time_of([&] { repartition(g, parts, other, parts_of_other); }));
     }
     r.metis_turn = foreign ? median(a) : 0.0;
     r.turn = median(b);

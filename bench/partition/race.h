@@ -14,8 +14,8 @@
 namespace hawser::bench {
 
 /// Run the steps after the body graph: cost, contraction, line and parts.
-void partition_again(const graph::Hypergraph& graph, int parts, graph::Partitioner& partitioner,
-                     graph::Partition& out);
+void repartition(const graph::Hypergraph& graph, int parts, graph::Partitioner& partitioner,
+                 graph::Partition& out);
 
 /// Median times of one call [s], METIS and Hawser in turns; 0 for METIS if it is not in this build.
 struct Race {

@@ -55,7 +55,7 @@ struct SteppedWorld {
 
 constexpr int kExactFirst = 60;  ///< number of exact steps before worlds are split
 
-World settled(const std::string& scene, const char* predictor, int threads) {
+World settled_world(const std::string& scene, const char* predictor, int threads) {
     scene::Options options;
     options.threads = threads;
     options.set = {std::string("settings.predictor=") + predictor};
@@ -67,7 +67,7 @@ World settled(const std::string& scene, const char* predictor, int threads) {
 
 Json compare_worlds(const std::string& scene, Coupling coupling, const char* predictor, int parts,
                     int rounds, const PoolCosts& costs) {
-    const World two = settled(scene, predictor, 2), one = settled(scene, predictor, 1);
+    const World two = settled_world(scene, predictor, 2), one = settled_world(scene, predictor, 1);
     SteppedWorld worlds[] = {{"exact", two.twin(Coupling::exact), one.twin(Coupling::exact)},
                              {"ours", two.twin(coupling), one.twin(coupling)},
                              {"METIS", two.twin(coupling), one.twin(coupling)}};

@@ -109,7 +109,7 @@ class FeatherstoneRunner final : public Runner {
                 p.tree->addLinkTorque(p.link, to_bullet(loads[i].torque));
             }
         }
-        return spent([&] { world_.stepSimulation(kFrame / substeps_, 0); });
+        return measure_time([&] { world_.stepSimulation(kFrame / substeps_, 0); });
     }
 
     void read(std::vector<BodyState>& out) const override {

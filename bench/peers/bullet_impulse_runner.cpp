@@ -52,7 +52,7 @@ class ImpulseRunner final : public Runner {
             bodies_[i]->applyTorque(to_bullet(loads[i].torque));
         }
         // No fixed step: exactly one internal step of this length.
-        return spent([&] { world_.world.stepSimulation(kFrame / substeps_, 0); });
+        return measure_time([&] { world_.world.stepSimulation(kFrame / substeps_, 0); });
     }
 
     void read(std::vector<BodyState>& out) const override {

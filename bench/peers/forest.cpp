@@ -9,8 +9,9 @@ namespace hawser::bench {
 namespace {
 
 /// Walk breadth-first from `tree[0]` over the joints in `use`; marks bodies as `placed`.
-void grow(const Scene& scene, const std::vector<std::vector<int>>& at, const std::vector<char>& use,
-          std::vector<char>& placed, std::vector<TreeNode>& tree) {
+void extend_tree(const Scene& scene, const std::vector<std::vector<int>>& at,
+                 const std::vector<char>& use, std::vector<char>& placed,
+                 std::vector<TreeNode>& tree) {
     for (std::size_t k = 0; k < tree.size(); ++k) {
         const TreeNode from = tree[k];
         for (const int j : at[static_cast<std::size_t>(from.body)]) {
@@ -49,7 +50,7 @@ std::vector<std::vector<TreeNode>> spanning_forest(const Scene& scene, const Tre
         placed[static_cast<std::size_t>(body)] = 1;
         forest.push_back({{body, kWorld, static_cast<int>(j), joint.anchor,
                            forward ? joint.arm_b : joint.arm_a}});
-        grow(scene, at, use, placed, forest.back());
+        extend_tree(scene, at, use, placed, forest.back());
     }
     std::vector<std::size_t> heavy(n);
     std::iota(heavy.begin(), heavy.end(), std::size_t{0});
@@ -60,7 +61,7 @@ std::vector<std::vector<TreeNode>> spanning_forest(const Scene& scene, const Tre
         if (placed[root]) continue;
         placed[root] = 1;
         forest.push_back({{static_cast<int>(root), kFree, -1, Vec3::Zero(), Vec3::Zero()}});
-        grow(scene, at, use, placed, forest.back());
+        extend_tree(scene, at, use, placed, forest.back());
     }
     return forest;
 }

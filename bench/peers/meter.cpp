@@ -216,7 +216,7 @@ void Meter::frame(const std::vector<BodyState>& before, const std::vector<BodySt
     m_.finite = m_.finite && std::isfinite(gap);
 }
 
-std::string Meter::why_not(int frames) const {
+std::string Meter::reason_unusable(int frames) const {
     if (!m_.finite) return "not finite";
     if (!(m_.gap <= kGapLimit)) return number("gap %.2g m", m_.gap);
     if (!(std::abs(m_.energy_drift) <= kEnergyLimit))

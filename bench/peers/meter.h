@@ -63,7 +63,7 @@ class Meter {
 
     /// Return the first broken limit, or an empty text. `frames` is the length of the whole run, so
     /// that an rms that cannot recover is detected early.
-    [[nodiscard]] std::string why_not(int frames) const;
+    [[nodiscard]] std::string reason_unusable(int frames) const;
 
     /// Return the mechanical energy without the work of external forces [J].
     [[nodiscard]] double energy(const std::vector<BodyState>& s) const;

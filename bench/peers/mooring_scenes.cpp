@@ -66,7 +66,7 @@ std::vector<Vec3> nodes_on_seabed(const Vec3& p, const Vec3& q, int n, double l)
 }
 
 /// Give capsules to the links from body `first` on, so that they touch.
-void give_shapes(Scene& s, std::size_t first, double radius, double length) {
+void add_capsules(Scene& s, std::size_t first, double radius, double length) {
     for (std::size_t i = first; i < s.bodies.size(); ++i)
         s.bodies[i].shape = {BodyShape::Kind::capsule, radius, 0.5 * length, Vec3::Zero()};
 }
@@ -98,7 +98,7 @@ Scene site(bool seabed) {
                                           : hanging_nodes(anchor, fairlead, n, l, w);
                 const std::size_t body = s.bodies.size();
                 const int first = chain(s, kWorld, rig, nodes, mass, radius, drag);
-                if (seabed) give_shapes(s, body, radius, l);
+                if (seabed) add_capsules(s, body, radius, l);
                 one_tree.closures.push_back(first);
                 anchored.closures.push_back(first + n);
             }

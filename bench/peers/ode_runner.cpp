@@ -66,7 +66,7 @@ class OdeRunner final : public Runner {
             dBodyAddTorque(bodies_[i], l.torque.x(), l.torque.y(), l.torque.z());
         }
         const double h = kFrame / substeps_;
-        return spent([&] {
+        return measure_time([&] {
             find_contacts();
             quick_ ? dWorldQuickStep(world_, h) : dWorldStep(world_, h);
         });
@@ -119,12 +119,12 @@ class OdeRunner final : public Runner {
         dJointGroupEmpty(points_);
         contacts_ = 0;
         for (std::size_t i = 0; i < geoms_.size(); ++i) {
-            meet(geoms_[i], floor_);
-            for (std::size_t j = 0; mutual_ && j < i; ++j) meet(geoms_[i], geoms_[j]);
+            collide_pair(geoms_[i], floor_);
+            for (std::size_t j = 0; mutual_ && j < i; ++j) collide_pair(geoms_[i], geoms_[j]);
         }
     }
 
-    void meet(dGeomID a, dGeomID b) {
+    void collide_pair(dGeomID a, dGeomID b) {
         dContact points[kPointsPerPair];
         const int n = dCollide(a, b, kPointsPerPair, &points[0].geom, sizeof(dContact));
         for (int i = 0; i < n; ++i) {

@@ -52,7 +52,7 @@ class OursRunner final : public Runner {
 
     Spent substep(const std::vector<Load>& /*loads*/) override {
         Status status = Status::ok;
-        const Spent time = spent([&] { status = world_.step(); });
+        const Spent time = measure_time([&] { status = world_.step(); });
         if (status != Status::ok)
             throw std::runtime_error("our step failed at t = " + std::to_string(world_.time()));
         return time;

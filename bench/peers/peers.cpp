@@ -101,7 +101,7 @@ Trial::Trial(const Engine& engine, const Scene& scene, const Reference& referenc
 }
 
 bool Trial::frame() {
-    if (over()) return false;
+    if (is_over()) return false;
     const double h = kFrame / runner_->substeps();
     Spent time;
     for (int i = 0; i < runner_->substeps(); ++i) {
@@ -119,11 +119,11 @@ bool Trial::frame() {
     if (const int n = runner_->contacts(); n >= 0) contacts_.push_back(n);
     ++frames_;
     meter_.frame(before_, now_, frames_ * kFrame);
-    return !over();
+    return !is_over();
 }
 
 bool Trial::holds(std::string* why) const {
-    const std::string reason = meter_.why_not(total_);
+    const std::string reason = meter_.reason_unusable(total_);
     if (why) *why = reason;
     return reason.empty();
 }
@@ -135,10 +135,10 @@ PeerResult Trial::result() const {
     r.settings = runner_->settings();
     r.substeps = runner_->substeps();
     r.simulated = frames_ * kFrame;
-    r.holds = holds(&r.why_not);
+    r.holds = holds(&r.reason_unusable);
     if (r.holds && frames_ < total_) {
         r.holds = false;
-        r.why_not = "not finished";
+        r.reason_unusable = "not finished";
     }
     r.measures = meter_.measures();
     if (!scene_.towed.empty() && !scene_.tension && reference_.tension.empty())
@@ -166,7 +166,7 @@ PeerResult run_peer(const Engine& engine, const Scene& scene, int substeps,
         in_time = wall.count() < options.budget;
     }
     PeerResult r = trial.result();
-    if (!in_time && r.why_not == "not finished") r.why_not = "too slow to finish";
+    if (!in_time && r.reason_unusable == "not finished") r.reason_unusable = "too slow to finish";
     return r;
 }
 
@@ -179,12 +179,12 @@ PeerResult smallest_that_holds(const Engine& engine, const Scene& scene, const R
         last = run_peer(engine, scene, n, reference, options, true);
         if (tell) tell(last);
         // A run that took too long with n substeps takes longer with more.
-        if (last.holds || last.why_not == "too slow to finish" || engine.ours) break;
+        if (last.holds || last.reason_unusable == "too slow to finish" || engine.ours) break;
     }
     return last;
 }
 
-void alternate(std::vector<std::unique_ptr<Trial>>& trials, int block) {
+void run_in_turns(std::vector<std::unique_ptr<Trial>>& trials, int block) {
     for (bool any = true; any;) {
         any = false;
         for (auto& t : trials)

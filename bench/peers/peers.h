@@ -37,13 +37,13 @@ struct PeerResult {
     std::string engine, scene, settings;
     int substeps = 0;  ///< Per frame of 1/60 s.
     bool holds = false;
-    std::string why_not;        ///< First broken limit; empty if it holds.
-    std::string unchecked;      ///< Limits of *holds* that were not checked because no reference
-                                ///< exists.
-    double simulated = 0.0;     ///< Simulated time [s].
-    double ms_per_frame = 0.0;  ///< Median wall time of frames, the first 60 left out [ms].
-    double ms_p99 = 0.0;        ///< 99th percentile wall time of frames, first 60 left out [ms].
-    double cpu_ms = 0.0;        ///< Median CPU time of frames, the first 60 left out [ms].
+    std::string reason_unusable;  ///< First broken limit; empty if it holds.
+    std::string unchecked;        ///< Limits of *holds* that were not checked because no reference
+                                  ///< exists.
+    double simulated = 0.0;       ///< Simulated time [s].
+    double ms_per_frame = 0.0;    ///< Median wall time of frames, the first 60 left out [ms].
+    double ms_p99 = 0.0;          ///< 99th percentile wall time of frames, first 60 left out [ms].
+    double cpu_ms = 0.0;          ///< Median CPU time of frames, the first 60 left out [ms].
     Measures measures;
     std::vector<double> frame_ms;               ///< Every frame, the first included [ms].
     std::vector<int> contacts;                  ///< Points at the end of every frame, or empty.
@@ -63,7 +63,7 @@ class Trial {
     /// True if the present measures hold; sets `why` to the first broken limit.
     [[nodiscard]] bool holds(std::string* why = nullptr) const;
 
-    [[nodiscard]] bool over() const { return frames_ >= total_ || !meter_.measures().finite; }
+    [[nodiscard]] bool is_over() const { return frames_ >= total_ || !meter_.measures().finite; }
     [[nodiscard]] PeerResult result() const;
 
   private:
@@ -101,6 +101,6 @@ struct SearchOptions {
 
 /// Run all trials to their end, `block` frames of each in turn, so that a disturbance of the
 /// machine affects all of them.
-void alternate(std::vector<std::unique_ptr<Trial>>& trials, int block = 60);
+void run_in_turns(std::vector<std::unique_ptr<Trial>>& trials, int block = 60);
 
 }  // namespace hawser::bench

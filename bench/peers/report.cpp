@@ -34,7 +34,7 @@ Points points(const PeerResult& r) {
 }
 
 std::string verdict(const PeerResult& r) {
-    std::string text = r.holds ? "yes" : "no: " + r.why_not;
+    std::string text = r.holds ? "yes" : "no: " + r.reason_unusable;
     if (!r.unchecked.empty()) text += " (" + r.unchecked + " not checked: no reference)";
     if (!r.holds) text += fmt::format(", {:.2f} s simulated", r.simulated);
     return text;
@@ -132,7 +132,7 @@ json to_json(const Scene& scene, const PeerResult& r) {
               {"settings", r.settings},
               {"substeps", r.substeps},
               {"holds", r.holds},
-              {"why_not", r.why_not},
+              {"why_not", r.reason_unusable},
               {"unchecked", r.unchecked},
               {"simulated_s", r.simulated},
               {"ms_per_frame", r.ms_per_frame},

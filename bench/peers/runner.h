@@ -70,7 +70,7 @@ inline double cpu_of_thread() {
 
 /// Measure the time of one call.
 template <class F>
-Spent spent(F&& f) {
+Spent measure_time(F&& f) {
     const auto t0 = std::chrono::steady_clock::now();
     const double cpu = cpu_of_thread();
     f();

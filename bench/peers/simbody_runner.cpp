@@ -65,7 +65,7 @@ class SimbodyRunner final : public Runner {
                 state_, at(static_cast<int>(i)),
                 SimTK::SpatialVec(to_simbody(loads[i].torque), to_simbody(force)));
         }
-        return spent([&] { advance(kFrame / substeps_); });
+        return measure_time([&] { advance(kFrame / substeps_); });
     }
 
     void read(std::vector<BodyState>& out) const override {

@@ -55,7 +55,7 @@ class BulletChain final : public Rig {
         world_.stepSimulation(h_, 0);
         return true;
     }
-    double way() const override { return weight_->getCenterOfMassPosition().z() - start_; }
+    double displacement() const override { return weight_->getCenterOfMassPosition().z() - start_; }
     double gap() const override {
         double most = 0.0;
         for (const auto& j : joints_) {

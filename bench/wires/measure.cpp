@@ -42,7 +42,7 @@ class Pulling {
         std::nth_element(ms_.begin(), middle, ms_.end());
         return *middle;
     }
-    void stop_beyond(double way) { far_ = way; }
+    void stop_after_distance(double way) { travel_limit_ = way; }
     void forget_times() {
         ms_.clear();
         gap_ = 0.0;
@@ -60,16 +60,16 @@ class Pulling {
             const double t = t_ + kFrame * (k + 1) / substeps_;
             const double weight = kW * smooth(t / kRamp);
             rig_->load(weight, weight * std::exp(exponent_ * smooth(t / kRamp - 1.0)));
-            cpu += spent([&] { good = rig_->substep(); }).cpu;
+            cpu += measure_time([&] { good = rig_->substep(); }).cpu;
         }
         t_ += kFrame;
         cpu_ += cpu;
         ms_.push_back(1e3 * cpu);
-        const double way = rig_->way(), gap = rig_->gap();
+        const double way = rig_->displacement(), gap = rig_->gap();
         gap_ = std::max(gap_, gap);
         if (!good || !std::isfinite(way) || !(gap < kSeparation))
             end_ = End::failed;
-        else if (std::abs(way) > far_)
+        else if (std::abs(way) > travel_limit_)
             end_ = End::ran;
     }
 
@@ -77,7 +77,7 @@ class Pulling {
     int substeps_;
     double exponent_, t_ = 0.0, cpu_ = 0.0, gap_ = 0.0;
     std::vector<double> ms_;
-    double far_ = kLost;
+    double travel_limit_ = kLost;
     End end_ = End::stands;
 };
 
@@ -117,15 +117,15 @@ class Search {
             spent_ += p.cpu();
             f_.ms = p.median_ms();
             f_.gap = p.gap();
-            f_.holds = end == End::stands && std::abs(p.rig().way()) < 0.25 * kLost;
+            f_.holds = end == End::stands && std::abs(p.rig().displacement()) < 0.25 * kLost;
             if (f_.holds || m_.ours) break;
-            f_.why_not = describe(end, p);
+            f_.reason_unusable = describe(end, p);
             if (given || spent_ > plan_.budget) break;
         }
-        if (f_.holds) f_.why_not.clear();
+        if (f_.holds) f_.reason_unusable.clear();
     }
     static std::string describe(End end, const Pulling& p) {
-        const double way = p.rig().way();
+        const double way = p.rig().displacement();
         if (end == End::failed)
             return p.gap() >= kSeparation
                        ? fmt::format("comes apart: {:.2g} m after {:.2f} s", p.gap(), p.time())
@@ -136,14 +136,14 @@ class Search {
         Pulling p(m_, turns_, f_.substeps, exponent);
         const double from = 2.0 * kRamp;
         p.run_to(from);
-        const double start = p.rig().way();
-        p.stop_beyond(std::abs(start) + kFar);
+        const double start = p.rig().displacement();
+        p.stop_after_distance(std::abs(start) + kFar);
         p.run_to(from + 0.5 * plan_.wait);
-        const double middle = p.rig().way();
+        const double middle = p.rig().displacement();
         const End end = p.run_to(from + plan_.wait);
         spent_ += p.cpu();
         if (end != End::stands) return true;
-        const double first = middle - start, second = p.rig().way() - middle;
+        const double first = middle - start, second = p.rig().displacement() - middle;
         return std::abs(first + second) > kFar ||
                (std::abs(second) > kStill && std::abs(second) > 2.0 * std::abs(first));
     }
@@ -179,11 +179,11 @@ class Search {
         Pulling p(m_, turns_, f_.substeps, std::log(0.99 * f_.ratio));
         const double from = 2.0 * kRamp + 1.0;
         p.run_to(from);
-        const double start = p.rig().way();
+        const double start = p.rig().displacement();
         p.forget_times();
         const double began = p.time();
         p.run_to(from + plan_.creep);
-        f_.creep = std::abs(p.rig().way() - start);
+        f_.creep = std::abs(p.rig().displacement() - start);
         f_.creep_seconds = p.time() - began;
         f_.gap = p.gap();
         if (p.time() > began) f_.ms = p.median_ms();

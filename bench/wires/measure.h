@@ -49,9 +49,9 @@ struct WireFigures {
     std::string method, settings;
     double turns = 0.0;
     bool ours = false;
-    bool has_case = false;   ///< False if the engine does not have the case.
-    bool holds = false;      ///< True if it holds at e^{μθ/2}, without friction at 1.
-    std::string why_not;     ///< Reason if it does not.
+    bool has_case = false;        ///< False if the engine does not have the case.
+    bool holds = false;           ///< True if it holds at e^{μθ/2}, without friction at 1.
+    std::string reason_unusable;  ///< Reason if it does not.
     int substeps = 0;        ///< Least of 1, 2, 4, 8, … with which it holds; otherwise the last one
                              ///< tried.
     double ratio = 0.0;      ///< P/W at which it slips.

@@ -73,7 +73,7 @@ class MujocoRig : public Rig {
         mj_step(m_.model, m_.data);
         return !mujoco_warned;
     }
-    double way() const override { return m_.data->xpos[3 * weight_ + 2] - start_; }
+    double displacement() const override { return m_.data->xpos[3 * weight_ + 2] - start_; }
 
   protected:
     MujocoRig(const std::string& xml, std::array<double, 2> out) : m_(xml), out_(out) {

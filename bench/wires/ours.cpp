@@ -19,7 +19,7 @@ class OwnRig : public Rig {
         w_.set_force(pulled_, pull * out_, Vec3::Zero());
     }
     bool substep() override { return w_.step() == Status::ok; }
-    double way() const override { return w_.pose(weight_).position.z() - start_; }
+    double displacement() const override { return w_.pose(weight_).position.z() - start_; }
     std::string settings() const override { return "defaults"; }
 
   protected:

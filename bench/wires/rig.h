@@ -55,7 +55,7 @@ class Rig {
     /// Advance by a substep. @return false if it failed.
     virtual bool substep() = 0;
     /// Return the displacement of the weight towards the bollard since the start [m].
-    [[nodiscard]] virtual double way() const = 0;
+    [[nodiscard]] virtual double displacement() const = 0;
     /// Return the largest distance between jointed ends [m]; 0 without joints.
     [[nodiscard]] virtual double gap() const { return 0.0; }
     /// Return the settings that are needed to repeat the run, in a few words.

@@ -79,7 +79,7 @@ class SimbodyCable final : public Rig {
         }
         return true;
     }
-    double way() const override {
+    double displacement() const override {
         return matter_.getMobilizedBody(weight_).getBodyOriginLocation(
                    integrator_->getAdvancedState())[2] -
                start_;

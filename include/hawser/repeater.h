@@ -36,7 +36,7 @@ class Repeater {
     void read_load(ByteReader& in, const World& world, Load& load) const;
     void repeat_loads(World& world);
     void drop_loader(std::span<const std::byte> change, World& world);
-    void enter_take(World& world);
+    void enter_branch(World& world);
     [[nodiscard]] std::size_t end_of(std::size_t all, std::size_t RecordedTake::* before) const;
 
     const Recording& recording_;

@@ -127,6 +127,9 @@ class SceneEnv(_Env):  # type: ignore[misc]
     def begin(self, options: Mapping[str, Any]) -> None:
         """Draw the task of an episode from `self.random`. Called after the start is restored."""
 
+    def measure(self) -> None:
+        """Update values that observe(), reward() and ended() share. Called after each period."""
+
     def observe(self) -> np.ndarray:
         """Return the observed values."""
         raise NotImplementedError
@@ -183,6 +186,7 @@ class SceneEnv(_Env):  # type: ignore[misc]
         except StepError as error:
             failed = True
             info["error"] = str(error)
+        self.measure()
         observation = self.observe()
         truncated = self.session.time - self._begun >= self.duration - 1e-9
         return (observation, self.reward(a), bool(failed or self.ended()), bool(truncated),
@@ -269,10 +273,10 @@ class AntiSway(SceneEnv):
         self.target = self._drawn(options, "target", lambda: float(
             self.random.uniform(0.3, 0.8) * self.random.choice([-1.0, 1.0])))
         self._ordered = 0.0
-        self._offset = self._measure()
+        self._offset = self._hook_offset()
         self._rate = np.zeros(2)
 
-    def _measure(self) -> np.ndarray:
+    def _hook_offset(self) -> np.ndarray:
         """Return the radial and tangential offset of the hook from the tip [m]."""
         slew, radius = self.session.outputs["slew"], self.session.outputs["crane.radius"]
         hook = np.array(self.session.world.body("crane/hook").position)[:2] - self._base
@@ -280,23 +284,21 @@ class AntiSway(SceneEnv):
                        np.array([-math.sin(slew), math.cos(slew)]))
         return np.array([hook @ out - radius, hook @ across])
 
-    def step(self, action: Any) -> tuple[np.ndarray, float, bool, bool, dict[str, Any]]:
-        before = self._offset
-        result = super().step(action)
+    def measure(self) -> None:
+        offset = self._hook_offset()
         self._ordered = self.session.inputs["crane.slew"]
-        self._offset = self._measure()
-        self._rate = (self._offset - before) / self.period
-        done = bool(result[2] or self.ended())
-        reward = 10.0 if self.ended() else result[1]
-        return (self.observe(), reward, done, *result[3:])
+        self._rate = (offset - self._offset) / self.period
+        self._offset = offset
 
     def observe(self) -> np.ndarray:
         return np.array([self.target - self.session.outputs["slew"], self._ordered, *self._offset,
                          *self._rate])
 
     def reward(self, action: np.ndarray) -> float:
+        if self.ended():
+            return 10.0
         angle = abs(self.target - self.session.outputs["slew"])
-        return -angle - 0.5 * float(np.linalg.norm(self._measure())) - 0.02 * float(action @ action)
+        return -angle - 0.5 * float(np.linalg.norm(self._offset)) - 0.02 * float(action @ action)
 
     def ended(self) -> bool:
         return (abs(self.target - self.session.outputs["slew"]) < 0.01

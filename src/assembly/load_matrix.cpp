@@ -135,30 +135,30 @@ HAWSER_ROWS double trace_of(double* m, const double* s, int n) noexcept {
     return sum;
 }
 
-/// Apply trace_of() to three rows, two columns of the inverse at a time. Each column has the same
-/// operations in the same order. Zero entries of the third column are skipped.
+/// Return tr M⁻¹ S of three rows: with M = L D Lᵀ and the rows r of L⁻¹, the sum of rᵀ S r over the
+/// pivots. It has three divisions, and no negative terms if S is positive semi-definite.
 double trace_of_three(double* m, const double* s) noexcept {
-    typedef double Two __attribute__((vector_size(16)));
-    factor_of(m, 3);
-    Two x0{1.0, 0.0}, x1{0.0, 1.0}, x2{};
-    x0 /= m[0];
-    x1 = (x1 - m[1] * x0) / m[2];
-    x2 = (x2 - m[3] * x0 - m[4] * x1) / m[5];
-    x2 /= m[5];
-    x1 = (x1 - m[4] * x2) / m[2];
-    x0 = (x0 - m[1] * x1 - m[3] * x2) / m[0];
-    const double z2 = 1.0 / m[5] / m[5], z1 = (0.0 - m[4] * z2) / m[2],
-                 z0 = (0.0 - m[1] * z1 - m[3] * z2) / m[0];
-    double sum = 0.0;
-    sum += x0[0] * s[0];
-    sum += x1[0] * s[1];
-    sum += x2[0] * s[3];
-    sum += x0[1] * s[1];
-    sum += x1[1] * s[2];
-    sum += x2[1] * s[4];
-    sum += z0 * s[3];
-    sum += z1 * s[4];
-    return sum + z2 * s[5];
+    const double a = 1.0 / m[0], l10 = m[1] * a, l20 = m[3] * a;
+    const double b = 1.0 / (m[2] - l10 * m[1]), under = m[4] - l20 * m[1], l21 = under * b;
+    const double c = 1.0 / (m[5] - l20 * m[3] - l21 * under);
+    const double x = l10 * l21 - l20;
+    const double second = s[2] - l10 * (2.0 * s[1] - l10 * s[0]);
+    const double third =
+        s[5] + x * (2.0 * s[3] + x * s[0]) + l21 * (l21 * s[2] - 2.0 * s[4] - 2.0 * x * s[1]);
+    return a * s[0] + b * second + c * third;
+}
+
+/// True if the leading minors of three rows show that a matrix is positive definite, and its pivots
+/// exceed kRounding of the diagonal. It needs no division. False: not known.
+bool plainly_definite(const double* m) noexcept {
+    constexpr double kSmall = 1e-90,
+                     kLarge = 1e90;  // products of three entries stay normal numbers
+    const double a = m[0], b = m[1], c = m[2], d = m[3], e = m[4], f = m[5];
+    for (const double own : {a, c, f})
+        if (!(own >= kSmall && own <= kLarge)) return false;
+    const double ac = a * c, two = ac - b * b;
+    if (!(two >= 1e-6 * ac && d * d <= a * f && e * e <= c * f)) return false;
+    return two * f + d * (2.0 * b * e - c * d) - a * e * e >= 1e-9 * ac * f;
 }
 
 }  // namespace
@@ -173,6 +173,7 @@ void add_product(const double* s, int n, double factor, const double* v, double*
     add_product_of(s, n, factor, v, out);
 }
 bool semidefinite(const double* m, int n) noexcept {
+    if (n == 3 && plainly_definite(m)) return true;
     const bool plainly = n == 3 ? semidefinite_of(m, 3) : semidefinite_of(m, n);
     if (plainly || !std::all_of(m, m + entries_of(n), [](double x) { return std::isfinite(x); }))
         return plainly;

@@ -18,7 +18,7 @@ void System::find_order(const model::Bodies& bodies, const model::Interactions& 
                         const factor::AnalysisState* state) {
     const factor::Pattern& next = next_;
     const std::int32_t changed = build_pattern(bodies, interactions);
-    analysis.keep_updates(!contacts.blocks.empty());
+    analysis.separate_updates(!contacts.blocks.empty());
     const bool repairable = ordered_ && changed <= kRepairable * next.nodes();
     report_ = {};
     // Until the new order is complete there is none: after std::bad_alloc the next call plans anew.
@@ -74,11 +74,11 @@ void System::keep(Kept& out) const {
 }
 
 void System::go_back(Kept& to) noexcept {
-    if (to.ordered) analysis.go_back(to.analysis);
+    if (to.ordered) analysis.restore(to.analysis);
     node_of_body.swap(to.node_of_body);
     node_of_interaction.swap(to.node_of_interaction);
     ordered_ = to.ordered;
-    analysis.keep_updates(to.updates_kept);  // as the next change of shapes requires
+    analysis.separate_updates(to.updates_kept);  // as the next change of shapes requires
 }
 
 std::int32_t System::build_pattern(const model::Bodies& bodies, const model::Interactions& in) {
@@ -127,7 +127,7 @@ std::int32_t System::build_pattern(const model::Bodies& bodies, const model::Int
         }
     for (const Contacts::Link& l : contacts.links)
         link(node_of_body[at(l.first)], node_of_body[at(l.second)]);
-    edge_dealer_.deal(from, to, next_);
+    edge_dealer_.set_neighbours(from, to, next_);
     std::int32_t stay = 0;
     for (const std::int32_t old : old_of_new_) stay += old >= 0 ? 1 : 0;
     return pattern.nodes() - stay + next_.nodes() - stay;

@@ -239,7 +239,7 @@ class System {
     std::vector<std::int32_t> old_of_new_;  ///< Nodes.
     std::vector<std::int32_t> body_before_, interaction_before_;  ///< Their nodes.
     factor::Pattern next_;
-    factor::EdgeDealer edge_dealer_;
+    factor::NeighbourLists edge_dealer_;
     std::vector<std::int32_t> edge_from_, edge_to_;
     graph::IslandFinder island_finder_;
     std::vector<std::int32_t> member_begin_, members_;  ///< Members of islands.

@@ -85,10 +85,10 @@ bool is_name_start(char c) { return std::isalpha(static_cast<unsigned char>(c)) 
 
 /// Scans JSON text, each string as a whole. Stops at the first comment or superfluous comma.
 struct JsonScan {
-    std::optional<std::size_t> comment, comma;
+    std::optional<std::size_t> comment, after_comma;
     /// Keys at the top level, with the first character of their value.
     std::vector<std::pair<std::string, char>> keys;
-    bool object = false, array = false;
+    bool in_object = false, in_array = false;
 
     explicit JsonScan(std::string_view text) {
         std::size_t depth = 0, last_comma = std::string_view::npos;
@@ -102,13 +102,13 @@ struct JsonScan {
             }
             if (c == '"') {
                 const std::size_t end = string_end(text, i);
-                if (depth == 1 && object) add_key(text, i, end);
+                if (depth == 1 && in_object) add_key(text, i, end);
                 i = end;
             } else if (c == '{' || c == '[') {
-                if (depth++ == 0) (c == '{' ? object : array) = true;
+                if (depth++ == 0) (c == '{' ? in_object : in_array) = true;
             } else if (c == '}' || c == ']') {
                 if (last_comma != std::string_view::npos) {
-                    comma = last_comma;
+                    after_comma = last_comma;
                     return;
                 }
                 if (depth > 0) --depth;
@@ -140,8 +140,8 @@ struct JsonScan {
 FileKind kind_of_json(std::string_view text) {
     const JsonScan scan(text);
     if (scan.comment) return FileKind::json_comments;
-    if (scan.comma) return FileKind::json_comma;
-    if (scan.array)
+    if (scan.after_comma) return FileKind::json_comma;
+    if (scan.in_array)
         return text.find("\"at\"") != std::string_view::npos ? FileKind::operations
                                                              : FileKind::unknown;
     if (scan.has("exercise")) return FileKind::exercise;
@@ -241,8 +241,8 @@ FileKind file_kind(std::string_view content) {
     return kind_of_json(text);
 }
 
-std::string wrong_kind(std::string_view content, std::string_view expected,
-                       const std::string& file) {
+std::string file_kind_error(std::string_view content, std::string_view expected,
+                            const std::string& file) {
     const FileKind kind = file_kind(content);
     const auto words =
         std::find_if(kWords.begin(), kWords.end(), [&](const Words& w) { return w.kind == kind; });
@@ -257,7 +257,7 @@ std::string wrong_kind(std::string_view content, std::string_view expected,
     std::string where;
     if (kind == FileKind::json_comments || kind == FileKind::json_comma) {
         const JsonScan scan(content);
-        const std::size_t at = scan.comment ? *scan.comment : *scan.comma;
+        const std::size_t at = scan.comment ? *scan.comment : *scan.after_comma;
         const auto front = content.substr(0, at);
         where = " (line " + std::to_string(1 + std::count(front.begin(), front.end(), '\n')) +
                 ", column " + std::to_string(at - (front.rfind('\n') + 1) + 1) + ")";
@@ -266,9 +266,9 @@ std::string wrong_kind(std::string_view content, std::string_view expected,
            remedy;
 }
 
-std::string wrong_kind_or(std::string_view content, std::string_view expected,
-                          const std::string& file, const char* fallback) {
-    const std::string other = wrong_kind(content, expected, file);
+std::string file_kind_error_or(std::string_view content, std::string_view expected,
+                               const std::string& file, const char* fallback) {
+    const std::string other = file_kind_error(content, expected, file);
     return other.empty() ? fallback : other;
 }
 

@@ -53,11 +53,11 @@ enum class FileKind : unsigned char {
 /// Describe the mismatch, e.g. "this is a recording, not a scene; `hawser view a.hwr` plays it".
 /// @param expected  Expected kind with its article: "a scene". @param file  File name as the user
 /// wrote it. @return "" for FileKind::unknown, and if the file is of the expected kind.
-[[nodiscard]] std::string wrong_kind(std::string_view content, std::string_view expected,
-                                     const std::string& file);
+[[nodiscard]] std::string file_kind_error(std::string_view content, std::string_view expected,
+                                          const std::string& file);
 
-/// Return wrong_kind(), with `fallback` instead of "".
-[[nodiscard]] std::string wrong_kind_or(std::string_view content, std::string_view expected,
-                                        const std::string& file, const char* fallback);
+/// Return file_kind_error(), with `fallback` instead of "".
+[[nodiscard]] std::string file_kind_error_or(std::string_view content, std::string_view expected,
+                                             const std::string& file, const char* fallback);
 
 }  // namespace hawser::base

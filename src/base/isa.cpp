@@ -39,7 +39,7 @@ bool find_isa(const char* wish, Isa best, Isa& found) noexcept {
     return false;
 }
 
-const char* wish_of_environment() noexcept { return std::getenv("HAWSER_ISA"); }
+const char* requested_isa() noexcept { return std::getenv("HAWSER_ISA"); }
 
 }  // namespace
 
@@ -61,14 +61,14 @@ IsaChoice choose_isa(const char* wish, Isa best) {
 Isa isa() noexcept {
     static const Isa chosen = [] {
         Isa found = Isa::sse2;
-        (void)find_isa(wish_of_environment(), best_of_machine(), found);
+        (void)find_isa(requested_isa(), best_of_machine(), found);
         return found;
     }();
     return chosen;
 }
 
 void require_isa() {
-    static const std::string problem = choose_isa(wish_of_environment(), best_of_machine()).problem;
+    static const std::string problem = choose_isa(requested_isa(), best_of_machine()).problem;
     if (!problem.empty()) throw EnvironmentError(problem);
 }
 

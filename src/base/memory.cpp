@@ -7,7 +7,7 @@
 
 namespace hawser::base {
 
-void ask_for_huge_pages([[maybe_unused]] void* begin, [[maybe_unused]] std::size_t bytes) noexcept {
+void request_huge_pages([[maybe_unused]] void* begin, [[maybe_unused]] std::size_t bytes) noexcept {
 #if defined(__linux__)
     (void)madvise(begin, bytes, MADV_HUGEPAGE);
 #endif

@@ -18,7 +18,7 @@ inline constexpr std::size_t kHuge = std::size_t{1} << 22;
 inline constexpr std::size_t kHugePage = std::size_t{1} << 21;
 
 /// Request huge pages. Advice only; no effect if the system has none.
-void ask_for_huge_pages(void* begin, std::size_t bytes) noexcept;
+void request_huge_pages(void* begin, std::size_t bytes) noexcept;
 
 /// Standard allocator with 64-byte alignment.
 template <class T>
@@ -31,7 +31,7 @@ struct AlignedAllocator {
         const std::size_t bytes = n * sizeof(T);
         if (bytes < kHuge) return static_cast<T*>(::operator new(bytes, std::align_val_t{kAlign}));
         void* const p = ::operator new(bytes, std::align_val_t{kHugePage});
-        ask_for_huge_pages(p, bytes);
+        request_huge_pages(p, bytes);
         return static_cast<T*>(p);
     }
     void deallocate(T* p, std::size_t n) noexcept {

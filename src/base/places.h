@@ -66,7 +66,7 @@ class Slots {
         ++generation_[at(place)];
     }
     /// Undo the increment of the generation by vacate().
-    void step_back(std::int32_t place) noexcept { --generation_[at(place)]; }
+    void undo_vacate(std::int32_t place) noexcept { --generation_[at(place)]; }
     /// Copy the generations of another list, for the slots that both lists have.
     void set_generations(const std::vector<std::int32_t>& from) noexcept {
         std::copy_n(from.begin(), std::min(from.size(), generation_.size()), generation_.begin());

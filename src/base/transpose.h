@@ -209,12 +209,12 @@ HAWSER_INLINE void load_lanes(const double* base, const std::int32_t* from, V8 (
 
 /// Return true if eight records of N entries are contiguous in memory.
 template <int N>
-[[nodiscard]] HAWSER_INLINE bool follow_each_other(const std::int32_t* from) {
+[[nodiscard]] HAWSER_INLINE bool are_contiguous(const std::int32_t* from) {
     std::int32_t off = 0;
     for (int l = 1; l < kLanes; ++l) off |= from[l] - from[0] - N * l;
     return off == 0;
 }
-/// Load the first three entries of eight records. @param in_a_row  follow_each_other<3>(from).
+/// Load the first three entries of eight records. @param in_a_row  are_contiguous<3>(from).
 HAWSER_INLINE void load_lanes_of_three(const double* base, const std::int32_t* from, bool in_a_row,
                                        V8 (&v)[3]) {
     if (in_a_row) return load_threes(base + from[0], v);

@@ -45,35 +45,36 @@ class Budget {
     }
     /// True if a solve that the budget ends keeps the present factorisation, because another one
     /// would not fit.
-    [[nodiscard]] bool hasty() const noexcept {
+    [[nodiscard]] bool exits_early() const noexcept {
         return limits_.imposed.any() ? limits_.imposed.hasty : limits_.seconds > 0.0;
     }
 
     /// Decide after each iteration. @param iterations  Number of finished iterations.
-    [[nodiscard]] bool another(const Spent& spent, int iterations) noexcept {
+    [[nodiscard]] bool allows_iteration(const Spent& spent, int iterations) noexcept {
         if (limits_.imposed.any()) {
             const int most = limits_.imposed.iterations;
-            return most == 0 || iterations < most || refuse(DegradedBy::order, 0.0);
+            return most == 0 || iterations < most || set_cause(DegradedBy::order, 0.0);
         }
         const Spent next{2.0 * spent.seconds - last_.seconds, 2.0 * spent.work - last_.work};
         last_ = spent;
         const double end =
             (limits_.next > 0.0 ? spent.seconds + limits_.next : next.seconds) + finish_;
-        if (limits_.seconds > 0.0 && end > limits_.seconds) return refuse(DegradedBy::clock, end);
-        if (limits_.work > 0.0 && next.work > limits_.work) return refuse(DegradedBy::work, 0.0);
+        if (limits_.seconds > 0.0 && end > limits_.seconds)
+            return set_cause(DegradedBy::clock, end);
+        if (limits_.work > 0.0 && next.work > limits_.work) return set_cause(DegradedBy::work, 0.0);
         if (limits_.most > 0 && iterations >= limits_.most)
-            return refuse(DegradedBy::prediction, limits_.foreseen);
+            return set_cause(DegradedBy::prediction, limits_.foreseen);
         return true;
     }
     /// Report the end of the solve. @param seconds  Time spent, including the work after the last
-    /// another().
-    void finished(double seconds) noexcept { finish_ = seconds - last_.seconds; }
+    /// allows_iteration().
+    void record_end_of_solve(double seconds) noexcept { finish_ = seconds - last_.seconds; }
 
     [[nodiscard]] DegradedBy cause() const noexcept { return cause_; }
     [[nodiscard]] double foreseen() const noexcept { return foreseen_; }  ///< [s]
 
   private:
-    bool refuse(DegradedBy cause, double foreseen) noexcept {
+    bool set_cause(DegradedBy cause, double foreseen) noexcept {
         cause_ = cause;
         foreseen_ = foreseen;
         return false;

@@ -8,8 +8,8 @@
 /// estimate of x is its mean plus twice its deviation, as for rates (deadline.h). If the estimate
 /// exceeds 1, wires become coarser by one level. Nodes are removed one at a time. Another level
 /// follows only if the mean exceeds 1 and no longer decreases; for peaks, iterations are cut. If
-/// the mean stays below kRoom, wires become finer by one level. Steps with an analysis are not
-/// counted, because the removal of nodes causes them.
+/// the mean stays below kLowerLevelFraction, wires become finer by one level. Steps with an
+/// analysis are not counted, because the removal of nodes causes them.
 ///
 /// While wires could become coarser but have not, and for kAct steps after a change, steps are
 /// solved completely.
@@ -28,7 +28,7 @@ class Coarsening {
     static constexpr double kFalls = 0.97;
     static constexpr int kStay = 240;  ///< Minimum steps at a level before the next lower one.
     /// Limit of the mean for a finer level, which needs up to 1.5 times the time.
-    static constexpr double kRoom = 0.6;
+    static constexpr double kLowerLevelFraction = 0.6;
 
     bool possible = false;  ///< True if a system would remove more nodes at a higher level.
     [[nodiscard]] int level() const noexcept { return level_; }
@@ -37,8 +37,8 @@ class Coarsening {
         return possible && (level_ == 0 || (level_ == 1 && rises_ && since_ < kAct));
     }
     /// Process a step without analysis. @param demand  x.
-    void learn(double demand) noexcept {
-        rate_.learn(demand);
+    void add_sample(double demand) noexcept {
+        rate_.add_sample(demand);
         mean_ = rate_.samples() == 1 ? demand : mean_ + 0.125 * (demand - mean_);
         if (rate_.samples() < Rate::kSettled) return;
         bool stands = level_ == 0;
@@ -46,15 +46,15 @@ class Coarsening {
             stands = stands || mean_ > kFalls * before_;
             before_ = mean_;
         }
-        const double demanded = level_ == 0 ? rate_.high() : mean_;
+        const double demanded = level_ == 0 ? rate_.upper_estimate() : mean_;
         if (stands && possible && level_ < kMaximum && demanded > 1.0)
-            go_to(level_ + 1);
-        else if (level_ > 0 && since_ >= kStay && mean_ < kRoom)
-            go_to(level_ - 1);
+            set_level(level_ + 1);
+        else if (level_ > 0 && since_ >= kStay && mean_ < kLowerLevelFraction)
+            set_level(level_ - 1);
     }
 
   private:
-    void go_to(int level) noexcept {
+    void set_level(int level) noexcept {
         rises_ = level > level_;
         level_ = level;
         since_ = 0;

@@ -14,25 +14,25 @@ namespace hawser::budget {
 void CutLevels::set(std::vector<Level> levels) {
     levels_ = std::move(levels);
     time_.resize(levels_.size());
-    now_ = 0;
+    level_ = 0;
     since_ = 0;
-    fresh_ = true;
+    level_untried_ = true;
 }
 
-std::size_t CutLevels::wanted(const std::vector<double>& time, double seconds) noexcept {
-    if (time[now_] > seconds) {
+std::size_t CutLevels::required_level(const std::vector<double>& time, double seconds) noexcept {
+    if (time[level_] > seconds) {
         since_ = 0;
-        std::size_t best = now_;
-        for (std::size_t l = now_ + 1; l < time.size(); ++l) {
+        std::size_t best = level_;
+        for (std::size_t l = level_ + 1; l < time.size(); ++l) {
             if (time[l] < time[best]) best = l;
             if (time[l] <= seconds) break;
         }
-        return time[best] <= kSaving * time[now_] ? best : now_;
+        return time[best] <= kSaving * time[level_] ? best : level_;
     }
     std::size_t lower = 0;
-    while (lower < now_ && time[lower] > kRoom * seconds) ++lower;
-    since_ = lower < now_ ? since_ + 1 : 0;
-    if (since_ < kStay) return now_;
+    while (lower < level_ && time[lower] > kLowerLevelFraction * seconds) ++lower;
+    since_ = lower < level_ ? since_ + 1 : 0;
+    if (since_ < kStay) return level_;
     since_ = 0;
     return lower;
 }
@@ -42,22 +42,22 @@ std::uint64_t CutLevels::choose(const Deadline& deadline, const Load& load, doub
     if (levels_.size() < 2) return 0;
     // After a restore, or a step with prescribed cuts, another level may be active.
     for (std::size_t l = 0; l < levels_.size(); ++l) {
-        if (levels_[l].interfaces != asked || l == now_) continue;
-        now_ = l;
-        fresh_ = true;
+        if (levels_[l].interfaces != asked || l == level_) continue;
+        level_ = l;
+        level_untried_ = true;
     }
-    if (!deadline.settled()) return asked;
+    if (!deadline.has_enough_samples()) return asked;
     const double sweeps = kRowWork * load.rows;
-    const double matrix = load.matrix - sweeps, change = matrix - levels_[now_].matrix;
+    const double matrix = load.matrix - sweeps, change = matrix - levels_[level_].matrix;
     // Contacts change the matrix at all levels by the same amount.
     for (Level& l : levels_)
-        if (!fresh_) l.matrix = std::max(0.0, l.matrix + change);
-    levels_[now_].matrix = matrix;
+        if (!level_untried_) l.matrix = std::max(0.0, l.matrix + change);
+    levels_[level_].matrix = matrix;
     for (std::size_t l = 0; l < levels_.size(); ++l)
         time_[l] = deadline.predict({load.rows, levels_[l].matrix + sweeps}, 1);
-    const std::size_t before = std::exchange(now_, wanted(time_, seconds));
-    fresh_ = now_ != before;
-    return levels_[now_].interfaces;
+    const std::size_t before = std::exchange(level_, required_level(time_, seconds));
+    level_untried_ = level_ != before;
+    return levels_[level_].interfaces;
 }
 
 }  // namespace hawser::budget

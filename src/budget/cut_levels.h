@@ -29,7 +29,8 @@ class CutLevels {
     static constexpr int kStay = 20;  ///< Steps.
     /// Maximum time of a new level relative to the present one.
     static constexpr double kSaving = 0.95;
-    static constexpr double kRoom = 0.9;  ///< Maximum fraction of the limit for a lower level.
+    static constexpr double kLowerLevelFraction =
+        0.9;  ///< Maximum fraction of the limit for a lower level.
 
     struct Level {
         std::uint64_t interfaces = 0;
@@ -48,12 +49,13 @@ class CutLevels {
                                        std::uint64_t asked) noexcept;
 
   private:
-    [[nodiscard]] std::size_t wanted(const std::vector<double>& time, double seconds) noexcept;
+    [[nodiscard]] std::size_t required_level(const std::vector<double>& time,
+                                             double seconds) noexcept;
 
     std::vector<Level> levels_;
     std::vector<double> time_;  ///< Scratch.
-    std::size_t now_ = 0;
-    bool fresh_ = true;  ///< True if no step has used the present level yet.
+    std::size_t level_ = 0;
+    bool level_untried_ = true;  ///< True if no step has used the present level yet.
     int since_ = 0;  ///< Consecutive steps at this level in which a lower one would have sufficed.
 };
 

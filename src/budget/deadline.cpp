@@ -6,7 +6,7 @@
 
 namespace hawser::budget {
 
-void Rate::learn(double sample) noexcept {
+void Rate::add_sample(double sample) noexcept {
     if (!(sample >= 0.0) || !std::isfinite(sample)) return;
     samples_ = std::min(samples_ + 1, kSettled);
     if (samples_ == 1) {
@@ -21,40 +21,43 @@ void Rate::learn(double sample) noexcept {
     mean_ += 0.125 * (x - mean_);
 }
 
-void Rate::relax(double least) noexcept {
-    if (!known() || high() <= least) return;
+void Rate::lower_estimate(double least) noexcept {
+    if (!known() || upper_estimate() <= least) return;
     constexpr double kStep = 0.99;
     mean_ *= kStep;
     deviation_ *= kStep;
 }
 
-void Deadline::refused() noexcept { rate_[kNext].relax(kMinimum * rate_[kFirst].high()); }
+void Deadline::record_refusal() noexcept {
+    rate_[kNext].lower_estimate(kMinimum * rate_[kFirst].upper_estimate());
+}
 
-void Deadline::learn(const Load& load, const Laps& laps) noexcept {
+void Deadline::add_sample(const Load& load, const Laps& laps) noexcept {
     if (load.rows <= 0.0 || load.matrix <= 0.0) return;
     if (laps.iterations < 1) {
         if (laps.analysed) return;
-        rate_[kStart].learn(laps.start / load.rows);
-        rate_[kPlain].learn((laps.end - laps.start) / load.matrix);
+        rate_[kStart].add_sample(laps.start / load.rows);
+        rate_[kPlain].add_sample((laps.end - laps.start) / load.matrix);
         return;
     }
-    rate_[kFinish].learn((laps.end - laps.last) / load.matrix);
+    rate_[kFinish].add_sample((laps.end - laps.last) / load.matrix);
     if (laps.analysed) return;
-    rate_[kStart].learn(laps.start / load.rows);
-    rate_[kFirst].learn((laps.first - laps.start) / load.matrix);
+    rate_[kStart].add_sample(laps.start / load.rows);
+    rate_[kFirst].add_sample((laps.first - laps.start) / load.matrix);
     if (laps.iterations > 1)
-        rate_[kNext].learn((laps.last - laps.first) / (laps.iterations - 1) / load.matrix);
+        rate_[kNext].add_sample((laps.last - laps.first) / (laps.iterations - 1) / load.matrix);
 }
 
 double Deadline::predict_next(const Load& load) const noexcept {
-    return load.matrix * (rate_[kNext].known()    ? rate_[kNext].high()
-                          : rate_[kFirst].known() ? kGuess * rate_[kFirst].high()
-                                                  : kGuess * rate_[kPlain].high());
+    return load.matrix * (rate_[kNext].known()    ? rate_[kNext].upper_estimate()
+                          : rate_[kFirst].known() ? kGuess * rate_[kFirst].upper_estimate()
+                                                  : kGuess * rate_[kPlain].upper_estimate());
 }
 
 double Deadline::predict(const Load& load, int iterations) const noexcept {
-    const double one =
-        rate_[kFirst].known() ? rate_[kFirst].high() + rate_[kFinish].high() : rate_[kPlain].high();
+    const double one = rate_[kFirst].known()
+                           ? rate_[kFirst].upper_estimate() + rate_[kFinish].upper_estimate()
+                           : rate_[kPlain].upper_estimate();
     return predict_start(load) + one * load.matrix + (iterations - 1) * predict_next(load);
 }
 

@@ -59,12 +59,12 @@ class Rate {
   public:
     /// Number of samples after which the initial deviation has decayed to (3/4)^16 = 1 %.
     static constexpr int kSettled = 16;
-    void learn(double sample) noexcept;
+    void add_sample(double sample) noexcept;
     [[nodiscard]] int samples() const noexcept { return samples_; }
     [[nodiscard]] bool known() const noexcept { return samples_ > 0; }
-    [[nodiscard]] double high() const noexcept { return mean_ + 2.0 * deviation_; }
+    [[nodiscard]] double upper_estimate() const noexcept { return mean_ + 2.0 * deviation_; }
     /// Lower the estimate a little, for lack of samples.
-    void relax(double least) noexcept;
+    void lower_estimate(double least) noexcept;
 
   private:
     int samples_ = 0;  ///< Number of samples, at most kSettled.
@@ -73,13 +73,13 @@ class Rate {
 
 class Deadline {
   public:
-    void learn(const Load& load, const Laps& laps) noexcept;
+    void add_sample(const Load& load, const Laps& laps) noexcept;
     /// True if a step has been measured.
-    [[nodiscard]] bool knows() const noexcept {
+    [[nodiscard]] bool has_samples() const noexcept {
         return rate_[kFirst].known() || rate_[kPlain].known();
     }
     /// True if enough steps have been measured to decide by the rates.
-    [[nodiscard]] bool settled() const noexcept {
+    [[nodiscard]] bool has_enough_samples() const noexcept {
         return rate_[kFinish].samples() >= Rate::kSettled ||
                rate_[kPlain].samples() >= Rate::kSettled;
     }
@@ -88,10 +88,10 @@ class Deadline {
     /// Predict the CPU time of a further iteration [s].
     [[nodiscard]] double predict_next(const Load& load) const noexcept;
     /// Report that another iteration did not seem to fit.
-    void refused() noexcept;
+    void record_refusal() noexcept;
     /// Predict the time of the stage `start` [s].
     [[nodiscard]] double predict_start(const Load& load) const noexcept {
-        return rate_[kStart].high() * load.rows;
+        return rate_[kStart].upper_estimate() * load.rows;
     }
     /// Return the maximum number of iterations, at least 1, with which the solver ends in time.
     [[nodiscard]] int iterations_by(double seconds, const Load& load) const noexcept;

@@ -25,7 +25,7 @@ constexpr int kMaxStrips = 1024;
 constexpr std::size_t kRoom = 512;  ///< Capacity for the pairs of a task before it grows.
 constexpr int kSomeAnyway = 4;      ///< If there are fewer shapes than this, all are large.
 
-bool meet(const Bounds& a, const Bounds& b) noexcept {
+bool boxes_overlap(const Bounds& a, const Bounds& b) noexcept {
     return a.low[0] <= b.high[0] && b.low[0] <= a.high[0] && a.low[1] <= b.high[1] &&
            b.low[1] <= a.high[1] && a.low[2] <= b.high[2] && b.low[2] <= a.high[2];
 }
@@ -49,7 +49,7 @@ bool meets_plane(const Placed& plane, const Placed& s, double h, double margin) 
 /// True if a shape was removed or its line has broken. Such slots have no size and must not count
 /// in the median. A wire that loses most of its nodes leaves many of them, and every other shape
 /// would count as large.
-bool nowhere(const Placed& p) noexcept { return p.swept.low[0] > p.swept.high[0]; }
+bool is_vacant_or_broken(const Placed& p) noexcept { return p.swept.low[0] > p.swept.high[0]; }
 
 double extent(const Placed& p) noexcept {
     double e = 0.0;
@@ -97,7 +97,7 @@ void Broad::prepare(const base::Array<Placed>& placed) {
     by_size.clear();
     for (const Placed& p : placed) {
         extents.push_back(extent(p));
-        if (!nowhere(p)) by_size.push_back(extents.back());
+        if (!is_vacant_or_broken(p)) by_size.push_back(extents.back());
     }
     const auto middle = by_size.begin() + static_cast<std::ptrdiff_t>(by_size.size() / 2);
     if (!by_size.empty()) std::nth_element(by_size.begin(), middle, by_size.end());
@@ -112,7 +112,7 @@ void Broad::prepare(const base::Array<Placed>& placed) {
             large_.push_back(static_cast<std::int32_t>(i));
             continue;
         }
-        if (nowhere(placed[i])) continue;
+        if (is_vacant_or_broken(placed[i])) continue;
         n += 1.0;
         const V3 c = load3(placed[i].centre);
         sum = sum + c;
@@ -185,16 +185,16 @@ void Broad::cut_into_strips() {
     }
 }
 
-/// Number of pairs found by all tasks. Each task adds its pairs in batches of kNowAndThen.
+/// Number of pairs found by all tasks. Each task adds its pairs in batches of kBatchSize.
 struct Broad::Count {
-    static constexpr std::size_t kNowAndThen = 4096;
+    static constexpr std::size_t kBatchSize = 4096;
     std::atomic<std::int64_t> reported{0};
     const std::int64_t most;
     base::Executor& pool;
     /// Add the pairs of a task. @param found  Pairs found by the task. @param own  Number of these
     /// that are already added. @return true to continue.
-    bool go_on(std::size_t found, std::size_t& own) noexcept {
-        if (found - own < kNowAndThen) return !pool.stopping();
+    bool add_and_continue(std::size_t found, std::size_t& own) noexcept {
+        if (found - own < kBatchSize) return !pool.stopping();
         const auto more = static_cast<std::int64_t>(found - own);
         own = found;
         return reported.fetch_add(more, std::memory_order_relaxed) + more <= most &&
@@ -202,7 +202,7 @@ struct Broad::Count {
     }
 };
 
-void Broad::sweep(int chunk, const Filter& filter, Count& count) {
+void Broad::find_pairs_in_strip(int chunk, const Filter& filter, Count& count) {
     base::Array<Pair>& found = found_[at(chunk)];
     found.clear();
     const std::size_t end = std::min(entries_.size(), at((chunk + 1) * kSweepChunk));
@@ -215,14 +215,15 @@ void Broad::sweep(int chunk, const Filter& filter, Count& count) {
             if (s.low[1] > o.high[1] || o.low[1] > s.high[1] || s.low[2] > o.high[2] ||
                 o.low[2] > s.high[2])
                 continue;
-            if (std::max(s.first, o.first) != s.strip || !filter.allows(s.shape, o.shape)) continue;
+            if (std::max(s.first, o.first) != s.strip || !filter.may_touch(s.shape, o.shape))
+                continue;
             found.push_back({std::min(s.shape, o.shape), std::max(s.shape, o.shape)});
         }
-        if (!count.go_on(found.size(), reported)) return;
+        if (!count.add_and_continue(found.size(), reported)) return;
     }
 }
 
-void Broad::hold_against_large(int chunk, const base::Array<Placed>& placed, const Filter& filter,
+void Broad::test_against_large(int chunk, const base::Array<Placed>& placed, const Filter& filter,
                                double h, double margin, Count& pairs) {
     base::Array<Pair>& found = found_[at(base::chunks(entries_.size(), kSweepChunk) + chunk)];
     found.clear();
@@ -235,11 +236,11 @@ void Broad::hold_against_large(int chunk, const base::Array<Placed>& placed, con
         for (std::int32_t s = begin; s < end; ++s) {
             if (s == big || (is_large_[at(s)] && s < big)) continue;
             const Placed& o = placed[at(s)];
-            if (!meet(p.swept, o.swept)) continue;
+            if (!boxes_overlap(p.swept, o.swept)) continue;
             if (plane && !o.unbounded && !meets_plane(p, o, h, margin)) continue;
-            if (filter.allows(big, s)) found.push_back({std::min(big, s), std::max(big, s)});
+            if (filter.may_touch(big, s)) found.push_back({std::min(big, s), std::max(big, s)});
         }
-        if (!pairs.go_on(found.size(), reported)) return;
+        if (!pairs.add_and_continue(found.size(), reported)) return;
     }
 }
 
@@ -269,9 +270,9 @@ void Broad::find(const base::Array<Placed>& placed, const Filter& filter, double
     Count count{.reported = 0, .most = most, .pool = pool};
     run(pool, sweeps + others, [&](int i) {
         if (i < sweeps)
-            sweep(i, filter, count);
+            find_pairs_in_strip(i, filter, count);
         else
-            hold_against_large(i - sweeps, placed, filter, h, margin, count);
+            test_against_large(i - sweeps, placed, filter, h, margin, count);
     });
     std::size_t pairs = 0;
     for (std::size_t l = 0; l < tasks; ++l) pairs += found_[l].size();

@@ -48,8 +48,8 @@ class Broad {
     void sort(const base::Array<Placed>& placed);
     void cut_into_strips();
     struct Count;
-    void sweep(int chunk, const Filter& filter, Count& count);
-    void hold_against_large(int chunk, const base::Array<Placed>& placed, const Filter& filter,
+    void find_pairs_in_strip(int chunk, const Filter& filter, Count& count);
+    void test_against_large(int chunk, const base::Array<Placed>& placed, const Filter& filter,
                             double h, double margin, Count& count);
     void gather(int lists, base::Array<Pair>& out);
 

@@ -10,8 +10,8 @@ namespace {
 
 /// Collide the same pair in reversed order.
 template <Collide kFunction>
-void swapped(const Geometry& a, const Placement& pa, const Geometry& b, const Placement& pb,
-             double margin, Manifold& out) noexcept {
+void collide_swapped(const Geometry& a, const Placement& pa, const Geometry& b, const Placement& pb,
+                     double margin, Manifold& out) noexcept {
     kFunction(b, pb, a, pa, margin, out);
     for (int i = 0; i < out.count; ++i) {
         ManifoldPoint& p = out.point[i];
@@ -28,7 +28,7 @@ struct Table {
 
     template <Collide kFunction>
     void set(ShapeKind a, ShapeKind b) {
-        at[static_cast<int>(b)][static_cast<int>(a)] = swapped<kFunction>;
+        at[static_cast<int>(b)][static_cast<int>(a)] = collide_swapped<kFunction>;
         at[static_cast<int>(a)][static_cast<int>(b)] = kFunction;
     }
     Table() {

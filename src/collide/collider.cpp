@@ -36,52 +36,52 @@ void Collider::prepare(const model::Bodies& bodies, const model::Interactions& i
     filter_.build(shapes_, bodies.count(), interactions);
     // Boxes of other shapes need no update: collide() places all shapes again. Their old boxes
     // affect only the time of the broad phase.
-    if (all_new_) placed_.clear();
+    if (all_new_) placements_.clear();
     all_new_ = false;
-    if (placed_.size() > shapes_.size()) placed_.resize(shapes_.size());
-    while (placed_.size() < shapes_.size()) {
-        new_.push_back(static_cast<std::int32_t>(placed_.size()));
-        resize_with_reserve(placed_, placed_.size() + 1);
+    if (placements_.size() > shapes_.size()) placements_.resize(shapes_.size());
+    while (placements_.size() < shapes_.size()) {
+        new_.push_back(static_cast<std::int32_t>(placements_.size()));
+        resize_with_reserve(placements_, placements_.size() + 1);
     }
     for (const std::int32_t s : new_) {
         if (at(s) >= shapes_.size()) continue;
-        Placed& placed = placed_[at(s)] = {};
+        Placed& placed = placements_[at(s)] = {};
         placed.geometry = shapes_[at(s)].geometry;
-        if (shapes_[at(s)].gone())
+        if (shapes_[at(s)].is_removed())
             placed.swept = kNowhere;
         else
             place(shapes_[at(s)], bodies, lines_, h, margin, placed);
     }
     new_.clear();
-    broad_.prepare(placed_);
+    broad_.prepare(placements_);
 }
 
 void Collider::keep(Kept& out) const {
     out.slots = slots;
     out.shapes = shapes_;
     out.data = data_;
-    out.contacts = kept_;
-    out.awake = kept_awake_;
+    out.contacts = last_contacts_;
+    out.awake = last_awake_count_;
 }
 
-void Collider::go_back(Kept& to) noexcept {
+void Collider::restore_shapes(Kept& to) noexcept {
     std::swap(slots, to.slots);
     shapes_.swap(to.shapes);
     data_.swap(to.data);
-    kept_.swap(to.contacts);
-    kept_awake_ = to.awake;
+    last_contacts_.swap(to.contacts);
+    last_awake_count_ = to.awake;
     new_.clear();
     all_new_ = true;
 }
 
-void Collider::place_all(const model::Bodies& bodies, double h, base::Executor& pool) noexcept {
+void Collider::place_shapes(const model::Bodies& bodies, double h, base::Executor& pool) noexcept {
     auto task = [&](int i, int) noexcept {
         const std::size_t end = std::min(shapes_.size(), at((i + 1) * kPlacingChunk));
         for (std::size_t s = at(i * kPlacingChunk); s < end; ++s) {
-            if (shapes_[s].gone()) continue;  // stays nowhere
-            place(shapes_[s], bodies, lines_, h, margin, placed_[s]);
+            if (shapes_[s].is_removed()) continue;  // stays nowhere
+            place(shapes_[s], bodies, lines_, h, margin, placements_[s]);
             const std::int32_t line = shapes_[s].line;
-            if (line >= 0 && lines_->parted[at(line)] != 0) placed_[s].swept = kNowhere;
+            if (line >= 0 && lines_->parted[at(line)] != 0) placements_[s].swept = kNowhere;
         }
     };
     pool.for_each(base::chunks(shapes_.size(), kPlacingChunk), task);
@@ -101,7 +101,7 @@ void Collider::make_chunks(int tasks) {
         chunks_.push_back(std::make_unique_for_overwrite<Contact[]>(kChunkCapacity));
 }
 
-void Collider::narrow(double h, base::Executor& pool) {
+void Collider::collide_pairs(double h, base::Executor& pool) {
     const int tasks = base::chunks(pairs_.size(), kPairChunk);
     make_chunks(tasks);
     auto task = [&](int i, int) noexcept {
@@ -112,8 +112,9 @@ void Collider::narrow(double h, base::Executor& pool) {
         for (std::size_t p = at(i * kPairChunk); p < end; ++p) {
             const std::int32_t a = pairs_[p].a, b = pairs_[p].b;
             const bool held = shapes_[at(a)].held >= 0 || shapes_[at(b)].held >= 0;
-            const int n = touch(shapes_[at(a)], placed_[at(a)], shapes_[at(b)], placed_[at(b)], h,
-                                margin, held && filter_.of_one_host(a, b), to);
+            const int n =
+                touch(shapes_[at(a)], placements_[at(a)], shapes_[at(b)], placements_[at(b)], h,
+                      margin, held && filter_.share_host(a, b), to);
             for (int k = 0; k < n; ++k, ++to) {
                 to->shape[0] = a;
                 to->shape[1] = b;
@@ -125,7 +126,7 @@ void Collider::narrow(double h, base::Executor& pool) {
     pool.for_each(tasks, task);
 }
 
-void Collider::put_together(ContactSet& out, base::Executor& pool) {
+void Collider::merge_tasks(ContactSet& out, base::Executor& pool) {
     const int tasks = base::chunks(pairs_.size(), kPairChunk);
     std::size_t total = 0;
     for (int i = 0; i < tasks; ++i) total += at(chunk_size_[at(i)]);
@@ -138,16 +139,16 @@ void Collider::put_together(ContactSet& out, base::Executor& pool) {
     resize_with_reserve(out.contacts, total);
     auto to = out.contacts.begin();
     for (int i = 0; i < tasks; ++i) to = std::copy_n(chunks_[at(i)].get(), chunk_size_[at(i)], to);
-    resize_with_reserve(drop_, total);
+    resize_with_reserve(is_dropped_, total);
     auto mark = [&](int i, int) noexcept {
         const std::size_t end = std::min(total, at((i + 1) * kContactChunk));
         for (std::size_t k = at(i * kContactChunk); k < end; ++k)
-            drop_[k] = is_duplicate(out.contacts, k, shapes_) ? 1 : 0;
+            is_dropped_[k] = is_duplicate(out.contacts, k, shapes_) ? 1 : 0;
     };
     pool.for_each(base::chunks(total, kContactChunk), mark);
     std::size_t n = 0;
     for (std::size_t i = 0; i < total; ++i) {
-        if (drop_[i] != 0) continue;
+        if (is_dropped_[i] != 0) continue;
         if (n != i) out.contacts[n] = out.contacts[i];
         ++n;
     }
@@ -159,11 +160,12 @@ void Collider::put_together(ContactSet& out, base::Executor& pool) {
         for (std::size_t k = at(i * kContactChunk); k < end; ++k) {
             const Contact& c = out.contacts[k];
             found_[k] = {{c.shape[0], c.shape[1]}, c.feature, 0, {}};
-            local_point(c, shapes_[at(c.shape[1])], placed_[at(c.shape[1])], found_[k].at);
+            local_point(c, shapes_[at(c.shape[1])], placements_[at(c.shape[1])], found_[k].at);
         }
     };
     pool.for_each(base::chunks(n, kContactChunk), keep);
-    match(out.contacts, found_, kept_, kept_awake_, kMatchMargins * margin, taken_);
+    match(out.contacts, found_, last_contacts_, last_awake_count_, kMatchMargins * margin,
+          is_taken_);
     out.awake = found_awake_ = n;
 }
 
@@ -176,13 +178,13 @@ void Collider::remove(std::int32_t shape) noexcept {
     new_.push_back(shape);
 }
 
-void Collider::rewire(std::int32_t shape, std::int32_t first, std::int32_t second,
-                      const Vec3& point, const model::Bodies& bodies) noexcept {
+void Collider::attach_segment(std::int32_t shape, std::int32_t first, std::int32_t second,
+                              const Vec3& point, const model::Bodies& bodies) noexcept {
     Shape& s = shapes_[at(shape)];
     s.body[0] = first;
     s.body[1] = second;
     std::copy_n(point.data(), 3, s.local.x);
-    s.held = held_end(s, bodies);
+    s.held = held_segment_end(s, bodies);
 }
 
 void Collider::truncate(std::int32_t kept) noexcept {
@@ -191,15 +193,15 @@ void Collider::truncate(std::int32_t kept) noexcept {
     data_.erase(data_.begin() + kept, data_.end());
 }
 
-void Collider::forget(const std::vector<std::uint8_t>& stays) noexcept {
+void Collider::forget_contacts(const std::vector<std::uint8_t>& stays) noexcept {
     std::size_t n = 0, awake = 0;
-    for (std::size_t i = 0; i < kept_.size(); ++i) {
+    for (std::size_t i = 0; i < last_contacts_.size(); ++i) {
         if (stays[i] == 0) continue;
-        if (i < kept_awake_) ++awake;
-        kept_[n++] = kept_[i];
+        if (i < last_awake_count_) ++awake;
+        last_contacts_[n++] = last_contacts_[i];
     }
-    kept_.resize(n);
-    kept_awake_ = awake;
+    last_contacts_.resize(n);
+    last_awake_count_ = awake;
 }
 
 bool Collider::set_aside(ContactSet& out, const base::Array<std::uint8_t>& asleep) noexcept {
@@ -212,7 +214,7 @@ bool Collider::set_aside(ContactSet& out, const base::Array<std::uint8_t>& aslee
         static_cast<std::size_t>(std::count_if(out.contacts.begin(), out.contacts.end(), rests));
     try {
         resize_with_reserve(aside_, n);
-        resize_with_reserve(aside_kept_, n);
+        resize_with_reserve(last_set_aside_, n);
     } catch (const std::bad_alloc&) {
         return false;
     }
@@ -220,11 +222,11 @@ bool Collider::set_aside(ContactSet& out, const base::Array<std::uint8_t>& aslee
     for (std::size_t i = 0; i < out.contacts.size(); ++i) {
         const bool aside = rests(out.contacts[i]);
         (aside ? aside_[put] : out.contacts[awake]) = out.contacts[i];
-        (aside ? aside_kept_[put] : found_[awake]) = found_[i];
+        (aside ? last_set_aside_[put] : found_[awake]) = found_[i];
         ++(aside ? put : awake);
     }
     std::copy_n(aside_.begin(), n, out.contacts.begin() + static_cast<std::ptrdiff_t>(awake));
-    std::copy_n(aside_kept_.begin(), n, found_.begin() + static_cast<std::ptrdiff_t>(awake));
+    std::copy_n(last_set_aside_.begin(), n, found_.begin() + static_cast<std::ptrdiff_t>(awake));
     out.awake = found_awake_ = awake;
     return true;
 }
@@ -233,7 +235,7 @@ namespace {
 
 /// @return true if a swept box lies in a range where differences of coordinates are meaningful.
 ///        Diverging motions reach any position within a step.
-bool has_place(const Placed& p) noexcept {
+bool is_in_range(const Placed& p) noexcept {
     constexpr double kFarthest = 1e100;                 // [m]: products of three of it are finite
     if (p.swept.low[0] > p.swept.high[0]) return true;  // segment of a parted line
     for (int k = 0; k < 3; ++k)
@@ -256,14 +258,14 @@ bool Collider::collide(const model::Bodies& bodies, double h, ContactSet& out,
     over_ = {};
     finite_ = true;
     try {
-        place_all(bodies, h, pool);
+        place_shapes(bodies, h, pool);
         // Boxes that are not finite have no order, and the sweep sorts them.
-        finite_ = std::all_of(placed_.begin(), placed_.end(), has_place);
+        finite_ = std::all_of(placements_.begin(), placements_.end(), is_in_range);
         if (!finite_) return nothing();
-        broad_.find(placed_, filter_, h, margin,
+        broad_.find(placements_, filter_, h, margin,
                     std::min(kPairsOfContact * most_contacts, kMaxPairs), pool, pairs_);
-        narrow(h, pool);
-        put_together(out, pool);
+        collide_pairs(h, pool);
+        merge_tasks(out, pool);
     } catch (const std::bad_alloc&) {
         return nothing();
     } catch (const LimitError& error) {
@@ -277,9 +279,9 @@ bool Collider::collide(const model::Bodies& bodies, double h, ContactSet& out,
 }
 
 std::size_t Collider::bytes() const noexcept {
-    std::size_t n = base::bytes(shapes_) + base::bytes(placed_) + base::bytes(pairs_) +
-                    base::bytes(kept_) + base::bytes(found_) + base::bytes(drop_) +
-                    base::bytes(taken_) + base::bytes(aside_) + base::bytes(aside_kept_) +
+    std::size_t n = base::bytes(shapes_) + base::bytes(placements_) + base::bytes(pairs_) +
+                    base::bytes(last_contacts_) + base::bytes(found_) + base::bytes(is_dropped_) +
+                    base::bytes(is_taken_) + base::bytes(aside_) + base::bytes(last_set_aside_) +
                     broad_.bytes();
     return n + chunks_.size() * kChunkCapacity * sizeof(Contact);
 }

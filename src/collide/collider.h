@@ -59,12 +59,12 @@ class Collider {
         base::reserve_more(new_, shapes_.size() + 2);  // all of them may be removed
     }
     /// Remove a shape that nothing touches. The caller removes the memory of its contacts: see
-    /// forget().
+    /// forget_contacts().
     void remove(std::int32_t shape) noexcept;
     /// Attach a segment to other bodies. One of them may hold it at a point of its frame [m]. The
-    /// caller removes the memory of its contacts: see forget().
-    void rewire(std::int32_t shape, std::int32_t first, std::int32_t second, const Vec3& point,
-                const model::Bodies& bodies) noexcept;
+    /// caller removes the memory of its contacts: see forget_contacts().
+    void attach_segment(std::int32_t shape, std::int32_t first, std::int32_t second,
+                        const Vec3& point, const model::Bodies& bodies) noexcept;
     /// Remove the places from `kept` on, whose shapes have not touched anything yet.
     void truncate(std::int32_t kept) noexcept;
     /// Call f with each other shape whose box meets the box of a shape, both at the present poses
@@ -83,19 +83,20 @@ class Collider {
     void prepare(const model::Bodies& bodies, const model::Interactions& interactions, double h);
 
     /// Compute the contacts at the present poses; `out.surfaces` stays as surfaces() set it.
-    /// @return false if memory could not grow, or for the reason in over() or finite(); `out` is
+    /// @return false if memory could not grow, or for the reason in limit_reached() or finite();
+    /// `out` is
     ///        then empty.
     [[nodiscard]] bool collide(const model::Bodies& bodies, double h, ContactSet& out,
                                base::Executor& pool) noexcept;
     /// Return the limit that the last collide() reached, if any.
-    [[nodiscard]] const BoundMet& over() const noexcept { return over_; }
+    [[nodiscard]] const BoundMet& limit_reached() const noexcept { return over_; }
     /// @return true if all boxes in the last collide() were finite; else a motion diverges.
     [[nodiscard]] bool finite() const noexcept { return finite_; }
     /// Accept the contacts of the last collide() after the step is done. Contact::previous then
     /// counts them. Before that, collide() may be called again if a failed step is repeated.
     void keep() noexcept {
-        kept_.swap(found_);
-        kept_awake_ = found_awake_;
+        last_contacts_.swap(found_);
+        last_awake_count_ = found_awake_;
     }
     /// Move contacts that act on a body asleep behind the others. Their other bodies have no
     /// freedom or sleep too. @param asleep  1 for a body asleep. @return false if memory could not
@@ -103,15 +104,18 @@ class Collider {
     [[nodiscard]] bool set_aside(ContactSet& out, const base::Array<std::uint8_t>& asleep) noexcept;
     /// Return the contacts of the last completed step, in the order of its set. A restored world
     /// needs them to continue with the same bits.
-    [[nodiscard]] base::Array<KeptContact>& kept() noexcept { return kept_; }
-    [[nodiscard]] const base::Array<KeptContact>& kept() const noexcept { return kept_; }
+    [[nodiscard]] base::Array<KeptContact>& last_contacts() noexcept { return last_contacts_; }
+    [[nodiscard]] const base::Array<KeptContact>& last_contacts() const noexcept {
+        return last_contacts_;
+    }
 
-    /// Remove the memory of contacts of kept() that no longer apply. @param stays  For each
-    /// contact: 0 to remove it.
-    void forget(const std::vector<std::uint8_t>& stays) noexcept;
-    /// Return the number of contacts in kept() that took part in the step: they come first.
-    [[nodiscard]] std::size_t& kept_awake() noexcept { return kept_awake_; }
-    [[nodiscard]] const std::size_t& kept_awake() const noexcept { return kept_awake_; }
+    /// Remove the memory of contacts of last_contacts() that no longer apply. @param stays  For
+    /// each contact: 0 to remove it.
+    void forget_contacts(const std::vector<std::uint8_t>& stays) noexcept;
+    /// Return the number of contacts in last_contacts() that took part in the step: they come
+    /// first.
+    [[nodiscard]] std::size_t& last_awake_count() noexcept { return last_awake_count_; }
+    [[nodiscard]] const std::size_t& last_awake_count() const noexcept { return last_awake_count_; }
 
     void surfaces(double h, ContactSet& out) const { materials.surfaces(h, out.surfaces); }
     /// Copy of the shapes and of the memory of their contacts.
@@ -125,20 +129,20 @@ class Collider {
     /// Store the state. @throws std::bad_alloc
     void keep(Kept& out) const;
     /// Return to a copy. Call prepare() before the next use.
-    void go_back(Kept& to) noexcept;
+    void restore_shapes(Kept& to) noexcept;
 
     /// Return the placement of each shape in the last collide().
-    [[nodiscard]] const base::Array<Placed>& placed() const noexcept { return placed_; }
+    [[nodiscard]] const base::Array<Placed>& placed() const noexcept { return placements_; }
     [[nodiscard]] std::size_t pairs() const noexcept { return pairs_.size(); }
     /// Return how often capacity grew in collide() since the start.
-    [[nodiscard]] std::int64_t growths() const noexcept { return growths_; }
+    [[nodiscard]] std::int64_t growth_count() const noexcept { return growths_; }
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
-    void place_all(const model::Bodies& bodies, double h, base::Executor& pool) noexcept;
-    void narrow(double h, base::Executor& pool);
+    void place_shapes(const model::Bodies& bodies, double h, base::Executor& pool) noexcept;
+    void collide_pairs(double h, base::Executor& pool);
     void make_chunks(int tasks);
-    void put_together(ContactSet& out, base::Executor& pool);
+    void merge_tasks(ContactSet& out, base::Executor& pool);
     void find_owners(int body_count);
     void find_lines(const model::Interactions& interactions, int body_count);
 
@@ -147,16 +151,16 @@ class Collider {
     const model::Interactions* lines_ = nullptr;
     Filter filter_;
     Broad broad_;
-    base::Array<Placed> placed_;
+    base::Array<Placed> placements_;
     base::Array<Pair> pairs_;
     std::vector<std::unique_ptr<Contact[]>> chunks_;  ///< Contacts by task of the narrow phase.
     std::vector<std::int32_t> chunk_size_;
-    base::Array<KeptContact> kept_, found_, aside_kept_;
+    base::Array<KeptContact> last_contacts_, found_, last_set_aside_;
     std::vector<Contact> aside_;
-    std::size_t kept_awake_ = 0, found_awake_ = 0;
+    std::size_t last_awake_count_ = 0, found_awake_ = 0;
     BoundMet over_;
     bool finite_ = true;
-    base::Array<std::uint8_t> drop_, taken_;
+    base::Array<std::uint8_t> is_dropped_, is_taken_;
     std::vector<std::int32_t> new_;  ///< Shapes added or removed since prepare().
     bool all_new_ = false;           ///< All did.
     /// A piece of a line, listed at its end with the lower index.
@@ -179,7 +183,7 @@ void Collider::each_near(std::int32_t shape, const model::Bodies& bodies, double
     };
     const Bounds own = now(shapes_[static_cast<std::size_t>(shape)]);
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
-        if (shapes_[i].gone() || static_cast<std::int32_t>(i) == shape) continue;
+        if (shapes_[i].is_removed() || static_cast<std::int32_t>(i) == shape) continue;
         const Bounds box = now(shapes_[i]);
         bool meets = true;
         for (int k = 0; k < 3 && meets; ++k)

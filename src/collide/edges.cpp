@@ -93,7 +93,7 @@ std::vector<Piece> edges_of_mesh(const ShapeData& mesh) {
 }
 
 /// True if two pieces at a vertex belong to one edge.
-bool goes_on(const ShapeData& data, const Piece& a, const Piece& b, int vertex) {
+bool continues_straight(const ShapeData& data, const Piece& a, const Piece& b, int vertex) {
     const auto other = [&](const Piece& p) {
         const int v = p.vertex[0] == vertex ? p.vertex[1] : p.vertex[0];
         return vector_of(data.vertices[static_cast<std::size_t>(v)]);
@@ -112,7 +112,7 @@ void join(const ShapeData& data, std::vector<Piece>& pieces) {
             std::optional<int> at;
             for (const int v : pieces[i].vertex)
                 for (const int w : pieces[j].vertex)
-                    if (v == w && goes_on(data, pieces[i], pieces[j], v)) at = v;
+                    if (v == w && continues_straight(data, pieces[i], pieces[j], v)) at = v;
             if (!at) {
                 ++j;
                 continue;
@@ -124,7 +124,7 @@ void join(const ShapeData& data, std::vector<Piece>& pieces) {
         }
 }
 
-double apart_from(const ShapeEdge& edge, const Vec3& p) noexcept {
+double distance_from_edge(const ShapeEdge& edge, const Vec3& p) noexcept {
     const Vec3 d = edge.to - edge.from;
     const double t = std::clamp((p - edge.from).dot(d) / d.squaredNorm(), 0.0, 1.0);
     return (p - edge.from - t * d).norm();
@@ -176,7 +176,7 @@ EdgeAxis axis_in_edge(const ShapeEdge& edge, double radius) noexcept {
 }
 
 double distance_to_edge(const ShapeEdge& edge, const Vec3& a, const Vec3& b) noexcept {
-    return std::max(apart_from(edge, a), apart_from(edge, b));
+    return std::max(distance_from_edge(edge, a), distance_from_edge(edge, b));
 }
 
 }  // namespace hawser

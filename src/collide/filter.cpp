@@ -11,8 +11,8 @@ namespace {
 using Beside = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
 /// Find the nodes next to the guides whose elements have segments, sorted by slide.
-void find_beside(const std::vector<Shape>& shapes, const model::Interactions& interactions,
-                 Beside& out) {
+void find_guide_neighbours(const std::vector<Shape>& shapes,
+                           const model::Interactions& interactions, Beside& out) {
     out.clear();
     for (const Shape& s : shapes)
         if (s.held >= 0 && s.line >= 0 && kind_info(interactions.kinds[at(s.line)]).is(kAtGuide))
@@ -44,16 +44,16 @@ void Filter::build(const std::vector<Shape>& shapes, int body_count,
                    const model::Interactions& interactions) {
     // Count and store the neighbours by body, then sort and deduplicate each list.
     const auto n = static_cast<std::size_t>(body_count);
-    find_beside(shapes, interactions, beside_);
+    find_guide_neighbours(shapes, interactions, guide_neighbours_);
     begin_.assign(n + 1, 0);
-    each_joined(shapes, interactions, beside_, [&](std::int32_t a, std::int32_t b) {
+    each_joined(shapes, interactions, guide_neighbours_, [&](std::int32_t a, std::int32_t b) {
         ++begin_[at(a) + 1];
         ++begin_[at(b) + 1];
     });
     for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
     joined_.resize(at(begin_.back()));
     cursor_.assign(begin_.begin(), begin_.end());
-    each_joined(shapes, interactions, beside_, [&](std::int32_t a, std::int32_t b) {
+    each_joined(shapes, interactions, guide_neighbours_, [&](std::int32_t a, std::int32_t b) {
         joined_[at(cursor_[at(a)]++)] = b;
         joined_[at(cursor_[at(b)]++)] = a;
     });

@@ -28,11 +28,11 @@ class Filter {
     void build(const std::vector<Shape>& shapes, int body_count,
                const model::Interactions& interactions);
 
-    [[nodiscard]] bool allows(std::int32_t a, std::int32_t b) const noexcept {
+    [[nodiscard]] bool may_touch(std::int32_t a, std::int32_t b) const noexcept {
         const Entry& p = entries_[static_cast<std::size_t>(a)];
         const Entry& q = entries_[static_cast<std::size_t>(b)];
         if ((p.group & q.touches) == 0 || (q.group & p.touches) == 0) return false;
-        if (!p.moves && !q.moves) return false;
+        if (!p.is_moving && !q.is_moving) return false;
         for (const std::int32_t x : p.body)
             for (const std::int32_t y : q.body)
                 if (x >= 0 && y >= 0 && (x == y || joined(x, y))) return false;
@@ -41,11 +41,11 @@ class Filter {
     /// True if one of two shapes is a segment that a body holds, and the other belongs to that
     /// body. The other shape may also belong to a body that a joint holds to it, or be a segment
     /// held by either.
-    [[nodiscard]] bool of_one_host(std::int32_t a, std::int32_t b) const noexcept {
+    [[nodiscard]] bool share_host(std::int32_t a, std::int32_t b) const noexcept {
         const Entry& p = entries_[static_cast<std::size_t>(a)];
         const Entry& q = entries_[static_cast<std::size_t>(b)];
         const auto carrier = [](const Entry& e) {
-            return e.host >= 0 ? e.host : e.segment ? -1 : e.body[0];
+            return e.host >= 0 ? e.host : e.is_segment ? -1 : e.body[0];
         };
         const std::int32_t x = carrier(p), y = carrier(q);
         return x >= 0 && y >= 0 && (p.host >= 0 || q.host >= 0) && (x == y || joined(x, y));
@@ -56,7 +56,7 @@ class Filter {
         std::int32_t body[2];  ///< Bodies without the host.
         std::int32_t host;     ///< Body that holds the segment; −1: none.
         std::uint32_t group, touches;
-        bool moves, segment;
+        bool is_moving, is_segment;
     };
     [[nodiscard]] bool joined(std::int32_t x, std::int32_t y) const noexcept {
         const auto i = static_cast<std::size_t>(x), j = static_cast<std::size_t>(y);
@@ -70,7 +70,7 @@ class Filter {
     std::vector<std::int32_t> begin_, joined_;  ///< Bodies joined to each body, ascending.
     std::vector<std::int32_t> cursor_;          ///< Scratch of build().
     /// Slides of guides, and the nodes whose segments end there. Scratch of build().
-    std::vector<std::pair<std::int32_t, std::int32_t>> beside_;
+    std::vector<std::pair<std::int32_t, std::int32_t>> guide_neighbours_;
 };
 
 }  // namespace hawser::collide

@@ -12,23 +12,23 @@ double damping_time(const MaterialDef& m, double h) noexcept {
 }
 
 /// Return √(ab); exactly a if both are equal.
-double geometric(double a, double b) noexcept { return a == b ? a : std::sqrt(a * b); }
+double geometric_mean(double a, double b) noexcept { return a == b ? a : std::sqrt(a * b); }
 
-Surface alone(const MaterialDef& m, double h) noexcept {
+Surface surface_of_material(const MaterialDef& m, double h) noexcept {
     return {
         m.friction,         m.restitution, 1.0 / m.stiffness, 1.0 / (m.tangential * m.stiffness),
         damping_time(m, h), m.rolling,     m.torsional};
 }
 
-Surface mixed(const MaterialDef& a, const MaterialDef& b, double h) noexcept {
-    const Surface p = alone(a, h), q = alone(b, h);
-    return {geometric(p.friction, q.friction),
+Surface mixed_surface(const MaterialDef& a, const MaterialDef& b, double h) noexcept {
+    const Surface p = surface_of_material(a, h), q = surface_of_material(b, h);
+    return {geometric_mean(p.friction, q.friction),
             std::max(p.restitution, q.restitution),
             p.compliance + q.compliance,
             p.tangential_compliance + q.tangential_compliance,
             std::max(p.damping_time, q.damping_time),
-            geometric(p.rolling, q.rolling),
-            geometric(p.torsional, q.torsional)};
+            geometric_mean(p.rolling, q.rolling),
+            geometric_mean(p.torsional, q.torsional)};
 }
 
 }  // namespace
@@ -49,9 +49,10 @@ void Materials::surfaces(double h, std::vector<Surface>& out) const {
     out.resize(defs_.size() * (defs_.size() + 1) / 2);
     for (std::int32_t b = 0; b < count(); ++b)
         for (std::int32_t a = 0; a <= b; ++a)
-            out[static_cast<std::size_t>(surface(a, b))] = mixed(def(a), def(b), h);
+            out[static_cast<std::size_t>(surface(a, b))] = mixed_surface(def(a), def(b), h);
     for (const MaterialPairDef& pair : pairs_)
-        out[static_cast<std::size_t>(surface(pair.a.index, pair.b.index))] = alone(pair.values, h);
+        out[static_cast<std::size_t>(surface(pair.a.index, pair.b.index))] =
+            surface_of_material(pair.values, h);
 }
 
 }  // namespace hawser::collide

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace hawser::collide {
 namespace {
@@ -25,7 +24,7 @@ void multiply(const double* a, const double* b, double* out) noexcept {
 
 /// Compute a rotation whose z is the unit vector `axis`. x and y depend on `axis` alone. They jump
 /// where its smallest component changes, which does not affect a capsule.
-void frame_of(const V3& axis, double* r) noexcept {
+void frame_with_axis(const V3& axis, double* r) noexcept {
     const double ax = std::abs(axis.x), ay = std::abs(axis.y), az = std::abs(axis.z);
     V3 other{0.0, 0.0, 0.0};
     (ax <= ay && ax <= az ? other.x : ay <= az ? other.y : other.z) = 1.0;
@@ -76,7 +75,7 @@ void place_segment(const Shape& s, const model::Bodies& bodies, const model::Int
     const V3 along = b - a;
     const double length = generic::norm(along);
     p.geometry.half_length = 0.5 * length;
-    frame_of(length > 1e-12 ? (1.0 / length) * along : V3{0.0, 0.0, 1.0}, p.at.r);
+    frame_with_axis(length > 1e-12 ? (1.0 / length) * along : V3{0.0, 0.0, 1.0}, p.at.r);
     store3(p.at.x, 0.5 * (a + b));
     store3(p.origin, 0.5 * (a + b));
     const Motion ma = motion_of(bodies, s.body[0]), mb = motion_of(bodies, s.body[1]);
@@ -132,7 +131,7 @@ Motion motion_of(const model::Bodies& bodies, std::int32_t body) noexcept {
     return m;
 }
 
-std::int32_t held_end(const Shape& shape, const model::Bodies& bodies) noexcept {
+std::int32_t held_segment_end(const Shape& shape, const model::Bodies& bodies) noexcept {
     if (!shape.segment()) return -1;
     const bool centre =
         shape.local.x[0] == 0.0 && shape.local.x[1] == 0.0 && shape.local.x[2] == 0.0;
@@ -151,7 +150,8 @@ void place(const Shape& shape, const model::Bodies& bodies, const model::Interac
         place_segment(shape, bodies, lines, placed);
     else
         place_on_body(shape, bodies, placed);
-    const bool same = std::memcmp(&before, &placed.at, sizeof before) == 0;
+    const bool same =
+        std::ranges::equal(before.x, placed.at.x) && std::ranges::equal(before.r, placed.at.r);
     if (!same || length != placed.geometry.half_length) enclose(placed);
     const Motion& m = placed.motion;
     const V3 arm = load3(placed.centre) - load3(placed.origin);

@@ -33,7 +33,7 @@ struct Shape {
     bool moves;  ///< True if at least one of its bodies has freedom.
     [[nodiscard]] bool segment() const noexcept { return body[1] >= 0; }
     /// True if the shape was removed and its slot is vacant.
-    [[nodiscard]] bool gone() const noexcept { return body[0] < 0; }
+    [[nodiscard]] bool is_removed() const noexcept { return body[0] < 0; }
 };
 
 /// Velocity of a body at its centre of mass, world frame [m/s, rad/s].
@@ -44,7 +44,8 @@ struct Motion {
 
 /// Return Shape::held of a shape: the end of its segment that a body holds, 0 or 1; −1 if there is
 /// none.
-[[nodiscard]] std::int32_t held_end(const Shape& shape, const model::Bodies& bodies) noexcept;
+[[nodiscard]] std::int32_t held_segment_end(const Shape& shape,
+                                            const model::Bodies& bodies) noexcept;
 
 /// A shape in one step.
 struct Placed {

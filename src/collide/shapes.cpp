@@ -21,7 +21,7 @@ Placement local_frame(const ShapeDef& def) {
 
 /// Return Shape::thickness of a shape other than a segment. Shapes that lines may touch are wider
 /// than lines.
-double thickness_of(const Geometry& geometry) {
+double contact_thickness(const Geometry& geometry) {
     switch (geometry.kind) {
         case ShapeKind::capsule:  // links of lines, which may lie across each other
         case ShapeKind::plane:
@@ -54,11 +54,11 @@ std::int32_t Collider::add(const ShapeDef& def, const model::Bodies& bodies) {
     s.group = def.group;
     s.touches = def.touches;
     s.margin = def.margin;
-    s.held = held_end(s, bodies);
+    s.held = held_segment_end(s, bodies);
     for (const std::int32_t b : s.body) s.moves = s.moves || (b >= 0 && bodies.dof(b) > 0);
     std::shared_ptr<const ShapeData> data = make_shape_data(def);
     s.geometry.data = data.get();
-    s.thickness = s.segment() ? HUGE_VAL : thickness_of(s.geometry);
+    s.thickness = s.segment() ? HUGE_VAL : contact_thickness(s.geometry);
     base::reserve_more(data_, 1);
     base::reserve_more(shapes_, 1);
     reserve_more();

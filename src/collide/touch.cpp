@@ -65,7 +65,8 @@ V3 velocity(const Placed& p, double place, const V3& point) noexcept {
 }
 
 /// True if a segment is held within the sphere around another shape, or near it.
-bool is_at_hold(const Shape& s, const Placed& p, const Placed& other, double margin) noexcept {
+bool is_near_held_end(const Shape& s, const Placed& p, const Placed& other,
+                      double margin) noexcept {
     if (other.unbounded) return true;
     const V3 separation = load3(p.held) - load3(other.centre);
     const double reach = other.radius + s.geometry.radius + margin;
@@ -73,7 +74,7 @@ bool is_at_hold(const Shape& s, const Placed& p, const Placed& other, double mar
 }
 
 /// Return the distance along a segment from its hold to a position that add_side() returned [m].
-double from_hold(const Shape& s, const Placed& p, double place) noexcept {
+double distance_from_hold(const Shape& s, const Placed& p, double place) noexcept {
     return p.geometry.half_length * (s.held == 0 ? 1.0 + place : 1.0 - place);
 }
 
@@ -85,7 +86,7 @@ double area(const ManifoldPoint& a, const ManifoldPoint& b, const ManifoldPoint&
 
 /// Choose kMaxPoints points from the list `of`, which has more than that many. In a tie the first
 /// one applies.
-void choose(const Manifold& m, const int* of, int count, bool* keep) noexcept {
+void choose_points(const Manifold& m, const int* of, int count, bool* keep) noexcept {
     int chosen[kMaxPoints] = {of[0], -1, -1, -1};
     for (int i = 1; i < count; ++i)
         if (m.point[of[i]].gap < m.point[chosen[0]].gap) chosen[0] = of[i];
@@ -132,7 +133,7 @@ void reduce(Manifold& m) noexcept {
                 group[count++] = j;
         for (int j = 0; j < count; ++j) done[group[j]] = true;
         if (count > kMaxPoints)
-            choose(m, group, count, keep);
+            choose_points(m, group, count, keep);
         else
             for (int j = 0; j < count; ++j) keep[group[j]] = true;
         done[i] = true;
@@ -144,12 +145,12 @@ void reduce(Manifold& m) noexcept {
 }
 
 int touch(const Shape& a, const Placed& pa, const Shape& b, const Placed& pb, double h,
-          double margin, bool of_one_host, Contact* out) noexcept {
+          double margin, bool share_host, Contact* out) noexcept {
     const Collide collide = collide_function(a.geometry.kind, b.geometry.kind);
     if (collide == nullptr) return 0;
     const bool both_held = a.held >= 0 && b.held >= 0;
-    if (of_one_host && !both_held &&
-        (a.held >= 0 ? is_at_hold(a, pa, pb, margin) : is_at_hold(b, pb, pa, margin)))
+    if (share_host && !both_held &&
+        (a.held >= 0 ? is_near_held_end(a, pa, pb, margin) : is_near_held_end(b, pb, pa, margin)))
         return 0;
     margin = std::max({margin, a.margin, b.margin});
     Manifold m;
@@ -169,8 +170,8 @@ int touch(const Shape& a, const Placed& pa, const Shape& b, const Placed& pb, do
         c.side_0 = c.slots;
         const double tb = add_side(c, b, pb, p.on[1], n);
         const double beside = kBeside * (a.geometry.radius + b.geometry.radius);
-        if (of_one_host && both_held && from_hold(a, pa, ta) < beside &&
-            from_hold(b, pb, tb) < beside)
+        if (share_host && both_held && distance_from_hold(a, pa, ta) < beside &&
+            distance_from_hold(b, pb, tb) < beside)
             continue;
         const V3 middle = 0.5 * (load3(p.on[0]) + load3(p.on[1]));
         const double opening = dot(n, velocity(pb, tb, middle) - velocity(pa, ta, middle));

@@ -21,10 +21,10 @@ void reduce(Manifold& manifold) noexcept;
 /// at the present velocities. Condition: gap < margin + h max(0, −relative normal velocity). These
 /// speculative contacts prevent fast and thin shapes from passing through each other. If the step
 /// does not close such a contact, it carries no force. The caller sets `previous` and `surface`.
-/// @param of_one_host  See Filter. A segment held by a body does not touch that body at the hold,
+/// @param share_host  See Filter. A segment held by a body does not touch that body at the hold,
 /// or nearer to the hold than the sphere around the shape. It touches no other segment near both
 /// holds. @return number of contacts, at most kMaxManifold.
 int touch(const Shape& a, const Placed& pa, const Shape& b, const Placed& pb, double h,
-          double margin, bool of_one_host, Contact* out) noexcept;
+          double margin, bool share_host, Contact* out) noexcept;
 
 }  // namespace hawser::collide

@@ -20,7 +20,8 @@ using nonsmooth::Resistance;
 struct Along {
     double u[3], lambda[3], change[3];
 };
-Along along_way(const double* from, const double u[3], const double lambda[3], double t) noexcept {
+Along residual_along(const double* from, const double u[3], const double lambda[3],
+                     double t) noexcept {
     Along a{};
     for (int i = 0; i < 3; ++i) {
         a.change[i] = u[i] - from[i];
@@ -31,14 +32,14 @@ Along along_way(const double* from, const double u[3], const double lambda[3], d
 }
 
 /// Shorten two tangential components to a radius.
-void shorten_to(double radius, double& a, double& b) noexcept {
+void shorten_step_to(double radius, double& a, double& b) noexcept {
     const double length = std::sqrt(a * a + b * b);
     if (length <= radius) return;
     a *= radius / length;
     b *= radius / length;
 }
 
-double slope_of(const Along& a, const double impulse[3]) noexcept {
+double slope_along(const Along& a, const double impulse[3]) noexcept {
     double sum = 0.0;
     for (int i = 0; i < 3; ++i) sum += (a.lambda[i] - impulse[i]) * a.change[i];
     return sum;
@@ -47,11 +48,11 @@ double slope_of(const Along& a, const double impulse[3]) noexcept {
 /// Return the part of a resistance in the slope ψ.
 /// @param normal  Impulse that determines the bounds.
 double resistance_slope(const Resistance& r, double normal, const double* from, double t) noexcept {
-    const Along a = along_way(from, r.u, r.lambda, t);
+    const Along a = residual_along(from, r.u, r.lambda, t);
     double impulse[3];
     for (int i = 0; i < 3; ++i) impulse[i] = (r.b[i] - a.u[i]) / r.sigma;
     nonsmooth::limit(r, normal, impulse);
-    return slope_of(a, impulse);
+    return slope_along(a, impulse);
 }
 
 }  // namespace
@@ -64,12 +65,12 @@ Cone convex_cone(const Cone& cone) noexcept {
 }
 
 double contact_slope(const Cone& c, const double from[6], double t) noexcept {
-    const Along a = along_way(from, c.u, c.lambda, t);
+    const Along a = residual_along(from, c.u, c.lambda, t);
     double impulse[3];
     for (int i = 0; i < 3; ++i) impulse[i] = (c.b[i] - a.u[i]) / (i == 0 ? c.sigma_n : c.sigma_t);
     impulse[0] = std::max(0.0, impulse[0]);
-    shorten_to(nonsmooth::disk_radius(convex_cone(c), from, from + 3), impulse[1], impulse[2]);
-    return slope_of(a, impulse);
+    shorten_step_to(nonsmooth::disk_radius(convex_cone(c), from, from + 3), impulse[1], impulse[2]);
+    return slope_along(a, impulse);
 }
 
 double convex_slope(const context::Model& model, const context::Newton& newton, double t) noexcept {

@@ -49,7 +49,7 @@ namespace hawser::contact {
 
 /// Return the fraction of the way in (0, 1] at which a non-decreasing slope ψ(t) vanishes.
 template <class Slope>
-[[nodiscard]] double fraction_without_slope(Slope&& slope) noexcept {
+[[nodiscard]] double zero_slope_fraction(Slope&& slope) noexcept {
     constexpr int kMaxSweeps = 30;
     constexpr double kSmall = 0.05;
     double low = 0.0, high = 1.0, at_low = slope(low), at_high = slope(high);

@@ -31,7 +31,7 @@ bool is_close(const Cone& c, const nonsmooth::Law& law) noexcept {
 }
 
 /// Keep S of the law in the matrix, through the impulse of another law at the iterate.
-void keep_slope(Cone& c, const nonsmooth::Law& law) noexcept {
+void keep_law_slope(Cone& c, const nonsmooth::Law& law) noexcept {
     for (int i = 0; i < 3; ++i) {
         c.p[i] = law.p[i];
         for (int j = 0; j < 3; ++j) c.p[i] += (c.s[3 * i + j] - law.s[3 * i + j]) * c.u[j];
@@ -39,8 +39,8 @@ void keep_slope(Cone& c, const nonsmooth::Law& law) noexcept {
 }
 
 /// Write the laws of resistances, and the blocks of contacts that are marked as changed.
-void adopt_others(context::Model& model, const context::Newton& newton,
-                  runtime::Pool& pool) noexcept {
+void adopt_resistance_laws(context::Model& model, const context::Newton& newton,
+                           runtime::Pool& pool) noexcept {
     Contacts& contacts = model.system.contacts;
     assembly::Resistances& resistances = contacts.resistances;
     for (std::size_t k = 0; k < resistances.count(); ++k) {
@@ -70,27 +70,27 @@ void adopt_laws(context::Model& model, const context::Newton& newton, runtime::P
         std::copy_n(law.s, 9, c.s);
         std::copy_n(law.p, 3, c.p);
     }
-    adopt_others(model, newton, pool);
+    adopt_resistance_laws(model, newton, pool);
 }
 
-void adopt_far_laws(context::Model& model, const context::Newton& newton,
-                    runtime::Pool& pool) noexcept {
+void adopt_changed_laws(context::Model& model, const context::Newton& newton,
+                        runtime::Pool& pool) noexcept {
     Contacts& contacts = model.system.contacts;
     for (std::size_t k = 0; k < contacts.count(); ++k) {
         Cone& c = contacts.cones[k];
         const nonsmooth::Law& law = newton.laws[k];
         contacts.changed[k] = is_close(c, law) ? 0 : 1;
         if (contacts.changed[k] == 0) {
-            keep_slope(c, law);
+            keep_law_slope(c, law);
             continue;
         }
         std::copy_n(law.s, 9, c.s);
         std::copy_n(law.p, 3, c.p);
     }
-    adopt_others(model, newton, pool);
+    adopt_resistance_laws(model, newton, pool);
 }
 
-void keep_iterate(context::Model& model, context::Newton& newton) noexcept {
+void save_iterate(context::Model& model, context::Newton& newton) noexcept {
     const assembly::View v = context::row_view(model);
     std::copy_n(v.v_new, v.dof_count, newton.v.begin());
     std::copy_n(v.lambda, model.interactions.row_count, newton.lambda.begin());
@@ -117,7 +117,7 @@ void recall_contacts(context::Model& model, const context::Newton& newton) noexc
     for (Resistance& a : model.system.contacts.resistances.laws) recall(a);
 }
 
-void shorten(context::Model& model, const context::Newton& newton, double t) noexcept {
+void return_to_fraction(context::Model& model, const context::Newton& newton, double t) noexcept {
     const assembly::View v = context::row_view(model);
     auto between = [&](const std::vector<double>& from, double* to, std::int32_t n) {
         for (std::int32_t i = 0; i < n; ++i) to[i] = from[at(i)] + t * (to[i] - from[at(i)]);
@@ -144,7 +144,7 @@ void shorten(context::Model& model, const context::Newton& newton, double t) noe
             a.u[i] = from[i] + t * (a.u[i] - from[i]);
             a.lambda[i] = from[3 + i] + t * (a.lambda[i] - from[3 + i]);
         }
-        nonsmooth::take_impulse(a, cones[at(resistances.rows[k].contact)].u[0]);
+        nonsmooth::set_law_offset(a, cones[at(resistances.rows[k].contact)].u[0]);
     }
 }
 
@@ -202,7 +202,8 @@ double nan_or_more(double a, double b) noexcept { return b <= a || a != a ? a : 
 
 }  // namespace
 
-double worst(const context::Model& model, context::SolveWork& solve, runtime::Pool& pool) noexcept {
+double largest_residual(const context::Model& model, context::SolveWork& solve,
+                        runtime::Pool& pool) noexcept {
     const Contacts& contacts = model.system.contacts;
     auto some = [&](std::int32_t begin, std::int32_t end) {
         double largest = 0.0;

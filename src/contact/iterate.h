@@ -15,18 +15,18 @@ void adopt_laws(context::Model& model, const context::Newton& newton, runtime::P
 
 /// Adopt the new laws of contacts if they differ by much from the laws in the matrix. Other
 /// contacts keep S; their p follows, so that the impulse at the iterate is that of the new law.
-void adopt_far_laws(context::Model& model, const context::Newton& newton,
-                    runtime::Pool& pool) noexcept;
+void adopt_changed_laws(context::Model& model, const context::Newton& newton,
+                        runtime::Pool& pool) noexcept;
 
 /// Keep v₊, λ, and u, λ of the contacts, to come back to.
-void keep_iterate(context::Model& model, context::Newton& newton) noexcept;
+void save_iterate(context::Model& model, context::Newton& newton) noexcept;
 
 /// Set u and λ of the contacts to those of the iterate kept.
 void recall_contacts(context::Model& model, const context::Newton& newton) noexcept;
 
 /// Return to a fraction t of the way from the stored iterate. The laws' p follow, so that λ = p − S
 /// u.
-void shorten(context::Model& model, const context::Newton& newton, double t) noexcept;
+void return_to_fraction(context::Model& model, const context::Newton& newton, double t) noexcept;
 
 /// Return Σ (W + Σ) ‖λ − P‖² over contacts, at a fraction t of the way: an energy [J].
 [[nodiscard]] double contacts_merit(const context::Model& model, const context::Newton& newton,
@@ -34,7 +34,7 @@ void shorten(context::Model& model, const context::Newton& newton, double t) noe
 
 /// Return the largest relative residual of Coulomb's law over contacts, see
 /// nonsmooth::natural_map().
-[[nodiscard]] double worst(const context::Model& model, context::SolveWork& solve,
-                           runtime::Pool& pool) noexcept;
+[[nodiscard]] double largest_residual(const context::Model& model, context::SolveWork& solve,
+                                      runtime::Pool& pool) noexcept;
 
 }  // namespace hawser::contact

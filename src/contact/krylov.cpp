@@ -17,7 +17,7 @@ using nonsmooth::Resistance;
 /// Fraction of the defect that may remain; the next iteration treats it.
 constexpr double kTolerance = 0.1;
 
-void times(const double* s, const double* u, double* out) noexcept {
+void multiply_scaled(const double* s, const double* u, double* out) noexcept {
     for (int i = 0; i < 3; ++i)
         out[i] = s[3 * i] * u[0] + s[3 * i + 1] * u[1] + s[3 * i + 2] * u[2];
 }
@@ -34,7 +34,7 @@ void find_defects(const context::Model& model, const context::Newton& newton, do
         const Cone& c = contacts.cones[k];
         const nonsmooth::Law& law = newton.laws[k];
         double su[3];
-        times(law.s, c.u, su);
+        multiply_scaled(law.s, c.u, su);
         for (int i = 0; i < 3; ++i) w[i] = scale_of(c) * (law.p[i] - su[i] - c.lambda[i]);
     }
     const assembly::Resistances& resistances = contacts.resistances;
@@ -43,7 +43,7 @@ void find_defects(const context::Model& model, const context::Newton& newton, do
         const nonsmooth::ResistanceLaw& law = newton.turns[k];
         const double u_n = contacts.cones[at(resistances.rows[k].contact)].u[0];
         double su[3];
-        times(law.s, a.u, su);
+        multiply_scaled(law.s, a.u, su);
         for (int i = 0; i < 3; ++i)
             w[i] = scale_of(a) * (law.p[i] - su[i] - law.column[i] * u_n - a.lambda[i]);
     }
@@ -66,8 +66,8 @@ void add_changes(const context::Model& model, const context::Newton& newton, con
     for (std::size_t k = 0; k < contacts.count(); ++k, u += 3, x += 3, y += 3) {
         const Cone& c = contacts.cones[k];
         double after[3], before[3];
-        times(newton.laws[k].s, u, after);
-        times(c.s, u, before);
+        multiply_scaled(newton.laws[k].s, u, after);
+        multiply_scaled(c.s, u, before);
         for (int i = 0; i < 3; ++i) y[i] = x[i] + scale_of(c) * (after[i] - before[i]);
     }
     const assembly::Resistances& resistances = contacts.resistances;
@@ -76,8 +76,8 @@ void add_changes(const context::Model& model, const context::Newton& newton, con
         const nonsmooth::ResistanceLaw& law = newton.turns[k];
         const double u_n = at_contacts[3 * at(resistances.rows[k].contact)];
         double after[3], before[3];
-        times(law.s, u, after);
-        times(a.s, u, before);
+        multiply_scaled(law.s, u, after);
+        multiply_scaled(a.s, u, before);
         for (int i = 0; i < 3; ++i)
             y[i] =
                 x[i] + scale_of(a) * (after[i] - before[i] + (law.column[i] - a.column[i]) * u_n);

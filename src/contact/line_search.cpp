@@ -6,15 +6,16 @@
 
 namespace hawser::contact {
 
-Way go(context::Model& model, const context::Newton& newton, double fraction) noexcept {
+LineStep move_fraction(context::Model& model, const context::Newton& newton,
+                       double fraction) noexcept {
     const double merit_there = merit(model, newton, fraction);
-    if (fraction < 1.0) shorten(model, newton, fraction);
+    if (fraction < 1.0) return_to_fraction(model, newton, fraction);
     return {fraction, merit_there};
 }
 
-Way search(context::Model& model, const context::Newton& newton, double before,
-           double given) noexcept {
-    if (given > 0.0) return go(model, newton, given);
+LineStep search_line(context::Model& model, const context::Newton& newton, double before,
+                     double given) noexcept {
+    if (given > 0.0) return move_fraction(model, newton, given);
     double now = merit(model, newton, 1.0), best = now, best_t = 1.0, t = 1.0;
     constexpr int kHalvings = 4;
     for (int k = 0; k < kHalvings && !(now <= before * (1.0 - 1e-4 * t)); ++k) {
@@ -24,7 +25,7 @@ Way search(context::Model& model, const context::Newton& newton, double before,
         best = now;
         best_t = t;
     }
-    if (best_t < 1.0) shorten(model, newton, best_t);
+    if (best_t < 1.0) return_to_fraction(model, newton, best_t);
     return {best_t, best};
 }
 

@@ -13,7 +13,7 @@
 namespace hawser::contact {
 
 /// Fraction of the way from an iterate, and the merit there.
-struct Way {
+struct LineStep {
     double fraction = 1.0, merit = 0.0;
 };
 
@@ -24,26 +24,27 @@ class Cycle {
   public:
     /// Return the fraction to move, 0: as found by the line search.
     /// @param merit  Merit of the last iterate.
-    double leave(double merit) noexcept {
+    double next_fraction(double merit) noexcept {
         constexpr double kSame = 1e-3;
         constexpr double kShares[] = {0.125, 0.75, 0.3, 0.05};
         // Less than: if contacts are solved and only rows still switch, the line search decides.
         const bool round = std::abs(merit - before_last_) < kSame * merit;
         before_last_ = std::exchange(last_, merit);
-        return round ? kShares[left_++ % std::size(kShares)] : 0.0;
+        return round ? kShares[fractions_used_++ % std::size(kShares)] : 0.0;
     }
 
   private:
     double last_ = -1.0, before_last_ = -1.0;
-    std::size_t left_ = 0;
+    std::size_t fractions_used_ = 0;
 };
 
 /// Move a given fraction of the way from the stored iterate.
-Way go(context::Model& model, const context::Newton& newton, double fraction) noexcept;
+LineStep move_fraction(context::Model& model, const context::Newton& newton,
+                       double fraction) noexcept;
 
 /// Choose the fraction of the way from the stored iterate, whose merit was `before`.
 /// @param given  The fraction, if positive.
-Way search(context::Model& model, const context::Newton& newton, double before,
-           double given) noexcept;
+LineStep search_line(context::Model& model, const context::Newton& newton, double before,
+                     double given) noexcept;
 
 }  // namespace hawser::contact

@@ -38,7 +38,7 @@ constexpr int kExactMost = 10;  ///< Exact iterations before the convex phase.
 constexpr double kConvexEnd = 5e-3;
 
 /// Store the end time of an iteration, from which the time of the next one is predicted.
-void note_lap(context::StepContext& ctx) noexcept {
+void record_iteration_time(context::StepContext& ctx) noexcept {
     if (!ctx.work.limits.budget.needs_time()) return;
     ctx.work.limits.laps.last = ctx.stopwatch->seconds();
     ctx.work.limits.laps.iterations = ctx.work.newton.iterations;
@@ -48,24 +48,24 @@ void note_lap(context::StepContext& ctx) noexcept {
 
 /// Return true if the budget allows another iteration. No iteration follows a cut, even if the step
 /// is solved again (guard.h): StepStats::cut then describes the whole step.
-bool affordable(context::Work& work) noexcept {
+bool fits_budget(context::Work& work) noexcept {
     return !work.stats.cut &&
-           work.limits.budget.another(
+           work.limits.budget.allows_iteration(
                {work.limits.laps.last, static_cast<double>(work.solve.step_flops)},
                work.newton.iterations);
 }
 
 /// Store the data that repeat the step (Degradation): the number of iterations of all its solves.
-void note_cut(context::StepContext& ctx) noexcept {
+void record_cut(context::StepContext& ctx) noexcept {
     if (ctx.work.stats.cut) return;
     ctx.work.stats.cut = true;
     ctx.work.stats.degradation.iterations = ctx.work.newton.iterations;
-    ctx.work.stats.degradation.hasty = ctx.state.step > 0 && ctx.work.limits.budget.hasty();
+    ctx.work.stats.degradation.hasty = ctx.state.step > 0 && ctx.work.limits.budget.exits_early();
 }
 
 /// Options of a sequence of Newton iterations.
-struct Course {
-    bool hasty =
+struct NewtonOptions {
+    bool may_exit_early =
         false;  ///< When the budget ends them, rows that ask to switch do so after the step.
     bool begun = false;      ///< The matrix holds the laws of an iterate close by, and its factors.
     bool completes = false;  ///< The second iteration is a round of completion as well.
@@ -85,17 +85,17 @@ void complete_iterate(context::StepContext& ctx) noexcept {
 
 /// State of a sequence of Newton iterations.
 struct Progress {
-    int it = 0;
-    int exact = 0;       ///< Exact iterations since the start, or since the convex phase.
-    bool again = false;  ///< Rows have switched.
-    bool slow = false;   ///< The merit decreases too slowly without a factorisation.
+    int iteration = 0;
+    int exact = 0;               ///< Exact iterations since the start, or since the convex phase.
+    bool rows_switched = false;  ///< Rows have switched.
+    bool slow = false;           ///< The merit decreases too slowly without a factorisation.
     bool may_be_convex = true;
-    double before = 0.0;  ///< Merit of the stored iterate.
+    double stored_merit = 0.0;  ///< Merit of the stored iterate.
     Cycle cycle{};
 };
 
 Progress begin_iterations(context::StepContext& ctx, nonsmooth::Coupling coupling,
-                          const Course& course) noexcept {
+                          const NewtonOptions& course) noexcept {
     context::Newton& newton = ctx.work.newton;
     for (Cone& c : ctx.model.system.contacts.cones) c.coupling = coupling;
     std::fill_n(newton.changes.begin(), ctx.model.system.contacts.count(), std::uint8_t{0});
@@ -104,57 +104,59 @@ Progress begin_iterations(context::StepContext& ctx, nonsmooth::Coupling couplin
     forget_best(newton);
     Progress p;
     if (!course.begun) return p;
-    p.it = kKrylovFrom;
-    keep_iterate(ctx.model, newton);
-    p.before = merit(ctx.model, newton, 0.0);
+    p.iteration = kKrylovFrom;
+    save_iterate(ctx.model, newton);
+    p.stored_merit = merit(ctx.model, newton, 0.0);
     (void)linearise(ctx.model, ctx.work, ctx.pool, LastLaws::known);
     return p;
 }
 
 /// Solve with the laws about the iterate.
-Status solve_iteration(context::StepContext& ctx, const Course& course,
+Status solve_iteration(context::StepContext& ctx, const NewtonOptions& course,
                        const Progress& p) noexcept {
     context::Newton& newton = ctx.work.newton;
     ++newton.iterations;
-    const bool second = p.it > 0 && p.it < kKrylovFrom;
-    // A repeated step starts from its solution (begin_newton_again), which its laws are close to.
+    const bool second = p.iteration > 0 && p.iteration < kKrylovFrom;
+    // A repeated step starts from its solution (restart_newton), which its laws are close to.
     const bool close = second && ctx.model.wires.again && !course.completes;
-    const bool tries = p.it >= kKrylovFrom || close;
-    const bool factors = !tries || p.again || p.slow || newton.convex;
+    const bool tries = p.iteration >= kKrylovFrom || close;
+    const bool factors = !tries || p.rows_switched || p.slow || newton.convex;
     if (!factors && find_impulses(ctx)) {
         solve::continue_with_factor(ctx);
         return Status::ok;
     }
     if (second)
-        adopt_far_laws(ctx.model, newton, ctx.pool);
-    else if (p.it > 0)
+        adopt_changed_laws(ctx.model, newton, ctx.pool);
+    else if (p.iteration > 0)
         adopt_laws(ctx.model, newton, ctx.pool, false);
-    if (p.it == 1 && course.completes) complete_iterate(ctx);
-    return solve::newton_solve(ctx, p.it == 0, p.it == 0);
+    if (p.iteration == 1 && course.completes) complete_iterate(ctx);
+    return solve::newton_solve(ctx, p.iteration == 0, p.iteration == 0);
 }
 
 /// Move to the solution of the laws, or a fraction of the way to it, and store it.
-Status move_on(context::StepContext& ctx, const Course& course, Progress& p) noexcept {
+Status store_next_iterate(context::StepContext& ctx, const NewtonOptions& course,
+                          Progress& p) noexcept {
     context::Newton& newton = ctx.work.newton;
     solve::take_bounds(ctx.model, newton);
-    const double given = p.it > kPatience ? p.cycle.leave(p.before) : 0.0;
-    Way way;
+    const double given = p.iteration > kPatience ? p.cycle.next_fraction(p.stored_merit) : 0.0;
+    LineStep way;
     if (newton.convex)
-        way = go(ctx.model, newton, fraction_without_slope([&](double t) {
-                     return convex_slope(ctx.model, newton, t);
-                 }));
-    else if (p.it > 0)
-        way = search(ctx.model, newton, p.before, given);
+        way = move_fraction(ctx.model, newton, zero_slope_fraction([&](double t) {
+                                return convex_slope(ctx.model, newton, t);
+                            }));
+    else if (p.iteration > 0)
+        way = search_line(ctx.model, newton, p.stored_merit, given);
     newton.shortened = way.fraction < 1.0;
-    if (course.strayed != nullptr && p.it > 0 && (newton.shortened || way.merit > p.before))
+    if (course.strayed != nullptr && p.iteration > 0 &&
+        (newton.shortened || way.merit > p.stored_merit))
         *course.strayed = true;
     if (!std::isfinite(way.merit)) return Status::not_finite;
-    p.slow = p.it > kPatience && way.merit > kSlowMerit * p.before;
-    if (p.it > 0 && way.merit > p.before && p.before < newton.best)
-        set_best_aside(newton, p.before);
-    keep_iterate(ctx.model, newton);
+    p.slow = p.iteration > kPatience && way.merit > kSlowMerit * p.stored_merit;
+    if (p.iteration > 0 && way.merit > p.stored_merit && p.stored_merit < newton.best)
+        save_if_best(newton, p.stored_merit);
+    save_iterate(ctx.model, newton);
     solve::keep_bounds(newton, way.fraction);
-    note_lap(ctx);
+    record_iteration_time(ctx);
     return Status::ok;
 }
 
@@ -176,7 +178,7 @@ std::int32_t switch_rows(context::StepContext& ctx, bool stop, bool last) noexce
 void choose_phase(const context::Model& model, context::Work& work, Progress& p) noexcept {
     context::Newton& newton = work.newton;
     if (newton.convex) {
-        if (p.again || work.stats.natural_map > kConvexEnd) return;
+        if (p.rows_switched || work.stats.natural_map > kConvexEnd) return;
         newton.convex = false;
         p.exact = 0;
         std::fill_n(newton.changes.begin(), model.system.contacts.count(), std::uint8_t{0});
@@ -188,41 +190,41 @@ void choose_phase(const context::Model& model, context::Work& work, Progress& p)
 /// Leave the convex phase after a failed factorisation, since its laws are stiffer than the exact
 /// ones. The remaining iterations use exact laws and start from the iterate.
 /// @return false: the failed iteration was exact.
-bool leave_convex(context::StepContext& ctx, Progress& p) noexcept {
+bool end_convex_phase(context::StepContext& ctx, Progress& p) noexcept {
     if (!ctx.work.newton.convex) return false;
     ctx.work.newton.convex = p.may_be_convex = false;
-    p.again = true;  // factor
+    p.rows_switched = true;  // factor
     (void)linearise(ctx.model, ctx.work, ctx.pool, LastLaws::none);
     return true;
 }
 
 /// Iterate to the tolerance, or until the limit of iterations or the budget is reached.
-Status run_iterations(context::StepContext& ctx, double tolerance, const Course& course,
+Status run_iterations(context::StepContext& ctx, double tolerance, const NewtonOptions& course,
                       Progress p) noexcept {
     context::Newton& newton = ctx.work.newton;
     StepStats& stats = ctx.work.stats;
-    for (;; ++p.it) {
+    for (;; ++p.iteration) {
         if (const Status s = solve_iteration(ctx, course, p); s != Status::ok) {
-            if (!leave_convex(ctx, p)) return s;
+            if (!end_convex_phase(ctx, p)) return s;
             continue;
         }
-        if (const Status s = move_on(ctx, course, p); s != Status::ok) return s;
-        const bool last = p.it + 1 >= ctx.model.def.contact_iterations;
+        if (const Status s = store_next_iterate(ctx, course, p); s != Status::ok) return s;
+        const bool last = p.iteration + 1 >= ctx.model.def.contact_iterations;
         const double moved = solve::bounds_map(ctx.model, newton);
-        const bool stop = course.hasty && !affordable(ctx.work);
+        const bool stop = course.may_exit_early && !fits_budget(ctx.work);
         const std::int32_t asking = switch_rows(ctx, stop, last);
-        p.again = asking > 0;
-        if (p.again || moved > 0.0) forget_best(newton);  // other rows, or impulses
-        stats.natural_map = std::max(worst(ctx.model, ctx.work.solve, ctx.pool), moved);
+        p.rows_switched = asking > 0;
+        if (p.rows_switched || moved > 0.0) forget_best(newton);  // other rows, or impulses
+        stats.natural_map = std::max(largest_residual(ctx.model, ctx.work.solve, ctx.pool), moved);
         if (!std::isfinite(stats.natural_map)) return Status::not_finite;
-        if (stats.natural_map <= tolerance && !p.again) {
+        if (stats.natural_map <= tolerance && !p.rows_switched) {
             stats.flips_left = 0;
             return Status::ok;
         }
         // Without early exit, do not stop just after lines have switched, because their rows would
         // be left unsolved.
-        const bool cut = course.hasty ? stop : !p.again && !affordable(ctx.work);
-        if (cut) note_cut(ctx);
+        const bool cut = course.may_exit_early ? stop : !p.rows_switched && !fits_budget(ctx.work);
+        if (cut) record_cut(ctx);
         if (cut || last) {
             // Contact statuses follow from the iterate alone.
             newton.convex = false;
@@ -232,14 +234,14 @@ Status run_iterations(context::StepContext& ctx, double tolerance, const Course&
         if (!course.begun) choose_phase(ctx.model, ctx.work, p);
         stats.flips_left = linearise(ctx.model, ctx.work, ctx.pool, LastLaws::known) + asking;
         if (!newton.convex && !stop) settle_wire_contacts(ctx.model, ctx.work);
-        p.before = merit(ctx.model, newton, 0.0);
+        p.stored_merit = merit(ctx.model, newton, 0.0);
     }
 }
 
 /// Run Newton iterations from the current iterate.
 /// @param coupling  Coupling of all contacts.
 Status iterate(context::StepContext& ctx, nonsmooth::Coupling coupling, double tolerance,
-               Course course = {}) noexcept {
+               NewtonOptions course = {}) noexcept {
     const Progress begun = begin_iterations(ctx, coupling, course);
     const Status status = run_iterations(ctx, tolerance, course, begun);
     ctx.work.newton.convex = false;
@@ -266,7 +268,7 @@ void soften_by(context::Model& model, double factor) noexcept {
 
 /// Set lagged coupling and the impulses of the last step, with contacts at rest.
 void begin_lagged(context::StepContext& ctx) noexcept {
-    go_back_to_last(ctx.model, ctx.work.contact_speed);
+    restore_last_step(ctx.model, ctx.work.contact_speed);
     for (Cone& c : ctx.model.system.contacts.cones) {
         c.coupling = nonsmooth::Coupling::lagged;
         std::fill_n(c.u, 3, 0.0);
@@ -313,7 +315,7 @@ Status from_soft(context::StepContext& ctx) noexcept {
         if (status != Status::ok) return status;
         if (ctx.work.stats.cut) break;
     }
-    ctx.work.stats.natural_map = worst(ctx.model, ctx.work.solve, ctx.pool);
+    ctx.work.stats.natural_map = largest_residual(ctx.model, ctx.work.solve, ctx.pool);
     forget_best(ctx.work.newton);  // its merit was that of a softer system
     if (ctx.work.stats.cut) return Status::ok;
     restart(ctx.model, ctx.work, ctx.pool);
@@ -324,7 +326,7 @@ Status from_soft(context::StepContext& ctx) noexcept {
 void state_certificate(const context::Model& model, context::Work& work,
                        runtime::Pool& pool) noexcept {
     work.stats.natural_map =
-        std::max(worst(model, work.solve, pool), solve::bounds_map(model, work.newton));
+        std::max(largest_residual(model, work.solve, pool), solve::bounds_map(model, work.newton));
 }
 
 }  // namespace
@@ -357,20 +359,20 @@ void begin_newton(context::Model& model, context::Work& work, runtime::Pool& poo
     adopt_laws(model, work.newton, pool, true);
 }
 
-bool keep_solution(context::Model& model, context::Work& work) noexcept {
+bool save_contact_solution(context::Model& model, context::Work& work) noexcept {
     if (model.def.nonsmooth != Nonsmooth::newton || model.system.contacts.count() == 0 ||
         !solved(model, work.stats, Status::ok))
         return false;
-    keep_iterate(model, work.newton);
+    save_iterate(model, work.newton);
     return true;
 }
 
-void begin_newton_again(context::StepContext& ctx) noexcept {
+void restart_newton(context::StepContext& ctx) noexcept {
     recall_contacts(ctx.model, ctx.work.newton);
     restart(ctx.model, ctx.work, ctx.pool);
 }
 
-bool rows_ask(context::StepContext& ctx) noexcept {
+bool rows_request_switch(context::StepContext& ctx) noexcept {
     return solved(ctx.model, ctx.work.stats, Status::ok) && !ctx.work.stats.cut &&
            !ctx.model.system.bounded.empty() &&
            solve::asking_rows(ctx.model, ctx.work, ctx.model.contact_floor) > 0;
@@ -429,16 +431,17 @@ Status settle_rows(context::StepContext& ctx) noexcept {
 }
 
 Status solve_newton(context::StepContext& ctx, bool settled_later) noexcept {
-    ctx.work.newton.switch_late = false;
+    ctx.work.newton.switch_after_step = false;
     const bool cold = ctx.state.step == 0;
     const double tolerance = ctx.model.def.contact_tolerance;
-    bool hasty = !cold && ctx.work.limits.budget.hasty();
+    bool may_exit_early = !cold && ctx.work.limits.budget.exits_early();
     bool strayed = false;
-    Status status = iterate(ctx, nonsmooth::Coupling::exact, tolerance,
-                            {.hasty = hasty, .completes = settled_later, .strayed = &strayed});
-    hasty = hasty && ctx.work.stats.cut;
+    Status status = iterate(
+        ctx, nonsmooth::Coupling::exact, tolerance,
+        {.may_exit_early = may_exit_early, .completes = settled_later, .strayed = &strayed});
+    may_exit_early = may_exit_early && ctx.work.stats.cut;
     if (((cold && strayed) || !solved(ctx.model, ctx.work.stats, status)) && !ctx.work.stats.cut) {
-        go_back_to_last(ctx.model, ctx.work.contact_speed);
+        restore_last_step(ctx.model, ctx.work.contact_speed);
         status = from_soft(ctx);
     }
     if (!solved(ctx.model, ctx.work.stats, status) && !ctx.work.stats.cut) {
@@ -449,10 +452,10 @@ Status solve_newton(context::StepContext& ctx, bool settled_later) noexcept {
     if (drowned) status = end_softened(ctx);
     const bool early =
         status == Status::ok && (drowned || !solved(ctx.model, ctx.work.stats, status));
-    if (early && hasty)
-        end_hastily(ctx.model, ctx.work, ctx.pool);
+    if (early && may_exit_early)
+        end_at_best_iterate(ctx.model, ctx.work, ctx.pool);
     else if (early && !drowned)
-        status = end_early(ctx);
+        status = end_with_lagged_laws(ctx);
     if (early) solve::show_held(ctx.model);
     // Bounds follow loads of refined solutions only, and projected impulses need the refinement.
     const bool refines = early || !settled_later || !ctx.work.newton.loaded.empty();
@@ -467,7 +470,7 @@ Status solve_newton(context::StepContext& ctx, bool settled_later) noexcept {
     if (early) {
         const std::int32_t asking =
             solve::asking_rows(ctx.model, ctx.work, ctx.model.contact_floor);
-        ctx.work.newton.switch_late = hasty && asking > 0;
+        ctx.work.newton.switch_after_step = may_exit_early && asking > 0;
         ctx.work.stats.flips_left += asking;
         return Status::ok;
     }

@@ -60,11 +60,11 @@ void reserve_newton(const context::Model& model, context::Newton& newton);
 void begin_newton(context::Model& model, context::Work& work, runtime::Pool& pool) noexcept;
 
 /// Keep the contacts of a solved step that will be solved again (step/guard.h).
-/// @return false if the step is not solved: begin_newton_again() must not be called.
-[[nodiscard]] bool keep_solution(context::Model& model, context::Work& work) noexcept;
+/// @return false if the step is not solved: restart_newton() must not be called.
+[[nodiscard]] bool save_contact_solution(context::Model& model, context::Work& work) noexcept;
 /// Linearise about the contacts kept instead of those of the last step. Call after
 /// start_contacts().
-void begin_newton_again(context::StepContext& ctx) noexcept;
+void restart_newton(context::StepContext& ctx) noexcept;
 
 /// Perform stages 6 and 7, with the right-hand side of assemble_rows().
 /// @param settled_later  True if settle_newton() follows, after iterations of rigid joints. The
@@ -76,7 +76,7 @@ void begin_newton_again(context::StepContext& ctx) noexcept;
 [[nodiscard]] Status settle_newton(context::StepContext& ctx) noexcept;
 /// Return true if rows at their bounds, or lines, request to switch in the current solution, for
 /// example after end-of-step constraint iterations. False in a step that is not solved or was cut.
-[[nodiscard]] bool rows_ask(context::StepContext& ctx) noexcept;
+[[nodiscard]] bool rows_request_switch(context::StepContext& ctx) noexcept;
 /// Switch the rows that request it and iterate again, with contacts, until no row does. After eight
 /// repetitions StepStats::flips_left counts the rows that still request it.
 [[nodiscard]] Status settle_rows(context::StepContext& ctx) noexcept;

@@ -22,7 +22,8 @@ using nonsmooth::Cone;
 
 /// Return to the best stored iterate. Its rows are satisfied to rounding, like those of the current
 /// one.
-void take_best(context::Model& model, context::Work& work, runtime::Pool& pool) noexcept {
+void restore_best_iterate(context::Model& model, context::Work& work,
+                          runtime::Pool& pool) noexcept {
     const assembly::View v = context::row_view(model);
     const context::Newton& n = work.newton;
     std::copy_n(n.best_v.begin(), v.dof_count, v.v_new);
@@ -38,7 +39,7 @@ void take_best(context::Model& model, context::Work& work, runtime::Pool& pool) 
         std::copy_n(from + 3, 3, a.lambda);
         from += 6;
     }
-    work.stats.natural_map = worst(model, work.solve, pool);
+    work.stats.natural_map = largest_residual(model, work.solve, pool);
 }
 
 }  // namespace
@@ -54,7 +55,7 @@ void project_all(context::Model& model) noexcept {
     for (std::size_t k = 0; k < resistances.count(); ++k) {
         const Cone& c = model.system.contacts.cones[at(resistances.rows[k].contact)];
         nonsmooth::limit(resistances.laws[k], c.lambda[0], resistances.laws[k].lambda);
-        nonsmooth::take_impulse(resistances.laws[k], c.u[0]);
+        nonsmooth::set_law_offset(resistances.laws[k], c.u[0]);
     }
 }
 
@@ -62,14 +63,14 @@ void forget_best(context::Newton& newton) noexcept {
     newton.best = std::numeric_limits<double>::infinity();
 }
 
-void set_best_aside(context::Newton& n, double merit) noexcept {
+void save_if_best(context::Newton& n, double merit) noexcept {
     n.best = merit;
     n.best_v.swap(n.v);
     n.best_lambda.swap(n.lambda);
     n.best_contact.swap(n.contact);
 }
 
-void go_back_to_last(context::Model& model, base::Array<double>& contact_speed) noexcept {
+void restore_last_step(context::Model& model, base::Array<double>& contact_speed) noexcept {
     Contacts& contacts = model.system.contacts;
     const double* speed = contact_speed.data();
     for (std::size_t k = 0; k < contacts.count(); ++k, speed += 3) {
@@ -83,13 +84,13 @@ void go_back_to_last(context::Model& model, base::Array<double>& contact_speed) 
     contacts.resistances.recall(contacts.rows);
 }
 
-Status end_early(context::StepContext& ctx) noexcept {
+Status end_with_lagged_laws(context::StepContext& ctx) noexcept {
     Contacts& contacts = ctx.model.system.contacts;
     if (ctx.work.newton.best < merit(ctx.model, ctx.work.newton, 0.0))
-        take_best(ctx.model, ctx.work, ctx.pool);
+        restore_best_iterate(ctx.model, ctx.work, ctx.pool);
     constexpr double kPoor = 0.1;  // an iterate above this is worse than the end of the last step
     for (Cone& c : contacts.cones) c.coupling = nonsmooth::Coupling::lagged;
-    if (ctx.work.stats.natural_map > kPoor) go_back_to_last(ctx.model, ctx.work.contact_speed);
+    if (ctx.work.stats.natural_map > kPoor) restore_last_step(ctx.model, ctx.work.contact_speed);
     ctx.work.stats.flips_left = linearise(ctx.model, ctx.work, ctx.pool, LastLaws::none);
     adopt_laws(ctx.model, ctx.work.newton, ctx.pool, false);
     if (const Status s = solve::newton_solve(ctx, false, true); s != Status::ok) return s;
@@ -98,10 +99,10 @@ Status end_early(context::StepContext& ctx) noexcept {
     return Status::ok;
 }
 
-void end_hastily(context::Model& model, context::Work& work, runtime::Pool& pool) noexcept {
+void end_at_best_iterate(context::Model& model, context::Work& work, runtime::Pool& pool) noexcept {
     // After a single iteration there is no better iterate, which happens when time is short.
     if (std::isfinite(work.newton.best) && work.newton.best < merit(model, work.newton, 0.0))
-        take_best(model, work, pool);
+        restore_best_iterate(model, work, pool);
     project_all(model);
     solve::update_contacts(model, pool, context::row_view(model).v_new);
 }

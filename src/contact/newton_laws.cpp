@@ -27,13 +27,13 @@ void renew_law(Cone& c, nonsmooth::Law& law, std::uint8_t& changes) noexcept {
     const nonsmooth::Law last = law;
     law = nonsmooth::linearise(c, c.touch);
     if (c.coupling != nonsmooth::Coupling::exact) return;
-    const bool turned = nonsmooth::turned_round(last, law);
+    const bool turned = nonsmooth::sliding_reversed(last, law);
     if (turned || c.touch != before) ++changes;
     if (changes > kMaxChanges) {
         c.coupling = nonsmooth::Coupling::lagged;
         law = nonsmooth::linearise(c, c.touch);
     } else if (turned) {
-        law = nonsmooth::hold_law(c);
+        law = nonsmooth::sticking_law(c);
         c.touch = nonsmooth::Touch::stick;
     }
 }

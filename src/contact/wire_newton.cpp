@@ -84,8 +84,8 @@ bool read_elements(const context::Model& model, context::Newton& newton, const V
         }
         if (node[0] < 0 || node[1] < 0) continue;
         for (int i = 0; i < 9; ++i) {
-            wire.stiffness[at(k - begin)].behind[i] -= block[i];
-            wire.stiffness[at(k - begin) + 1].before[i] -= block[i];
+            wire.stiffness[at(k - begin)].block_behind[i] -= block[i];
+            wire.stiffness[at(k - begin) + 1].block_before[i] -= block[i];
         }
     }
     return true;
@@ -147,7 +147,7 @@ void read_contacts(const context::Model& model, context::Newton& newton,
                    std::int32_t chain) noexcept {
     const assembly::Contacts& contacts = model.system.contacts;
     context::WireNewton& wire = newton.wire;
-    for (std::size_t i = 0; i < contacts_of(wire, chain); ++i) {
+    for (std::size_t i = 0; i < chain_contact_count(wire, chain); ++i) {
         context::WireContact& c = wire.contacts[i];
         c.contact = wire.contact[at(wire.begin[at(chain)]) + i];
         const assembly::ContactRow& row = contacts.rows[at(c.contact)];
@@ -162,15 +162,17 @@ void read_contacts(const context::Model& model, context::Newton& newton,
 
 // --- An iteration -----------------------------------------------------------------------------
 
-double part_way(double from, double to, double t) noexcept { return from + t * (to - from); }
+double interpolate(double from, double to, double t) noexcept { return from + t * (to - from); }
 
 /// Return Σ (W + Σ) ‖λ − P‖² at a fraction t of the way, as merit().
 double wire_merit(const context::WireNewton& wire, std::size_t contacts, double t) noexcept {
     double sum = 0.0;
     for (std::int32_t k = 0; k + 1 < wire.nodes; ++k) {
         const context::WireElement& e = wire.elements[at(k)];
-        const double lambda = part_way(e.from.lambda, e.to.lambda, t), scale = e.mobility + e.sigma;
-        const double error = lambda - std::min(0.0, lambda + part_way(e.from.r, e.to.r, t) / scale);
+        const double lambda = interpolate(e.from.lambda, e.to.lambda, t),
+                     scale = e.mobility + e.sigma;
+        const double error =
+            lambda - std::min(0.0, lambda + interpolate(e.from.r, e.to.r, t) / scale);
         sum += scale * error * error;
     }
     for (std::size_t i = 0; i < contacts; ++i) {
@@ -178,8 +180,8 @@ double wire_merit(const context::WireNewton& wire, std::size_t contacts, double 
         const double* from = wire.contacts[i].from;
         double u[3], lambda[3], e[3];
         for (int j = 0; j < 3; ++j) {
-            u[j] = part_way(from[j], c.u[j], t);
-            lambda[j] = part_way(from[3 + j], c.lambda[j], t);
+            u[j] = interpolate(from[j], c.u[j], t);
+            lambda[j] = interpolate(from[3 + j], c.lambda[j], t);
         }
         nonsmooth::residual(c, u, lambda, e);
         sum += (c.mobility + c.sigma_n) * e[0] * e[0] +
@@ -194,18 +196,18 @@ double wire_slope(const context::WireNewton& wire, std::size_t contacts, double 
     for (std::int32_t k = 0; k + 1 < wire.nodes; ++k) {
         const context::WireElement& e = wire.elements[at(k)];
         const double from = e.from.r + e.sigma * e.from.lambda, to = e.to.r + e.sigma * e.to.lambda;
-        const double impulse = std::min(0.0, part_way(from, to, t) / e.sigma);
-        sum += (part_way(e.from.lambda, e.to.lambda, t) - impulse) * (from - to);
+        const double impulse = std::min(0.0, interpolate(from, to, t) / e.sigma);
+        sum += (interpolate(e.from.lambda, e.to.lambda, t) - impulse) * (from - to);
     }
     for (std::size_t i = 0; i < contacts; ++i)
         sum += contact_slope(wire.contacts[i].cone, wire.contacts[i].from, t);
     return sum;
 }
 
-double fraction_of_way(const context::WireNewton& wire, std::size_t contacts,
-                       double before) noexcept {
+double wire_line_search(const context::WireNewton& wire, std::size_t contacts,
+                        double before) noexcept {
     if (wire.convex)
-        return fraction_without_slope([&](double t) { return wire_slope(wire, contacts, t); });
+        return zero_slope_fraction([&](double t) { return wire_slope(wire, contacts, t); });
     double now = wire_merit(wire, contacts, 1.0), best = now, best_t = 1.0, t = 1.0;
     for (int k = 0; k < kWireHalvings && !(now <= before * (1.0 - 1e-4 * t)); ++k) {
         t *= 0.5;
@@ -217,16 +219,16 @@ double fraction_of_way(const context::WireNewton& wire, std::size_t contacts,
     return best_t;
 }
 
-void keep_wire_iterate(context::WireNewton& wire, std::size_t contacts, double t) noexcept {
+void save_wire_iterate(context::WireNewton& wire, std::size_t contacts, double t) noexcept {
     for (std::int32_t k = 0; k + 1 < wire.nodes; ++k) {
         context::WireElement& e = wire.elements[at(k)];
-        e.from = {part_way(e.from.lambda, e.to.lambda, t), part_way(e.from.r, e.to.r, t)};
+        e.from = {interpolate(e.from.lambda, e.to.lambda, t), interpolate(e.from.r, e.to.r, t)};
     }
     for (std::size_t i = 0; i < contacts; ++i) {
         context::WireContact& c = wire.contacts[i];
         for (int j = 0; j < 3; ++j) {
-            c.from[j] = c.cone.u[j] = part_way(c.from[j], c.cone.u[j], t);
-            c.from[3 + j] = c.cone.lambda[j] = part_way(c.from[3 + j], c.cone.lambda[j], t);
+            c.from[j] = c.cone.u[j] = interpolate(c.from[j], c.cone.u[j], t);
+            c.from[3 + j] = c.cone.lambda[j] = interpolate(c.from[3 + j], c.cone.lambda[j], t);
         }
     }
 }
@@ -249,8 +251,8 @@ std::int32_t switch_elements(const context::Model& model, const View& v,
     return asking;
 }
 
-double worst_of_wire(const context::Model& model, const context::WireNewton& wire,
-                     std::size_t contacts) noexcept {
+double largest_wire_residual(const context::Model& model, const context::WireNewton& wire,
+                             std::size_t contacts) noexcept {
     double largest = 0.0;
     for (std::size_t i = 0; i < contacts; ++i) {
         const double e = nonsmooth::natural_map(wire.contacts[i].cone, model.contact_floor);
@@ -274,15 +276,15 @@ void renew_wire_laws(context::WireNewton& wire, std::size_t contacts) noexcept {
 bool iterate_wire(const context::Model& model, context::Work& work, const View& v,
                   std::int32_t chain) noexcept {
     context::WireNewton& wire = work.newton.wire;
-    const std::size_t contacts = contacts_of(wire, chain);
+    const std::size_t contacts = chain_contact_count(wire, chain);
     const double tolerance = 0.1 * model.def.contact_tolerance;
     wire.convex = false;
     double before = wire_merit(wire, contacts, 0.0);
     for (int it = 0, exact = 0; it < kMaxWireIterations; ++it) {
         work.solve.step_flops += kFlopsOfNode * wire.nodes;
         if (!solve_wire(model, wire, chain)) return false;
-        keep_wire_iterate(wire, contacts, fraction_of_way(wire, contacts, before));
-        const double map = worst_of_wire(model, wire, contacts);
+        save_wire_iterate(wire, contacts, wire_line_search(wire, contacts, before));
+        const double map = largest_wire_residual(model, wire, contacts);
         const std::int32_t asking = switch_elements(model, v, wire);
         if (!std::isfinite(map)) return false;
         const bool done = map <= tolerance && asking == 0;
@@ -313,7 +315,7 @@ void adopt_wire(context::Model& model, context::Work& work, const View& v,
         model.interactions.held[at(e.id)] = 0.0;
         v.lambda[v.row_begin[e.id]] = 0.0;
     }
-    for (std::size_t i = 0; i < contacts_of(wire, chain); ++i) {
+    for (std::size_t i = 0; i < chain_contact_count(wire, chain); ++i) {
         const context::WireContact& c = wire.contacts[i];
         work.newton.laws[at(c.contact)] = c.law;
         model.system.contacts.cones[at(c.contact)].touch = c.cone.touch;
@@ -350,7 +352,8 @@ void settle_wire_contacts(context::Model& model, context::Work& work) noexcept {
     list_wire_contacts(model, newton);
     for (std::int32_t chain = 0; chain + 1 < static_cast<std::int32_t>(newton.chains.begin.size());
          ++chain) {
-        if (contacts_of(newton.wire, chain) == 0 || !is_unsettled(model, work, v, chain)) continue;
+        if (chain_contact_count(newton.wire, chain) == 0 || !is_unsettled(model, work, v, chain))
+            continue;
         if (!read_elements(model, newton, v, chain)) continue;
         read_nodes(newton, newton.wire, v, chain, model);
         read_contacts(model, newton, chain);

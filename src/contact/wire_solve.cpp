@@ -18,15 +18,15 @@ void add_element(const context::WireElement& e, ChainBlock* nodes) noexcept {
         for (int j = 0; j < 3; ++j) {
             nodes[0].diagonal[3 * i + j] += inverse * e.g[0][i] * e.g[0][j];
             nodes[1].diagonal[3 * i + j] += inverse * e.g[1][i] * e.g[1][j];
-            nodes[0].behind[3 * i + j] += inverse * e.g[0][i] * e.g[1][j];
-            nodes[1].before[3 * i + j] += inverse * e.g[1][i] * e.g[0][j];
+            nodes[0].block_behind[3 * i + j] += inverse * e.g[0][i] * e.g[1][j];
+            nodes[1].block_before[3 * i + j] += inverse * e.g[1][i] * e.g[0][j];
         }
         nodes[0].x[i] += e.g[0][i] * impulse;
         nodes[1].x[i] += e.g[1][i] * impulse;
     }
 }
 
-void times3(const double* a, const double* x, double* out) noexcept {
+void multiply3(const double* a, const double* x, double* out) noexcept {
     for (int i = 0; i < 3; ++i)
         out[i] = a[3 * i] * x[0] + a[3 * i + 1] * x[1] + a[3 * i + 2] * x[2];
 }
@@ -42,7 +42,7 @@ void add_contact(const context::WireContact& c, const assembly::ContactRow& row,
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
             for (int k = 0; k < 3; ++k) ese[3 * i + j] += e[3 * k + i] * se[3 * k + j];
-    times3(c.law.s, c.from, su);
+    multiply3(c.law.s, c.from, su);
     for (int i = 0; i < 3; ++i) f[i] = c.law.p[i] - su[i] - c.from[3 + i];
     for (int s = 0; s < row.slots; ++s) {
         if (c.node[s] < 0) continue;
@@ -54,16 +54,16 @@ void add_contact(const context::WireContact& c, const assembly::ContactRow& row,
             const std::int32_t separation = c.node[t] - c.node[s];
             if (c.node[t] < 0 || separation < -1 || separation > 1) continue;
             double* block = separation == 0  ? node.diagonal
-                            : separation < 0 ? node.before
-                                             : node.behind;
+                            : separation < 0 ? node.block_before
+                                             : node.block_behind;
             for (int i = 0; i < 9; ++i) block[i] += weight * row.slot[t].weight * ese[i];
         }
     }
 }
 
 /// Compute the results of the velocities δv of the nodes.
-void finish_solve_of(const context::Model& model, context::WireNewton& wire,
-                     std::int32_t chain) noexcept {
+void complete_chain_solution(const context::Model& model, context::WireNewton& wire,
+                             std::int32_t chain) noexcept {
     for (std::int32_t k = 0; k + 1 < wire.nodes; ++k) {
         context::WireElement& e = wire.elements[at(k)];
         double speed = 0.0;
@@ -73,7 +73,7 @@ void finish_solve_of(const context::Model& model, context::WireNewton& wire,
         e.to =
             e.active ? context::BoundedRow{asked / e.sigma, 0.0} : context::BoundedRow{0.0, asked};
     }
-    for (std::size_t i = 0; i < contacts_of(wire, chain); ++i) {
+    for (std::size_t i = 0; i < chain_contact_count(wire, chain); ++i) {
         context::WireContact& c = wire.contacts[i];
         const assembly::ContactRow& row = model.system.contacts.rows[at(c.contact)];
         double change[3] = {}, along[3], su[3];
@@ -82,9 +82,9 @@ void finish_solve_of(const context::Model& model, context::WireNewton& wire,
             for (int j = 0; j < 3; ++j)
                 change[j] += row.slot[s].weight * wire.matrix[at(c.node[s])].x[j];
         }
-        times3(row.axis, change, along);
+        multiply3(row.axis, change, along);
         for (int j = 0; j < 3; ++j) c.cone.u[j] = c.from[j] + along[j];
-        times3(c.law.s, c.cone.u, su);
+        multiply3(c.law.s, c.cone.u, su);
         for (int j = 0; j < 3; ++j) c.cone.lambda[j] = c.law.p[j] - su[j];
     }
 }
@@ -96,12 +96,12 @@ bool solve_wire(const context::Model& model, context::WireNewton& wire,
     std::copy_n(wire.stiffness.begin(), wire.nodes, wire.matrix.begin());
     for (std::int32_t k = 0; k + 1 < wire.nodes; ++k)
         add_element(wire.elements[at(k)], &wire.matrix[at(k)]);
-    for (std::size_t i = 0; i < contacts_of(wire, chain); ++i) {
+    for (std::size_t i = 0; i < chain_contact_count(wire, chain); ++i) {
         const context::WireContact& c = wire.contacts[i];
         add_contact(c, model.system.contacts.rows[at(c.contact)], wire.matrix);
     }
     if (!nonsmooth::solve_block_chain(at(wire.nodes), wire.matrix.data())) return false;
-    finish_solve_of(model, wire, chain);
+    complete_chain_solution(model, wire, chain);
     return true;
 }
 

@@ -12,8 +12,8 @@
 namespace hawser::contact {
 
 /// Number of contacts of a chain.
-[[nodiscard]] inline std::size_t contacts_of(const context::WireNewton& wire,
-                                             std::int32_t chain) noexcept {
+[[nodiscard]] inline std::size_t chain_contact_count(const context::WireNewton& wire,
+                                                     std::int32_t chain) noexcept {
     return at(wire.begin[at(chain) + 1] - wire.begin[at(chain)]);
 }
 

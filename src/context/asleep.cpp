@@ -29,11 +29,11 @@ void check_asleep(Model& model, StepStats& stats) noexcept {
         std::count(model.bodies.asleep.begin(), model.bodies.asleep.end(), std::uint8_t{1}));
 }
 
-void disturb_all(Model& model) noexcept {
+void wake_islands_of(Model& model) noexcept {
     std::fill(model.bodies.quiet.begin(), model.bodies.quiet.end(), 0);
 }
 
-void disturb(Model& model, std::int32_t body) noexcept {
+void wake_island(Model& model, std::int32_t body) noexcept {
     if (moves(model.bodies, body)) model.bodies.quiet[at(body)] = 0;
 }
 

@@ -25,10 +25,10 @@ void wake_all(Model& model, StepStats& stats) noexcept;
 void check_asleep(Model& model, StepStats& stats) noexcept;
 
 /// Wake the island of a moving body that is changed from outside the step.
-void disturb(Model& model, std::int32_t body) noexcept;
+void wake_island(Model& model, std::int32_t body) noexcept;
 
 /// Wake all bodies. Call if something was moved or removed, because contacts then no longer show
 /// which bodies rested on it.
-void disturb_all(Model& model) noexcept;
+void wake_islands_of(Model& model) noexcept;
 
 }  // namespace hawser::context

@@ -18,10 +18,10 @@ struct JointSlot {
 
 /// Joint data of the analysis, and the choice of the present step.
 struct Completion {
-    std::vector<std::int32_t> joints;  ///< Interactions that may be completed, ascending.
-    std::vector<JointSlot> places;     ///< One per joint.
-    std::vector<std::int32_t> rigid;   ///< Rigid joints among these, ascending.
-    std::vector<std::int32_t> looped;  ///< Rigid joints in closed loops of rigid joints.
+    std::vector<std::int32_t> joints;    ///< Interactions that may be completed, ascending.
+    std::vector<JointSlot> joint_slots;  ///< One per joint.
+    std::vector<std::int32_t> rigid;     ///< Rigid joints among these, ascending.
+    std::vector<std::int32_t> looped;    ///< Rigid joints in closed loops of rigid joints.
     std::vector<std::uint8_t>
         coarse_next;                    ///< model::Interactions::coarse after the step, by joint.
     std::vector<std::uint8_t> refused;  ///< By joint, 1: not completed in the present step.

@@ -90,7 +90,7 @@ struct State {
 
 /// Stage whose time is counted, see timer.h.
 struct StageClock {
-    int stage_now = -1;  ///< −1: none.
+    int current_stage = -1;  ///< −1: none.
     std::chrono::steady_clock::time_point stage_since{};
 };
 

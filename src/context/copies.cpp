@@ -24,7 +24,7 @@ std::int32_t user_rows(const Model& model) noexcept {
     return count < in.count() ? in.row_begin[at(count)] : in.row_count;
 }
 
-std::int32_t speaker(const Model& model, std::int32_t id) noexcept {
+std::int32_t reporting_interaction(const Model& model, std::int32_t id) noexcept {
     const std::int32_t copy = id - interaction_count(model);
     if (copy < 0) return id;
     const std::int32_t of = model.cuts.of[at(copy)];

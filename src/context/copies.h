@@ -21,7 +21,7 @@ namespace hawser::context {
 
 /// Return the interaction that reports events of this one. It is the interaction itself; the
 /// original for the first copy; −1 for other copies.
-[[nodiscard]] std::int32_t speaker(const Model& model, std::int32_t id) noexcept;
+[[nodiscard]] std::int32_t reporting_interaction(const Model& model, std::int32_t id) noexcept;
 
 /// Return the original of a copy, or the interaction itself if it is not a copy.
 [[nodiscard]] std::int32_t original(const Model& model, std::int32_t id) noexcept;

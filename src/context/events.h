@@ -33,22 +33,22 @@ class EventLog {
 
     /// Hold events, at most `most` of them, until release(), since the step that they belong to may
     /// fail. @throws std::bad_alloc.
-    void hold(std::size_t most) {
-        held_.clear();
-        held_.reserve(most);
-        holding_ = true;
+    void hold_back(std::size_t most) {
+        pending_.clear();
+        pending_.reserve(most);
+        is_holding_ = true;
     }
     /// Log the held events if the step succeeded, else discard them.
     void release(bool happened) noexcept {
-        if (!holding_) return;
-        holding_ = false;
-        for (std::size_t k = 0; happened && k < held_.size(); ++k) push(held_[k]);
-        held_.clear();
+        if (!is_holding_) return;
+        is_holding_ = false;
+        for (std::size_t k = 0; happened && k < pending_.size(); ++k) push(pending_[k]);
+        pending_.clear();
     }
 
     void push(const Event& event) noexcept {
-        if (holding_ && held_.size() < held_.capacity()) {
-            held_.push_back(event);
+        if (is_holding_ && pending_.size() < pending_.capacity()) {
+            pending_.push_back(event);
             return;
         }
         Ring& ring = rings_[static_cast<std::size_t>(event.kind)];
@@ -139,8 +139,8 @@ class EventLog {
         }
     };
     std::array<Ring, kEventKindCount> rings_;
-    std::vector<Event> held_;
-    bool holding_ = false;
+    std::vector<Event> pending_;
+    bool is_holding_ = false;
     std::int64_t total_ = 0;
 };
 

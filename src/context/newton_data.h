@@ -120,7 +120,7 @@ struct Newton {
     std::vector<double> best_v, best_lambda, best_contact;
     double best = 0.0;
     std::int32_t iterations = 0;
-    bool switch_late = false;  ///< True if requesting rows switch after the step.
+    bool switch_after_step = false;  ///< True if requesting rows switch after the step.
     /// True if the last iterate is a part of a step, with unknown residuals.
     bool shortened = false;
 };

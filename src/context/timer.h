@@ -14,13 +14,13 @@ namespace hawser::context {
 class StageTimer {
   public:
     StageTimer(StepContext& ctx, Stage stage) noexcept
-        : ctx_(ctx), outer_(ctx.work.clock.stage_now) {
+        : ctx_(ctx), outer_stage_(ctx.work.clock.current_stage) {
         change_to(static_cast<int>(stage));
         begin_ = ctx.work.clock.stage_since;
     }
     ~StageTimer() {
-        const int stage = ctx_.work.clock.stage_now;
-        change_to(outer_);
+        const int stage = ctx_.work.clock.current_stage;
+        change_to(outer_stage_);
         if (ctx_.trace != nullptr) write_down(stage);
     }
     StageTimer(const StageTimer&) = delete;
@@ -29,10 +29,11 @@ class StageTimer {
   private:
     void change_to(int stage) noexcept {
         const auto now = std::chrono::steady_clock::now();
-        if (ctx_.work.clock.stage_now >= 0)
-            ctx_.work.stats.stage_seconds[static_cast<std::size_t>(ctx_.work.clock.stage_now)] +=
+        if (ctx_.work.clock.current_stage >= 0)
+            ctx_.work.stats
+                .stage_seconds[static_cast<std::size_t>(ctx_.work.clock.current_stage)] +=
                 std::chrono::duration<double>(now - ctx_.work.clock.stage_since).count();
-        ctx_.work.clock.stage_now = stage;
+        ctx_.work.clock.current_stage = stage;
         ctx_.work.clock.stage_since = now;
         if (ctx_.trace != nullptr) ctx_.trace->stage = static_cast<std::int8_t>(stage);
     }
@@ -47,7 +48,7 @@ class StageTimer {
     }
 
     StepContext& ctx_;
-    int outer_;
+    int outer_stage_;
     std::chrono::steady_clock::time_point begin_;
 };
 

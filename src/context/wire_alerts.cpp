@@ -19,7 +19,7 @@ constexpr double kRecoilSeconds = 10.0;
 
 /// Return the travel time of a wave along an element, l/√(EA/ρ), from its compliance and the masses
 /// of its nodes [s].
-double passage(const Model& model, std::int32_t id) noexcept {
+double wave_travel_time(const Model& model, std::int32_t id) noexcept {
     const model::Interactions& in = model.interactions;
     double mass = 0.0, lumps = 0.0;
     for (int b = 0; b < 2; ++b) {
@@ -37,14 +37,14 @@ std::int32_t recoil_steps(const Model& model, std::int32_t wire) noexcept {
     double time = 0.0;
     for (const WirePart& p : w.parts)
         for (std::int32_t e = p.element_begin; p.wire == wire && e < p.element_end; ++e)
-            time += passage(model, w.element[at(e)]);
+            time += wave_travel_time(model, w.element[at(e)]);
     const double steps = std::ceil(time / model.def.step) + 1.0;
     const std::int32_t most = max_recoil(model.def.step);
     return steps < most ? static_cast<std::int32_t>(steps) : most;
 }
 
 /// True if two interactions share a node.
-bool share_node(const Model& model, std::int32_t a, std::int32_t b) noexcept {
+bool have_common_node(const Model& model, std::int32_t a, std::int32_t b) noexcept {
     const model::Interactions& in = model.interactions;
     for (int i = 0; i < 2; ++i)
         for (int j = 0; j < 2; ++j) {
@@ -72,7 +72,7 @@ void begin_recoil(Model& model, std::int32_t id, bool fresh) noexcept {
         begins(w.wire_of[at(id)]);
     } else if (fresh) {  // spooled by a drum: in no wire itself, but next to elements of one
         for (const std::int32_t e : w.element)
-            if (share_node(model, id, e)) begins(w.wire_of[at(e)]);
+            if (have_common_node(model, id, e)) begins(w.wire_of[at(e)]);
     }
     if (fresh && w.stale) update_wire_flags(model);
 }

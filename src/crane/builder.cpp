@@ -12,7 +12,7 @@ Mat3 box_inertia(double mass, const Vec3& half) {
     return (mass / 3.0 * Vec3(s.y() + s.z(), s.x() + s.z(), s.x() + s.y())).asDiagonal();
 }
 
-Vec3 without(const Vec3& v, const Vec3& along) { return v - v.dot(along) * along; }
+Vec3 without_component(const Vec3& v, const Vec3& along) { return v - v.dot(along) * along; }
 
 }  // namespace
 
@@ -25,39 +25,42 @@ Quat hinge_turn() {
 }
 
 Builder::Builder(CraneSite& site, const Common& common)
-    : site_(site), common_(common), on_(site.find(common.mount.on)), gravity_(site.gravity()) {
-    if (on_.kind == BodyKind::lump || on_.kind == BodyKind::scalar)
-        refuse(common.name, "mount/on",
-               "a crane needs a rigid, kinematic or fixed body as its base");
+    : site_(site),
+      common_(common),
+      mount_body_(site.find(common.mount.on)),
+      gravity_(site.gravity()) {
+    if (mount_body_.kind == BodyKind::lump || mount_body_.kind == BodyKind::scalar)
+        throw_def_error(common.name, "mount/on",
+                        "a crane needs a rigid, kinematic or fixed body as its base");
     base_.id = common.mount.on;
-    base_.turn = (on_.pose.orientation * common.mount.orientation).normalized();
-    base_.pin = on_.pose.position + on_.pose.orientation * common.mount.point;
+    base_.turn = (mount_body_.pose.orientation * common.mount.orientation).normalized();
+    base_.pin = mount_body_.pose.position + mount_body_.pose.orientation * common.mount.point;
     // Its link frame: of_world() and local() must return coordinates of the body's own frame.
     base_.centre = Vec3::Zero();
     const Quat slewed = base_.turn * Quat(Eigen::AngleAxisd(common.slew.angle, Vec3::UnitZ()));
     up_ = gravity_.norm() > 0.0 ? Vec3(-gravity_.normalized()) : slewed * Vec3::UnitZ();
     raise_axis_ = slewed * -Vec3::UnitY();
-    const Vec3 level = without(slewed * Vec3::UnitX(), up_);
+    const Vec3 level = without_component(slewed * Vec3::UnitX(), up_);
     if (!(level.norm() > 0.1))
-        refuse(common.name, "mount/orientation", "its boom would point along gravity");
+        throw_def_error(common.name, "mount/orientation", "its boom would point along gravity");
     ahead_ = level.normalized();
 }
 
 BodyId Builder::add_body(BodyDef def) {
-    const Vec3 lever = def.position - on_.pose.position;
+    const Vec3 lever = def.position - mount_body_.pose.position;
     if (def.kind != BodyKind::scalar) {
-        def.velocity = on_.velocity.linear + on_.velocity.angular.cross(lever);
-        if (def.kind == BodyKind::rigid) def.angular_velocity = on_.velocity.angular;
+        def.velocity = mount_body_.velocity.linear + mount_body_.velocity.angular.cross(lever);
+        if (def.kind == BodyKind::rigid) def.angular_velocity = mount_body_.velocity.angular;
     }
     const BodyId id = site_.add(def);
-    made_[id.index] = {def.position, def.orientation, def.kind, def.mass};
+    route_bodies_[id.index] = {def.position, def.orientation, def.kind, def.mass};
     return id;
 }
 
 Link Builder::add_box(const char* what, double mass, const Vec3& half_size, const Vec3& pin,
                       const Quat& turn, const Vec3& centre, const Vec3& damping) {
     Link link{.pin = pin, .turn = turn.normalized(), .centre = centre};
-    BodyDef def{.name = named(what)};
+    BodyDef def{.name = part_name(what)};
     def.position = link.world(centre);
     def.orientation = link.turn;
     def.mass = mass;
@@ -75,13 +78,13 @@ Link Builder::add_link(const char* what, const CraneLink& def, const Vec3& pin, 
 }
 
 BodyId Builder::add_lump(const char* what, double mass, const Vec3& at) {
-    BodyDef def{.name = named(what), .kind = BodyKind::lump, .position = at};
+    BodyDef def{.name = part_name(what), .kind = BodyKind::lump, .position = at};
     def.mass = mass;
     return add_body(std::move(def));
 }
 
 BodyId Builder::add_scalar(const char* what, double mass) {
-    BodyDef def{.name = named(what), .kind = BodyKind::scalar};
+    BodyDef def{.name = part_name(what), .kind = BodyKind::scalar};
     def.mass = mass;
     def.gravity = false;
     return add_body(std::move(def));
@@ -101,13 +104,13 @@ Link Builder::add_column() {
 void Builder::add_hinge(const char* what, const Link& a, const Link& b, const Vec3& at,
                         const Quat& turn, const HingeParts& parts) {
     InteractionDef def;
-    def.name = named(what);
+    def.name = part_name(what);
     def.kind = InteractionKind::Hinge;
     def.body[0] = a.id;
     def.body[1] = b.id;
     // The body under the crane has its own frame, which differs from that of the mount.
     const bool mount = a.id == base_.id;
-    const Pose& on = on_.pose;
+    const Pose& on = mount_body_.pose;
     def.point[0] = mount ? Vec3(on.orientation.conjugate() * (at - on.position)) : a.of_world(at);
     def.point[1] = b.of_world(at);
     def.frame[0] = mount ? Quat((on.orientation.conjugate() * a.turn * turn).normalized()) : turn;
@@ -136,7 +139,7 @@ void Builder::add_hinge(const char* what, const Link& a, const Link& b, const Ve
 
 void Builder::add_cylinder(const char* what, const CraneCylinder& def, const Link& a, const Link& b,
                            double tension) {
-    const std::string name = named(what);
+    const std::string name = part_name(what);
     const BodyId stroke = add_scalar((std::string(what) + "/stroke").c_str(), def.mass);
     const double now = (b.world(def.head) - a.world(def.foot)).norm();
     InteractionDef strut;
@@ -160,7 +163,7 @@ void Builder::add_cylinder(const char* what, const CraneCylinder& def, const Lin
 }
 
 BodyId Builder::add_drum(const char* what, const CraneTackle& def) {
-    const std::string name = named(what);
+    const std::string name = part_name(what);
     const BodyId drum = add_scalar((std::string(what) + "/drum").c_str(), def.drum_inertia);
     InteractionDef motor;
     motor.name = name + "/motor";
@@ -178,8 +181,9 @@ BodyId Builder::add_drum(const char* what, const CraneTackle& def) {
 }
 
 RouteBody Builder::route_body(BodyId id) const {
-    const auto own = made_.find(id.index);
-    if (own == made_.end()) refuse(common_.name, "mount/on", "a line runs over a foreign body");
+    const auto own = route_bodies_.find(id.index);
+    if (own == route_bodies_.end())
+        throw_def_error(common_.name, "mount/on", "a line runs over a foreign body");
     return own->second;
 }
 

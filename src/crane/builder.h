@@ -43,9 +43,9 @@ class Builder {
 
     [[nodiscard]] const Link& base() const { return base_; }
     /// Return the unit vector opposite to gravity; without gravity the crane's z axis.
-    [[nodiscard]] const Vec3& up() const { return up_; }
+    [[nodiscard]] const Vec3& vertical() const { return up_; }
     [[nodiscard]] const Vec3& gravity() const { return gravity_; }
-    [[nodiscard]] std::string named(const char* what) const { return part(common_.name, what); }
+    [[nodiscard]] std::string part_name(const char* what) const { return part(common_.name, what); }
 
     /// Add the slewing column on its bearing, with motor and brake.
     Link add_column();
@@ -70,7 +70,7 @@ class Builder {
 
     /// Return the moment of a force at a point about a hinge through `pin`, positive if it raises
     /// [N m].
-    [[nodiscard]] double raising(const Vec3& pin, const Vec3& at, const Vec3& force) const {
+    [[nodiscard]] double raising_moment(const Vec3& pin, const Vec3& at, const Vec3& force) const {
         return raise_axis_.dot((at - pin).cross(force));
     }
     /// Return the unit vector of the world about which the boom turns when it is raised, at the
@@ -85,10 +85,10 @@ class Builder {
 
     CraneSite& site_;
     const Common& common_;
-    CraneBody on_;
+    CraneBody mount_body_;
     Link base_;
     Vec3 gravity_, up_, ahead_, raise_axis_;
-    std::map<std::int32_t, RouteBody> made_;
+    std::map<std::int32_t, RouteBody> route_bodies_;
 };
 
 /// Return the rotation of z of a joint's frame to −y, so that the angle grows when a link is

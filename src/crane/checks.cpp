@@ -43,11 +43,11 @@ class Fields {
         return *this;
     }
     [[noreturn]] void fail(const char* field, const std::string& why) const {
-        refuse(name_,
-               part_.empty()    ? field
-               : *field == '\0' ? part_
-                                : part_ + "/" + field,
-               why, kind_);
+        throw_def_error(name_,
+                        part_.empty()    ? field
+                        : *field == '\0' ? part_
+                                         : part_ + "/" + field,
+                        why, kind_);
     }
 
   private:
@@ -125,7 +125,7 @@ void check_common(const Common& c) {
     if (c.name.empty()) throw DefError("a crane needs a name");
     Fields(c.name, "mount").point("point", c.mount.point, false);
     if (!(std::abs(c.mount.orientation.norm() - 1.0) < 1e-6))
-        refuse(c.name, "mount/orientation", "give a quaternion of length 1");
+        throw_def_error(c.name, "mount/orientation", "give a quaternion of length 1");
     Fields(c.name, "slew")
         .positive("torque", c.slew.torque, kStrong)
         .positive("brake", c.slew.brake, kStrong)
@@ -175,7 +175,7 @@ void check_cylinder(const std::string& name, const char* part, const CraneCylind
 
 }  // namespace
 
-void check_loads(const Takes& takes) {
+void check_loads(const HookLoads& takes) {
     for (std::size_t i = 0; i < takes.loads.size(); ++i) {
         const CraneLoad& load = takes.loads[i];
         const Fields f(takes.name, "loads/" + std::to_string(i), takes.kind);
@@ -187,13 +187,13 @@ void check_loads(const Takes& takes) {
             .positive("breaking_load", load.breaking_load, 1e30);
     }
     if (takes.take < 0 || takes.take > static_cast<int>(takes.loads.size()))
-        refuse(takes.name, "take",
-               "there is no load " + std::to_string(takes.take) + "; the hook knows " +
-                   std::to_string(takes.loads.size()) + ", 0 takes none",
-               takes.kind);
+        throw_def_error(takes.name, "take",
+                        "there is no load " + std::to_string(takes.take) + "; the hook knows " +
+                            std::to_string(takes.loads.size()) + ", 0 takes none",
+                        takes.kind);
 }
 
-void check_load_bodies(const World& world, const Takes& takes) {
+void check_load_bodies(const World& world, const HookLoads& takes) {
     for (std::size_t i = 0; i < takes.loads.size(); ++i) {
         const CraneLoad& load = takes.loads[i];
         const Fields f(takes.name, "loads/" + std::to_string(i), takes.kind);
@@ -208,7 +208,7 @@ void check_load_bodies(const World& world, const Takes& takes) {
 }
 
 void check(const KnuckleCraneDef& d) {
-    const Common c = common_of(d);
+    const Common c = common_fields(d);
     check_common(c);
     check_link(d.name, "jib", d.jib);
     const Fields f(d.name, "");
@@ -232,7 +232,7 @@ void check(const KnuckleCraneDef& d) {
 }
 
 void check(const LatticeCraneDef& d) {
-    check_common(common_of(d));
+    check_common(common_fields(d));
     const Fields f(d.name, "");
     f.between("least_angle", d.least_angle, -1.5, 1.5)
         .between("most_angle", d.most_angle, -1.5, 1.56);
@@ -245,7 +245,7 @@ void check(const LatticeCraneDef& d) {
         .positive("pendant_EA", d.pendant_EA, kStrong)
         .positive("pendant_breaking_load", d.pendant_breaking_load, 1e30);
     check_tackle(d.name, "luffing", d.luffing, false);
-    const double way = pendant_way(d);
+    const double way = pendant_top_to_gantry(d);
     if (!(d.pendant_length < way - 0.5))
         f.fail("pendant_length", number(d.pendant_length) +
                                      " m, but from boom head to gantry there are " + number(way) +

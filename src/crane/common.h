@@ -37,7 +37,7 @@ struct Common {
 };
 
 template <class Def>
-[[nodiscard]] Common common_of(const Def& d) {
+[[nodiscard]] Common common_fields(const Def& d) {
     return {d.name,  d.mount, d.slew,   d.column, d.boom_foot, d.boom, d.boom_angle,
             d.hoist, d.hook,  d.rating, d.loads,  d.take,      d.ramp};
 }
@@ -45,8 +45,8 @@ template <class Def>
 /// Throw an error of a definition.
 /// @param where  Path of the field, such as "hoist/efficiency".
 /// @param kind   Kind of the named object.
-[[noreturn]] inline void refuse(const std::string& name, const std::string& where,
-                                const std::string& why, const char* kind = "crane") {
+[[noreturn]] inline void throw_def_error(const std::string& name, const std::string& where,
+                                         const std::string& why, const char* kind = "crane") {
     throw DefError(std::string(kind) + " '" + name + "': " + where + ": " + why);
 }
 
@@ -57,16 +57,16 @@ void check(const LatticeCraneDef& def);
 inline constexpr std::size_t kMaxEyes = 8;
 
 /// Loads of a hook: of a crane's hook, or of a separate one (hawser/hook.h).
-struct Takes {
+struct HookLoads {
     const char* kind;  ///< Name of the owner in errors: "crane" or "hook".
     const std::string& name;
     const std::vector<CraneLoad>& loads;
     int take;
 };
 /// Check the loads for errors that do not depend on the world. @throws DefError.
-void check_loads(const Takes& takes);
+void check_loads(const HookLoads& takes);
 /// Check that the loads can hang in this world. @throws DefError.
-void check_load_bodies(const World& world, const Takes& takes);
+void check_load_bodies(const World& world, const HookLoads& takes);
 
 /// Return the name of a part of a crane, such as "crane/boom".
 [[nodiscard]] inline std::string part(const std::string& crane, const char* what) {

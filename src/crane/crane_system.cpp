@@ -32,13 +32,13 @@ double rated_load(const CraneRating& rating, double radius) noexcept {
 }
 
 CraneSystem::CraneSystem(CraneTask task, CraneParts parts)
-    : task_(std::move(task)), parts_(std::move(parts)), take_(task_.take) {
-    std::size_t most = 0;
-    for (const CraneLoad& load : task_.loads) most = std::max(most, load.eyes.size());
-    for (std::size_t i = 0; i < most; ++i)
-        sling_names_.push_back(task_.name + "/sling" + std::to_string(i + 1));
-    hang_ = task_.hook.hang;
-    held_ = task_.take;
+    : definition_(std::move(task)), parts_(std::move(parts)), attach_request_(definition_.take) {
+    std::size_t max_eyes = 0;
+    for (const CraneLoad& load : definition_.loads) max_eyes = std::max(max_eyes, load.eyes.size());
+    for (std::size_t i = 0; i < max_eyes; ++i)
+        sling_names_.push_back(definition_.name + "/sling" + std::to_string(i + 1));
+    hoist_length_ = definition_.hook.hang;
+    attached_load_ = definition_.take;
 }
 
 void CraneSystem::visit_state(StateVisitor& v) {
@@ -46,46 +46,49 @@ void CraneSystem::visit_state(StateVisitor& v) {
         v.visit(o.wanted);
         v.visit(o.ramped);
         v.visit(o.speed);
-        v.visit(o.braked);
+        v.visit(o.is_braked);
     }
-    for (double* x : {&take_, &clock_, &radius_, &height_, &hang_, &load_, &rated_, &utilisation_,
-                      &moment_, &alarm_, &shown_, &cut_})
+    for (double* x : {&attach_request_, &clock_, &radius_, &height_, &hoist_length_, &load_,
+                      &rated_, &utilisation_, &moment_, &alarm_, &attached_output_, &cut_})
         v.visit(*x);
     v.visit(step_);
-    v.visit(held_);
+    v.visit(attached_load_);
 }
 
 void CraneSystem::check_state(const World& world, StateRules& rules) const {
     static_cast<void>(world);
     for (std::size_t i = 0; i < orders_.size(); ++i) {
         const Order& o = orders_[i];
-        const double most =
-            2.0 * parts_.drives[i].most;  // margin for rounding: a ramp of zero duration overshoots
-        rules.range(o.ramped, -most, most, "the speed of a motion is out of range");
-        rules.flag(o.braked, "whether a brake is set is no flag");
+        const double max_speed =
+            2.0 *
+            parts_.drives[i].max_speed;  // margin for rounding: a ramp of zero duration overshoots
+        rules.range(o.ramped, -max_speed, max_speed, "the speed of a motion is out of range");
+        rules.flag(o.is_braked, "whether a brake is set is no flag");
     }
     rules.require(clock_ >= 0.0, "the clock of the alarm is below 0");
     rules.require(step_ >= 0 && step_ <= 2, "there is no such alarm");
-    rules.require(held_ >= 0 && static_cast<std::size_t>(held_) <= task_.loads.size(),
-                  "there is no such load");
+    rules.require(
+        attached_load_ >= 0 && static_cast<std::size_t>(attached_load_) <= definition_.loads.size(),
+        "there is no such load");
 }
 
 void CraneSystem::signals(SignalTable& table) {
     for (std::size_t i = 0; i < kMotions; ++i) {
         const Drive& d = parts_.drives[i];
-        if (d.there)
-            table.input(kMotionNames[i], kMotionUnits[i], orders_[i].wanted, -d.most, d.most);
+        if (d.exists)
+            table.input(kMotionNames[i], kMotionUnits[i], orders_[i].wanted, -d.max_speed,
+                        d.max_speed);
     }
-    table.input("take", "1", take_, 0.0, static_cast<double>(task_.loads.size()));
+    table.input("take", "1", attach_request_, 0.0, static_cast<double>(definition_.loads.size()));
     table.output("radius", "m", radius_);
     table.output("height", "m", height_);
-    table.output("hang", "m", hang_);
+    table.output("hang", "m", hoist_length_);
     table.output("load", "kg", load_);
     table.output("rated", "kg", rated_);
     table.output("utilisation", "1", utilisation_);
     table.output("moment", "N m", moment_);
     table.output("alarm", "1", alarm_);
-    table.output("held", "1", shown_);
+    table.output("held", "1", attached_output_);
     table.output("cut", "1", cut_);
 }
 
@@ -94,10 +97,10 @@ void CraneSystem::holds(HoldTable& table) const {
         table.hold(id);
     for (const InteractionId id : parts_.falls) table.hold(id);
     for (const Drive& d : parts_.drives) {
-        if (!d.there) continue;
+        if (!d.exists) continue;
         if (d.scalar.valid()) table.hold(d.scalar);
         table.hold(d.motor);
-        if (d.rubs.valid()) table.hold(d.rubs);
+        if (d.friction_id.valid()) table.hold(d.friction_id);
         for (const InputId id : {d.speed, d.force_low, d.force_high, d.bound})
             if (id.valid()) table.hold(id);
     }
@@ -111,37 +114,37 @@ void CraneSystem::sample(const Prestep& now) noexcept {
     const auto seen = [&](BodyId body, const Vec3& point) {
         return Vec3(turn.conjugate() * (w.world_point(body, point) - bearing));
     };
-    const Vec3 axle{0.0, 0.0, 0.5 * task_.hook.height};
+    const Vec3 axle{0.0, 0.0, 0.5 * definition_.hook.height};
     const Vec3 hook = seen(parts_.hook, hook_point()), head = seen(parts_.tip, parts_.head);
     radius_ = std::hypot(hook.x(), hook.y());
     height_ = hook.z();
-    hang_ = (head - seen(parts_.hook, axle)).norm();
+    hoist_length_ = (head - seen(parts_.hook, axle)).norm();
     boom_rise_ = head.z() - seen(parts_.boom, parts_.boom_pin).z();
     tip_rise_ = head.z() - seen(parts_.tip, parts_.tip_pin).z();
 }
 
 /// Measure the load from the tensions of the falls in the last step. Before the first step there
 /// are none.
-void CraneSystem::weigh(const Prestep& now) noexcept {
+void CraneSystem::measure_load(const Prestep& now) noexcept {
     double pull = 0.0;
     for (const InteractionId fall : parts_.falls) pull += std::max(0.0, -now.world.force(fall)[0]);
     const double size = now.world.settings().gravity.norm();
     const double g = size > 0.0 ? size : kStandardGravity;
-    const double mass = now.count > 0 ? std::max(0.0, pull / g - task_.hook.mass) : 0.0;
-    load_ += now.step / (now.step + task_.rating.filter) * (mass - load_);
-    rated_ = rated_load(task_.rating, radius_);
+    const double mass = now.count > 0 ? std::max(0.0, pull / g - definition_.hook.mass) : 0.0;
+    load_ += now.step / (now.step + definition_.rating.filter) * (mass - load_);
+    rated_ = rated_load(definition_.rating, radius_);
     moment_ = load_ * g * radius_;
     utilisation_ = 0.0;
-    if (task_.rating.curve.empty()) return;
+    if (definition_.rating.curve.empty()) return;
     if (rated_ > 0.0)
         utilisation_ = std::min(kMaxShown, load_ / rated_);
-    else if (load_ > kNothing * task_.rating.curve.front().mass)
+    else if (load_ > kNothing * definition_.rating.curve.front().mass)
         utilisation_ = kMaxShown;
 }
 
 /// Update the level of the alarm.
-void CraneSystem::watch(Prestep& now) noexcept {
-    const CraneRating& r = task_.rating;
+void CraneSystem::update_alarm(Prestep& now) noexcept {
+    const CraneRating& r = definition_.rating;
     if (r.curve.empty()) return;
     std::int32_t step = utilisation_ >= r.overload ? 2 : utilisation_ >= r.warning ? 1 : 0;
     if (step < step_ && utilisation_ >= kBack * (step_ == 2 ? r.overload : r.warning)) step = step_;
@@ -159,11 +162,12 @@ void CraneSystem::watch(Prestep& now) noexcept {
 
 /// True if a motion has reached a limit at which it is cut out.
 bool CraneSystem::at_end(const World& world, int motion, double wanted) const noexcept {
-    if (motion == kHoist) return wanted > 0.0 && hang_ <= task_.hook.least_hang;
+    if (motion == kHoist) return wanted > 0.0 && hoist_length_ <= definition_.hook.least_hang;
     const Drive& d = parts_.drives[static_cast<std::size_t>(motion)];
     if (motion == kSlew || !d.scalar.valid()) return false;
     const double length = d.start + world.pose(d.scalar).position.x();
-    return (wanted > 0.0 && length >= d.top) || (wanted < 0.0 && length <= d.least);
+    return (wanted > 0.0 && length >= d.longest_length) ||
+           (wanted < 0.0 && length <= d.shortest_length);
 }
 
 /// True if a motion increases the moment. The radius of a head above its pin decreases when the
@@ -178,28 +182,29 @@ bool CraneSystem::raises_moment(int motion, double wanted) const noexcept {
 void CraneSystem::drive(Prestep& now, int motion) noexcept {
     const auto i = static_cast<std::size_t>(motion);
     const Drive& d = parts_.drives[i];
-    if (!d.there) return;
+    if (!d.exists) return;
     Order& o = orders_[i];
-    double wanted = std::clamp(o.wanted, -d.most, d.most);
+    double wanted = std::clamp(o.wanted, -d.max_speed, d.max_speed);
     const double going = wanted != 0.0 ? wanted : o.ramped;
-    const bool cut = task_.rating.cut_out && step_ == 2 && raises_moment(motion, going);
+    const bool cut = definition_.rating.cut_out && step_ == 2 && raises_moment(motion, going);
     if (cut) cut_ = 1.0;
     if (cut || at_end(now.world, motion, going)) {
         wanted = 0.0;
         if (!cut) o.ramped = 0.0;
     }
-    const double change = task_.ramp > 0.0 ? d.most * now.step / task_.ramp : 2.0 * d.most;
+    const double change =
+        definition_.ramp > 0.0 ? d.max_speed * now.step / definition_.ramp : 2.0 * d.max_speed;
     o.ramped += std::clamp(wanted - o.ramped, -change, change);
     const double speed = d.ratio * o.ramped;
     if (speed != o.speed) now.set_input(d.speed, speed);
     o.speed = speed;
-    if (!d.rubs.valid()) return;
-    const std::int32_t braked = wanted == 0.0 && o.ramped == 0.0 ? 1 : 0;
-    if (braked == o.braked) return;
-    o.braked = braked;
-    now.set_input(d.bound, braked != 0 ? d.brake : d.friction);
-    now.set_input(d.force_low, braked != 0 ? 0.0 : d.low);
-    now.set_input(d.force_high, braked != 0 ? 0.0 : d.high);
+    if (!d.friction_id.valid()) return;
+    const std::int32_t is_braked = wanted == 0.0 && o.ramped == 0.0 ? 1 : 0;
+    if (is_braked == o.is_braked) return;
+    o.is_braked = is_braked;
+    now.set_input(d.bound, is_braked != 0 ? d.brake : d.friction);
+    now.set_input(d.force_low, is_braked != 0 ? 0.0 : d.low);
+    now.set_input(d.force_high, is_braked != 0 ? 0.0 : d.high);
 }
 
 bool CraneSystem::in_reach(const World& world, const CraneLoad& load) const noexcept {
@@ -211,8 +216,8 @@ bool CraneSystem::in_reach(const World& world, const CraneLoad& load) const noex
     return true;
 }
 
-void CraneSystem::take(Prestep& now, int number) noexcept {
-    const CraneLoad& load = task_.loads[static_cast<std::size_t>(number - 1)];
+void CraneSystem::attach_load(Prestep& now, int number) noexcept {
+    const CraneLoad& load = definition_.loads[static_cast<std::size_t>(number - 1)];
     const Vec3 point = now.world.world_point(parts_.hook, hook_point());
     double farthest = 0.0;
     for (std::size_t i = 0; i < load.eyes.size(); ++i) {
@@ -221,51 +226,53 @@ void CraneSystem::take(Prestep& now, int number) noexcept {
         (void)now.edits.add_interaction(
             sling_of(load, i, sling_names_[i], parts_.hook, hook_point(), way));
     }
-    held_ = number;
+    attached_load_ = number;
     now.tell(EventKind::join, load.body, farthest);
 }
 
-void CraneSystem::let_go(Prestep& now) noexcept {
+void CraneSystem::detach_load(Prestep& now) noexcept {
     double tension = 0.0;
-    const CraneLoad& load = task_.loads[static_cast<std::size_t>(held_ - 1)];
+    const CraneLoad& load = definition_.loads[static_cast<std::size_t>(attached_load_ - 1)];
     for (std::size_t i = 0; i < load.eyes.size(); ++i) {
         const InteractionId sling = now.world.find_interaction(sling_names_[i]);
         if (!now.world.alive(sling)) continue;
         tension = std::max(tension, -now.world.force(sling)[0]);
         now.edits.remove_interaction(sling);
     }
-    held_ = 0;
+    attached_load_ = 0;
     if (now.world.alive(load.body)) now.tell(EventKind::detach, load.body, tension);
 }
 
-void CraneSystem::handle_load(Prestep& now) noexcept {
-    const int most = static_cast<int>(task_.loads.size());
+void CraneSystem::update_attachment(Prestep& now) noexcept {
+    const int load_count = static_cast<int>(definition_.loads.size());
     // A modified state may hold any value.
-    const int wanted = take_ >= 0.0 && take_ <= most ? static_cast<int>(std::lround(take_)) : 0;
-    if (held_ < 0 || held_ > most) held_ = 0;
-    if (held_ != 0) {
+    const int wanted = attach_request_ >= 0.0 && attach_request_ <= load_count
+                           ? static_cast<int>(std::lround(attach_request_))
+                           : 0;
+    if (attached_load_ < 0 || attached_load_ > load_count) attached_load_ = 0;
+    if (attached_load_ != 0) {
         // The load may have been removed by others.
-        const auto& eyes = task_.loads[static_cast<std::size_t>(held_ - 1)].eyes;
-        bool there = false;
+        const auto& eyes = definition_.loads[static_cast<std::size_t>(attached_load_ - 1)].eyes;
+        bool exists = false;
         for (std::size_t i = 0; i < eyes.size(); ++i) {
             const InteractionId sling = now.world.find_interaction(sling_names_[i]);
-            there = there || (now.world.alive(sling) && now.world.intact(sling));
+            exists = exists || (now.world.alive(sling) && now.world.intact(sling));
         }
-        if (wanted != held_ || !there) let_go(now);
+        if (wanted != attached_load_ || !exists) detach_load(now);
     } else if (wanted > 0 &&
-               in_reach(now.world, task_.loads[static_cast<std::size_t>(wanted - 1)])) {
-        take(now, wanted);
+               in_reach(now.world, definition_.loads[static_cast<std::size_t>(wanted - 1)])) {
+        attach_load(now, wanted);
     }
-    shown_ = held_;
+    attached_output_ = attached_load_;
 }
 
 void CraneSystem::prestep(Prestep& now, Loads&) noexcept {
     sample(now);
-    weigh(now);
-    watch(now);
+    measure_load(now);
+    update_alarm(now);
     cut_ = 0.0;
     for (int i = 0; i < kMotions; ++i) drive(now, i);
-    handle_load(now);
+    update_attachment(now);
 }
 
 }  // namespace hawser::crane

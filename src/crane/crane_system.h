@@ -31,16 +31,16 @@ inline constexpr int kMotions = 4;
 
 /// One motion and its drive.
 struct Drive {
-    bool there = false;
-    double most = 0.0;                   ///< Largest requested speed in both directions.
+    bool exists = false;
+    double max_speed = 0.0;              ///< Largest requested speed in both directions.
     double ratio = 1.0;                  ///< Speed of the motor over the requested speed.
     double low = 0.0, high = 0.0;        ///< Range of the motor's force while it runs.
     double brake = 0.0, friction = 0.0;  ///< Bound of the brake when set; when released.
     BodyId scalar{};                     ///< Drum or stroke; invalid for the slew.
-    InteractionId motor{}, rubs{};
+    InteractionId motor{}, friction_id{};
     InputId speed{}, force_low{}, force_high{}, bound{};
     /// Length of a cylinder at the start, its lower and upper limit [m].
-    double start = 0.0, least = -kUnbounded, top = kUnbounded;
+    double start = 0.0, shortest_length = -kUnbounded, longest_length = kUnbounded;
 };
 
 /// Bodies and interactions of a crane in a world.
@@ -69,14 +69,14 @@ class CraneSystem final : public System {
   public:
     CraneSystem(CraneTask task, CraneParts parts);
 
-    [[nodiscard]] std::string_view name() const noexcept override { return task_.name; }
+    [[nodiscard]] std::string_view name() const noexcept override { return definition_.name; }
     void prestep(Prestep& now, Loads& loads) noexcept override;
     void visit_state(StateVisitor& visitor) override;
     void check_state(const World& world, StateRules& rules) const override;
     void signals(SignalTable& table) override;
     void holds(HoldTable& table) const override;
     [[nodiscard]] std::unique_ptr<System> clone() const override {
-        return std::make_unique<CraneSystem>(task_, parts_);
+        return std::make_unique<CraneSystem>(definition_, parts_);
     }
 
   private:
@@ -85,33 +85,35 @@ class CraneSystem final : public System {
         double wanted = 0.0;  ///< Requested speed; input.
         double ramped = 0.0;
         double speed = 0.0;  ///< Last speed sent to the motor.
-        std::int32_t braked = 1;
+        std::int32_t is_braked = 1;
     };
 
     void sample(const Prestep& now) noexcept;
-    void weigh(const Prestep& now) noexcept;
-    void watch(Prestep& now) noexcept;
+    void measure_load(const Prestep& now) noexcept;
+    void update_alarm(Prestep& now) noexcept;
     void drive(Prestep& now, int motion) noexcept;
     [[nodiscard]] bool at_end(const World& world, int motion, double wanted) const noexcept;
     [[nodiscard]] bool raises_moment(int motion, double wanted) const noexcept;
-    void handle_load(Prestep& now) noexcept;
+    void update_attachment(Prestep& now) noexcept;
     [[nodiscard]] bool in_reach(const World& world, const CraneLoad& load) const noexcept;
-    void take(Prestep& now, int number) noexcept;
-    void let_go(Prestep& now) noexcept;
-    [[nodiscard]] Vec3 hook_point() const noexcept { return {0.0, 0.0, -0.5 * task_.hook.height}; }
+    void attach_load(Prestep& now, int number) noexcept;
+    void detach_load(Prestep& now) noexcept;
+    [[nodiscard]] Vec3 hook_point() const noexcept {
+        return {0.0, 0.0, -0.5 * definition_.hook.height};
+    }
 
-    CraneTask task_;
+    CraneTask definition_;
     CraneParts parts_;
     std::vector<std::string> sling_names_;
 
     // State.
     std::array<Order, kMotions> orders_{};
-    double take_ = 0.0;  ///< Number of the load to attach, 0: none; input.
+    double attach_request_ = 0.0;  ///< Number of the load to attach, 0: none; input.
     double clock_ = 0.0;
-    std::int32_t step_ = 0, held_ = 0;
+    std::int32_t step_ = 0, attached_load_ = 0;
     // Outputs, part of the state.
-    double radius_ = 0.0, height_ = 0.0, hang_ = 0.0, load_ = 0.0, rated_ = 0.0;
-    double utilisation_ = 0.0, moment_ = 0.0, alarm_ = 0.0, shown_ = 0.0, cut_ = 0.0;
+    double radius_ = 0.0, height_ = 0.0, hoist_length_ = 0.0, load_ = 0.0, rated_ = 0.0;
+    double utilisation_ = 0.0, moment_ = 0.0, alarm_ = 0.0, attached_output_ = 0.0, cut_ = 0.0;
     // Values of the current step.
     double boom_rise_ = 0.0, tip_rise_ = 0.0;  ///< Height of the head over the pins [m].
 };

@@ -12,44 +12,46 @@
 namespace hawser {
 namespace {
 
-[[noreturn]] void refuse(const HookDef& def, const std::string& why) {
+[[noreturn]] void throw_def_error(const HookDef& def, const std::string& why) {
     throw DefError("hook '" + def.name + "': " + why);
 }
 
 void check_bodies(World& world, const HookDef& def) {
-    if (!world.alive(def.body)) refuse(def, "the body of the hook is missing; give one");
+    if (!world.alive(def.body)) throw_def_error(def, "the body of the hook is missing; give one");
     const BodyKind own = world.body_def(def.body).kind;
     if (own == BodyKind::scalar)
-        refuse(def, "a scalar body has no position from which a load could hang");
+        throw_def_error(def, "a scalar body has no position from which a load could hang");
     if (!def.point.allFinite() || !(def.point.norm() <= 1e7))
-        refuse(def, "point is not finite, or beyond 1e7 m");
+        throw_def_error(def, "point is not finite, or beyond 1e7 m");
     if (own == BodyKind::lump && !def.point.isZero(0.0))
-        refuse(def, "a lump is a point: leave out `point`");
+        throw_def_error(def, "a lump is a point: leave out `point`");
     for (std::size_t i = 0; i < def.loads.size(); ++i)
         if (def.loads[i].body == def.body)
-            refuse(def, "loads/" + std::to_string(i) + "/body: a hook cannot attach itself");
+            throw_def_error(def,
+                            "loads/" + std::to_string(i) + "/body: a hook cannot attach itself");
     crane::check_load_bodies(world, {"hook", def.name, def.loads, def.take});
 }
 
 void check(World& world, const HookDef& def) {
     if (def.name.empty()) throw DefError("a hook needs a name");
     if (world.find_system(def.name) != nullptr)
-        refuse(def, "the name is in use; names must be unique");
+        throw_def_error(def, "the name is in use; names must be unique");
     if (def.loads.empty())
-        refuse(def, "it has no loads; name the loads that it can attach in `loads`");
+        throw_def_error(def, "it has no loads; name the loads that it can attach in `loads`");
     crane::check_loads({"hook", def.name, def.loads, def.take});
     check_bodies(world, def);
     for (const double force : {def.strength, def.latch})
         if (!(force > 0.0 && force <= 1e30))
-            refuse(def, "strength and latch are forces above 0 [N]; leave them out for none");
+            throw_def_error(def,
+                            "strength and latch are forces above 0 [N]; leave them out for none");
     if (def.latch < HookDef{}.latch && def.latch > def.strength)
-        refuse(def, "latch = " + number(def.latch) +
-                        " N is above strength = " + number(def.strength) +
-                        " N, at which the hook opens by itself; give a latch below it");
+        throw_def_error(def, "latch = " + number(def.latch) +
+                                 " N is above strength = " + number(def.strength) +
+                                 " N, at which the hook opens by itself; give a latch below it");
     for (std::size_t i = 0; i < crane::kMaxEyes; ++i)
         if (world.find_interaction(crane::leg_name(def.name, i)).valid())
-            refuse(def, "the interaction '" + crane::leg_name(def.name, i) +
-                            "' is there; one of its legs would be called so");
+            throw_def_error(def, "the interaction '" + crane::leg_name(def.name, i) +
+                                     "' is there; one of its legs would be called so");
 }
 
 }  // namespace
@@ -64,10 +66,10 @@ void define(World& world, const HookDef& def) {
             for (std::size_t i = 0; i < load.eyes.size(); ++i) {
                 const double way = (world.world_point(load.body, load.eyes[i]) - point).norm();
                 if (way > load.sling_length + load.reach)
-                    refuse(def, "take: an eye of the load is " + number(way) +
-                                    " m from the hook's point, and its sling reaches " +
-                                    number(load.sling_length + load.reach) +
-                                    " m; attach it later, or move the hook nearer");
+                    throw_def_error(def, "take: an eye of the load is " + number(way) +
+                                             " m from the hook's point, and its sling reaches " +
+                                             number(load.sling_length + load.reach) +
+                                             " m; attach it later, or move the hook nearer");
                 legs.push_back(world.add_interaction(crane::sling_of(
                     load, i, crane::leg_name(def.name, i), def.body, def.point, way)));
             }

@@ -35,16 +35,16 @@ Link add_hoist(Builder& b, const Common& c, const Link& drum_on, const Link* ove
     // A single fall hangs ahead of the head's sheave, several falls on both sides of it.
     const Vec3 top = head.world({head_at, 0.0, 0.0}) + (t.falls == 1 ? r : 0.0) * b.ahead();
     Mat3 axes;
-    axes.col(2) = b.up();
+    axes.col(2) = b.vertical();
     axes.col(0) = b.ahead();
     axes.col(1) = axes.col(2).cross(axes.col(0));
     const Link hook =
-        b.add_box("hook", h.mass, h.half_size, top - (h.hang + 0.5 * h.height) * b.up(), Quat(axes),
-                  Vec3::Zero(), Vec3::Constant(h.angular_damping));
+        b.add_box("hook", h.mass, h.half_size, top - (h.hang + 0.5 * h.height) * b.vertical(),
+                  Quat(axes), Vec3::Zero(), Vec3::Constant(h.angular_damping));
     const Vec3 axle{0.0, 0.0, 0.5 * h.height};
 
     RouteDef route;
-    route.name = b.named("hoist");
+    route.name = b.part_name("hoist");
     route.EA = t.EA;
     route.breaking_load = t.breaking_load;
     route.damping_time = t.damping_time;
@@ -97,10 +97,11 @@ void add_slings(Builder& b, const Common& c, const Link& hook) {
         const Vec3 eye = body.pose.position + body.pose.orientation * load.eyes[i];
         const double way = (eye - point).norm();
         if (way > load.sling_length + load.reach)
-            refuse(c.name, "take",
-                   "an eye of the load is " + number(way) + " m from the hook's point, and its " +
-                       "sling reaches " + number(load.sling_length + load.reach) +
-                       " m; attach it later, or move the hook nearer");
+            throw_def_error(c.name, "take",
+                            "an eye of the load is " + number(way) +
+                                " m from the hook's point, and its " + "sling reaches " +
+                                number(load.sling_length + load.reach) +
+                                " m; attach it later, or move the hook nearer");
         b.add(sling_of(load, i, part(c.name, "sling") + std::to_string(i + 1), hook.id, own, way));
     }
 }

@@ -12,45 +12,51 @@
 namespace hawser::crane {
 
 HookSystem::HookSystem(HookDef def)
-    : def_(std::move(def)), take_(def_.take), held_(def_.take), shown_(def_.take) {
+    : def_(std::move(def)),
+      attach_request_(def_.take),
+      attached_load_(def_.take),
+      attached_output_(def_.take) {
     std::size_t most = 0;
     for (const CraneLoad& load : def_.loads) most = std::max(most, load.eyes.size());
     for (std::size_t i = 0; i < most; ++i) leg_names_.push_back(leg_name(def_.name, i));
-    become(held_ > 0 ? HookState::holding : HookState::empty);
+    set_state(attached_load_ > 0 ? HookState::holding : HookState::empty);
     as_ = state_;
 }
 
 void HookSystem::visit_state(StateVisitor& v) {
-    for (double* x : {&take_, &shown_, &load_, &leg_, &as_}) v.visit(*x);
-    for (std::int32_t* x : {&held_, &state_, &reported_}) v.visit(*x);
+    for (double* x : {&attach_request_, &attached_output_, &load_, &leg_, &as_}) v.visit(*x);
+    for (std::int32_t* x : {&attached_load_, &state_, &reported_}) v.visit(*x);
 }
 
 void HookSystem::check_state(const World& world, StateRules& rules) const {
     static_cast<void>(world);
-    rules.require(held_ >= 0 && static_cast<std::size_t>(held_) <= def_.loads.size(),
-                  "there is no such load");
+    rules.require(
+        attached_load_ >= 0 && static_cast<std::size_t>(attached_load_) <= def_.loads.size(),
+        "there is no such load");
     rules.require(state_ >= 0 && state_ <= static_cast<std::int32_t>(HookState::opened),
                   "there is no such state of the hook");
     rules.flag(reported_, "whether a miss was reported is no flag");
 }
 
 void HookSystem::signals(SignalTable& table) {
-    table.input("take", "1", take_, 0.0, static_cast<double>(def_.loads.size()));
-    table.output("held", "1", shown_);
+    table.input("take", "1", attach_request_, 0.0, static_cast<double>(def_.loads.size()));
+    table.output("held", "1", attached_output_);
     table.output("load", "N", load_);
     table.output("leg", "N", leg_);
     table.output("state", "1", as_);
 }
 
 /// Return the requested load. A modified state may hold any value; invalid ones count as 0.
-int HookSystem::wanted() const noexcept {
+int HookSystem::requested_load() const noexcept {
     const int most = static_cast<int>(def_.loads.size());
-    return take_ >= 0.0 && take_ <= most ? static_cast<int>(std::lround(take_)) : 0;
+    return attach_request_ >= 0.0 && attach_request_ <= most
+               ? static_cast<int>(std::lround(attach_request_))
+               : 0;
 }
 
 /// Measure the forces of the legs. @return true if at least one of them holds.
-bool HookSystem::weigh(const World& world) noexcept {
-    const CraneLoad& load = load_of(held_);
+bool HookSystem::measure_load(const World& world) noexcept {
+    const CraneLoad& load = load_of(attached_load_);
     const Vec3 point = world.world_point(def_.body, def_.point);
     Vec3 pull = Vec3::Zero();
     bool there = false;
@@ -67,36 +73,36 @@ bool HookSystem::weigh(const World& world) noexcept {
     return there;
 }
 
-void HookSystem::let_go(Prestep& now, EventKind kind) noexcept {
-    const CraneLoad& load = load_of(held_);
+void HookSystem::detach_load(Prestep& now, EventKind kind) noexcept {
+    const CraneLoad& load = load_of(attached_load_);
     for (std::size_t i = 0; i < load.eyes.size(); ++i)
         if (const InteractionId leg = now.world.find_interaction(leg_names_[i]);
             now.world.alive(leg))
             now.edits.remove_interaction(leg);
     if (now.world.alive(load.body)) now.tell(kind, load.body, load_);
-    held_ = 0;
+    attached_load_ = 0;
     load_ = leg_ = 0.0;
 }
 
-void HookSystem::hold(Prestep& now) noexcept {
-    const bool there = weigh(now.world);
+void HookSystem::check_load(Prestep& now) noexcept {
+    const bool there = measure_load(now.world);
     if (there && load_ > def_.strength) {
-        let_go(now, EventKind::overload);
-        return become(HookState::opened);
+        detach_load(now, EventKind::overload);
+        return set_state(HookState::opened);
     }
     // All legs are broken, or were removed by others.
-    if (there && wanted() == held_) return become(HookState::holding);
-    if (there && load_ > def_.latch) return become(HookState::latched);
-    let_go(now, EventKind::detach);
-    become(HookState::empty);
+    if (there && requested_load() == attached_load_) return set_state(HookState::holding);
+    if (there && load_ > def_.latch) return set_state(HookState::latched);
+    detach_load(now, EventKind::detach);
+    set_state(HookState::empty);
     // Broken legs are not replaced if the request has already been carried out.
-    if (!there && wanted() > 0) become(HookState::opened);
+    if (!there && requested_load() > 0) set_state(HookState::opened);
 }
 
 void HookSystem::take(Prestep& now) noexcept {
-    const int number = wanted();
+    const int number = requested_load();
     const CraneLoad& load = load_of(number);
-    if (!now.world.alive(load.body)) return become(HookState::waiting);
+    if (!now.world.alive(load.body)) return set_state(HookState::waiting);
     const Vec3 point = now.world.world_point(def_.body, def_.point);
     double farthest = 0.0;
     for (const Vec3& eye : load.eyes)
@@ -104,30 +110,31 @@ void HookSystem::take(Prestep& now) noexcept {
     if (farthest > load.sling_length + load.reach) {
         if (reported_ == 0) now.tell(EventKind::missed, def_.body, farthest);
         reported_ = 1;
-        return become(HookState::waiting);
+        return set_state(HookState::waiting);
     }
     for (std::size_t i = 0; i < load.eyes.size(); ++i) {
         const double way = (now.world.world_point(load.body, load.eyes[i]) - point).norm();
         (void)now.edits.add_interaction(
             sling_of(load, i, leg_names_[i], def_.body, def_.point, way));
     }
-    held_ = number;
+    attached_load_ = number;
     now.tell(EventKind::join, load.body, farthest);
-    become(HookState::holding);
+    set_state(HookState::holding);
 }
 
 void HookSystem::prestep(Prestep& now, Loads&) noexcept {
-    if (held_ < 0 || held_ > static_cast<int>(def_.loads.size())) held_ = 0;
-    if (wanted() == 0 && held_ == 0) {
-        become(HookState::empty);
+    if (attached_load_ < 0 || attached_load_ > static_cast<int>(def_.loads.size()))
+        attached_load_ = 0;
+    if (requested_load() == 0 && attached_load_ == 0) {
+        set_state(HookState::empty);
         reported_ = 0;
-    } else if (held_ > 0) {
-        hold(now);
+    } else if (attached_load_ > 0) {
+        check_load(now);
     } else if (state_ != static_cast<std::int32_t>(HookState::opened)) {
         take(now);
     }
-    if (held_ > 0) reported_ = 0;
-    shown_ = held_;
+    if (attached_load_ > 0) reported_ = 0;
+    attached_output_ = attached_load_;
     as_ = state_;
 }
 

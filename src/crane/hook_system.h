@@ -30,24 +30,24 @@ class HookSystem final : public System {
     }
 
   private:
-    void become(HookState state) noexcept { state_ = static_cast<std::int32_t>(state); }
+    void set_state(HookState state) noexcept { state_ = static_cast<std::int32_t>(state); }
     [[nodiscard]] const CraneLoad& load_of(int number) const noexcept {
         return def_.loads[static_cast<std::size_t>(number - 1)];
     }
-    [[nodiscard]] int wanted() const noexcept;
-    [[nodiscard]] bool weigh(const World& world) noexcept;
-    void hold(Prestep& now) noexcept;
-    void let_go(Prestep& now, EventKind kind) noexcept;
+    [[nodiscard]] int requested_load() const noexcept;
+    [[nodiscard]] bool measure_load(const World& world) noexcept;
+    void check_load(Prestep& now) noexcept;
+    void detach_load(Prestep& now, EventKind kind) noexcept;
     void take(Prestep& now) noexcept;
 
     HookDef def_;
     std::vector<std::string> leg_names_;
     // State.
-    double take_ = 0.0;                  ///< Number of the load to attach, 0: none; input.
-    std::int32_t held_ = 0, state_ = 0;  ///< Number of the attached load; HookState.
+    double attach_request_ = 0.0;                 ///< Number of the load to attach, 0: none; input.
+    std::int32_t attached_load_ = 0, state_ = 0;  ///< Number of the attached load; HookState.
     std::int32_t reported_ = 0;  ///< 1: the event that the load is out of reach has been reported.
     // Outputs.
-    double shown_ = 0.0, load_ = 0.0, leg_ = 0.0, as_ = 0.0;
+    double attached_output_ = 0.0, load_ = 0.0, leg_ = 0.0, as_ = 0.0;
 };
 
 }  // namespace hawser::crane

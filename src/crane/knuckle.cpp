@@ -8,13 +8,14 @@ void build_crane(CraneSite& site, const KnuckleCraneDef& def) {
     using crane::Builder;
     using crane::Link;
     crane::check(def);
-    const crane::Common c = crane::common_of(def);
+    const crane::Common c = crane::common_fields(def);
     Builder b(site, c);
     const Link column = b.add_column();
     const Link boom = b.add_link("boom", def.boom, column.world(def.boom_foot),
-                                 column.turn * crane::raised(def.boom_angle));
+                                 column.turn * crane::rotation_raising(def.boom_angle));
     const Vec3 knuckle = boom.world({def.boom.length, 0.0, 0.0});
-    const Link jib = b.add_link("jib", def.jib, knuckle, boom.turn * crane::raised(def.jib_angle));
+    const Link jib =
+        b.add_link("jib", def.jib, knuckle, boom.turn * crane::rotation_raising(def.jib_angle));
     crane::HingeParts luff, fold;
     luff.range = crane::boom_linkage(def).angle_range(def.boom_cylinder);
     fold.range = crane::jib_linkage(def).angle_range(def.jib_cylinder);
@@ -24,13 +25,13 @@ void build_crane(CraneSite& site, const KnuckleCraneDef& def) {
     // Force of the cylinders at the start: T lever + moment of the weights = 0.
     const Vec3 tip = jib.world({def.jib.length, 0.0, 0.0});
     const auto weight = [&](const Vec3& pin, const Link& link, double mass) {
-        return b.raising(pin, link.world(link.centre), mass * b.gravity());
+        return b.raising_moment(pin, link.world(link.centre), mass * b.gravity());
     };
-    const double on_jib =
-        weight(knuckle, jib, def.jib.mass) + b.raising(knuckle, tip, def.hook.mass * b.gravity());
+    const double on_jib = weight(knuckle, jib, def.jib.mass) +
+                          b.raising_moment(knuckle, tip, def.hook.mass * b.gravity());
     const double on_boom = weight(boom.pin, boom, def.boom.mass) +
                            weight(boom.pin, jib, def.jib.mass) +
-                           b.raising(boom.pin, tip, def.hook.mass * b.gravity());
+                           b.raising_moment(boom.pin, tip, def.hook.mass * b.gravity());
     // Raising the link lengthens the cylinder by its lever; tension lowers the link.
     const double boom_lever = crane::boom_linkage(def).lever;
     const double jib_lever = crane::jib_linkage(def).lever;

@@ -21,13 +21,15 @@ double start_pull(const Builder& b, const LatticeCraneDef& def, const Link& colu
                   const Link& boom, const Vec3& along) {
     const Vec3 head = boom.world({def.boom.length, 0.0, 0.0});
     const double lead = empty_line(b, def);
-    double moment = b.raising(boom.pin, boom.world(boom.centre), def.boom.mass * b.gravity()) +
-                    b.raising(boom.pin, head, def.hook.mass * b.gravity());
-    moment += b.raising(boom.pin, head, lead * (column.world(def.hoist.drum) - head).normalized());
+    double moment =
+        b.raising_moment(boom.pin, boom.world(boom.centre), def.boom.mass * b.gravity()) +
+        b.raising_moment(boom.pin, head, def.hook.mass * b.gravity());
+    moment +=
+        b.raising_moment(boom.pin, head, lead * (column.world(def.hoist.drum) - head).normalized());
     const Vec3 held = boom.world({def.boom.length, 0.0, 0.5 * def.boom.height});
-    const double lever = b.raising(boom.pin, held, along);
+    const double lever = b.raising_moment(boom.pin, held, along);
     if (!(lever > 1e-3 * def.boom.length))
-        refuse(def.name, "gantry", "the pendants do not raise the boom; put it higher");
+        throw_def_error(def.name, "gantry", "the pendants do not raise the boom; put it higher");
     return std::max(0.0, -moment / lever);
 }
 
@@ -37,7 +39,7 @@ void add_pendants(Builder& b, const LatticeCraneDef& def, const Link& boom, Body
         const Vec3 eye{def.boom.length, (k == 0 ? 0.5 : -0.5) * def.boom.width,
                        0.5 * def.boom.height};
         InteractionDef pendant;
-        pendant.name = b.named(k == 0 ? "pendant1" : "pendant2");
+        pendant.name = b.part_name(k == 0 ? "pendant1" : "pendant2");
         pendant.kind = InteractionKind::Stretch;
         pendant.body[0] = boom.id;
         pendant.body[1] = bridle;
@@ -53,7 +55,7 @@ void add_luffing(Builder& b, const LatticeCraneDef& def, const Link& column, Bod
                  double pull) {
     const CraneTackle& t = def.luffing;
     RouteDef route;
-    route.name = b.named("luffing");
+    route.name = b.part_name("luffing");
     route.EA = t.EA;
     route.breaking_load = t.breaking_load;
     route.damping_time = t.damping_time;
@@ -81,11 +83,11 @@ void build_crane(CraneSite& site, const LatticeCraneDef& def) {
     using crane::Builder;
     using crane::Link;
     crane::check(def);
-    const crane::Common c = crane::common_of(def);
+    const crane::Common c = crane::common_fields(def);
     Builder b(site, c);
     const Link column = b.add_column();
     const Link boom = b.add_link("boom", def.boom, column.world(def.boom_foot),
-                                 column.turn * crane::raised(def.boom_angle));
+                                 column.turn * crane::rotation_raising(def.boom_angle));
     crane::HingeParts luff;
     luff.range = std::pair(def.least_angle, def.most_angle);
     b.add_hinge("luff", column, boom, boom.pin, crane::hinge_turn(), luff);

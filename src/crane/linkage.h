@@ -20,7 +20,7 @@
 namespace hawser::crane {
 
 /// Return the rotation in the plane that raises the x axis by an angle.
-[[nodiscard]] inline Quat raised(double angle) {
+[[nodiscard]] inline Quat rotation_raising(double angle) {
     return Quat(Eigen::AngleAxisd(-angle, Vec3::UnitY()));
 }
 
@@ -48,7 +48,7 @@ struct Linkage {
 /// @param angle  Angle θ₀ of the other link at the start [rad].
 [[nodiscard]] inline Linkage linkage_of(const CraneCylinder& cylinder, const Vec3& pin,
                                         double angle) {
-    const Vec3 foot = cylinder.foot - pin, head = raised(angle) * cylinder.head;
+    const Vec3 foot = cylinder.foot - pin, head = rotation_raising(angle) * cylinder.head;
     Linkage out;
     out.a = foot.norm();
     out.b = head.norm();
@@ -69,10 +69,11 @@ struct Linkage {
 
 /// Return the point where the pendants hold a lattice boom, in the column's frame [m].
 [[nodiscard]] inline Vec3 pendant_head(const LatticeCraneDef& d) {
-    return d.boom_foot + raised(d.boom_angle) * Vec3(d.boom.length, 0.0, 0.5 * d.boom.height);
+    return d.boom_foot +
+           rotation_raising(d.boom_angle) * Vec3(d.boom.length, 0.0, 0.5 * d.boom.height);
 }
 /// Return the distance from that point to the gantry [m].
-[[nodiscard]] inline double pendant_way(const LatticeCraneDef& d) {
+[[nodiscard]] inline double pendant_top_to_gantry(const LatticeCraneDef& d) {
     return (d.gantry - pendant_head(d)).norm();
 }
 

@@ -18,7 +18,7 @@ constexpr double kLeft = 110, kWidth = 1120, kRight = 40, kTop = 40, kPanel = 13
 constexpr draw::Color kLimit{150, 157, 166, 255};
 
 /// Return the limits that the exercise compares an output with.
-std::set<double> limits_of(const exercise::Exercise& e, const std::string& output) {
+std::set<double> limits_of_output(const exercise::Exercise& e, const std::string& output) {
     std::set<double> out;
     const auto take = [&](const auto& list) {
         for (const auto& one : list)
@@ -65,7 +65,7 @@ std::optional<draw::Drawing> plot_curves(const exercise::Exercise& exercise,
         const std::string& output = exercise.displays[k];
         std::vector<double> all = curves.values[k];
         const draw::Range own = draw::range_of(all);
-        const std::set<double> limits = limits_of(exercise, output);
+        const std::set<double> limits = limits_of_output(exercise, output);
         // Limits far from the curve would flatten it.
         const double near = 0.6 * std::max(own.span(), 1e-9);
         for (const double limit : limits)

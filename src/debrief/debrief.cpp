@@ -51,7 +51,7 @@ std::string points(double value) {
     return value == 0.0 ? "0" : fmt::format("{}{:.4g}", value > 0.0 ? "+" : "−", std::abs(value));
 }
 
-std::string words_of(const std::string& name, const std::string& words) {
+std::string output_label(const std::string& name, const std::string& words) {
     return words.empty()
                ? text(name)
                : fmt::format("{}<br><span class=\"soft\">{}</span>", text(words), text(name));
@@ -81,7 +81,7 @@ std::string goal_table(const exercise::Result& r) {
         out += fmt::format(
             "<tr class=\"{}\"><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td "
             "class=\"n\">{:.4g}</td></tr>\n",
-            t.reached ? "good" : "bad", words_of(t.name, t.text),
+            t.reached ? "good" : "bad", output_label(t.name, t.text),
             t.reached ? clock(t.time) : "not reached", points(t.points), t.possible);
     return out + "</table>\n";
 }
@@ -96,7 +96,7 @@ std::string tally_table(const char* title, const std::vector<Tally>& list, bool 
         out += fmt::format(
             "<tr class=\"{}\"><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td "
             "class=\"n\">{:.1f}</td>{}</tr>\n",
-            t.times > 0 ? "bad" : "", words_of(t.name, t.text), t.times,
+            t.times > 0 ? "bad" : "", output_label(t.name, t.text), t.times,
             t.times > 0 ? clock(t.time) : "–", t.seconds,
             cost ? fmt::format("<td class=\"n\">{}</td>", points(t.points)) : "");
     return out + "</table>\n";

@@ -34,11 +34,13 @@ WireElements equal_elements(const record::RecordedCable& cable, const record::Fr
     WireElements out;
     for (std::int32_t i = 0; i < cable.elements; ++i)
         out.add(cable.length / cable.elements,
-                frame.tensions[static_cast<std::size_t>(cable.first_element + i)], false);
+                frame.tensions[static_cast<std::size_t>(cable.first_element) +
+                               static_cast<std::size_t>(i)],
+                false);
     return out;
 }
 
-WireElements as_it_lies(const std::vector<WireLine>& lines, const std::string& name) {
+WireElements unchanged_order(const std::vector<WireLine>& lines, const std::string& name) {
     WireElements out;
     for (const WireLine& line : lines)
         if (line.name == name)
@@ -64,9 +66,9 @@ class TensionCells {
           least_(count, HUGE_VAL),
           sum_(count, 0.0),
           greatest_(count, -HUGE_VAL),
-          times_(count, 0) {}
+          sample_counts_(count, 0) {}
 
-    void put(const WireElements& e) {
+    void add_tensions(const WireElements& e) {
         const double cell = length_ / static_cast<double>(sum_.size());
         for (std::size_t i = 0; i < e.tension.size(); ++i) {
             const auto first = static_cast<std::size_t>(e.from[i] / cell + 1e-9);
@@ -77,18 +79,18 @@ class TensionCells {
                 const double middle = (static_cast<double>(k) + 0.5) * cell;
                 if (middle < e.from[i] || middle >= e.to[i]) continue;
                 sum_[k] += e.tension[i];
-                ++times_[k];
+                ++sample_counts_[k];
             }
         }
     }
 
-    void tell(Along& out) const {
+    void write_to(Along& out) const {
         for (std::size_t k = 0; k < sum_.size(); ++k) {
-            if (times_[k] == 0) continue;
+            if (sample_counts_[k] == 0) continue;
             out.s.push_back(length_ * (static_cast<double>(k) + 0.5) /
                             static_cast<double>(sum_.size()));
             out.least.push_back(least_[k]);
-            out.mean.push_back(sum_[k] / times_[k]);
+            out.mean.push_back(sum_[k] / sample_counts_[k]);
             out.greatest.push_back(greatest_[k]);
         }
     }
@@ -96,18 +98,18 @@ class TensionCells {
   private:
     double length_;
     std::vector<double> least_, sum_, greatest_;
-    std::vector<int> times_;
+    std::vector<int> sample_counts_;
 };
 
 WireElements elements_of(const record::Recording& recording, const Along& wire,
                          const std::vector<WireLine>& lines, const record::Frame& frame) {
-    return wire.changes ? as_it_lies(lines, wire.name)
+    return wire.changes ? unchanged_order(lines, wire.name)
                         : equal_elements(recording.cables[wire.cable], frame);
 }
 
 /// List the plotted wires, and find their greatest length and which of them change their nodes.
-std::vector<Along> plotted(const record::Recording& recording, const record::Series& series,
-                           std::size_t most, const WireReader& reader) {
+std::vector<Along> plotted_wires(const record::Recording& recording, const record::Series& series,
+                                 std::size_t most, const WireReader& reader) {
     std::vector<Along> out;
     for (const record::CableSeries& s : series.cables)
         if (out.size() < most) {
@@ -138,7 +140,7 @@ std::vector<Along> plotted(const record::Recording& recording, const record::Ser
 std::vector<Along> tensions_along(const record::Recording& recording, const record::Series& series,
                                   std::size_t most, std::size_t drawn) {
     const WireReader reader(recording);
-    std::vector<Along> out = plotted(recording, series, most, reader);
+    std::vector<Along> out = plotted_wires(recording, series, most, reader);
     std::vector<TensionCells> cells;
     for (const Along& wire : out)
         cells.emplace_back(wire.changes
@@ -150,7 +152,7 @@ std::vector<Along> tensions_along(const record::Recording& recording, const reco
         reader.read(frame, lines);
         for (std::size_t w = 0; w < out.size(); ++w) {
             WireElements e = elements_of(recording, out[w], lines, frame);
-            cells[w].put(e);
+            cells[w].add_tensions(e);
             if (f != drawn) continue;
             for (std::size_t i = 0; i < e.tension.size(); ++i) {
                 out[w].elements.push_back(e.middle(i));
@@ -159,7 +161,7 @@ std::vector<Along> tensions_along(const record::Recording& recording, const reco
             out[w].tensions = std::move(e.tension);
         }
     });
-    for (std::size_t w = 0; w < out.size(); ++w) cells[w].tell(out[w]);
+    for (std::size_t w = 0; w < out.size(); ++w) cells[w].write_to(out[w]);
     return out;
 }
 

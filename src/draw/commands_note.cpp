@@ -19,13 +19,13 @@ constexpr std::size_t kMaxDone = 12;     // Largest number of marked moments wit
 constexpr std::size_t kMaxInMoment = 8;  // Largest number of changes listed for one moment.
 
 struct Moment {
-    std::vector<std::string> done, set;
+    std::vector<std::string> actions, set;
 
-    static void put(std::vector<std::string>& to, std::string text) {
+    static void add_unique(std::vector<std::string>& to, std::string text) {
         // List a change once if a branch after a restored state repeats it.
         if (std::find(to.begin(), to.end(), text) == to.end()) to.push_back(std::move(text));
     }
-    static std::string listed(const std::vector<std::string>& texts) {
+    static std::string joined_with_commas(const std::vector<std::string>& texts) {
         std::string out;
         for (std::size_t i = 0; i < std::min(kMaxInMoment, texts.size()); ++i)
             out += (i > 0 ? ", " : "") + texts[i];
@@ -46,35 +46,37 @@ void add_inputs(const record::Recording& recording, std::map<std::int64_t, Momen
         const double before = std::exchange(last[change.input], change.value);
         if (change.value == before) continue;
         if (record::is_inner_input(recording, static_cast<std::size_t>(change.input))) continue;
-        Moment::put(moments[change.step].set,
-                    fmt::format("{} {:.4g}", input_name(recording, change.input), change.value));
+        Moment::add_unique(
+            moments[change.step].set,
+            fmt::format("{} {:.4g}", input_name(recording, change.input), change.value));
     }
 }
 
 }  // namespace
 
-std::vector<Command> commands_of(const record::Recording& recording) {
+std::vector<Command> list_commands_by_time(const record::Recording& recording) {
     std::map<std::int64_t, Moment> moments;
     add_inputs(recording, moments);
     for (const record::RecordedNote& note : recording.notes) {
-        const bool done = note.kind == record::kDoneNote;
-        if (!done && note.kind != record::kSetNote) continue;
+        const bool is_action = note.kind == record::kDoneNote;
+        if (!is_action && note.kind != record::kSetNote) continue;
         Moment& moment = moments[note.step];
-        Moment::put(done ? moment.done : moment.set, record::text_of(note));
+        Moment::add_unique(is_action ? moment.actions : moment.set, record::text_of(note));
     }
     std::vector<Command> out;
-    std::size_t set = 0, done = 0, more = 0;
+    std::size_t set = 0, actions = 0, more = 0;
     for (const auto& [step, moment] : moments) {
-        const bool marked = moment.done.empty() ? set++ < kMaximum : done++ < kMaxDone;
+        const bool marked = moment.actions.empty() ? set++ < kMaximum : actions++ < kMaxDone;
         if (!marked) {
             ++more;
             continue;
         }
         out.push_back({static_cast<double>(step) * recording.settings.step,
-                       Moment::listed(moment.set), Moment::listed(moment.done)});
+                       Moment::joined_with_commas(moment.set),
+                       Moment::joined_with_commas(moment.actions)});
     }
     if (more > 0) {
-        std::string& text = out.back().text.empty() ? out.back().done : out.back().text;
+        std::string& text = out.back().text.empty() ? out.back().actions : out.back().text;
         text += fmt::format("; {} later changes are not marked", more);
     }
     return out;
@@ -96,9 +98,9 @@ void mark_commands(Drawing& drawing, const Axes& axes, const std::vector<Command
 
 namespace {
 
-std::string words_of(const Command& c) {
-    if (c.text.empty()) return c.done;
-    return c.done + (c.done.empty() ? "" : "; ") + "inputs set, " + c.text;
+std::string command_text(const Command& c) {
+    if (c.text.empty()) return c.actions;
+    return c.actions + (c.actions.empty() ? "" : "; ") + "inputs set, " + c.text;
 }
 
 }  // namespace
@@ -107,7 +109,7 @@ void list_commands(Drawing& drawing, Point at, const std::vector<Command>& comma
     for (std::size_t i = 0; i < commands.size(); ++i)
         drawing.text({at.x, at.y + kCommandLine * static_cast<double>(i)},
                      fmt::format("{}  {:.4g} s: {}", static_cast<char>('A' + i), commands[i].time,
-                                 words_of(commands[i])),
+                                 command_text(commands[i])),
                      12.0, Anchor::start, kSoft);
 }
 

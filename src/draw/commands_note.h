@@ -16,13 +16,14 @@ struct Command {
     double time = 0.0;  ///< Time of the moment [s].
     /// Inputs and signals that changed: "tow_speed −0.2, winch.speed 0.5"; empty if none.
     std::string text;
-    std::string done{};  ///< Other actions: "cut tow at 120 m, winch.mode render"; empty if none.
+    std::string
+        actions{};  ///< Other actions: "cut tow at 120 m, winch.mode render"; empty if none.
 };
 
 /// Return the commands by time: the first moments with other actions, and the first moments at
 /// which only inputs changed. The last entry counts the omitted ones. Inputs that systems drive are
 /// left out.
-[[nodiscard]] std::vector<Command> commands_of(const record::Recording& recording);
+[[nodiscard]] std::vector<Command> list_commands_by_time(const record::Recording& recording);
 
 /// Draw a dashed line at each moment, with letters along the top of the panel.
 void mark_commands(Drawing& drawing, const Axes& axes, const std::vector<Command>& commands);

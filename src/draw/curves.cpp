@@ -10,7 +10,7 @@ std::vector<std::vector<Point>> curve_parts(const Axes& axes, const record::Seri
     std::vector<double> scaled(values);
     for (double& v : scaled) v *= factor;
     std::vector<std::vector<Point>> out;
-    for (const auto& [begin, end] : record::stretches(series, values))
+    for (const auto& [begin, end] : record::continuous_intervals(series, values))
         out.push_back(thinned(axes, std::span(series.time).subspan(begin, end - begin),
                               std::span(scaled).subspan(begin, end - begin)));
     return out;

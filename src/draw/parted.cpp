@@ -13,7 +13,8 @@ namespace hawser::draw {
 namespace {
 
 /// Return the index of the element "CABLE/sN" at the start of a position, as scenes name elements.
-std::optional<std::int32_t> element_of(const record::RecordedCable& cable, std::string_view where) {
+std::optional<std::int32_t> element_index(const record::RecordedCable& cable,
+                                          std::string_view where) {
     const std::string front = cable.name + "/s";
     if (!where.starts_with(front)) return std::nullopt;
     where.remove_prefix(front.size());
@@ -32,7 +33,7 @@ std::vector<BrokenElement> broken_elements(const record::Recording& recording, d
     for (const record::RecordedEvent& event : recording.events) {
         if (event.kind != EventKind::line_break || event.time > until) continue;
         for (std::size_t c = 0; c < recording.cables.size(); ++c)
-            if (const auto element = element_of(recording.cables[c], event.where))
+            if (const auto element = element_index(recording.cables[c], event.where))
                 out.push_back({c, *element, event.time,
                                fmt::format("{} parted, {:.4g} s", event.where, event.time)});
     }

@@ -20,7 +20,7 @@ constexpr double kLeft = 90, kTop = 112, kPanelWidth = 540, kBetween = 90, kBarR
 constexpr double kMargin = 0.35;
 
 // Choose plotted bodies with a size that is small compared with the whole scene.
-std::vector<std::int32_t> chosen(const record::Recording& recording, double scene_size) {
+std::vector<std::int32_t> plotted_bodies(const record::Recording& recording, double scene_size) {
     std::vector<std::int32_t> out;
     for (const std::int32_t index : recording.plot_bodies) {
         const record::RecordedBody& body = recording.bodies[static_cast<std::size_t>(index)];
@@ -68,7 +68,7 @@ std::optional<Drawing> plot_details(const record::Recording& recording, std::siz
     Bounds bounds;
     add_to_bounds(recording, frame, bounds);
     if (bounds.empty()) return std::nullopt;
-    const auto bodies = chosen(recording, (bounds.high - bounds.low).norm());
+    const auto bodies = plotted_bodies(recording, (bounds.high - bounds.low).norm());
     if (bodies.empty()) return std::nullopt;
     const std::size_t columns = std::min<std::size_t>(2, bodies.size());
     const std::size_t rows = (bodies.size() + columns - 1) / columns;
@@ -82,17 +82,17 @@ std::optional<Drawing> plot_details(const record::Recording& recording, std::siz
                  record::parameter_line(recording));
     const Range tension = tension_range(frame);
     for (std::size_t k = 0; k < bodies.size(); ++k) {
+        const std::size_t row = k / columns, column = k % columns;
         const auto i = static_cast<std::size_t>(bodies[k]);
         const Bounds body = body_bounds(recording.bodies[i], frame.poses[i]);
         const Vec3 size = body.high - body.low;
         View view{size.x() >= size.y() ? 0 : 1, 2, 1.0, ""};
         view.title = fmt::format("{}, side view (along {})", recording.bodies[i].name,
                                  view.right == 0 ? "y" : "−x");
-        const Axes axes =
-            panel(view, body,
-                  {kLeft + static_cast<double>(k % columns) * (kPanelWidth + kBetween),
-                   kTop + static_cast<double>(k / columns) * (height + 84)},
-                  height);
+        const Axes axes = panel(view, body,
+                                {kLeft + static_cast<double>(column) * (kPanelWidth + kBetween),
+                                 kTop + static_cast<double>(row) * (height + 84)},
+                                height);
         axes.draw(drawing);
         draw_grounds(drawing, axes, view, recording, frame);
         drawing.add(Clip{axes.frame});

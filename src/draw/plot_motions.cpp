@@ -79,7 +79,7 @@ std::optional<Drawing> plot_motions(const record::Recording& recording,
     if (series.bodies.empty() || series.time.empty()) return std::nullopt;
     const bool turns = std::any_of(series.bodies.begin(), series.bodies.end(),
                                    [](const record::BodySeries& s) { return s.turns; });
-    const std::vector<Command> commands = commands_of(recording);
+    const std::vector<Command> commands = list_commands_by_time(recording);
     const double listed = kCommandLine * static_cast<double>(commands.size());
     Drawing drawing{.width = 1280, .height = 860 + listed};
     draw_heading(drawing, recording.scene_name + ": motion of the bodies over time",
@@ -92,10 +92,9 @@ std::optional<Drawing> plot_motions(const record::Recording& recording,
     time.high = std::max(time.high, time.low + recording.settings.step);
     for (int k = 0; k < 3 * columns; ++k) {
         const record::Unit unit = k < 3 ? length_unit(series, k) : record::Unit{"deg", 1.0};
-        const int row = k % 3;
+        const int column = k / 3, row = k % 3;
         const Axes axes{
-            .frame = {left + (k / 3) * (width + between), top + row * (height + gap), width,
-                      height},
+            .frame = {left + column * (width + between), top + row * (height + gap), width, height},
             .x = time,
             .y = value_range(series, k, unit.factor),
             .x_label = row == 2 ? "time [s]" : "",

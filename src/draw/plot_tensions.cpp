@@ -59,7 +59,7 @@ Range tension_range(const record::Series& series, const Curves& curves, double f
     return r;
 }
 
-std::vector<double> dash_of(std::size_t index) {
+std::vector<double> dash_pattern(std::size_t index) {
     return index < 9 ? std::vector<double>{} : std::vector<double>{7.0, 6.0};
 }
 
@@ -82,7 +82,7 @@ void draw_curves(Drawing& drawing, const Axes& axes, const record::Series& serie
             drawing.add(Path{.points = std::move(part),
                              .stroke = curve_color(i),
                              .width = 1.8,
-                             .dash = dash_of(i)});
+                             .dash = dash_pattern(i)});
 }
 
 std::vector<LegendEntry> legend(const record::Recording& recording, const record::Series& series,
@@ -94,7 +94,7 @@ std::vector<LegendEntry> legend(const record::Recording& recording, const record
         std::string note = "max " + record::with_unit(s.peak, "N");
         if (cable.breaking_load > 0.0)
             note += fmt::format(", {:.3g} % of breaking", 100.0 * s.peak / cable.breaking_load);
-        entries.push_back({s.name, note, curve_color(i), dash_of(i)});
+        entries.push_back({s.name, note, curve_color(i), dash_pattern(i)});
     }
     return entries;
 }
@@ -141,7 +141,7 @@ std::optional<Drawing> plot_tensions(const record::Recording& recording,
                                      const record::Series& series) {
     if (series.cables.empty() || series.time.empty()) return std::nullopt;
     const std::vector<Curves> panels = curves_by_size(series);
-    const std::vector<Command> commands = commands_of(recording);
+    const std::vector<Command> commands = list_commands_by_time(recording);
     const double listed = kCommandLine * static_cast<double>(commands.size());
     const double top = 108, bottom = 96 + listed, gap = 40;
     const double least = panels.size() == 1 ? 520 : panels.size() == 2 ? 270 : 190;

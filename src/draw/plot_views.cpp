@@ -46,7 +46,7 @@ Axes panel(const View& view, const Bounds& b, Box frame) {
 
 // Arrange two panels with equal scales. They are stacked or side by side, in the arrangement that
 // shows the scene larger.
-Layout arrange(Bounds b) {
+Layout arrange_two_panels(Bounds b) {
     const Vec3 extent = b.high - b.low;
     const int across = extent.x() >= extent.y() ? 0 : 1;
     Layout out;
@@ -91,7 +91,7 @@ void draw_paths(Drawing& drawing, const Axes& axes, const View& view,
         const record::BodySeries& s = series.bodies[i];
         const record::RecordedBody& body = recording.bodies[static_cast<std::size_t>(s.body)];
         if (body.kind == BodyKind::scalar) continue;
-        for (const auto& [begin, end] : record::stretches(series, s.value[0])) {
+        for (const auto& [begin, end] : record::continuous_intervals(series, s.value[0])) {
             std::vector<Point> path;
             for (std::size_t t = begin; t < end; ++t) {
                 const Point p = project(
@@ -117,7 +117,8 @@ void widen_by_paths(const record::Recording& recording, const record::Series& se
 }
 
 // List the broken cables on one line.
-void note_broken(Drawing& drawing, Point at, const record::Recording& recording, double time) {
+void mark_broken_elements(Drawing& drawing, Point at, const record::Recording& recording,
+                          double time) {
     const std::vector<BrokenElement> parted = broken_elements(recording, time);
     constexpr std::size_t kNamed = 4;
     if (parted.empty()) return;
@@ -129,7 +130,7 @@ void note_broken(Drawing& drawing, Point at, const record::Recording& recording,
 }
 
 /// Arrange one panel as large as the picture allows; both axes have equal scales.
-Layout arrange_one(const Bounds& b, const ViewOptions& options, double margin) {
+Layout arrange_one_panel(const Bounds& b, const ViewOptions& options, double margin) {
     const Vec3 extent = b.high - b.low;
     const int across = extent.x() >= extent.y() ? 0 : 1;
     Layout out;
@@ -197,9 +198,9 @@ std::optional<Drawing> plot_views(const record::Recording& recording, const reco
     }
     const bool both = options.shown == Shown::side_and_top;
     const Water water = water_of(recording, frame);
-    Layout layout = both
-                        ? arrange(bounds)
-                        : arrange_one(bounds, options, options.box && !options.around ? 1.0 : 1.12);
+    Layout layout =
+        both ? arrange_two_panels(bounds)
+             : arrange_one_panel(bounds, options, options.box && !options.around ? 1.0 : 1.12);
     if (both && options.height > 0.0) layout.height = std::max(layout.height, options.height);
     Drawing drawing{.width = layout.width, .height = layout.height};
     draw_heading(drawing,
@@ -230,7 +231,7 @@ std::optional<Drawing> plot_views(const record::Recording& recording, const reco
                        {tension.low * unit.factor, tension.high * unit.factor},
                        fmt::format("tension [{}]", unit.name));
     }
-    note_broken(drawing, {28, layout.height - 34}, recording, frame.time);
+    mark_broken_elements(drawing, {28, layout.height - 34}, recording, frame.time);
     drawing.text({28, layout.height - 16},
                  fmt::format("Grey: at {:.6g} s. Coloured thin lines: paths of the plotted "
                              "bodies.{}",

@@ -66,7 +66,7 @@ void draw_cross(Drawing& drawing, Point at) {
         drawing.line({at.x - kReach, at.y - side}, {at.x + kReach, at.y + side}, kBrokenColor, 2.2);
 }
 
-Vec3 place(const record::Frame& frame, std::int32_t body, const Vec3& point) {
+Vec3 position_in_frame(const record::Frame& frame, std::int32_t body, const Vec3& point) {
     const Pose& pose = frame.poses[static_cast<std::size_t>(body)];
     return pose.position + pose.orientation.normalized() * point;
 }
@@ -78,7 +78,7 @@ void draw_joints(Drawing& drawing, const Axes& axes, const View& view,
     const Color color = ghost ? kGhost : kBodyLine;
     const double width = ghost ? 1.0 : 1.8;
     for (std::size_t j = 0; j < recording.joints.size(); ++j) {
-        if (is_gone(frame, j)) continue;
+        if (is_removed(frame, j)) continue;
         const record::RecordedJoint& joint = recording.joints[j];
         Point ends[2];
         bool drum = false;
@@ -91,7 +91,7 @@ void draw_joints(Drawing& drawing, const Axes& axes, const View& view,
         for (int k = 0; k < 2; ++k) {
             const record::RecordedBody& body =
                 recording.bodies[static_cast<std::size_t>(joint.body[k])];
-            ends[k] = project(axes, view, place(frame, joint.body[k], joint.point[k]));
+            ends[k] = project(axes, view, position_in_frame(frame, joint.body[k], joint.point[k]));
             const bool outside =
                 (joint.point[k].cwiseAbs().array() > 1.05 * body.half_size.array()).any();
             if (outside && body.kind != BodyKind::fixed)
@@ -114,7 +114,7 @@ std::vector<Vec3> cable_points(const record::Recording& recording,
         const std::int32_t node = cable.nodes[i];
         if (recording.bodies[static_cast<std::size_t>(node)].kind == BodyKind::scalar) continue;
         const Vec3 local = i == 0 ? cable.end[0] : i + 1 == n ? cable.end[1] : Vec3::Zero();
-        points.push_back(place(frame, node, local));
+        points.push_back(position_in_frame(frame, node, local));
     }
     return points;
 }
@@ -132,7 +132,7 @@ void draw_wires(Drawing& drawing, const Axes& axes, const View& view, const reco
                 const std::vector<record::RecordedWire>& wires, const std::vector<float>& pulls,
                 const FrameStyle& style) {
     const auto where = [&](const record::RecordedPiece& piece, int k) {
-        return project(axes, view, place(frame, piece.body[k], piece.point[k]));
+        return project(axes, view, position_in_frame(frame, piece.body[k], piece.point[k]));
     };
     for (const record::RecordedWire& wire : wires)
         for (std::size_t i = 0; i < wire.pieces.size(); ++i) {
@@ -201,7 +201,7 @@ Point project(const Axes& axes, const View& view, const Vec3& p) {
     return axes.at(p[view.right], p[view.up]);
 }
 
-bool is_gone(const record::Frame& frame, std::size_t joint) {
+bool is_removed(const record::Frame& frame, std::size_t joint) {
     return frame.gone_joints != nullptr &&
            std::find(frame.gone_joints->begin(), frame.gone_joints->end(),
                      static_cast<std::int32_t>(joint)) != frame.gone_joints->end();
@@ -232,12 +232,13 @@ void add_to_bounds(const record::Recording& recording, const record::Frame& fram
         if (wires == nullptr) continue;
         for (const record::RecordedWire& wire : *wires)
             for (const record::RecordedPiece& piece : wire.pieces)
-                for (int k = 0; k < 2; ++k) bounds.add(place(frame, piece.body[k], piece.point[k]));
+                for (int k = 0; k < 2; ++k)
+                    bounds.add(position_in_frame(frame, piece.body[k], piece.point[k]));
     }
     for (const record::RecordedJoint& joint : recording.joints)
         for (int k = 0; k < 2; ++k)
             if (recording.bodies[static_cast<std::size_t>(joint.body[k])].kind != BodyKind::scalar)
-                bounds.add(place(frame, joint.body[k], joint.point[k]));
+                bounds.add(position_in_frame(frame, joint.body[k], joint.point[k]));
 }
 
 void draw_frame(Drawing& drawing, const Axes& axes, const View& view,

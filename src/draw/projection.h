@@ -35,7 +35,7 @@ struct Bounds {
 };
 
 /// True if a joint of Recording::joints has been removed by the time of the frame.
-[[nodiscard]] bool is_gone(const record::Frame& frame, std::size_t joint);
+[[nodiscard]] bool is_removed(const record::Frame& frame, std::size_t joint);
 
 /// Return the bodies that a picture draws: bodies with a size, and points that are no nodes of a
 /// cable. The world itself is excluded, and so are drums, which have no position.

@@ -13,7 +13,7 @@ namespace {
 
 /// Compare the depth of two solids by the planes of the first one's faces. @return 1 if the second
 /// is nearer, −1 if it is farther, 0 if undecided.
-int nearer(const Solid& a, const Solid& b, const Camera& camera) {
+int compare_depth(const Solid& a, const Solid& b, const Camera& camera) {
     const double slack = 1e-6 * (1.0 + std::abs(a.depth) + std::abs(b.depth));
     for (std::size_t f = 0; f < a.normals.size(); ++f) {
         const Vec3& n = a.normals[f];
@@ -77,8 +77,8 @@ std::vector<std::size_t> painting_order(const std::vector<Solid>& solids, const 
     for (std::size_t i = 0; n <= kMaxCompared && i < n; ++i)
         for (std::size_t j = i + 1; j < n; ++j) {
             if (!overlap(solids[i], solids[j])) continue;
-            int order = nearer(solids[i], solids[j], camera);
-            if (order == 0) order = -nearer(solids[j], solids[i], camera);
+            int order = compare_depth(solids[i], solids[j], camera);
+            if (order == 0) order = -compare_depth(solids[j], solids[i], camera);
             if (order == 0) continue;
             const auto [first, second] = order > 0 ? std::pair(i, j) : std::pair(j, i);
             after[first].push_back(second);

@@ -38,7 +38,7 @@ class Space {
     void polygon(const std::vector<Vec3>& points, Color fill, Color stroke, double width);
     void broken_line(const Vec3& from, const Vec3& to, Color color, double width);
     void draw_level(double z, Color fill, Color line, bool numbers);
-    void put_number(int k, double value, double every, double z);
+    void draw_number(int k, double value, double every, double z);
     void draw_grounds_lines();
     void draw_layer(double level, bool above);
     static bool clip(Vec3& from, Vec3& to, double level, bool above);

@@ -65,11 +65,11 @@ void Space::draw_level(double z, Color fill, Color line, bool numbers) {
             from[k] = to[k] = t;
             from.z() = to.z() = z;
             broken_line(from, to, line.with_alpha(numbers ? 70 : 110), 0.8);
-            if (numbers || !water_.level) put_number(k, t, every, z);
+            if (numbers || !water_.level) draw_number(k, t, every, z);
         }
 }
 
-void Space::put_number(int k, double value, double every, double z) {
+void Space::draw_number(int k, double value, double every, double z) {
     const int other = 1 - k;
     const bool high_side = camera_.to_viewer[other] > 0.0;
     Vec3 end = high_side ? box_.high : box_.low;
@@ -139,7 +139,7 @@ void Space::draw_joints(double level, bool above) {
     for (std::size_t j = 0; j < recording_.joints.size(); ++j) {
         const record::RecordedJoint& joint = recording_.joints[j];
         Vec3 where[2];
-        bool drawn = !is_gone(frame_, j);
+        bool drawn = !is_removed(frame_, j);
         for (int k = 0; k < 2; ++k) {
             const auto body = static_cast<std::size_t>(joint.body[k]);
             drawn = drawn && frame_.there[body] && recording_.bodies[body].kind != BodyKind::scalar;
@@ -172,7 +172,7 @@ void Space::draw_paths(const record::Series& series) {
             if (path.points.size() > 1) drawing_.add(path);
             path.points.clear();
         };
-        for (const auto& [begin, end] : record::stretches(series, s.value[0])) {
+        for (const auto& [begin, end] : record::continuous_intervals(series, s.value[0])) {
             for (std::size_t t = begin; t < end; ++t) {
                 const Vec3 where =
                     body.start.position + Vec3(s.value[0][t], s.value[1][t], s.value[2][t]);

@@ -27,21 +27,21 @@ class Caller {
     void add(const TraceSpan& span) {
         close(span.begin);
         advance(span.begin);
-        open_.push_back(span);
+        open_spans_.push_back(span);
     }
     /// End all spans that end until that time.
     void close(double until) {
-        while (!open_.empty() && open_.back().end <= until) {
-            advance(open_.back().end);
-            open_.pop_back();
+        while (!open_spans_.empty() && open_spans_.back().end <= until) {
+            advance(open_spans_.back().end);
+            open_spans_.pop_back();
         }
     }
 
   private:
     void advance(double to) {
         if (to <= now_) return;
-        if (!open_.empty()) {
-            const TraceSpan& top = open_.back();
+        if (!open_spans_.empty()) {
+            const TraceSpan& top = open_spans_.back();
             if (top.kind != SpanKind::loop || out_.threads == 1)
                 out_.segments.push_back({now_ - origin_, to - origin_, 0, work_of(top.stage),
                                          top.kind == SpanKind::task});
@@ -51,7 +51,7 @@ class Caller {
 
     Timeline& out_;
     double origin_, now_;
-    std::vector<TraceSpan> open_;
+    std::vector<TraceSpan> open_spans_;
 };
 
 }  // namespace

@@ -21,7 +21,7 @@ bool overlaps(const Box& a, const Box& b) {
 }
 
 // True if a part of a segment is inside a box (Liang and Barsky, 1984).
-bool crosses(const Point& a, const Point& b, const Box& box) {
+bool segment_crosses(const Point& a, const Point& b, const Box& box) {
     double enter = 0.0, leave = 1.0;
     const double d[2] = {b.x - a.x, b.y - a.y};
     const double low[2] = {box.x - a.x, box.y - a.y};
@@ -60,13 +60,14 @@ class Placer {
         for (const double off : {7.0, 26.0, 45.0, 64.0, 83.0}) {
             for (const double side : {0.0, -0.7, 0.7, -1.3, 1.3}) {
                 const double left = x - 0.5 * w + side * w;
-                consider(best, {left, at.y - off}, w, kBodySize, off + 12.0 * std::abs(side));
-                consider(best, {left, at.bottom() + off + kBodySize - 4}, w, kBodySize,
-                         off + 2.0 + 12.0 * std::abs(side));
+                consider_position(best, {left, at.y - off}, w, kBodySize,
+                                  off + 12.0 * std::abs(side));
+                consider_position(best, {left, at.bottom() + off + kBodySize - 4}, w, kBodySize,
+                                  off + 2.0 + 12.0 * std::abs(side));
             }
             const double middle = at.y + 0.5 * at.height + 4;
-            consider(best, {at.right() + off, middle}, w, kBodySize, off + 4.0);
-            consider(best, {at.x - w - off, middle}, w, kBodySize, off + 4.0);
+            consider_position(best, {at.right() + off, middle}, w, kBodySize, off + 4.0);
+            consider_position(best, {at.x - w - off, middle}, w, kBodySize, off + 4.0);
         }
         if (!best) return;
         const Box& box = best->box;
@@ -79,7 +80,7 @@ class Placer {
         if (std::hypot(to.x - from.x, to.y - from.y) > 16.0) drawing_.line(from, to, kSoft, 0.8);
         drawing_.add(
             Text{.at = best->at, .text = name, .size = kBodySize, .bold = true, .halo = true});
-        taken_.push_back(box);
+        occupied_.push_back(box);
     }
 
     void cable(const record::RecordedCable& cable) {
@@ -92,18 +93,19 @@ class Placer {
                 cable,
                 static_cast<std::size_t>(fraction * static_cast<double>(cable.nodes.size() - 1)));
             const double off = 20.0 * std::abs(fraction - 0.5);
-            consider(best, {p.x - 0.5 * w, p.y - 6}, w, kCableSize, off);
-            consider(best, {p.x - 0.5 * w, p.y + kCableSize + 5}, w, kCableSize, off + 1.0);
-            consider(best, {p.x + 7, p.y + 4}, w, kCableSize, off + 2.0);
-            consider(best, {p.x - w - 7, p.y + 4}, w, kCableSize, off + 2.0);
+            consider_position(best, {p.x - 0.5 * w, p.y - 6}, w, kCableSize, off);
+            consider_position(best, {p.x - 0.5 * w, p.y + kCableSize + 5}, w, kCableSize,
+                              off + 1.0);
+            consider_position(best, {p.x + 7, p.y + 4}, w, kCableSize, off + 2.0);
+            consider_position(best, {p.x - w - 7, p.y + 4}, w, kCableSize, off + 2.0);
         }
         if (!best) return;
         drawing_.add(Text{
             .at = best->at, .text = cable.name, .size = kCableSize, .color = kSoft, .halo = true});
-        taken_.push_back(best->box);
+        occupied_.push_back(best->box);
     }
 
-    void keep_clear(const Box& box) { bodies_.push_back(box); }
+    void reserve_box(const Box& box) { bodies_.push_back(box); }
 
   private:
     struct Choice {
@@ -113,19 +115,20 @@ class Placer {
     };
 
     // Evaluate text of width w at the base point p; `off` is the cost of its distance.
-    void consider(std::optional<Choice>& best, Point p, double w, double size, double off) const {
+    void consider_position(std::optional<Choice>& best, Point p, double w, double size,
+                           double off) const {
         const Box box{p.x, p.y - size, w, size + 3};
         const Box& frame = axes_.frame;
         if (box.x < frame.x + 2 || box.right() > frame.right() - 2 || box.y < frame.y + 2 ||
             box.bottom() > frame.bottom() - 2)
             return;
-        for (const Box& other : taken_)
+        for (const Box& other : occupied_)
             if (overlaps(box, other)) return;
         double cost = off;
         for (const Box& other : bodies_) cost += overlaps(box, other) ? 25.0 : 0.0;
         for (const auto& [from, to] : lines_) {
             if (best && cost >= best->cost) return;
-            if (crosses(from, to, box)) cost += 12.0;
+            if (segment_crosses(from, to, box)) cost += 12.0;
         }
         if (!best || cost < best->cost) best = {p, box, cost};
     }
@@ -135,7 +138,7 @@ class Placer {
     const View& view_;
     const record::Frame& frame_;
     std::vector<std::pair<Point, Point>> lines_;
-    std::vector<Box> bodies_, taken_;
+    std::vector<Box> bodies_, occupied_;
 };
 
 // Return the plotted bodies, then the others that are not part of a cable.
@@ -169,7 +172,7 @@ void draw_names(Drawing& drawing, const Axes& axes, const View& view,
             at.y > axes.frame.bottom())
             continue;
         // Names may cover a hull but not a boom.
-        if (at.width < 120.0 || at.height < 30.0) placer.keep_clear(at);
+        if (at.width < 120.0 || at.height < 30.0) placer.reserve_box(at);
         if (k >= plotted && std::max(at.width, at.height) < kNamedSize) continue;
         const bool own = !assembly.empty() && name.size() > assembly.size() &&
                          name.compare(0, assembly.size(), assembly) == 0;

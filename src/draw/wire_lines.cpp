@@ -7,7 +7,7 @@
 namespace hawser::draw {
 namespace {
 
-Vec3 place_of(const record::Frame& frame, std::int32_t body, const Vec3& point) {
+Vec3 position_in_frame(const record::Frame& frame, std::int32_t body, const Vec3& point) {
     const Pose& pose = frame.poses[static_cast<std::size_t>(body)];
     return pose.position + pose.orientation.normalized() * point;
 }
@@ -16,7 +16,7 @@ Vec3 place_of(const record::Frame& frame, std::int32_t body, const Vec3& point) 
 
 WireReader::WireReader(const record::Recording& recording)
     : recording_(recording),
-      parted_(broken_elements(recording, std::numeric_limits<double>::infinity())) {
+      broken_(broken_elements(recording, std::numeric_limits<double>::infinity())) {
     for (std::size_t c = 0; c < recording.cables.size(); ++c)
         cables_.emplace(recording.cables[c].name, c);
 }
@@ -32,7 +32,7 @@ void WireReader::read_cable(std::size_t index, const record::Frame& frame, WireL
         const Vec3 local = i == 0                        ? cable.end[0]
                            : i + 1 == cable.nodes.size() ? cable.end[1]
                                                          : Vec3(Vec3::Zero());
-        points.push_back(place_of(frame, node, local));
+        points.push_back(position_in_frame(frame, node, local));
     }
     const auto pieces = static_cast<std::int32_t>(points.size()) - 1;
     for (std::int32_t i = 0; i < pieces; ++i) {
@@ -44,7 +44,7 @@ void WireReader::read_cable(std::size_t index, const record::Frame& frame, WireL
             segment.tension = frame.tensions[static_cast<std::size_t>(cable.first_element) +
                                              static_cast<std::size_t>(element)];
             segment.parted =
-                std::any_of(parted_.begin(), parted_.end(), [&](const BrokenElement& p) {
+                std::any_of(broken_.begin(), broken_.end(), [&](const BrokenElement& p) {
                     return p.cable == index && p.element == element && p.time <= frame.time;
                 });
         }
@@ -59,8 +59,8 @@ void WireReader::read_wire(const record::RecordedWire& wire, const record::Frame
     for (std::size_t i = 0; i < wire.pieces.size(); ++i) {
         const record::RecordedPiece& piece = wire.pieces[i];
         const float pull = pulls[wire.first_piece + i];
-        const WirePiece segment{place_of(frame, piece.body[0], piece.point[0]),
-                                place_of(frame, piece.body[1], piece.point[1]),
+        const WirePiece segment{position_in_frame(frame, piece.body[0], piece.point[0]),
+                                position_in_frame(frame, piece.body[1], piece.point[1]),
                                 std::max(0.0F, pull), pull < 0.0F};
         const bool chord = i > 0 && !segment.parted && !out.segments.back().parted &&
                            wire.pieces[i - 1].body[1] == piece.body[0] &&

@@ -43,7 +43,7 @@ class WireReader {
 
     const record::Recording& recording_;
     std::map<std::string, std::size_t, std::less<>> cables_;
-    std::vector<BrokenElement> parted_;
+    std::vector<BrokenElement> broken_;
 };
 
 }  // namespace hawser::draw

@@ -17,7 +17,7 @@ namespace {
 using generic::V3;
 
 /// Return the end of a line at the half step before the poses, as held_by_element() does.
-V3 end_half_way(const context::StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
+V3 end_at_half_step(const context::StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
     const model::Bodies& b = ctx.model.bodies;
     const auto body = at(ctx.model.interactions.body[kMaxInteractionBodies * at(id) + slot]);
     const int dof = b.dof(static_cast<int>(body));
@@ -41,7 +41,7 @@ double energy_of_line(const context::StepContext& ctx, std::int32_t id) noexcept
     const auto row = at(in.row_begin[at(id)]);
     const double rest = in.rest_length[at(id)];
     if (in.parted[at(id)] || !model::holds_energy(in.epsilon[row], rest)) return 0.0;
-    const double separation = norm(end_half_way(ctx, id, 1) - end_half_way(ctx, id, 0));
+    const double separation = norm(end_at_half_step(ctx, id, 1) - end_at_half_step(ctx, id, 0));
     const double longer = separation - (rest > 0.0 ? rest : in.def[at(id)].params[0]);
     if ((in.flags[at(id)] & model::kOneSided) && longer < 0.0) return 0.0;
     return 0.5 * longer * longer / in.epsilon[row];
@@ -49,8 +49,8 @@ double energy_of_line(const context::StepContext& ctx, std::int32_t id) noexcept
 
 void disturb_bodies(context::StepContext& ctx, std::int32_t id) noexcept {
     for (std::size_t b = 0; b < ctx.model.interactions.bodies[at(id)]; ++b)
-        context::disturb(ctx.model,
-                         ctx.model.interactions.body[kMaxInteractionBodies * at(id) + b]);
+        context::wake_island(ctx.model,
+                             ctx.model.interactions.body[kMaxInteractionBodies * at(id) + b]);
 }
 
 /// Keep the remaining entries of an array with an entry per contact of the last step.
@@ -68,7 +68,7 @@ void compact(A& array, const std::vector<std::uint8_t>& stays, std::size_t each)
 }  // namespace
 
 void forget_contacts(context::StepContext& ctx, std::int32_t shape) noexcept {
-    const auto& kept = ctx.model.collider.kept();
+    const auto& kept = ctx.model.collider.last_contacts();
     std::vector<std::uint8_t>& stays = ctx.work.edits_stay;
     stays.resize(kept.size());  // reserve_edit() has reserved the capacity
     bool any = false;
@@ -80,7 +80,7 @@ void forget_contacts(context::StepContext& ctx, std::int32_t shape) noexcept {
         // Wake the bodies on both sides of the contact.
         for (const auto& side : c.memory[i].body)
             for (const std::int32_t b : side)
-                if (b >= 0) context::disturb(ctx.model, b);
+                if (b >= 0) context::wake_island(ctx.model, b);
     }
     if (!any) return;
     std::vector<collide::Contact>& shown = ctx.state.contacts.contacts;
@@ -93,13 +93,13 @@ void forget_contacts(context::StepContext& ctx, std::int32_t shape) noexcept {
         compact(ctx.state.contact_sliding, stays, 1);
     }
     c.forget(stays);
-    ctx.model.collider.forget(stays);
+    ctx.model.collider.forget_contacts(stays);
     ctx.work.stats.contacts = static_cast<std::int32_t>(shown.size());
 }
 
 void reserve_edit(context::StepContext& ctx) {
     base::reserve_more(ctx.state.edits.interactions, 1);
-    ctx.work.edits_stay.reserve(ctx.model.collider.kept().size());
+    ctx.work.edits_stay.reserve(ctx.model.collider.last_contacts().size());
     ctx.model.collider.reserve_more();
 }
 
@@ -165,10 +165,10 @@ void settle_shape(context::StepContext& ctx, std::int32_t shape) noexcept {
     ctx.model.collider.each_near(shape, ctx.model.bodies, ctx.model.def.step,
                                  [&](const collide::Shape& other) {
                                      for (const std::int32_t b : other.body)
-                                         if (b >= 0) context::disturb(ctx.model, b);
+                                         if (b >= 0) context::wake_island(ctx.model, b);
                                  });
     for (const std::int32_t b : ctx.model.collider.shapes()[at(shape)].body)
-        if (b >= 0) context::disturb(ctx.model, b);
+        if (b >= 0) context::wake_island(ctx.model, b);
 }
 
 void remove_body(context::StepContext& ctx, std::int32_t body) noexcept {
@@ -187,7 +187,7 @@ void remove_interaction(context::StepContext& ctx, std::int32_t id) noexcept {
 void remove_shape(context::StepContext& ctx, std::int32_t shape) noexcept {
     forget_contacts(ctx, shape);
     for (const std::int32_t b : ctx.model.collider.shapes()[at(shape)].body)
-        if (b >= 0) context::disturb(ctx.model, b);
+        if (b >= 0) context::wake_island(ctx.model, b);
     ctx.model.collider.remove(shape);
 }
 

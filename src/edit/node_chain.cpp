@@ -15,7 +15,7 @@ NodeChain::Piece piece_of(const context::StepContext& ctx, std::int32_t id) noex
     p.id = id;
     p.one_sided = (in.flags[at(id)] & model::kOneSided) != 0;
     p.mass = mass_of_element(ctx, id);
-    if (is_lump(ctx, end_of(ctx, id, 0)) && is_lump(ctx, end_of(ctx, id, 1)) &&
+    if (is_free_node(ctx, end_of(ctx, id, 0)) && is_free_node(ctx, end_of(ctx, id, 1)) &&
         ctx.model.system.consistent_mass)
         p.pair = in.pair_mass[at(id)];
     p.EA = stiffness_of(ctx, id);
@@ -24,25 +24,25 @@ NodeChain::Piece piece_of(const context::StepContext& ctx, std::int32_t id) noex
     return p;
 }
 
-NodeChain::Lump node_at(const context::StepContext& ctx, std::int32_t id,
-                        std::size_t slot) noexcept {
-    NodeChain::Lump l;
+NodeChain::ChainNode node_at(const context::StepContext& ctx, std::int32_t id,
+                             std::size_t slot) noexcept {
+    NodeChain::ChainNode l;
     l.body = end_of(ctx, id, slot);
-    l.point = is_lump(ctx, l.body);
+    l.point = is_free_node(ctx, l.body);
     if (l.point) l.mass = ctx.model.bodies.mass[at(l.body)];
     l.v = speed_of(ctx, id, slot, ctx.model.bodies.v);
     l.y = point_of(ctx, id, slot) - 0.5 * ctx.model.def.step * l.v;
     return l;
 }
 
-bool is_here(const NodeChain& chain, std::int32_t id) noexcept {
+bool chain_contains(const NodeChain& chain, std::int32_t id) noexcept {
     const auto end = chain.piece.begin() + static_cast<std::ptrdiff_t>(chain.count - 1);
     return std::any_of(chain.piece.begin(), end, [&](const auto& p) { return p.id == id; });
 }
 
 }  // namespace
 
-NodeChain chain_about(const context::StepContext& ctx, const NodeSurroundings& place) noexcept {
+NodeChain nearby_chain(const context::StepContext& ctx, const NodeSurroundings& place) noexcept {
     NodeChain out;
     out.half = 0.5 * ctx.model.def.step;
     std::size_t pieces = 0;
@@ -61,12 +61,12 @@ NodeChain chain_about(const context::StepContext& ctx, const NodeSurroundings& p
     for (std::size_t k = 0; k < pieces; ++k)
         out.piece[k].rate = out.separation(k).normalized().dot(out.lump[k + 1].v - out.lump[k].v);
     const auto fits = [&](std::int32_t id) {
-        return id < 0 || (is_here(out, id) && is_of_material(ctx, id));
+        return id < 0 || (chain_contains(out, id) && is_of_material(ctx, id));
     };
     for (std::size_t k = 0; k < out.count; ++k) {
-        NodeChain::Lump& l = out.lump[k];
+        NodeChain::ChainNode& l = out.lump[k];
         if (!l.point) continue;
-        const NodeLinks links = links_of(ctx, l.body);
+        const NodeLinks links = adjacent_elements(ctx, l.body);
         l.moves = links.plain && fits(links.before) && fits(links.after);
     }
     return out;
@@ -76,7 +76,7 @@ NodeChain without_node(const NodeChain& chain) noexcept {
     NodeChain out = chain;
     const std::size_t n = chain.middle;
     const NodeChain::Piece &e = chain.piece[n - 1], &f = chain.piece[n];
-    NodeChain::Lump &a = out.lump[n - 1], &b = out.lump[n + 1];
+    NodeChain::ChainNode &a = out.lump[n - 1], &b = out.lump[n + 1];
     a.mass += 0.5 * f.mass;
     b.mass += 0.5 * e.mass;
     NodeChain::Piece& one = out.piece[n - 1];
@@ -131,7 +131,7 @@ void fit_lengths(NodeChain& chain) noexcept {
     for (std::size_t k = 0; k + 1 < chain.count; ++k) {
         if (!chain.lump[k].moves && !chain.lump[k + 1].moves && k + 1 != chain.middle) continue;
         NodeChain::Piece& p = chain.piece[k];
-        const double length = chain.apart_at_pose(k).norm();
+        const double length = chain.separation_at_pose(k).norm();
         if (p.pull == 0.0 && p.one_sided)
             p.rest = std::max(p.rest, length);
         else

@@ -22,7 +22,7 @@ namespace hawser::edit {
 /// Bodies along the wire, and the elements between neighbours.
 struct NodeChain {
     static constexpr std::size_t kMaximum = 2 * kNodeReach + 3;
-    struct Lump {
+    struct ChainNode {
         std::int32_t body = -1;
         bool point = false;  ///< True for a node.
         bool moves = false;  ///< True if it is free, and all its interactions are included here.
@@ -41,20 +41,20 @@ struct NodeChain {
         double pull = 0.0;  ///< Force of its law at the poses [N].
         double rate = 0.0;  ///< Rate of its length [m/s].
     };
-    std::array<Lump, kMaximum> lump{};
+    std::array<ChainNode, kMaximum> lump{};
     std::array<Piece, kMaximum - 1> piece{};
     std::size_t count = 0;   ///< Number of nodes; there is one piece less.
     std::size_t middle = 0;  ///< Index of the node; after its removal, of the next node.
     double half = 0.0;       ///< h/2 [s]
 
     [[nodiscard]] Vec3 separation(std::size_t k) const { return lump[k + 1].y - lump[k].y; }
-    [[nodiscard]] Vec3 apart_at_pose(std::size_t k) const {
+    [[nodiscard]] Vec3 separation_at_pose(std::size_t k) const {
         return separation(k) + half * (lump[k + 1].v - lump[k].v);
     }
 };
 
-[[nodiscard]] NodeChain chain_about(const context::StepContext& ctx,
-                                    const NodeSurroundings& place) noexcept;
+[[nodiscard]] NodeChain nearby_chain(const context::StepContext& ctx,
+                                     const NodeSurroundings& place) noexcept;
 
 /// Return the chain with the same material without the node: the piece before it extends to the
 /// next node.

@@ -38,7 +38,7 @@ bool release_drum_node(context::StepContext& ctx, const NodeSurroundings& place,
     double half = 0.5 * mass_of_element(ctx, f);
     const std::int32_t b = end_of(ctx, f, far);
     // A free end would have no mass of its own.
-    if (is_lump(ctx, b) && !has_more_than(bodies.mass[at(b)], half)) {
+    if (is_free_node(ctx, b) && !exceeds_half(bodies.mass[at(b)], half)) {
         const std::int32_t beyond = at_first ? place.after[0] : place.before[0];
         if (beyond < 0 || !is_wound(ctx, beyond)) return false;
         half = std::min(half, bodies.mass[at(b)]) - kKeptMass * half;
@@ -48,17 +48,20 @@ bool release_drum_node(context::StepContext& ctx, const NodeSurroundings& place,
     const double pull = (rest[0] * force_of(ctx, e) + rest[1] * force_of(ctx, f)) / whole;
     const double stiffness =
         whole / (rest[0] / stiffness_of(ctx, e) + rest[1] / stiffness_of(ctx, f));
-    if (is_lump(ctx, b)) add_mass(ctx, b, -half, -half / bodies.mass[at(b)] * damping_of(ctx, b));
+    if (is_free_node(ctx, b))
+        add_mass(ctx, b, -half, -half / bodies.mass[at(b)] * damping_of(ctx, b));
     in.def[at(e)].point[far] = in.def[at(f)].point[far];
     in.rewire(e, far, bodies.id(b), bodies);
     const double length = length_of(ctx, e);
-    set_element(ctx, e, pull > 0.0 ? rest_for(ctx, e, pull, stiffness) : std::max(whole, length),
-                0.0, pull);
+    set_element(
+        ctx, e,
+        pull > 0.0 ? rest_length_for_force(ctx, e, pull, stiffness) : std::max(whole, length), 0.0,
+        pull);
     // The neighbour of the bend at b is then the fairlead.
     const std::int32_t beyond = place.bend[at_first ? 2 : 0];
     if (beyond >= 0) {
         const std::size_t slot = at_first ? 0 : 2;
-        in.def[at(beyond)].point[slot] = held_at(ctx, e, 1 - far);
+        in.def[at(beyond)].point[slot] = attachment_point(ctx, e, 1 - far);
         in.rewire(beyond, slot, bodies.id(end_of(ctx, e, 1 - far)), bodies);
     }
     const std::int32_t next = at_first ? place.after[0] : place.before[0];

@@ -37,11 +37,11 @@ bool is_bend(const context::StepContext& ctx, std::int32_t id) noexcept {
 std::int32_t end_of(const context::StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
     return ctx.model.interactions.body[kSlots * at(id) + slot];
 }
-bool is_lump(const context::StepContext& ctx, std::int32_t body) noexcept {
+bool is_free_node(const context::StepContext& ctx, std::int32_t body) noexcept {
     return ctx.model.bodies.kind[at(body)] == BodyKind::lump;
 }
 
-NodeLinks links_of(const context::StepContext& ctx, std::int32_t body) noexcept {
+NodeLinks adjacent_elements(const context::StepContext& ctx, std::int32_t body) noexcept {
     NodeLinks out;
     const model::Interactions& in = ctx.model.interactions;
     in.for_each_holder(body, ctx.model.bodies, [&](std::int32_t id, std::size_t slot) {
@@ -97,10 +97,10 @@ bool is_wound(const context::StepContext& ctx, std::int32_t element) noexcept {
 std::size_t drum_side(const context::StepContext& ctx, std::int32_t element) noexcept {
     if (is_routed(ctx, element))
         return ctx.model.interactions.def[at(element)].get("radius") > 0.0 ? 0 : 1;
-    return is_lump(ctx, end_of(ctx, element, 0)) ? 1 : 0;
+    return is_free_node(ctx, end_of(ctx, element, 0)) ? 1 : 0;
 }
-Vec3 inflow_of(const context::StepContext& ctx, std::int32_t element, double beyond,
-               const base::Array<double>& packed) noexcept {
+Vec3 inflow_velocity(const context::StepContext& ctx, std::int32_t element, double beyond,
+                     const base::Array<double>& packed) noexcept {
     const model::Bodies& b = ctx.model.bodies;
     const auto drum = at(end_of(ctx, element, 2));
     const std::size_t side = drum_side(ctx, element);
@@ -109,7 +109,7 @@ Vec3 inflow_of(const context::StepContext& ctx, std::int32_t element, double bey
         ctx.model.interactions.def[at(element)].get("radius") * packed[at(b.dof_begin[drum])];
     // The fraction of the path between drum and position is that of the straight part, times
     // straight over path, because the part on the wheel does not count.
-    const double more = beyond_straight(ctx, element);
+    const double more = length_beyond_chord(ctx, element);
     return more * beyond * speed / ctx.model.interactions.rest_length[at(element)] * (more * chord);
 }
 
@@ -120,18 +120,18 @@ double length_of(const context::StepContext& ctx, std::int32_t id) noexcept {
     return ctx.model.interactions.line_shape(id, ctx.model.bodies).longer + d.params[0] +
            d.params[4] * (slide - d.params[5]);
 }
-double beyond_straight(const context::StepContext& ctx, std::int32_t id) noexcept {
+double length_beyond_chord(const context::StepContext& ctx, std::int32_t id) noexcept {
     if (!is_routed(ctx, id)) return 1.0;
     return length_of(ctx, id) / (point_of(ctx, id, 1) - point_of(ctx, id, 0)).norm();
 }
 double straight_fraction(const context::StepContext& ctx, std::int32_t id, double share) noexcept {
     if (!is_routed(ctx, id)) return share;
-    const double more = beyond_straight(ctx, id);
+    const double more = length_beyond_chord(ctx, id);
     // Counted from the end that is not at a drum or guide.
     const double out = drum_side(ctx, id) == 0 ? 1.0 - more * (1.0 - share) : more * share;
     return std::clamp(out, 0.0, 1.0);
 }
-Vec3 held_at(const context::StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
+Vec3 attachment_point(const context::StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
     if (!is_routed(ctx, id)) return ctx.model.interactions.def[at(id)].point[slot];
     const model::Bodies& b = ctx.model.bodies;
     const auto body = end_of(ctx, id, slot);
@@ -165,7 +165,7 @@ double stiffness_of(const context::StepContext& ctx, std::int32_t id) noexcept {
     return in.rest_length[at(id)] / in.epsilon[at(in.row_begin[at(id)])];
 }
 
-double rate_of(const context::StepContext& ctx, std::int32_t id) noexcept {
+double stretching_speed(const context::StepContext& ctx, std::int32_t id) noexcept {
     const model::Bodies& b = ctx.model.bodies;
     const Vec3 u = (point_of(ctx, id, 1) - point_of(ctx, id, 0)).normalized();
     double rate = u.dot(speed_of(ctx, id, 1, b.v) - speed_of(ctx, id, 0, b.v));
@@ -186,14 +186,14 @@ double force_of(const context::StepContext& ctx, std::int32_t id) noexcept {
     const auto row = at(in.row_begin[at(id)]);
     const double length = length_of(ctx, id);
     const double pull =
-        (length - in.rest_length[at(id)] + damping_time_of(ctx, id) * rate_of(ctx, id)) /
+        (length - in.rest_length[at(id)] + damping_time_of(ctx, id) * stretching_speed(ctx, id)) /
         in.epsilon[row];
     return (in.flags[at(id)] & model::kOneSided) ? std::max(0.0, pull) : pull;
 }
-double rest_for(const context::StepContext& ctx, std::int32_t id, double force,
-                double stiffness) noexcept {
+double rest_length_for_force(const context::StepContext& ctx, std::int32_t id, double force,
+                             double stiffness) noexcept {
     const double length = length_of(ctx, id);
-    const double damped = damping_time_of(ctx, id) * rate_of(ctx, id);
+    const double damped = damping_time_of(ctx, id) * stretching_speed(ctx, id);
     // A rate that would move by about the length of the element is not a strain.
     constexpr double kMaximum = 0.1;
     return (length + std::clamp(damped, -kMaximum * length, kMaximum * length)) /
@@ -206,7 +206,7 @@ Vec3 weight_of(const context::StepContext& ctx, std::int32_t id, double mass) no
     int lumps = 0;
     for (std::size_t slot = 0; slot < 2; ++slot) {
         const auto body = at(end_of(ctx, id, slot));
-        if (!is_lump(ctx, static_cast<std::int32_t>(body))) continue;
+        if (!is_free_node(ctx, static_cast<std::int32_t>(body))) continue;
         if (b.weight[body] == 0) return Vec3::Zero();
         for (std::size_t k = 0; k < 3; ++k)
             applied[static_cast<int>(k)] += b.force[6 * body + k] / b.mass[body];
@@ -216,7 +216,7 @@ Vec3 weight_of(const context::StepContext& ctx, std::int32_t id, double mass) no
     return mass * (ctx.model.def.gravity + applied);
 }
 
-Vec3 sag_of(const Vec3& chord, double share, const Vec3& weight, double tension) noexcept {
+Vec3 sag_below_chord(const Vec3& chord, double share, const Vec3& weight, double tension) noexcept {
     const double length = chord.norm();
     if (!(tension > 0.0) || !(length > 0.0)) return Vec3::Zero();
     const Vec3 along = chord / length, across = weight - weight.dot(along) * along;
@@ -252,12 +252,12 @@ void set_element(context::StepContext& ctx, std::int32_t id, double rest, double
 void add_mass(context::StepContext& ctx, std::int32_t body, double more,
               const Vec3& damping) noexcept {
     model::Bodies& b = ctx.model.bodies;
-    if (!is_lump(ctx, body)) return;
+    if (!is_free_node(ctx, body)) return;
     b.mass[at(body)] += more;
     for (std::size_t k = 0; k < 3; ++k) b.damping[6 * at(body) + k] += damping[static_cast<int>(k)];
 }
 Vec3 damping_of(const context::StepContext& ctx, std::int32_t body) noexcept {
-    if (!is_lump(ctx, body)) return Vec3::Zero();
+    if (!is_free_node(ctx, body)) return Vec3::Zero();
     const double* d = &ctx.model.bodies.damping[6 * at(body)];
     return {d[0], d[1], d[2]};
 }

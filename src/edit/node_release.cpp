@@ -64,19 +64,19 @@ class Patch {
   public:
     explicit Patch(const NodeChain& chain) : chain_(chain), origin_(chain.lump[chain.middle].y) {
         for (std::size_t k = 0; k < chain.count; ++k) {
-            place_[k] = chain.lump[k].moves ? size_ : -1;
+            first_row_[k] = chain.lump[k].moves ? size_ : -1;
             if (chain.lump[k].moves) size_ += 3;
             reach_ = std::max(reach_, (chain.lump[k].y - origin_).norm());
         }
         mass_.setZero(size_, size_);
         shares_.setZero(kKept, size_);
-        missing_.setZero(size_);
+        missing_rates_.setZero(size_);
         if (size_ == 0) return;
         for (std::size_t k = 0; k < chain.count; ++k) add_lump(k);
         Square stiff = Square::Zero(size_, size_);
         for (std::size_t k = 0; k + 1 < chain.count; ++k) add_piece(k, stiff);
-        solver_.compute(mass_ + stiff);
-        across_ = solver_.solve(shares_.transpose());
+        momentum_factor_.compute(mass_ + stiff);
+        across_ = momentum_factor_.solve(shares_.transpose());
         const KeptSquare seen = shares_ * across_;
         // Scale rows of different units by their size.
         scale_ = seen.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
@@ -87,27 +87,27 @@ class Patch {
     [[nodiscard]] const Vec3& origin() const noexcept { return origin_; }
 
     /// Return δv for the missing rates of lengths alone, and δv for the missing momenta.
-    [[nodiscard]] Packed change_of_rates() const { return solver_.solve(missing_); }
-    [[nodiscard]] Packed change(const NodeMomentum& m) const {
+    [[nodiscard]] Packed change_of_rates() const { return momentum_factor_.solve(missing_rates_); }
+    [[nodiscard]] Packed velocity_corrections(const NodeMomentum& m) const {
         Kept r;
         r << m.linear, m.angular / reach_;
         return min_change(r);
     }
     /// Return d for the present velocities of the chain, and t* in `far`. Returns 0 if no node
     /// moves.
-    [[nodiscard]] Packed descent(const NodeChain& chain, double& far) const {
+    [[nodiscard]] Packed descent_direction(const NodeChain& chain, double& far) const {
         far = 0.0;
         Packed slope(size_);
         if (size_ == 0) return slope;
         for (std::size_t k = 0; k < chain.count; ++k) {
-            if (place_[k] < 0) continue;
+            if (first_row_[k] < 0) continue;
             Vec3 g = chain.lump[k].mass * chain.lump[k].v;
             if (k > 0) g -= chain.piece[k - 1].pair * (chain.lump[k].v - chain.lump[k - 1].v);
             if (k + 1 < chain.count)
                 g -= chain.piece[k].pair * (chain.lump[k].v - chain.lump[k + 1].v);
-            slope.segment<3>(place_[k]) = g;
+            slope.segment<3>(first_row_[k]) = g;
         }
-        const Packed down = solver_.solve(slope);
+        const Packed down = momentum_factor_.solve(slope);
         const Packed d = down - min_change(shares_ * down);
         const double curved = d.dot(mass_ * d);
         far = curved > 0.0 ? std::max(0.0, slope.dot(d) / curved) : 0.0;
@@ -115,16 +115,16 @@ class Patch {
     }
     void add(NodeChain& chain, const Packed& change, double factor) const {
         for (std::size_t k = 0; k < chain.count; ++k)
-            if (place_[k] >= 0) chain.lump[k].v += factor * change.segment<3>(place_[k]);
+            if (first_row_[k] >= 0) chain.lump[k].v += factor * change.segment<3>(first_row_[k]);
     }
 
   private:
     void add_lump(std::size_t k) {
-        if (place_[k] < 0) return;
-        const NodeChain::Lump& l = chain_.lump[k];
-        mass_.block<3, 3>(place_[k], place_[k]) += l.mass * Mat3::Identity();
-        shares_.block<3, 3>(0, place_[k]) += l.mass * Mat3::Identity();
-        shares_.block<3, 3>(3, place_[k]) += l.mass / reach_ * cross_matrix(l.y - origin_);
+        if (first_row_[k] < 0) return;
+        const NodeChain::ChainNode& l = chain_.lump[k];
+        mass_.block<3, 3>(first_row_[k], first_row_[k]) += l.mass * Mat3::Identity();
+        shares_.block<3, 3>(0, first_row_[k]) += l.mass * Mat3::Identity();
+        shares_.block<3, 3>(3, first_row_[k]) += l.mass / reach_ * cross_matrix(l.y - origin_);
     }
     void add_piece(std::size_t k, Square& stiff) {
         const NodeChain::Piece& p = chain_.piece[k];
@@ -132,13 +132,13 @@ class Patch {
         const double weight = p.pull != 0.0 ? chain_.half * chain_.half * p.EA / p.rest : 0.0;
         const double rate = u.dot(chain_.lump[k + 1].v - chain_.lump[k].v);
         for (std::size_t one = 0; one < 2; ++one) {
-            const int row = place_[k + one];
+            const int row = first_row_[k + one];
             if (row < 0) continue;
             const double sign = one == 0 ? -1.0 : 1.0;
             shares_.block<3, 3>(3, row) -= sign * p.pair / reach_ * cross_matrix(separation);
-            missing_.segment<3>(row) += sign * weight * (p.rate - rate) * u;
+            missing_rates_.segment<3>(row) += sign * weight * (p.rate - rate) * u;
             for (std::size_t other = 0; other < 2; ++other) {
-                const int column = place_[k + other];
+                const int column = first_row_[k + other];
                 if (column < 0) continue;
                 const double both = one == other ? 1.0 : -1.0;
                 mass_.block<3, 3>(row, column) -= both * p.pair * Mat3::Identity();
@@ -158,18 +158,18 @@ class Patch {
     Vec3 origin_;
     int size_ = 0;
     double reach_ = 1e-9;
-    std::array<int, NodeChain::kMaximum> place_{};
+    std::array<int, NodeChain::kMaximum> first_row_{};
     Square mass_;
     Shares shares_;
-    Packed missing_;
+    Packed missing_rates_;
     Across across_;
     Kept scale_;
-    Eigen::LLT<Square> solver_;
+    Eigen::LLT<Square> momentum_factor_;
     base::SymmetricEigen<kKept> eigen_;
 };
 
 /// Move the free nodes so that the first moment of mass is preserved.
-void shift(NodeChain& now, const NodeChain& was) noexcept {
+void preserve_mass_centre(NodeChain& now, const NodeChain& was) noexcept {
     Vec3 moment = Vec3::Zero();
     double mass = 0.0;
     const Vec3 origin = was.lump[was.middle].y;
@@ -184,7 +184,7 @@ void shift(NodeChain& now, const NodeChain& was) noexcept {
 }
 
 /// Set velocities that preserve the momenta.
-void keep_momenta(NodeChain& now, const Patch& patch, const NodeMomentum& had) noexcept {
+void preserve_momenta(NodeChain& now, const Patch& patch, const NodeMomentum& had) noexcept {
     if (patch.size() == 0) return;
     patch.add(now, patch.change_of_rates(), 1.0);
     // Nodes nearly on a line have almost no moment of inertia about it: repeat to remove the
@@ -192,14 +192,16 @@ void keep_momenta(NodeChain& now, const Patch& patch, const NodeMomentum& had) n
     constexpr int kTimes = 3;
     for (int i = 0; i < kTimes; ++i) {
         const NodeMomentum has = momentum_of(now, patch.origin());
-        patch.add(now, patch.change({had.linear - has.linear, had.angular - has.angular}), 1.0);
+        patch.add(now,
+                  patch.velocity_corrections({had.linear - has.linear, had.angular - has.angular}),
+                  1.0);
     }
 }
 
 /// Set velocities that preserve the energy. @return false if there are none.
-bool keep_energy(NodeChain& now, const Patch& patch, double energy, bool any) noexcept {
+bool preserve_energy(NodeChain& now, const Patch& patch, double energy, bool any) noexcept {
     double far = 0.0;
-    const Packed down = patch.descent(now, far);
+    const Packed down = patch.descent_direction(now, far);
     NodeChain tried = now;
     const auto at_fraction = [&](double t) {
         tried = now;
@@ -229,7 +231,7 @@ bool keep_energy(NodeChain& now, const Patch& patch, double energy, bool any) no
 void write_nodes(context::StepContext& ctx, const NodeChain& now) noexcept {
     model::Bodies& b = ctx.model.bodies;
     for (std::size_t k = 0; k < now.count; ++k) {
-        const NodeChain::Lump& l = now.lump[k];
+        const NodeChain::ChainNode& l = now.lump[k];
         if (!l.moves) continue;
         const Vec3 x = l.y + now.half * l.v;
         const auto dof = at(b.dof_begin[at(l.body)]);
@@ -246,19 +248,20 @@ void write_nodes(context::StepContext& ctx, const NodeChain& now) noexcept {
 
 bool release_node(context::StepContext& ctx, const NodeSurroundings& place, double bend) noexcept {
     model::Interactions& in = ctx.model.interactions;
-    NodeChain was = chain_about(ctx, place);
+    NodeChain was = nearby_chain(ctx, place);
     const std::size_t n = was.middle;
     const Vec3 first = was.separation(n - 1), second = was.separation(n);
     if (std::atan2(first.cross(second).norm(), first.dot(second)) > bend) return false;
     const double energy = energy_of(was);
     NodeChain now = without_node(was);
     const double share = was.piece[n - 1].rest / now.piece[n - 1].rest;
-    was.lump[n].y -= sag_of(now.apart_at_pose(n - 1), share,
-                            weight_of(ctx, place.first, was.lump[n].mass), now.piece[n - 1].pull);
-    shift(now, was);
+    was.lump[n].y -=
+        sag_below_chord(now.separation_at_pose(n - 1), share,
+                        weight_of(ctx, place.first, was.lump[n].mass), now.piece[n - 1].pull);
+    preserve_mass_centre(now, was);
     const Patch patch(now);
-    keep_momenta(now, patch, momentum_of(was, patch.origin()));
-    if (!keep_energy(now, patch, energy, bend >= kAnyBend)) return false;
+    preserve_momenta(now, patch, momentum_of(was, patch.origin()));
+    if (!preserve_energy(now, patch, energy, bend >= kAnyBend)) return false;
     write_nodes(ctx, now);
 
     const std::int32_t e = place.first, f = place.second;

@@ -15,17 +15,17 @@ namespace hawser::edit {
 namespace {
 
 /// Elements near a node, each listed once, and the bodies at their ends.
-struct About {
+struct NearbyParts {
     std::array<std::int32_t, 2 * kNodeReach + 2> element{};
     std::array<std::int32_t, 2 * kNodeReach + 3> lump{};
     std::size_t elements = 0, lumps = 0;
 };
 
-About about(const context::StepContext& ctx, const NodeSurroundings& place) noexcept {
-    About out;
+NearbyParts nearby_parts(const context::StepContext& ctx, const NodeSurroundings& place) noexcept {
+    NearbyParts out;
     const auto add_lump = [&](std::int32_t body) {
         const auto end = out.lump.begin() + static_cast<std::ptrdiff_t>(out.lumps);
-        if (is_lump(ctx, body) && std::find(out.lump.begin(), end, body) == end)
+        if (is_free_node(ctx, body) && std::find(out.lump.begin(), end, body) == end)
             out.lump[out.lumps++] = body;
     };
     const auto add = [&](std::int32_t id) {
@@ -41,9 +41,9 @@ About about(const context::StepContext& ctx, const NodeSurroundings& place) noex
 }
 
 /// Return the kinetic, gravity and elastic energy near a node [J].
-context::Edited energy_about(const context::StepContext& ctx,
-                             const NodeSurroundings& place) noexcept {
-    const About all = about(ctx, place);
+context::Edited nearby_energy(const context::StepContext& ctx,
+                              const NodeSurroundings& place) noexcept {
+    const NearbyParts all = nearby_parts(ctx, place);
     context::Edited sum;
     for (std::size_t k = 0; k < all.lumps; ++k) sum.given += energy_of_body(ctx, all.lump[k]);
     for (std::size_t k = 0; k < all.elements; ++k) sum += energy_of_element(ctx, all.element[k]);
@@ -55,9 +55,9 @@ context::Edited energy_about(const context::StepContext& ctx,
 
 }  // namespace
 
-bool find_place(const context::StepContext& ctx, NodeSurroundings& place) noexcept {
+bool complete_surroundings(const context::StepContext& ctx, NodeSurroundings& place) noexcept {
     if (place.first < 0) {
-        const NodeLinks links = links_of(ctx, place.node);
+        const NodeLinks links = adjacent_elements(ctx, place.node);
         place.first = links.before;
         place.second = links.after;
         if (place.first < 0 || place.second < 0 || !links.plain) return false;
@@ -66,7 +66,8 @@ bool find_place(const context::StepContext& ctx, NodeSurroundings& place) noexce
     const std::int32_t a = end_of(ctx, place.first, 0), b = end_of(ctx, last, 1);
     const auto walk = [&](std::int32_t from, std::size_t far, std::int32_t(&out)[kNodeReach]) {
         for (std::int32_t& id : out) {
-            const NodeLinks links = is_lump(ctx, from) ? links_of(ctx, from) : NodeLinks{};
+            const NodeLinks links =
+                is_free_node(ctx, from) ? adjacent_elements(ctx, from) : NodeLinks{};
             const std::int32_t next = far == 0 ? links.before : links.after;
             // A ring that is no longer than the reach returns to its start.
             const auto known = {place.first, last};
@@ -99,30 +100,30 @@ NodeDef node_on(const context::StepContext& ctx, std::int32_t element, double sh
     out.mass = 0.5 * mass * (wound ? own : 1.0);
     out.velocity = (1.0 - where) * speed_of(ctx, element, 0, ctx.model.bodies.v) +
                    where * speed_of(ctx, element, 1, ctx.model.bodies.v);
-    if (wound) out.velocity += inflow_of(ctx, element, own, ctx.model.bodies.v);
+    if (wound) out.velocity += inflow_velocity(ctx, element, own, ctx.model.bodies.v);
     for (std::size_t slot = 0; slot < 2; ++slot) {
         const std::int32_t body = end_of(ctx, element, slot);
-        if (!is_lump(ctx, body)) continue;
+        if (!is_free_node(ctx, body)) continue;
         const double part = wound ? out.mass : 0.5 * mass * (slot == 0 ? 1.0 - share : share);
         out.of_end[slot] = part / ctx.model.bodies.mass[at(body)];
         out.damping += out.of_end[slot] * damping_of(ctx, body);
     }
-    out.position =
-        (1.0 - where) * a + where * b +
-        sag_of(b - a, where, weight_of(ctx, element, 0.5 * mass), tension_of(ctx, element));
+    out.position = (1.0 - where) * a + where * b +
+                   sag_below_chord(b - a, where, weight_of(ctx, element, 0.5 * mass),
+                                   tension_of(ctx, element));
     return out;
 }
 
 NodeLedger begin_node_edit(const context::StepContext& ctx,
                            const NodeSurroundings& place) noexcept {
-    return {energy_about(ctx, place), ctx.state.ledger.edited};
+    return {nearby_energy(ctx, place), ctx.state.ledger.edited};
 }
 
 void end_node_edit(context::StepContext& ctx, const NodeSurroundings& place,
                    const NodeLedger& was) noexcept {
-    ctx.state.ledger.edited = was.edited + energy_about(ctx, place) - was.local;
-    const About all = about(ctx, place);
-    for (std::size_t k = 0; k < all.lumps; ++k) context::disturb(ctx.model, all.lump[k]);
+    ctx.state.ledger.edited = was.edited + nearby_energy(ctx, place) - was.local;
+    const NearbyParts all = nearby_parts(ctx, place);
+    for (std::size_t k = 0; k < all.lumps; ++k) context::wake_island(ctx.model, all.lump[k]);
 }
 
 void settle_node(context::StepContext& ctx, const NodeSurroundings& place, std::int32_t old,
@@ -140,7 +141,7 @@ void settle_node(context::StepContext& ctx, const NodeSurroundings& place, std::
     const double own_of_piece = drum == 0 ? 1.0 - share : share;
     for (std::size_t slot = 0; slot < 2; ++slot) {
         const std::int32_t body = end_of(ctx, old, slot);
-        if (!is_lump(ctx, body)) continue;
+        if (!is_free_node(ctx, body)) continue;
         const double more =
             wound ? 0.5 * mass * own_of_piece : -0.5 * mass * (slot == 0 ? 1.0 - share : share);
         add_mass(ctx, body, more, more / bodies.mass[at(body)] * damping_of(ctx, body));
@@ -148,7 +149,7 @@ void settle_node(context::StepContext& ctx, const NodeSurroundings& place, std::
     const double where = straight_fraction(ctx, old, share);
     Vec3 ahead = (1.0 - where) * speed_of(ctx, old, 0, bodies.v_start) +
                  where * speed_of(ctx, old, 1, bodies.v_start);
-    if (wound) ahead += inflow_of(ctx, old, own_of_piece, bodies.v_start);
+    if (wound) ahead += inflow_velocity(ctx, old, own_of_piece, bodies.v_start);
     for (std::size_t k = 0; k < 3; ++k)
         bodies.v_start[at(bodies.dof_begin[at(n)]) + k] = ahead[static_cast<int>(k)];
     in.rewire(old, old == e ? 1 : 0, bodies.id(n), bodies);
@@ -159,7 +160,7 @@ void settle_node(context::StepContext& ctx, const NodeSurroundings& place, std::
     for (std::size_t k = 0; k < 2; ++k) {
         const double own = k == 0 ? share : 1.0 - share;
         const double length = length_of(ctx, part[k]);
-        const double taut = wound ? rest_for(ctx, part[k], pull[k], stiffness)
+        const double taut = wound ? rest_length_for_force(ctx, part[k], pull[k], stiffness)
                                   : length / (1.0 + pull[k] / stiffness);
         set_element(ctx, part[k], pulls ? taut : own * rest, own * mass, pull[k]);
     }

@@ -63,7 +63,8 @@ struct NodeLedger {
 /// Complete the surroundings of an element (`first`) or, if that is −1, of a node (`node`). @return
 /// false if the node has other interactions, or is not between two elements of which the second
 /// begins at the end of the first.
-[[nodiscard]] bool find_place(const context::StepContext& ctx, NodeSurroundings& place) noexcept;
+[[nodiscard]] bool complete_surroundings(const context::StepContext& ctx,
+                                         NodeSurroundings& place) noexcept;
 
 /// Compute the properties of a node on an element. @param share  σ of e. @param mass  Mass of the
 /// element [kg].
@@ -89,7 +90,7 @@ void settle_node(context::StepContext& ctx, const NodeSurroundings& place, std::
 inline constexpr double kKeptMass = 1e-2;
 /// True if a node that gives away half an element has mass beyond it, apart from rounding. @param
 /// has, half  [kg].
-[[nodiscard]] constexpr bool has_more_than(double has, double half) noexcept {
+[[nodiscard]] constexpr bool exceeds_half(double has, double half) noexcept {
     return has > (1.0 + 1e-3) * half;
 }
 /// Apply release_node() if the remaining element lies on a drum.

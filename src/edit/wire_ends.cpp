@@ -17,7 +17,7 @@ namespace hawser::edit {
 namespace {
 
 /// Set the rest length with which an element keeps its tension after its chord changed.
-void keep_tension(context::StepContext& ctx, std::int32_t id, double tension) noexcept {
+void preserve_tension(context::StepContext& ctx, std::int32_t id, double tension) noexcept {
     if (!(tension > 0.0) || kind_info(ctx.model.interactions.kinds[at(id)]).is(kWoundUp)) return;
     const double stiffness = stiffness_of(ctx, id);
     const double chord = (point_of(ctx, id, 1) - point_of(ctx, id, 0)).norm();
@@ -95,11 +95,11 @@ void merge_nodes(context::StepContext& ctx, std::int32_t a, std::int32_t b, std:
     bodies.mass[at(a)] = ma + mb;
     move_end(ctx, eb, end_of(ctx, eb, 0) == b ? 0 : 1, a);
     if (!moved) return;
-    keep_tension(ctx, ea, pull[0]);
-    keep_tension(ctx, eb, pull[1]);
+    preserve_tension(ctx, ea, pull[0]);
+    preserve_tension(ctx, eb, pull[1]);
 }
 
-void turn_round(context::StepContext& ctx, std::int32_t id) noexcept {
+void reverse_ends(context::StepContext& ctx, std::int32_t id) noexcept {
     model::Interactions& in = ctx.model.interactions;
     InteractionDef& d = in.def[at(id)];
     const std::size_t last = in.bodies[at(id)] == 3 && !kind_info(d.kind).is(kWoundUp) ? 2 : 1;
@@ -129,11 +129,11 @@ void follow_node(context::StepContext& ctx, std::int32_t lump) noexcept {
         if (kind_info(in.kinds[at(id)]).is(kAlongLine))
             in.rewire(id, slot, in.def[at(id)].body[slot], ctx.model.bodies);
     });
-    context::disturb(ctx.model, lump);
+    context::wake_island(ctx.model, lump);
 }
 
-std::int32_t bend_about(const context::StepContext& ctx, std::int32_t middle,
-                        std::int32_t end) noexcept {
+std::int32_t bend_at_body(const context::StepContext& ctx, std::int32_t middle,
+                          std::int32_t end) noexcept {
     const std::int32_t first = bend_at(ctx, middle, end, 0), last = bend_at(ctx, middle, end, 2);
     return first < 0 || last < 0 ? std::max(first, last) : std::min(first, last);
 }
@@ -155,7 +155,7 @@ std::vector<std::int32_t> chain_from(const context::StepContext& ctx, std::int32
         }
     }
     std::vector<std::int32_t> out{element};
-    for (std::int32_t far = end_of(ctx, element, 1 - slot); is_lump(ctx, far);) {
+    for (std::int32_t far = end_of(ctx, element, 1 - slot); is_free_node(ctx, far);) {
         const auto& of = held[at(far)];
         const std::int32_t next = of[0] == out.back() ? of[1] : of[0];
         if (next < 0 || next == element) break;

@@ -56,7 +56,7 @@ void merge_nodes(context::StepContext& ctx, std::int32_t a, std::int32_t b, std:
                  std::int32_t eb) noexcept;
 
 /// Reverse the order of the ends of an element or bend.
-void turn_round(context::StepContext& ctx, std::int32_t id) noexcept;
+void reverse_ends(context::StepContext& ctx, std::int32_t id) noexcept;
 
 /// Move an end of an element to another body, and update flags that depend on it.
 void move_end(context::StepContext& ctx, std::int32_t id, std::size_t slot,
@@ -71,7 +71,7 @@ void follow_node(context::StepContext& ctx, std::int32_t lump) noexcept;
                                                    std::int32_t element, std::size_t slot);
 
 /// Return the bend with a body in its middle and another one at one of its ends; −1: none.
-[[nodiscard]] std::int32_t bend_about(const context::StepContext& ctx, std::int32_t middle,
-                                      std::int32_t end) noexcept;
+[[nodiscard]] std::int32_t bend_at_body(const context::StepContext& ctx, std::int32_t middle,
+                                        std::int32_t end) noexcept;
 
 }  // namespace hawser::edit

@@ -20,7 +20,7 @@ constexpr const char* kLayouts[] = {"bridge", "winch", "crane", "engine_room"};
 constexpr double kMaxTime = 1e6, kMostPoints = 1e6;
 constexpr std::size_t kMaxConditions = 16;
 
-ShapePtr some(std::string what, ShapePtr item) {
+ShapePtr list_shape(std::string what, ShapePtr item) {
     return list(std::move(what), std::move(item), 0, kMostEntries);
 }
 ShapePtr time_shape() { return number("a time", 0.0, kMaxTime); }
@@ -31,7 +31,7 @@ Field text_field() {
 }
 
 /// Return the fields of a trigger: name, text and condition.
-std::vector<Field> triggered(const char* which) {
+std::vector<Field> trigger_fields(const char* which) {
     const ShapePtr condition =
         object("condition", "a condition",
                "Active while the output is at least `above` and at most `below`.",
@@ -50,22 +50,22 @@ std::vector<Field> triggered(const char* which) {
              "… of something with a name that begins so."}};
 }
 
-ShapePtr with(const char* id, const char* what, const char* doc, std::vector<Field> more,
-              const char* which) {
-    std::vector<Field> fields = triggered(which);
+ShapePtr triggered_shape(const char* id, const char* what, const char* doc, std::vector<Field> more,
+                         const char* which) {
+    std::vector<Field> fields = trigger_fields(which);
     fields.insert(fields.end(), more.begin(), more.end());
     return object(id, what, doc, std::move(fields),
                   {{"when", "event"}, {"hold", "event"}, {"when", "of"}});
 }
 
-ShapePtr station() {
+ShapePtr station_shape() {
     return object(
         "station", "a station", "A role that operates some inputs.",
         {{"name", name("a name"), true, "", "", "Of the role; not instructor or watcher."},
          text_field(),
          {"layout", word("a layout", {std::begin(kLayouts), std::end(kLayouts)}), false,
           "by its inputs", "", "Instruments and forms of controls in the page."},
-         {"inputs", some("a list of inputs", text("an input")), true, "", "",
+         {"inputs", list_shape("a list of inputs", text("an input")), true, "", "",
           "That it may set: inputs, and signals of systems (winch.speed)."}});
 }
 
@@ -121,42 +121,45 @@ ShapePtr fault() {
     return out;
 }
 
-std::vector<Field> lists() {
+std::vector<Field> list_fields() {
     const Field points{"points", points_shape(), false, "0", "", "Points for it."};
-    const ShapePtr goal =
-        with("goal", "a goal", "Text of the goal.",
-             {{"points", points_shape(), true, "", "", "Points for it."},
-              {"after", text("a goal"), false, "", "", "Counts only once that goal is reached."},
-              {"by", time_shape(), false, "the end", "s", "Time after which it gives no points."}},
-             "Unique among goals.");
+    const ShapePtr goal = triggered_shape(
+        "goal", "a goal", "Text of the goal.",
+        {{"points", points_shape(), true, "", "", "Points for it."},
+         {"after", text("a goal"), false, "", "", "Counts only once that goal is reached."},
+         {"by", time_shape(), false, "the end", "s", "Time after which it gives no points."}},
+        "Unique among goals.");
     const ShapePtr phase =
         object("phase", "a phase", "A part of the task, for displays and reports.",
                {{"name", name("a name"), true, "", "", "Unique among phases."},
                 text_field(),
                 {"goal", text("a goal"), false, "no end condition", "", "Goal that ends it."}});
     const ShapePtr penalty =
-        with("penalty", "a penalty", "Conditions that cost points.",
-             {{"points", points_shape(), false, "0", "", "Each time it begins."},
-              {"per_second", points_shape(), false, "0", "", "And while it lasts."},
-              {"most", points_shape(), false, "no limit", "", "In all."}},
-             "Unique among penalties.");
-    const ShapePtr end = with("end", "an end", "Conditions that end the exercise.",
-                              {{"failed", boolean("true or false"), false, "false", "",
-                                "Whether it has then failed, whatever the points."}},
-                              "Unique among ends.");
+        triggered_shape("penalty", "a penalty", "Conditions that cost points.",
+                        {{"points", points_shape(), false, "0", "", "Each time it begins."},
+                         {"per_second", points_shape(), false, "0", "", "And while it lasts."},
+                         {"most", points_shape(), false, "no limit", "", "In all."}},
+                        "Unique among penalties.");
+    const ShapePtr end = triggered_shape("end", "an end", "Conditions that end the exercise.",
+                                         {{"failed", boolean("true or false"), false, "false", "",
+                                           "Whether it has then failed, whatever the points."}},
+                                         "Unique among ends.");
     return {
-        {"stations", some("a list of stations", station()), false, "none", "", "Roles."},
-        {"displays", some("a list of outputs", text("an output")), false, "none", "",
+        {"stations", list_shape("a list of stations", station_shape()), false, "none", "",
+         "Roles."},
+        {"displays", list_shape("a list of outputs", text("an output")), false, "none", "",
          "Outputs that stations display and reports draw."},
-        {"faults", some("a list of faults", fault()), false, "none", "", "Faults."},
+        {"faults", list_shape("a list of faults", fault()), false, "none", "", "Faults."},
         {"alarms",
-         some("a list of alarms", with("alarm", "an alarm", "Active while the condition is met.",
-                                       {}, "Unique among alarms.")),
+         list_shape("a list of alarms",
+                    triggered_shape("alarm", "an alarm", "Active while the condition is met.", {},
+                                    "Unique among alarms.")),
          false, "none", "", "Alarms."},
-        {"goals", some("a list of goals", goal), false, "none", "", "Goals."},
-        {"phases", some("a list of phases", phase), false, "none", "", "Phases in their order."},
-        {"penalties", some("a list of penalties", penalty), false, "none", "", "Penalties."},
-        {"ends", some("a list of ends", end), false, "none", "",
+        {"goals", list_shape("a list of goals", goal), false, "none", "", "Goals."},
+        {"phases", list_shape("a list of phases", phase), false, "none", "",
+         "Phases in their order."},
+        {"penalties", list_shape("a list of penalties", penalty), false, "none", "", "Penalties."},
+        {"ends", list_shape("a list of ends", end), false, "none", "",
          "Further conditions, besides the time and all goals reached."}};
 }
 
@@ -180,7 +183,7 @@ ShapePtr make_shape() {
          "Added to the scene's."},
         {"timeline", list_of("a list of operations", scene::operation_shape()), false,
          "the scene's", "", "Value instead of the scene's."}};
-    for (Field& field : lists()) fields.push_back(std::move(field));
+    for (Field& field : list_fields()) fields.push_back(std::move(field));
     return object("exercise", "an exercise", "An exercise file.", std::move(fields));
 }
 

@@ -15,7 +15,7 @@ constexpr double kLeverRounding = 1e-9;
 /// Largest number of delayed values; older ones are dropped.
 constexpr std::size_t kMaxLate = 4096;
 
-bool same(double a, double b) {
+bool equal_or_both_nan(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
@@ -27,27 +27,27 @@ Controls::Control& Controls::control(const Session& session, const std::string& 
     return at->second;
 }
 
-double Controls::asked(const std::string& input) const noexcept {
+double Controls::requested(const std::string& input) const noexcept {
     const auto at = controls_.find(input);
-    return at == controls_.end() ? kDefault : at->second.asked;
+    return at == controls_.end() ? kDefault : at->second.requested;
 }
 
 void Controls::ask(const Session& session, const std::string& input, double value) {
     Control& l = control(session, input);
     for (const Fault* f : l.faults)
         if (f->kind == FaultKind::input_late) {
-            if (std::isnan(l.passed)) l.passed = std::isnan(l.asked) ? l.start : l.asked;
-            if (l.late.size() == kMaxLate) l.late.pop_front();
-            l.late.emplace_back(session.time() + f->delay, value);
+            if (std::isnan(l.passed)) l.passed = std::isnan(l.requested) ? l.start : l.requested;
+            if (l.delayed.size() == kMaxLate) l.delayed.pop_front();
+            l.delayed.emplace_back(session.time() + f->delay, value);
             break;
         }
-    l.asked = value;
+    l.requested = value;
 }
 
 void Controls::begin(const Session& session, const Fault& fault) {
     std::vector<Bent> inputs;
     if (fault.kind == FaultKind::input_stuck || fault.kind == FaultKind::input_late)
-        inputs.push_back({resolved(session.scene(), fault.target, 0.0).first, false});
+        inputs.push_back({resolve_target(session.scene(), fault.target, 0.0).first, false});
     else if (fault.kind == FaultKind::motor_loses_force || fault.kind == FaultKind::brake_slips)
         inputs = bent_inputs(fault, session.world());
     for (const auto& [input, mode] : inputs) {
@@ -55,9 +55,10 @@ void Controls::begin(const Session& session, const Fault& fault) {
         l.mode = l.mode || mode;
         l.faults.push_back(&fault);
         if (fault.kind == FaultKind::input_stuck)
-            l.stuck[&fault] = std::isnan(fault.value)
-                                  ? present_value(session.world(), input)
-                                  : resolved(session.scene(), fault.target, fault.value).second;
+            l.stuck[&fault] =
+                std::isnan(fault.value)
+                    ? present_value(session.world(), input)
+                    : resolve_target(session.scene(), fault.target, fault.value).second;
     }
 }
 
@@ -65,21 +66,21 @@ void Controls::end(const Fault& fault) {
     for (auto& [name, l] : controls_) {
         std::erase(l.faults, &fault);
         l.stuck.erase(&fault);
-        const bool late = std::any_of(l.faults.begin(), l.faults.end(), [](const Fault* f) {
+        const bool delayed = std::any_of(l.faults.begin(), l.faults.end(), [](const Fault* f) {
             return f->kind == FaultKind::input_late;
         });
-        if (late) continue;
-        l.late.clear();
+        if (delayed) continue;
+        l.delayed.clear();
         l.passed = kDefault;
     }
 }
 
 /// Apply the faults to a requested value: first delays, then scaled values, last stuck inputs.
 double Controls::let_through(Control& l, double now) {
-    double value = std::isnan(l.asked) ? l.start : l.asked;
-    while (!l.late.empty() && l.late.front().first <= now + kLeverRounding) {
-        l.passed = l.late.front().second;
-        l.late.pop_front();
+    double value = std::isnan(l.requested) ? l.start : l.requested;
+    while (!l.delayed.empty() && l.delayed.front().first <= now + kLeverRounding) {
+        l.passed = l.delayed.front().second;
+        l.delayed.pop_front();
     }
     if (!std::isnan(l.passed)) value = l.passed;
     for (const Fault* f : l.faults) {
@@ -98,10 +99,11 @@ double Controls::let_through(Control& l, double now) {
 
 void Controls::apply(Session& session) {
     for (auto& [name, l] : controls_) {
-        const bool touched = !std::isnan(l.asked) || !l.faults.empty() || !std::isnan(l.applied);
+        const bool touched =
+            !std::isnan(l.requested) || !l.faults.empty() || !std::isnan(l.applied);
         if (!touched) continue;
         const double value = let_through(l, session.time());
-        if (same(value, l.applied)) continue;
+        if (equal_or_both_nan(value, l.applied)) continue;
         session.set_input(name, value);
         l.applied = value;
     }

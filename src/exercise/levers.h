@@ -20,7 +20,7 @@ class Controls {
     /// Request a value of an input. @param input  Name from resolved().
     void ask(const Session& session, const std::string& input, double value);
     /// Return the value last requested for an input, in its unit; NaN: no request yet.
-    [[nodiscard]] double asked(const std::string& input) const noexcept;
+    [[nodiscard]] double requested(const std::string& input) const noexcept;
 
     void begin(const Session& session, const Fault& fault);
     void end(const Fault& fault);
@@ -32,14 +32,14 @@ class Controls {
 
   private:
     struct Control {
-        double asked = kDefault;    ///< Requested value; NaN: none, `start` applies.
-        double start = 0.0;         ///< Value before the first request.
-        double applied = kDefault;  ///< Value last set; NaN: unknown.
-        double passed = kDefault;   ///< Last delayed value that has become due.
-        std::deque<std::pair<double, double>> late;  ///< Delayed values: due time [s], value.
-        std::vector<const Fault*> faults;            ///< Active faults in the order of their start.
-        bool mode = false;                           ///< True for the mode of a winch.
-        std::map<const Fault*, double> stuck;        ///< Value at which each fault holds the input.
+        double requested = kDefault;  ///< Requested value; NaN: none, `start` applies.
+        double start = 0.0;           ///< Value before the first request.
+        double applied = kDefault;    ///< Value last set; NaN: unknown.
+        double passed = kDefault;     ///< Last delayed value that has become due.
+        std::deque<std::pair<double, double>> delayed;  ///< Delayed values: due time [s], value.
+        std::vector<const Fault*> faults;      ///< Active faults in the order of their start.
+        bool mode = false;                     ///< True for the mode of a winch.
+        std::map<const Fault*, double> stuck;  ///< Value at which each fault holds the input.
     };
     Control& control(const Session& session, const std::string& input);
     static double let_through(Control& control, double now);

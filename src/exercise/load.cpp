@@ -15,7 +15,7 @@ namespace hawser::exercise {
 namespace {
 
 using scene::Json;
-using scene::Place;
+using scene::SourceLocation;
 
 /// Document of the scene with the additions of the exercise.
 struct Merged {
@@ -33,15 +33,15 @@ std::size_t append(Json& root, const char* key, const Json& from) {
     return own;
 }
 
-Merged merge(const Json& exercise, const Place& place) {
-    const std::filesystem::path folder = std::filesystem::path(place.file).parent_path();
+Merged merge(const Json& exercise, const SourceLocation& location) {
+    const std::filesystem::path folder = std::filesystem::path(location.file).parent_path();
     const auto root = folder.empty() ? std::filesystem::path("..") : folder / "..";
     Merged out;
-    const std::filesystem::path file =
-        scene::resolve_inside(root, folder, exercise["scene"].get<std::string>(), place / "scene");
+    const std::filesystem::path file = scene::resolve_inside(
+        root, folder, exercise["scene"].get<std::string>(), location / "scene");
     out.file = file.string();
     out.root = scene::read_json_file(file, {});
-    if (!out.root.is_object()) scene::refuse({out.file, ""}, "expected a scene, an object");
+    if (!out.root.is_object()) scene::throw_error({out.file, ""}, "expected a scene, an object");
     const Json none = Json::array();
     out.inputs = append(out.root, "inputs", exercise.value("inputs", none));
     out.outputs = append(out.root, "outputs", exercise.value("outputs", none));
@@ -81,22 +81,22 @@ scene::Scene load_scene(const Merged& merged, const scene::Options& options,
 }
 
 Loaded load(const Json& root, std::string text, const std::string& file, scene::Options options) {
-    const Place place{file, ""};
+    const SourceLocation location{file, ""};
     if (!root.is_object() || !root.contains("exercise"))
-        scene::refuse_other_kind(root, file, "an exercise");
-    scene::check_shape(root, *exercise_shape(), place);
-    Loaded out{read_exercise(root, place), scene::Scene()};
+        scene::check_document_kind(root, file, "an exercise");
+    scene::check_shape(root, *exercise_shape(), location);
+    Loaded out{read_exercise(root, location), scene::Scene()};
     out.exercise.text = std::move(text);
     const auto changes = root.value("set", std::vector<std::string>());
     options.set.insert(options.set.begin(), changes.begin(), changes.end());
-    Merged merged = merge(root, place);
+    Merged merged = merge(root, location);
     out.scene = load_scene(merged, options, file);
     // Load the scene again if a fault needs an input that the scene lacks.
     if (const Json more = missing_inputs(out.exercise, out.scene.world); !more.empty()) {
         (void)append(merged.root, "inputs", more);
         out.scene = load_scene(merged, options, file);
     }
-    check_names(out.exercise, out.scene, place);
+    check_names(out.exercise, out.scene, location);
     // Settings of a timeline pass through faults, so the run applies them. The session applies the
     // other operations.
     for (const scene::Operation& operation : out.scene.timeline)

@@ -23,8 +23,8 @@ std::vector<std::string> output_names(const World& world) {
     return out;
 }
 
-std::pair<std::string, double> resolved(const scene::Scene& scene, std::string_view input,
-                                        double value) {
+std::pair<std::string, double> resolve_target(const scene::Scene& scene, std::string_view input,
+                                              double value) {
     if (!scene.world.find_input(input).valid())
         for (const scene::SignalInput& s : scene.signal_inputs)
             if (s.name == input) return {s.signal, s.factor * std::clamp(value, s.min, s.max)};
@@ -57,7 +57,7 @@ std::vector<std::string> fault_params(FaultKind kind, const World& world,
     return {};
 }
 
-InputId driver_of(const World& world, InteractionId interaction, const std::string& param) {
+InputId driving_input(const World& world, InteractionId interaction, const std::string& param) {
     for (const InputId id : world.inputs()) {
         const InputDef& def = world.input_def(id);
         if (def.interaction == interaction && def.param == param) return id;
@@ -75,7 +75,7 @@ std::vector<Bent> bent_inputs(const Fault& fault, const World& world) {
     const InteractionId id = world.find_interaction(fault.target);
     if (!id.valid()) return out;
     for (const std::string& param : fault_params(fault.kind, world, id))
-        if (const InputId input = driver_of(world, id, param); input.valid())
+        if (const InputId input = driving_input(world, id, param); input.valid())
             out.push_back({world.input_def(input).name, false});
     return out;
 }

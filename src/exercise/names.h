@@ -17,12 +17,13 @@ namespace hawser::exercise {
 
 /// Return the target of a control and its value: an input of the world or a signal. Two names of
 /// one signal have the same target.
-[[nodiscard]] std::pair<std::string, double> resolved(const scene::Scene& scene,
-                                                      std::string_view input, double value);
-/// Return the present value of a target from resolved().
+[[nodiscard]] std::pair<std::string, double> resolve_target(const scene::Scene& scene,
+                                                            std::string_view input, double value);
+/// Return the present value of a target from resolve_target().
 [[nodiscard]] double present_value(const World& world, const std::string& input);
 
-/// Target of a fault, as named by resolved(): an input that is scaled, or the mode of a winch.
+/// Target of a fault, as named by resolve_target(): an input that is scaled, or the mode of a
+/// winch.
 struct Bent {
     std::string input;
     bool mode = false;  ///< True: modes with a motor become free.
@@ -34,8 +35,8 @@ struct Bent {
 [[nodiscard]] std::vector<std::string> fault_params(FaultKind kind, const World& world,
                                                     InteractionId interaction);
 /// Return the input that drives a parameter of an interaction; invalid if there is none.
-[[nodiscard]] InputId driver_of(const World& world, InteractionId interaction,
-                                const std::string& param);
+[[nodiscard]] InputId driving_input(const World& world, InteractionId interaction,
+                                    const std::string& param);
 [[nodiscard]] bool is_winch(const World& world, const std::string& name);
 
 }  // namespace hawser::exercise

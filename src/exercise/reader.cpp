@@ -13,7 +13,7 @@ namespace hawser::exercise {
 namespace {
 
 using scene::Json;
-using scene::Place;
+using scene::SourceLocation;
 
 std::string word(const Json& json, const char* key) {
     const auto at = json.find(key);
@@ -25,7 +25,7 @@ double value(const Json& json, const char* key, double fallback) {
     return at == json.end() ? fallback : at->get<double>();
 }
 
-std::optional<double> maybe(const Json& json, const char* key) {
+std::optional<double> optional_number(const Json& json, const char* key) {
     const auto at = json.find(key);
     return at == json.end() ? std::nullopt : std::optional(at->get<double>());
 }
@@ -35,7 +35,7 @@ std::vector<std::string> words(const Json& json, const char* key) {
     return at == json.end() ? std::vector<std::string>() : at->get<std::vector<std::string>>();
 }
 
-Trigger read_trigger(const Json& json, const Place& place) {
+Trigger read_trigger(const Json& json, const SourceLocation& location) {
     Trigger out;
     out.hold = value(json, "hold", 0.0);
     out.of = word(json, "of");
@@ -45,7 +45,7 @@ Trigger read_trigger(const Json& json, const Place& place) {
         out.event = static_cast<EventKind>(at - known.begin());
         return out;
     }
-    if (!json.contains("when")) scene::refuse(place, "needs \"when\" or \"event\"");
+    if (!json.contains("when")) scene::throw_error(location, "needs \"when\" or \"event\"");
     for (std::size_t i = 0; i < json["when"].size(); ++i) {
         const Json& one = json["when"][i];
         Condition c;
@@ -53,16 +53,16 @@ Trigger read_trigger(const Json& json, const Place& place) {
         c.above = value(one, "above", c.above);
         c.below = value(one, "below", c.below);
         if (!one.contains("above") && !one.contains("below"))
-            scene::refuse(place / "when" / i, "needs \"above\" or \"below\"");
+            scene::throw_error(location / "when" / i, "needs \"above\" or \"below\"");
         if (c.above > c.below)
-            scene::refuse(place / "when" / i,
-                          "this condition is never met: \"above\" is greater than \"below\"");
+            scene::throw_error(location / "when" / i,
+                               "this condition is never met: \"above\" is greater than \"below\"");
         out.conditions.push_back(std::move(c));
     }
     return out;
 }
 
-Fault read_fault(const Json& json, const Place&) {
+Fault read_fault(const Json& json, const SourceLocation&) {
     Fault out;
     const std::string kind = word(json, "kind");
     const auto known = fault_words();
@@ -73,116 +73,117 @@ Fault read_fault(const Json& json, const Place&) {
     out.share = value(json, "share", out.share);
     out.value = value(json, "value", out.value);
     out.delay = value(json, "delay", out.delay);
-    out.at = maybe(json, "at");
+    out.at = optional_number(json, "at");
     out.lasts = value(json, "lasts", out.lasts);
     return out;
 }
 
-Alarm read_alarm(const Json& json, const Place& place) {
-    return {"", "", read_trigger(json, place)};
+Alarm read_alarm(const Json& json, const SourceLocation& location) {
+    return {"", "", read_trigger(json, location)};
 }
 
-Goal read_goal(const Json& json, const Place& place) {
+Goal read_goal(const Json& json, const SourceLocation& location) {
     Goal out;
-    out.when = read_trigger(json, place);
+    out.when = read_trigger(json, location);
     out.points = value(json, "points", 0.0);
     out.after = word(json, "after");
-    out.by = maybe(json, "by");
+    out.by = optional_number(json, "by");
     return out;
 }
 
-Phase read_phase(const Json& json, const Place&) { return {"", "", word(json, "goal")}; }
+Phase read_phase(const Json& json, const SourceLocation&) { return {"", "", word(json, "goal")}; }
 
-Penalty read_penalty(const Json& json, const Place& place) {
+Penalty read_penalty(const Json& json, const SourceLocation& location) {
     Penalty out;
-    out.when = read_trigger(json, place);
+    out.when = read_trigger(json, location);
     out.points = value(json, "points", 0.0);
     out.per_second = value(json, "per_second", 0.0);
     out.most = value(json, "most", out.most);
     return out;
 }
 
-End read_end(const Json& json, const Place& place) {
+End read_end(const Json& json, const SourceLocation& location) {
     End out;
-    out.when = read_trigger(json, place);
+    out.when = read_trigger(json, location);
     out.failed = json.value("failed", false);
     return out;
 }
 
-Station read_station(const Json& json, const Place& place) {
+Station read_station(const Json& json, const SourceLocation& location) {
     Station out;
     out.inputs = words(json, "inputs");
     out.layout = word(json, "layout");
     if (const std::string name = word(json, "name"); name == kInstructor || name == kWatcher)
-        scene::refuse(place / "name", scene::in_quotes(name) + " is a role of every exercise");
+        scene::throw_error(location / "name",
+                           scene::in_quotes(name) + " is a role of every exercise");
     return out;
 }
 
 /// Read a list of entries with unique names.
 template <class T, class Read>
-void read_list(const Json& root, const char* key, const Place& place, std::vector<T>& out,
-               const Read& read) {
+void read_list(const Json& root, const char* key, const SourceLocation& location,
+               std::vector<T>& out, const Read& read) {
     const auto list = root.find(key);
     if (list == root.end()) return;
     std::set<std::string> names;
     for (std::size_t i = 0; i < list->size(); ++i) {
-        const Place at = place / key / i;
+        const SourceLocation at = location / key / i;
         T one = read((*list)[i], at);
         one.name = word((*list)[i], "name");
         one.text = word((*list)[i], "text");
         if (!names.insert(one.name).second)
-            scene::refuse(at / "name", scene::in_quotes(one.name) + " is there already");
+            scene::throw_error(at / "name", scene::in_quotes(one.name) + " is there already");
         out.push_back(std::move(one));
     }
 }
 
 /// Check goals that follow others: the other goal must come earlier in the list, so that no goal
 /// depends on itself.
-void check_order(const Exercise& e, const Place& place) {
+void check_order(const Exercise& e, const SourceLocation& location) {
     std::vector<std::string> before;
     for (std::size_t i = 0; i < e.goals.size(); ++i) {
         const std::string& after = e.goals[i].after;
         if (!after.empty() && std::find(before.begin(), before.end(), after) == before.end())
-            scene::refuse(place / "goals" / i / "after",
-                          "there is no goal " + scene::in_quotes(after) + " above it in the list" +
-                              scene::suggestion(after, before));
+            scene::throw_error(location / "goals" / i / "after",
+                               "there is no goal " + scene::in_quotes(after) +
+                                   " above it in the list" + scene::suggestion(after, before));
         before.push_back(e.goals[i].name);
     }
 }
 
 /// Check that the goals of phases exist.
-void check_phases(const Exercise& e, const Place& place) {
+void check_phases(const Exercise& e, const SourceLocation& location) {
     std::vector<std::string> goals;
     for (const Goal& goal : e.goals) goals.push_back(goal.name);
     for (std::size_t i = 0; i < e.phases.size(); ++i) {
         const std::string& goal = e.phases[i].goal;
         if (!goal.empty() && std::find(goals.begin(), goals.end(), goal) == goals.end())
-            scene::refuse(
-                place / "phases" / i / "goal",
+            scene::throw_error(
+                location / "phases" / i / "goal",
                 "there is no goal " + scene::in_quotes(goal) + scene::suggestion(goal, goals));
     }
 }
 
 }  // namespace
 
-Exercise read_exercise(const Json& root, const Place& place) {
+Exercise read_exercise(const Json& root, const SourceLocation& location) {
     Exercise out;
     out.name = word(root, "exercise");
     out.description = word(root, "description");
-    out.file = place.file;
+    out.file = location.file;
     out.duration = value(root, "duration", out.duration);
     out.pass = value(root, "pass", out.pass);
     out.until_done = root.value("until_done", true);
     out.displays = words(root, "displays");
-    read_list(root, "stations", place, out.stations, read_station);
-    read_list(root, "faults", place, out.faults, read_fault);
-    read_list(root, "alarms", place, out.alarms, read_alarm);
-    read_list(root, "goals", place, out.goals, read_goal);
-    read_list(root, "phases", place, out.phases, read_phase);
-    read_list(root, "penalties", place, out.penalties, read_penalty);
-    read_list(root, "ends", place, out.ends, read_end);
-    check_order(out, place);
-    check_phases(out, place);
+    read_list(root, "stations", location, out.stations, read_station);
+    read_list(root, "faults", location, out.faults, read_fault);
+    read_list(root, "alarms", location, out.alarms, read_alarm);
+    read_list(root, "goals", location, out.goals, read_goal);
+    read_list(root, "phases", location, out.phases, read_phase);
+    read_list(root, "penalties", location, out.penalties, read_penalty);
+    read_list(root, "ends", location, out.ends, read_end);
+    check_order(out, location);
+    check_phases(out, location);
     return out;
 }
 

@@ -44,8 +44,8 @@ struct Run::Impl {
     Impl(const Exercise& e, Session& s)
         : exercise(e),
           session(s),
-          channels(channels_of(e)),
-          noted(noted_channels(channels, s.world())),
+          channels(list_channels(e)),
+          is_noted(noted_channels(channels, s.world())),
           notes(s),
           state{{},
                 std::vector<Standing>(e.faults.size()),
@@ -55,7 +55,7 @@ struct Run::Impl {
                 1,
                 0} {
         state.curves.values.resize(e.displays.size());
-        notes.begin(e, noted);
+        notes.begin(e, is_noted);
     }
 
     [[nodiscard]] double now() const { return session.time() + kStepRounding * step(); }
@@ -97,7 +97,7 @@ struct Run::Impl {
         if (fault.kind == FaultKind::output_frozen) {
             const World& world = session.world();
             const OutputId id = world.find_output(fault.target);
-            state.scorer.freeze(fault.target, id.valid() ? world.output(id) : kDefault);
+            state.scorer.freeze_output(fault.target, id.valid() ? world.output(id) : kDefault);
         }
         standing.active = true;
         standing.until = session.time() + fault.lasts;
@@ -114,7 +114,7 @@ struct Run::Impl {
         notes.fault(false, fault.name, by);
     }
 
-    void take_faults() {
+    void update_faults() {
         for (std::size_t i = 0; i < exercise.faults.size(); ++i) {
             const Fault& fault = exercise.faults[i];
             Standing& standing = state.faults[i];
@@ -128,23 +128,23 @@ struct Run::Impl {
     }
 
     void ask(std::string_view input, double value) {
-        const auto [name, real] = resolved(session.scene(), input, value);
+        const auto [name, real] = resolve_target(session.scene(), input, value);
         state.levers.ask(session, name, real);
     }
 
     const Exercise& exercise;
     Session& session;
     std::vector<Channel> channels;
-    std::vector<bool> noted;
+    std::vector<bool> is_noted;
     NoteWriter notes;
     State state;
     std::vector<double> values;
-    std::vector<State> marks;
+    std::vector<State> saved_states;
 };
 
 Run::Run(const Exercise& exercise, Session& session) {
     const std::vector<std::string> outputs = output_names(session.world());
-    for (const Channel& c : channels_of(exercise))
+    for (const Channel& c : list_channels(exercise))
         if (!c.output.empty() && !session.world().find_output(c.output).valid())
             throw DefError(fmt::format(
                 "the exercise \"{}\" needs the output \"{}\", which the world has not; nearest: "
@@ -189,8 +189,8 @@ void Run::set_input(std::string_view role, std::string_view input, double value)
 }
 
 double Run::asked(std::string_view input) const noexcept {
-    const auto [name, one] = resolved(impl_->session.scene(), input, 1.0);
-    const double value = impl_->state.levers.asked(name);
+    const auto [name, one] = resolve_target(impl_->session.scene(), input, 1.0);
+    const double value = impl_->state.levers.requested(name);
     for (const scene::SignalInput& s : impl_->session.scene().signal_inputs)
         if (s.name == input && s.factor != 0.0 && name == s.signal) return value / s.factor;
     return value;
@@ -219,7 +219,8 @@ bool Run::active(std::string_view fault) const noexcept {
 }
 
 double Run::shown(std::string_view output) const {
-    if (const double value = impl_->state.scorer.frozen(output); !std::isnan(value)) return value;
+    if (const double value = impl_->state.scorer.frozen_value(output); !std::isnan(value))
+        return value;
     const World& world = impl_->session.world();
     const OutputId id = world.find_output(output);
     if (id.valid()) return world.output(id);
@@ -233,15 +234,15 @@ void Run::before_step() {
     for (; state.next_lever < levers.size() && levers[state.next_lever].at <= impl_->now();
          ++state.next_lever)
         for (const auto& [input, value] : levers[state.next_lever].set) impl_->ask(input, value);
-    impl_->take_faults();
+    impl_->update_faults();
     state.levers.apply(impl_->session);
 }
 
 void Run::after_step() {
     auto& state = impl_->state;
-    read_channels(impl_->channels, impl_->noted, impl_->session.world(), impl_->session.events(),
+    read_channels(impl_->channels, impl_->is_noted, impl_->session.world(), impl_->session.events(),
                   true, impl_->values);
-    impl_->notes.values(impl_->noted, impl_->values);
+    impl_->notes.values(impl_->is_noted, impl_->values);
     state.scorer.after_step(impl_->session.time(), impl_->values);
     add_sample(state.curves, state.every, state.seen, impl_->session.time(), impl_->values);
 }
@@ -265,18 +266,18 @@ const Result& Run::result() const noexcept { return impl_->state.scorer.result()
 const Curves& Run::curves() const noexcept { return impl_->state.curves; }
 
 int Run::mark() {
-    if (impl_->marks.size() == kMaxMarks)
+    if (impl_->saved_states.size() == kMaxMarks)
         throw DefError(fmt::format("an exercise has at most {} marks", kMaxMarks));
-    impl_->marks.push_back(impl_->state);
-    const int number = static_cast<int>(impl_->marks.size()) - 1;
+    impl_->saved_states.push_back(impl_->state);
+    const int number = static_cast<int>(impl_->saved_states.size()) - 1;
     impl_->notes.number(NoteKind::mark, number);
     return number;
 }
 
 void Run::back_to(int mark) {
-    if (mark < 0 || static_cast<std::size_t>(mark) >= impl_->marks.size())
+    if (mark < 0 || static_cast<std::size_t>(mark) >= impl_->saved_states.size())
         throw DefError(fmt::format("there is no mark {}", mark));
-    impl_->state = impl_->marks[static_cast<std::size_t>(mark)];
+    impl_->state = impl_->saved_states[static_cast<std::size_t>(mark)];
     impl_->state.levers.forget_applied();
     impl_->state.scorer.restored(impl_->session.time());
     impl_->notes.number(NoteKind::back, mark);

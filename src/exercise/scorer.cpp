@@ -13,7 +13,7 @@ namespace {
 constexpr double kTimeRounding = 1e-9;
 
 template <class T>
-std::vector<Tally> tallies(const std::vector<T>& list) {
+std::vector<Tally> make_tallies(const std::vector<T>& list) {
     std::vector<Tally> out;
     for (const T& one : list) out.push_back({.name = one.name, .text = one.text});
     return out;
@@ -30,7 +30,7 @@ void add(std::vector<Channel>& out, const Trigger& when) {
 
 }  // namespace
 
-std::vector<Channel> channels_of(const Exercise& exercise) {
+std::vector<Channel> list_channels(const Exercise& exercise) {
     std::vector<Channel> out;
     for (const std::string& display : exercise.displays) add(out, Channel{display, {}, {}});
     for (const Alarm& one : exercise.alarms) add(out, one.when);
@@ -43,41 +43,41 @@ std::vector<Channel> channels_of(const Exercise& exercise) {
 Scorer::Scorer(const Exercise& exercise, double step)
     : exercise_(&exercise),
       step_(step),
-      channels_(channels_of(exercise)),
-      alarm_(watches(exercise.alarms)),
-      goal_(watches(exercise.goals)),
-      penalty_(watches(exercise.penalties)),
-      end_(watches(exercise.ends)),
+      channels_(list_channels(exercise)),
+      alarm_(make_watches(exercise.alarms)),
+      goal_(make_watches(exercise.goals)),
+      penalty_(make_watches(exercise.penalties)),
+      end_(make_watches(exercise.ends)),
       last_(channels_.size(), std::numeric_limits<double>::quiet_NaN()) {
     result_.exercise = exercise.name;
     result_.pass = exercise.pass;
-    result_.alarms = tallies(exercise.alarms);
-    result_.goals = tallies(exercise.goals);
-    result_.penalties = tallies(exercise.penalties);
+    result_.alarms = make_tallies(exercise.alarms);
+    result_.goals = make_tallies(exercise.goals);
+    result_.penalties = make_tallies(exercise.penalties);
     for (std::size_t i = 0; i < exercise.goals.size(); ++i) {
         result_.goals[i].possible = exercise.goals[i].points;
         result_.possible += exercise.goals[i].points;
     }
 }
 
-std::vector<Scorer::Watch> Scorer::watches(const auto& list) const {
+std::vector<Scorer::Watch> Scorer::make_watches(const auto& list) const {
     std::vector<Watch> out;
-    const auto place = [&](const Channel& channel) {
+    const auto channel_index = [&](const Channel& channel) {
         return static_cast<std::size_t>(std::find(channels_.begin(), channels_.end(), channel) -
                                         channels_.begin());
     };
     for (const auto& one : list) {
         Watch watch;
         for (const Condition& c : one.when.conditions)
-            watch.channels.push_back(place({c.output, {}, {}}));
+            watch.channels.push_back(channel_index({c.output, {}, {}}));
         if (one.when.conditions.empty())
-            watch.channels.push_back(place({"", one.when.event, one.when.of}));
+            watch.channels.push_back(channel_index({"", one.when.event, one.when.of}));
         out.push_back(std::move(watch));
     }
     return out;
 }
 
-double Scorer::frozen(std::string_view output) const noexcept {
+double Scorer::frozen_value(std::string_view output) const noexcept {
     const auto at = frozen_.find(output);
     return at == frozen_.end() ? std::numeric_limits<double>::quiet_NaN() : at->second;
 }
@@ -97,9 +97,9 @@ double Scorer::sample(const Trigger& trigger, Watch& watch, std::span<const doub
             if (const auto at = frozen_.find(c.output); at != frozen_.end()) value = at->second;
         holds = holds && value >= c.above && value <= c.below;
     }
-    watch.held = holds && watch.holds ? watch.held + step_ : 0.0;
+    watch.held_time = holds && watch.holds ? watch.held_time + step_ : 0.0;
     watch.holds = holds;
-    watch.active = holds && watch.held + kTimeRounding >= trigger.hold;
+    watch.active = holds && watch.held_time + kTimeRounding >= trigger.hold;
     return watch.active ? 1.0 : 0.0;
 }
 
@@ -108,7 +108,7 @@ void Scorer::log(Entry entry) {
         result_.entries.push_back(std::move(entry));
 }
 
-void Scorer::alarms(double time, std::span<const double> values) {
+void Scorer::update_alarms(double time, std::span<const double> values) {
     for (std::size_t i = 0; i < alarm_.size(); ++i) {
         const Alarm& alarm = exercise_->alarms[i];
         Tally& tally = result_.alarms[i];
@@ -125,7 +125,7 @@ void Scorer::alarms(double time, std::span<const double> values) {
     }
 }
 
-void Scorer::penalties(double time, std::span<const double> values) {
+void Scorer::update_penalties(double time, std::span<const double> values) {
     for (std::size_t i = 0; i < penalty_.size(); ++i) {
         const Penalty& penalty = exercise_->penalties[i];
         Tally& tally = result_.penalties[i];
@@ -145,7 +145,7 @@ void Scorer::penalties(double time, std::span<const double> values) {
     }
 }
 
-void Scorer::goals(double time, std::span<const double> values) {
+void Scorer::update_goals(double time, std::span<const double> values) {
     for (std::size_t i = 0; i < goal_.size(); ++i) {
         const Goal& goal = exercise_->goals[i];
         Tally& tally = result_.goals[i];
@@ -168,7 +168,7 @@ void Scorer::goals(double time, std::span<const double> values) {
     }
 }
 
-void Scorer::ends(double time, std::span<const double> values) {
+void Scorer::update_ends(double time, std::span<const double> values) {
     for (std::size_t i = 0; i < end_.size(); ++i) {
         const End& one = exercise_->ends[i];
         if (sample(one.when, end_[i], values, false) > 0.0)
@@ -188,10 +188,10 @@ void Scorer::after_step(double time, std::span<const double> values) {
     if (ended()) return;
     last_.assign(values.begin(), values.end());
     result_.time = time;
-    alarms(time, values);
-    penalties(time, values);
-    goals(time, values);
-    ends(time, values);
+    update_alarms(time, values);
+    update_penalties(time, values);
+    update_goals(time, values);
+    update_ends(time, values);
 }
 
 void Scorer::fault(double time, const Fault& fault, std::string_view by, bool begins) {

@@ -25,7 +25,7 @@ struct Channel {
 };
 
 /// Return every output and kind of event that an exercise names, in the order of their first use.
-[[nodiscard]] std::vector<Channel> channels_of(const Exercise& exercise);
+[[nodiscard]] std::vector<Channel> list_channels(const Exercise& exercise);
 
 /// Scorer of an exercise. A copy is a state that can be restored.
 class Scorer {
@@ -41,9 +41,9 @@ class Scorer {
     [[nodiscard]] bool ended() const noexcept { return result_.outcome != Outcome::running; }
     [[nodiscard]] const Result& result() const noexcept { return result_; }
     /// Return the frozen value of an output; NaN if it is not frozen.
-    [[nodiscard]] double frozen(std::string_view output) const noexcept;
+    [[nodiscard]] double frozen_value(std::string_view output) const noexcept;
     /// Set an output that has no channel at a value from its owner.
-    void freeze(const std::string& output, double value) { frozen_[output] = value; }
+    void freeze_output(const std::string& output, double value) { frozen_[output] = value; }
 
     /// Largest number of entries in a result; later ones are counted in tallies only.
     static constexpr std::size_t kMaxLogged = 4096;
@@ -53,18 +53,18 @@ class Scorer {
     struct Watch {
         /// Channels of its conditions, or the channel of its events.
         std::vector<std::size_t> channels;
-        double held = 0.0;   ///< Time for which all conditions have held [s].
-        bool holds = false;  ///< True if all conditions hold.
+        double held_time = 0.0;  ///< Time for which all conditions have held [s].
+        bool holds = false;      ///< True if all conditions hold.
         bool active = false;
     };
-    [[nodiscard]] std::vector<Watch> watches(const auto& list) const;
+    [[nodiscard]] std::vector<Watch> make_watches(const auto& list) const;
     /// Return 1 if the trigger is active, else 0; for events their number. @param shown  Use the
     /// values on displays, which may be frozen.
     double sample(const Trigger& trigger, Watch& watch, std::span<const double> values, bool shown);
-    void alarms(double time, std::span<const double> values);
-    void penalties(double time, std::span<const double> values);
-    void goals(double time, std::span<const double> values);
-    void ends(double time, std::span<const double> values);
+    void update_alarms(double time, std::span<const double> values);
+    void update_penalties(double time, std::span<const double> values);
+    void update_goals(double time, std::span<const double> values);
+    void update_ends(double time, std::span<const double> values);
     void log(Entry entry);
     void add_points(double points) { result_.points += points; }
 

@@ -38,12 +38,12 @@ class OpenFile {
     OpenFile(const OpenFile&) = delete;
     OpenFile& operator=(const OpenFile&) = delete;
 
-    void put(const void* data, std::size_t size) {
+    void add_value(const void* data, std::size_t size) {
         if (std::fwrite(data, 1, size, out_.get()) != size) fail();
     }
-    void put_at(std::size_t place, const void* data, std::size_t size) {
+    void write_at(std::size_t place, const void* data, std::size_t size) {
         if (fseeko(out_.get(), static_cast<off_t>(place), SEEK_SET) != 0) fail();
-        put(data, size);
+        add_value(data, size);
     }
     void finish() {
         if (std::fclose(out_.release()) != 0) fail();
@@ -67,10 +67,10 @@ struct Track {
     std::size_t place = 0;  ///< Offset in the buffer [bytes].
     std::size_t width = 3;  ///< Number of values in each frame.
     std::vector<float> values;
-    void put(const Vec3& v) {
+    void add_value(const Vec3& v) {
         for (int k = 0; k < 3; ++k) values.push_back(static_cast<float>(v[k]));
     }
-    void put(const Quat& q) {
+    void add_value(const Quat& q) {
         for (const double c : {q.x(), q.y(), q.z(), q.w()}) values.push_back(static_cast<float>(c));
     }
 };
@@ -82,7 +82,7 @@ class Animator {
         : layout_(layout), reader_(recording) {
         for (const BodyNode& b : layout.bodies) {
             if (b.moves) tracks_.push_back({b.data, 3, {}});
-            if (b.turns) tracks_.push_back({b.turn, 4, {}});
+            if (b.has_rotation) tracks_.push_back({b.rotation_offset, 4, {}});
             if (b.comes) tracks_.push_back({b.size, 3, {}});
         }
         first_joint_ = tracks_.size();
@@ -92,20 +92,20 @@ class Animator {
         std::size_t t = 0;
         for (const BodyNode& b : layout_.bodies) {
             const auto body = static_cast<std::size_t>(b.body);
-            if (b.moves) tracks_[t++].put(frame.poses[body].position);
-            if (b.turns) tracks_[t++].put(frame.poses[body].orientation);
-            if (b.comes) tracks_[t++].put(Vec3::Constant(frame.there[body] ? 1.0 : 0.0));
+            if (b.moves) tracks_[t++].add_value(frame.poses[body].position);
+            if (b.has_rotation) tracks_[t++].add_value(frame.poses[body].orientation);
+            if (b.comes) tracks_[t++].add_value(Vec3::Constant(frame.there[body] ? 1.0 : 0.0));
         }
         reader_.read(frame, lines_);
         for (const WireNodes& wire : layout_.wires) {
             static const WireLine kGone;
             const auto line = std::find_if(lines_.begin(), lines_.end(),
                                            [&](const WireLine& l) { return l.name == wire.name; });
-            place_joints(wire, line == lines_.end() ? kGone : *line, joints_);
+            joint_positions(wire, line == lines_.end() ? kGone : *line, joints_);
             for (std::size_t j = 0; j < joints_.size(); ++j, ++t) {
                 if (t == tracks_.size()) tracks_.push_back({0, 3, {}});
                 tracks_[t].place = wire.data + j * 12 * frames_;
-                tracks_[t].put(joints_[j]);
+                tracks_[t].add_value(joints_[j]);
             }
         }
     }
@@ -115,8 +115,8 @@ class Animator {
     /// @param done  Number of frames written before.
     void flush(OpenFile& out, std::size_t base, std::size_t done) {
         for (Track& track : tracks_) {
-            out.put_at(base + track.place + done * track.width * sizeof(float), track.values.data(),
-                       track.values.size() * sizeof(float));
+            out.write_at(base + track.place + done * track.width * sizeof(float),
+                         track.values.data(), track.values.size() * sizeof(float));
             track.values.clear();
         }
     }
@@ -131,9 +131,9 @@ class Animator {
     std::size_t first_joint_ = 0, frames_ = 0;
 };
 
-void put_u32(OpenFile& out, std::uint64_t value) {
+void write_u32(OpenFile& out, std::uint64_t value) {
     const auto v = static_cast<std::uint32_t>(value);
-    out.put(&v, sizeof v);
+    out.add_value(&v, sizeof v);
 }
 
 }  // namespace
@@ -165,17 +165,17 @@ void write_gltf(const record::Recording& recording, const Frames& frames,
             "--every, or a shorter time",
             file.string(), frames.size(), total / 1'000'000));
     OpenFile out(file);
-    out.put("glTF", 4);
-    put_u32(out, 2);
-    put_u32(out, total);
-    put_u32(out, json.size());
-    out.put("JSON", 4);
-    out.put(json.data(), json.size());
-    put_u32(out, document.buffer_bytes());
-    out.put("BIN\0", 4);
+    out.add_value("glTF", 4);
+    write_u32(out, 2);
+    write_u32(out, total);
+    write_u32(out, json.size());
+    out.add_value("JSON", 4);
+    out.add_value(json.data(), json.size());
+    write_u32(out, document.buffer_bytes());
+    out.add_value("BIN\0", 4);
     const std::size_t base = 12 + 8 + json.size() + 8;
     const std::vector<std::byte>& fixed = document.fixed_bytes();
-    out.put(fixed.data(), fixed.size());
+    out.add_value(fixed.data(), fixed.size());
     Animator animator(recording, layout);
     animator.of_frames(frames.size());
     for (std::size_t i = 0, done = 0; i < frames.size(); ++i) {

@@ -39,7 +39,7 @@ int material_of(const record::RecordedBody& body) {
 
 /// Convert an sRGB value to a linear one with exponent 2.2 (approximation of IEC 61966-2-1). Vertex
 /// colours are linear, those of pictures sRGB.
-std::uint8_t linear(std::uint8_t value) {
+std::uint8_t linear_from_srgb(std::uint8_t value) {
     return static_cast<std::uint8_t>(std::lround(255.0 * std::pow(value / 255.0, 2.2)));
 }
 
@@ -60,12 +60,12 @@ GltfDocument::GltfDocument(const record::Recording& recording, const Frames& fra
         {{"name", recording.scene_name.empty() ? "world" : recording.scene_name + " (z up)"},
          {"rotation", {-std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)}}});
     scene_nodes_.push_back(0);
-    put_times();
-    put_bodies();
-    put_rods();
-    for (WireNodes& wire : layout_.wires) put_wire(wire);
+    add_times();
+    add_bodies();
+    add_rod_mesh();
+    for (WireNodes& wire : layout_.wires) add_wire(wire);
     bytes_ = fixed_.size();
-    put_channels();
+    add_channels();
     if (!children_.empty()) root_["nodes"][0]["children"] = std::move(children_);
     root_["scenes"] = {{{"nodes", std::move(scene_nodes_)}}};
     root_["scene"] = 0;
@@ -73,7 +73,7 @@ GltfDocument::GltfDocument(const record::Recording& recording, const Frames& fra
     root_["buffers"] = {{{"byteLength", bytes_}}};
 }
 
-int GltfDocument::put_view(const void* data, std::size_t size, int target) {
+int GltfDocument::add_buffer_view(const void* data, std::size_t size, int target) {
     fixed_.resize((fixed_.size() + 3) / 4 * 4);
     Json view{{"buffer", 0}, {"byteOffset", fixed_.size()}, {"byteLength", size}};
     if (target != 0) view["target"] = target;
@@ -84,13 +84,13 @@ int GltfDocument::put_view(const void* data, std::size_t size, int target) {
     return size_of(root_["bufferViews"]) - 1;
 }
 
-int GltfDocument::put_accessor(int view, int type, std::size_t count, const char* shape) {
+int GltfDocument::add_accessor(int view, int type, std::size_t count, const char* shape) {
     root_["accessors"].push_back(
         {{"bufferView", view}, {"componentType", type}, {"count", count}, {"type", shape}});
     return size_of(root_["accessors"]) - 1;
 }
 
-int GltfDocument::put_points(const std::vector<Vec3>& points) {
+int GltfDocument::add_points(const std::vector<Vec3>& points) {
     std::vector<float> values;
     float low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
     for (const Vec3& p : points)
@@ -99,19 +99,19 @@ int GltfDocument::put_points(const std::vector<Vec3>& points) {
             low[k] = std::min(low[k], values.back());
             high[k] = std::max(high[k], values.back());
         }
-    const int view = put_view(values.data(), values.size() * sizeof(float), kVertices);
-    const int accessor = put_accessor(view, kFloat, points.size(), "VEC3");
+    const int view = add_buffer_view(values.data(), values.size() * sizeof(float), kVertices);
+    const int accessor = add_accessor(view, kFloat, points.size(), "VEC3");
     Json& a = root_["accessors"].back();
     a["min"] = {low[0], low[1], low[2]};
     a["max"] = {high[0], high[1], high[2]};
     return accessor;
 }
 
-int GltfDocument::put_triangles(const record::Triangles& surface, int material) {
-    const int points = put_points(surface.points);
-    const int view = put_view(surface.corners.data(),
-                              surface.corners.size() * sizeof surface.corners[0], kIndices);
-    const int indices = put_accessor(view, kInt, 3 * surface.corners.size(), "SCALAR");
+int GltfDocument::add_triangles(const record::Triangles& surface, int material) {
+    const int points = add_points(surface.points);
+    const int view = add_buffer_view(surface.corners.data(),
+                                     surface.corners.size() * sizeof surface.corners[0], kIndices);
+    const int indices = add_accessor(view, kInt, 3 * surface.corners.size(), "SCALAR");
     root_["meshes"].push_back({{"primitives",
                                 {{{"attributes", {{"POSITION", points}}},
                                   {"indices", indices},
@@ -119,18 +119,18 @@ int GltfDocument::put_triangles(const record::Triangles& surface, int material) 
     return size_of(root_["meshes"]) - 1;
 }
 
-void GltfDocument::put_times() {
+void GltfDocument::add_times() {
     std::vector<float> times;
     const double start = frames_.empty() ? 0.0 : recording_.frame_head(frames_.front()).time;
     for (const std::size_t f : frames_)
         times.push_back(static_cast<float>(recording_.frame_head(f).time - start));
-    times_ = put_accessor(put_view(times.data(), times.size() * sizeof(float), 0), kFloat,
+    times_ = add_accessor(add_buffer_view(times.data(), times.size() * sizeof(float), 0), kFloat,
                           times.size(), "SCALAR");
     root_["accessors"].back()["min"] = {times.front()};
     root_["accessors"].back()["max"] = {times.back()};
 }
 
-void GltfDocument::put_bodies() {
+void GltfDocument::add_bodies() {
     const record::Frame first = recording_.frame(frames_.front());
     for (BodyNode& b : layout_.bodies) {
         const auto index = static_cast<std::size_t>(b.body);
@@ -139,7 +139,7 @@ void GltfDocument::put_bodies() {
         const Vec3& p = first.poses[index].position;
         const Quat& q = first.poses[index].orientation;
         node["translation"] = {p.x(), p.y(), p.z()};
-        if (b.turns || body.kind == BodyKind::fixed)
+        if (b.has_rotation || body.kind == BodyKind::fixed)
             node["rotation"] = {q.x(), q.y(), q.z(), q.w()};
         b.node = size_of(root_["nodes"]);
         Json parts = Json::array();
@@ -147,7 +147,7 @@ void GltfDocument::put_bodies() {
             b.surfaces.push_back(record::outline_surface(
                 {.radius = 0.003 * layout_.size, .points = {Vec3::Zero()}}));
         for (const record::Triangles& surface : b.surfaces)
-            parts.push_back(put_triangles(surface, material_of(body)));
+            parts.push_back(add_triangles(surface, material_of(body)));
         if (!parts.empty()) node["mesh"] = parts[0];
         root_["nodes"].push_back(std::move(node));
         for (std::size_t k = 1; k < parts.size(); ++k) {
@@ -162,7 +162,7 @@ void GltfDocument::put_bodies() {
 /// Add three ribbons to each segment between joints, one along each axis. The joints carry their
 /// corners. From any direction at least two ribbons appear wide.
 /// @param fraction  Value of each segment on the colour scale, 0 to 1.
-int GltfDocument::put_ribbons(const std::vector<std::pair<std::size_t, std::size_t>>& segments,
+int GltfDocument::add_ribbons(const std::vector<std::pair<std::size_t, std::size_t>>& segments,
                               double radius, const std::vector<float>& fraction) {
     std::vector<Vec3> points;
     std::vector<std::uint16_t> owners;
@@ -179,29 +179,30 @@ int GltfDocument::put_ribbons(const std::vector<std::pair<std::size_t, std::size
                     owners.insert(owners.end(), {static_cast<std::uint16_t>(joint), 0, 0, 0});
                     weights.insert(weights.end(), {1.0F, 0.0F, 0.0F, 0.0F});
                     colors.insert(colors.end(),
-                                  {linear(color.r), linear(color.g), linear(color.b), 255});
+                                  {linear_from_srgb(color.r), linear_from_srgb(color.g),
+                                   linear_from_srgb(color.b), 255});
                 }
             for (const std::uint32_t k : {0U, 1U, 2U, 2U, 1U, 3U}) indices.push_back(first + k);
         }
     }
-    Json attributes{{"POSITION", put_points(points)}};
+    Json attributes{{"POSITION", add_points(points)}};
     const auto put = [&](const char* key, const auto& data, int type) {
-        const int view = put_view(data.data(), data.size() * sizeof data[0], kVertices);
-        attributes[key] = put_accessor(view, type, points.size(), "VEC4");
+        const int view = add_buffer_view(data.data(), data.size() * sizeof data[0], kVertices);
+        attributes[key] = add_accessor(view, type, points.size(), "VEC4");
     };
     put("JOINTS_0", owners, kShort);
     put("WEIGHTS_0", weights, kFloat);
     put("COLOR_0", colors, kByte);
     root_["accessors"].back()["normalized"] = true;
-    const int view = put_view(indices.data(), indices.size() * sizeof indices[0], kIndices);
+    const int view = add_buffer_view(indices.data(), indices.size() * sizeof indices[0], kIndices);
     root_["meshes"].push_back({{"primitives",
                                 {{{"attributes", std::move(attributes)},
-                                  {"indices", put_accessor(view, kInt, indices.size(), "SCALAR")},
+                                  {"indices", add_accessor(view, kInt, indices.size(), "SCALAR")},
                                   {"material", static_cast<int>(kWireMaterial)}}}}});
     return size_of(root_["meshes"]) - 1;
 }
 
-void GltfDocument::put_rods() {
+void GltfDocument::add_rod_mesh() {
     if (layout_.rods.empty()) return;
     std::vector<std::pair<std::size_t, std::size_t>> segments;
     Json joints = Json::array();
@@ -218,14 +219,14 @@ void GltfDocument::put_rods() {
         }
     }
     const std::vector<float> dark(segments.size(), 0.0F);
-    const int mesh = put_ribbons(segments, 0.0008 * layout_.size, dark);
+    const int mesh = add_ribbons(segments, 0.0008 * layout_.size, dark);
     root_["skins"].push_back({{"name", "rods"}, {"joints", std::move(joints)}});
     scene_nodes_.push_back(root_["nodes"].size());
     root_["nodes"].push_back(
         {{"name", "rods"}, {"mesh", mesh}, {"skin", size_of(root_["skins"]) - 1}});
 }
 
-void GltfDocument::put_wire(WireNodes& wire) {
+void GltfDocument::add_wire(WireNodes& wire) {
     // Joint indices of a skin have 16 bits.
     constexpr std::size_t kMaxJoints = 65'000;
     if (wire.segments == 0 || wire.joints() > kMaxJoints) {
@@ -245,7 +246,7 @@ void GltfDocument::put_wire(WireNodes& wire) {
         children_.push_back(root_["nodes"].size());
         root_["nodes"].push_back({{"name", wire.name + "@" + std::to_string(j)}});
     }
-    const int mesh = put_ribbons(segments, 0.0006 * layout_.size, fraction);
+    const int mesh = add_ribbons(segments, 0.0006 * layout_.size, fraction);
     root_["skins"].push_back({{"name", wire.name}, {"joints", std::move(joints)}});
     scene_nodes_.push_back(root_["nodes"].size());
     root_["nodes"].push_back(
@@ -253,16 +254,16 @@ void GltfDocument::put_wire(WireNodes& wire) {
 }
 
 /// Append the buffer space of a channel. @return its accessor.
-int GltfDocument::put_channel_data(std::size_t& place, std::size_t width) {
+int GltfDocument::write_channel_data(std::size_t& place, std::size_t width) {
     place = bytes_;
     const std::size_t size = width * sizeof(float) * frames_.size();
     root_["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", bytes_}, {"byteLength", size}});
     bytes_ += size;
-    return put_accessor(size_of(root_["bufferViews"]) - 1, kFloat, frames_.size(),
+    return add_accessor(size_of(root_["bufferViews"]) - 1, kFloat, frames_.size(),
                         width == 4 ? "VEC4" : "VEC3");
 }
 
-void GltfDocument::put_channel(int node, const char* path, int output, const char* interpolation) {
+void GltfDocument::add_channel(int node, const char* path, int output, const char* interpolation) {
     Json& animation = root_["animations"][0];
     animation["name"] = "run";
     animation["samplers"].push_back(
@@ -271,18 +272,19 @@ void GltfDocument::put_channel(int node, const char* path, int output, const cha
                                      {"target", {{"node", node}, {"path", path}}}});
 }
 
-void GltfDocument::put_channels() {
+void GltfDocument::add_channels() {
     for (BodyNode& b : layout_.bodies) {
-        if (b.moves) put_channel(b.node, "translation", put_channel_data(b.data, 3), "LINEAR");
-        if (b.turns) put_channel(b.node, "rotation", put_channel_data(b.turn, 4), "LINEAR");
-        if (b.comes) put_channel(b.node, "scale", put_channel_data(b.size, 3), "STEP");
+        if (b.moves) add_channel(b.node, "translation", write_channel_data(b.data, 3), "LINEAR");
+        if (b.has_rotation)
+            add_channel(b.node, "rotation", write_channel_data(b.rotation_offset, 4), "LINEAR");
+        if (b.comes) add_channel(b.node, "scale", write_channel_data(b.size, 3), "STEP");
     }
     for (WireNodes& wire : layout_.wires)
         for (std::size_t j = 0; j < wire.joints(); ++j) {
             std::size_t place = 0;
-            const int output = put_channel_data(place, 3);
+            const int output = write_channel_data(place, 3);
             if (j == 0) wire.data = place;
-            put_channel(wire.node + static_cast<int>(j), "translation", output, "LINEAR");
+            add_channel(wire.node + static_cast<int>(j), "translation", output, "LINEAR");
         }
 }
 

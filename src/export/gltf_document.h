@@ -25,19 +25,19 @@ class GltfDocument {
   private:
     using Json = nlohmann::json;
 
-    int put_view(const void* data, std::size_t size, int target);
-    int put_accessor(int view, int type, std::size_t count, const char* shape);
-    int put_points(const std::vector<Vec3>& points);
-    int put_triangles(const record::Triangles& surface, int material);
-    void put_bodies();
-    void put_rods();
-    void put_wire(WireNodes& wire);
-    int put_ribbons(const std::vector<std::pair<std::size_t, std::size_t>>& segments, double radius,
+    int add_buffer_view(const void* data, std::size_t size, int target);
+    int add_accessor(int view, int type, std::size_t count, const char* shape);
+    int add_points(const std::vector<Vec3>& points);
+    int add_triangles(const record::Triangles& surface, int material);
+    void add_bodies();
+    void add_rod_mesh();
+    void add_wire(WireNodes& wire);
+    int add_ribbons(const std::vector<std::pair<std::size_t, std::size_t>>& segments, double radius,
                     const std::vector<float>& fraction);
-    void put_times();
-    void put_channels();
-    int put_channel_data(std::size_t& place, std::size_t width);
-    void put_channel(int node, const char* path, int output, const char* interpolation);
+    void add_times();
+    void add_channels();
+    int write_channel_data(std::size_t& place, std::size_t width);
+    void add_channel(int node, const char* path, int output, const char* interpolation);
 
     const record::Recording& recording_;
     const Frames& frames_;

@@ -20,7 +20,7 @@ void add_bodies(const record::Recording& recording, Layout& out) {
         node.body = static_cast<std::int32_t>(i);
         node.surfaces = record::body_surfaces(recording, i);
         node.moves = kind != BodyKind::fixed;
-        node.turns = kind == BodyKind::rigid || kind == BodyKind::kinematic;
+        node.has_rotation = kind == BodyKind::rigid || kind == BodyKind::kinematic;
         out.bodies.push_back(std::move(node));
     }
 }
@@ -94,7 +94,7 @@ Layout lay_out(const record::Recording& recording, const Frames& frames) {
     return out;
 }
 
-void place_joints(const WireNodes& wire, const WireLine& line, std::vector<Vec3>& out) {
+void joint_positions(const WireNodes& wire, const WireLine& line, std::vector<Vec3>& out) {
     out.assign(wire.joints(), Vec3::Zero());
     Vec3 last = line.segments.empty() ? Vec3(Vec3::Zero()) : line.segments.front().from;
     for (std::size_t i = 0; i < wire.segments; ++i) {

@@ -21,12 +21,13 @@ using draw::WireReader;
 struct BodyNode {
     std::int32_t body = -1;
     std::vector<record::Triangles> surfaces;
-    bool moves = false;    ///< Has a translation channel.
-    bool turns = false;    ///< Has an orientation and a rotation channel.
-    bool comes = false;    ///< Is absent in some frames: has a scale channel.
-    std::size_t data = 0;  ///< Offset of the translation from the start of the buffer [bytes].
-    std::size_t turn = 0, size = 0;  ///< Offsets of the rotation and of the scale [bytes].
-    int node = -1;                   ///< Node index in the glTF.
+    bool moves = false;         ///< Has a translation channel.
+    bool has_rotation = false;  ///< Has an orientation and a rotation channel.
+    bool comes = false;         ///< Is absent in some frames: has a scale channel.
+    std::size_t data = 0;       ///< Offset of the translation from the start of the buffer [bytes].
+    std::size_t rotation_offset = 0,
+                size = 0;  ///< Offsets of the rotation and of the scale [bytes].
+    int node = -1;         ///< Node index in the glTF.
 };
 
 /// Wire with a node for each of its joints.
@@ -66,6 +67,6 @@ struct Layout {
 [[nodiscard]] Layout lay_out(const record::Recording& recording, const Frames& frames);
 
 /// Compute the positions of a wire's joints in a frame. @param out  joints() entries.
-void place_joints(const WireNodes& wire, const WireLine& line, std::vector<Vec3>& out);
+void joint_positions(const WireNodes& wire, const WireLine& line, std::vector<Vec3>& out);
 
 }  // namespace hawser::exporting

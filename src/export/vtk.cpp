@@ -26,7 +26,7 @@ namespace {
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 /// Return text for XML attributes: special characters become '_'.
-std::string plain(const std::string& text) {
+std::string xml_safe(const std::string& text) {
     std::string out = text;
     for (char& c : out)
         if (c == '"' || c == '<' || c == '&' || c == '>' || static_cast<unsigned char>(c) < 32)
@@ -63,13 +63,13 @@ class Blocks {
 struct Cells {
     std::vector<double> points;
     std::vector<std::int32_t> verts, verts_end, lines, lines_end, polys, polys_end;
-    std::vector<std::int32_t> kind, index, parted;
+    std::vector<std::int32_t> kind, index, broken;
     std::vector<float> tension, strain, orientation, force;
 
     void clear() {
         points.clear();
         for (auto* all :
-             {&verts, &verts_end, &lines, &lines_end, &polys, &polys_end, &kind, &index, &parted})
+             {&verts, &verts_end, &lines, &lines_end, &polys, &polys_end, &kind, &index, &broken})
             all->clear();
         for (auto* all : {&tension, &strain, &orientation, &force}) all->clear();
     }
@@ -83,11 +83,11 @@ struct Cells {
         index.push_back(static_cast<std::int32_t>(index_));
         tension.push_back(tension_);
         strain.push_back(strain_);
-        parted.push_back(parted_ ? 1 : 0);
+        broken.push_back(parted_ ? 1 : 0);
         orientation.resize(4 * kind.size(), kNone);
         force.resize(3 * kind.size(), kNone);
     }
-    void vert(const Vec3& p) {
+    void add_vertex(const Vec3& p) {
         verts.push_back(point(p));
         verts_end.push_back(static_cast<std::int32_t>(verts.size()));
     }
@@ -97,7 +97,8 @@ class VtkWriter {
   public:
     explicit VtkWriter(const record::Recording& recording) : reader_(recording) {
         std::string names;
-        for (const record::RecordedBody& body : recording.bodies) names += plain(body.name) + "\n";
+        for (const record::RecordedBody& body : recording.bodies)
+            names += xml_safe(body.name) + "\n";
         body_names_ = text_array("body_names", names);
         const std::vector<bool> visible = draw::visible_bodies(recording);
         for (std::size_t i = 0; i < recording.bodies.size(); ++i)
@@ -111,19 +112,19 @@ class VtkWriter {
     [[nodiscard]] const std::string& document(const record::Frame& frame,
                                               const ContactForces& contacts) {
         cells_.clear();
-        put_vertices(frame, contacts, cells_);
-        put_wires(frame, cells_);
-        put_surfaces(frame, cells_);
-        put_text(frame, cells_);
+        append_vertices(frame, contacts, cells_);
+        append_wires(frame, cells_);
+        append_surfaces(frame, cells_);
+        append_text(frame, cells_);
         return out_;
     }
 
   private:
-    void put_vertices(const record::Frame& frame, const ContactForces& at, Cells& cells) const {
+    void append_vertices(const record::Frame& frame, const ContactForces& at, Cells& cells) const {
         for (const std::size_t body : bodies_) {
             if (!frame.there[body]) continue;
             const Pose& pose = frame.poses[body];
-            cells.vert(pose.position);
+            cells.add_vertex(pose.position);
             cells.data(0, body);
             const Quat& q = pose.orientation;
             float* const to = &cells.orientation[cells.orientation.size() - 4];
@@ -131,14 +132,14 @@ class VtkWriter {
                 to[k] = static_cast<float>(k == 0 ? q.w() : q.coeffs()[k - 1]);
         }
         for (std::size_t i = 0; 3 * i + 2 < at.points.size(); ++i) {
-            cells.vert({at.points[3 * i], at.points[3 * i + 1], at.points[3 * i + 2]});
+            cells.add_vertex({at.points[3 * i], at.points[3 * i + 1], at.points[3 * i + 2]});
             cells.data(1, i);
             for (std::size_t k = 0; k < 3; ++k)
                 cells.force[cells.force.size() - 3 + k] = static_cast<float>(at.forces[3 * i + k]);
         }
     }
 
-    void put_wires(const record::Frame& frame, Cells& cells) {
+    void append_wires(const record::Frame& frame, Cells& cells) {
         reader_.read(frame, lines_);
         for (std::size_t w = 0; w < lines_.size(); ++w)
             for (const WirePiece& s : lines_[w].segments) {
@@ -151,7 +152,7 @@ class VtkWriter {
             }
     }
 
-    void put_surfaces(const record::Frame& frame, Cells& cells) const {
+    void append_surfaces(const record::Frame& frame, Cells& cells) const {
         for (std::size_t b = 0; b < bodies_.size(); ++b) {
             if (!frame.there[bodies_[b]]) continue;
             const Pose& pose = frame.poses[bodies_[b]];
@@ -172,7 +173,7 @@ class VtkWriter {
     /// Return the names of wires; rebuilt if wires were added or removed.
     const std::string& wire_names() {
         std::string names;
-        for (const WireLine& line : lines_) names += plain(std::string(line.name)) + "\n";
+        for (const WireLine& line : lines_) names += xml_safe(std::string(line.name)) + "\n";
         if (wire_names_.empty() || names != last_names_) {
             wire_names_ = text_array("wire_names", names);
             last_names_ = std::move(names);
@@ -188,7 +189,7 @@ class VtkWriter {
         return out + "0</Array>\n";
     }
 
-    void put_text(const record::Frame& frame, const Cells& c) {
+    void append_text(const record::Frame& frame, const Cells& c) {
         Blocks& blocks = blocks_;
         std::string& out = out_;
         blocks.clear();
@@ -217,7 +218,7 @@ class VtkWriter {
                blocks.array("Int32", "index", 1, c.index) +
                blocks.array("Float32", "tension", 1, c.tension) +
                blocks.array("Float32", "strain", 1, c.strain) +
-               blocks.array("Int32", "parted", 1, c.parted) +
+               blocks.array("Int32", "parted", 1, c.broken) +
                blocks.array("Float32", "orientation", 4, c.orientation) +
                blocks.array("Float32", "force", 3, c.force);
         out += "</CellData>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
@@ -236,7 +237,7 @@ class VtkWriter {
     std::vector<std::vector<record::Triangles>> surfaces_;
 };
 
-void written(const std::filesystem::path& file, const std::string& fault) {
+void check_written(const std::filesystem::path& file, const std::string& fault) {
     if (!fault.empty())
         throw std::runtime_error(fmt::format("{}: cannot be written: {}", file.string(), fault));
 }
@@ -267,20 +268,20 @@ void write_vtk(const record::Recording& recording, const Frames& frames,
         ContactForces forces = contacts ? contacts(frame) : ContactForces{};
         const std::string name = fmt::format("frame_{:06}.vtp", i);
         list += fmt::format("<DataSet timestep=\"{:.17g}\" part=\"0\" file=\"{}/{}\"/>\n",
-                            frame.time, plain(folder.filename().string()), name);
+                            frame.time, xml_safe(folder.filename().string()), name);
         if (under_way.valid()) under_way.get();
         under_way = std::async(
             std::launch::async,
             [&writer, to = folder / name, frame = std::move(frame), forces = std::move(forces)] {
-                written(to, record::write_file(to, writer.document(frame, forces),
-                                               record::Flush::later));
+                check_written(to, record::write_file(to, writer.document(frame, forces),
+                                                     record::Flush::later));
             });
         if (progress) progress(i + 1);
     }
     if (under_way.valid()) under_way.get();
     // Write the list last, so that all files in it exist.
-    written(folder, record::flush_folder(folder));
-    written(file, record::write_file(file, list + "</Collection>\n</VTKFile>\n"));
+    check_written(folder, record::flush_folder(folder));
+    check_written(file, record::write_file(file, list + "</Collection>\n</VTKFile>\n"));
 }
 
 }  // namespace hawser::exporting

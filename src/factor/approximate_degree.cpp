@@ -44,22 +44,22 @@ void ApproximateDegree::begin(const Pattern& pattern) {
     twin_.assign(n, -1);
     twin_mark_.assign(n, -1);
     bucket_.assign(n, -1);
-    dense_.clear();
+    dense_nodes_.clear();
     constexpr double kDense = 100.0;
     const double most = kDense * std::sqrt(static_cast<double>(n));
-    left_ = 0;
+    remaining_weight_ = 0;
     for (std::size_t v = 0; v < n; ++v) {
         const auto node = static_cast<std::int32_t>(v);
         last_twin_[v] = node;
         if (static_cast<double>(pattern.neighbours(node).size()) > most) {
-            dense_.push_back(node);
+            dense_nodes_.push_back(node);
             continue;
         }
         weight_[v] = pattern.size[v];
-        left_ += weight_[v];
+        remaining_weight_ += weight_[v];
     }
     free_ = 0;
-    head_.assign(at(left_) + 1, -1);
+    head_.assign(at(remaining_weight_) + 1, -1);
     for (std::size_t v = 0; v < n; ++v) {
         start_[v] = free_;
         if (weight_[v] > 0)
@@ -72,20 +72,20 @@ void ApproximateDegree::begin(const Pattern& pattern) {
     }
     for (std::size_t v = n; v-- > 0;)
         if (weight_[v] > 0) insert(static_cast<std::int32_t>(v));
-    least_ = 0;
-    stamp_ = 2;
+    least_degree_ = 0;
+    mark_stamp_ = 2;
 }
 
 void ApproximateDegree::run(const Pattern& pattern, std::vector<std::int32_t>& order) {
     order.resize(pattern.size.size());
     begin(pattern);
     order_ = order.data();
-    while (left_ > 0) {
-        while (head_[at(least_)] < 0) ++least_;
-        const std::int32_t pivot = head_[at(least_)];
+    while (remaining_weight_ > 0) {
+        while (head_[at(least_degree_)] < 0) ++least_degree_;
+        const std::int32_t pivot = head_[at(least_degree_)];
         remove(pivot);
         finish(pivot);
-        left_ -= weight_[at(pivot)];
+        remaining_weight_ -= weight_[at(pivot)];
         compact_if_needed(pivot);
         form_element(pivot);
         measure_elements(pivot);
@@ -93,7 +93,7 @@ void ApproximateDegree::run(const Pattern& pattern, std::vector<std::int32_t>& o
         join_twins(pivot);
         close_element(pivot);
     }
-    for (const std::int32_t v : dense_) *order_++ = v;
+    for (const std::int32_t v : dense_nodes_) *order_++ = v;
 }
 
 /// Compact the lists if the element of the pivot might not fit behind them.
@@ -165,7 +165,7 @@ void ApproximateDegree::measure_elements(std::int32_t pivot) noexcept {
         for (std::int32_t i = start_[v]; i < start_[v] + elements_[v]; ++i) {
             const std::size_t e = at(lists_[at(i)]);
             if (mark_[e] == 0) continue;
-            if (mark_[e] < stamp_) mark_[e] = degree_[e] + stamp_;
+            if (mark_[e] < mark_stamp_) mark_[e] = degree_[e] + mark_stamp_;
             mark_[e] -= weight;
         }
     }
@@ -174,7 +174,7 @@ void ApproximateDegree::measure_elements(std::int32_t pivot) noexcept {
 /// Remove from a variable's list all entries that the pivot's element covers, and put that element
 /// first.
 /// @return false if no other entry remains.
-bool ApproximateDegree::shorten(std::int32_t pivot, std::int32_t variable) noexcept {
+bool ApproximateDegree::remove_covered_entries(std::int32_t pivot, std::int32_t variable) noexcept {
     const std::size_t v = at(variable);
     const std::int32_t begin = start_[v];
     std::int32_t to = begin;
@@ -183,7 +183,7 @@ bool ApproximateDegree::shorten(std::int32_t pivot, std::int32_t variable) noexc
     for (std::int32_t k = begin; k < begin + elements_[v]; ++k) {
         const std::int32_t e = lists_[at(k)];
         if (mark_[at(e)] == 0) continue;
-        const std::int64_t outside = mark_[at(e)] - stamp_;
+        const std::int64_t outside = mark_[at(e)] - mark_stamp_;
         if (outside == 0) {  // absorbed
             mark_[at(e)] = 0;
             length_[at(e)] = 0;
@@ -223,15 +223,15 @@ void ApproximateDegree::shorten_lists(std::int32_t pivot) noexcept {
     for (std::int32_t k = start_[p]; k < start_[p] + length_[p]; ++k) {
         const std::int32_t variable = lists_[at(k)];
         const std::size_t v = at(variable);
-        if (shorten(pivot, variable)) continue;
+        if (remove_covered_entries(pivot, variable)) continue;
         finish(variable);
         degree_[p] += weight_[v];
-        left_ += weight_[v];
+        remaining_weight_ += weight_[v];
         weight_[v] = 0;
         length_[v] = 0;
     }
     // Raise the stamp above all marks of this pivot.
-    stamp_ += static_cast<std::int64_t>(head_.size());
+    mark_stamp_ += static_cast<std::int64_t>(head_.size());
 }
 
 /// Join variables of one bucket whose lists are equal as sets.
@@ -290,9 +290,9 @@ void ApproximateDegree::close_element(std::int32_t pivot) noexcept {
         const std::size_t v = at(variable);
         if (weight_[v] == 0) continue;
         const std::int32_t weight = weight_[v] = -weight_[v];
-        degree_[v] = std::min(degree_[v] + degree_[p] - weight, left_ - weight);
+        degree_[v] = std::min(degree_[v] + degree_[p] - weight, remaining_weight_ - weight);
         insert(variable);
-        least_ = std::min(least_, degree_[v]);
+        least_degree_ = std::min(least_degree_, degree_[v]);
         lists_[at(to++)] = variable;
     }
     length_[p] = to - start_[p];
@@ -304,7 +304,7 @@ std::size_t ApproximateDegree::bytes() const noexcept {
     std::size_t sum = base::bytes(mark_);
     for (const auto* v :
          {&lists_, &start_, &length_, &elements_, &weight_, &degree_, &head_, &next_, &prev_,
-          &twin_, &last_twin_, &twin_mark_, &bucket_, &bucket_next_, &dense_})
+          &twin_, &last_twin_, &twin_mark_, &bucket_, &bucket_next_, &dense_nodes_})
         sum += base::bytes(*v);
     return sum;
 }

@@ -45,7 +45,7 @@ class ApproximateDegree {
                 std::int32_t end) noexcept;
     void measure_elements(std::int32_t pivot) noexcept;
     void shorten_lists(std::int32_t pivot) noexcept;
-    bool shorten(std::int32_t pivot, std::int32_t variable) noexcept;
+    bool remove_covered_entries(std::int32_t pivot, std::int32_t variable) noexcept;
     void join_twins(std::int32_t pivot) noexcept;
     void join_bucket(std::int32_t first) noexcept;
     void close_element(std::int32_t pivot) noexcept;
@@ -64,11 +64,11 @@ class ApproximateDegree {
     std::vector<std::int32_t> twin_, last_twin_;
     std::vector<std::int32_t> twin_mark_;  ///< Last variable whose list marked each node.
     std::vector<std::int32_t> bucket_, bucket_next_;  ///< Variables by a sum of their lists.
-    std::vector<std::int32_t> dense_;
-    std::int64_t stamp_ = 0;
-    std::int32_t free_ = 0;   ///< End of the used part of lists_.
-    std::int32_t least_ = 0;  ///< Lower bound of the degrees of all variables.
-    std::int32_t left_ = 0;   ///< Total weight of the remaining variables.
+    std::vector<std::int32_t> dense_nodes_;
+    std::int64_t mark_stamp_ = 0;
+    std::int32_t free_ = 0;              ///< End of the used part of lists_.
+    std::int32_t least_degree_ = 0;      ///< Lower bound of the degrees of all variables.
+    std::int32_t remaining_weight_ = 0;  ///< Total weight of the remaining variables.
     std::int32_t* order_ = nullptr;
 };
 

@@ -25,15 +25,15 @@ BodyGraph WireFinder::graph(const Pattern& pattern) {
         return {pattern.start.data(), pattern.adjacent.data()};
     start_.resize(n + 1);
     start_[0] = 0;
-    adjacent_.clear();
+    neighbours_.clear();
     mark_.assign(n, -1);
     for (std::size_t v = 0; v < n; ++v) {
         const auto id = static_cast<std::int32_t>(v);
-        const auto first = static_cast<std::ptrdiff_t>(adjacent_.size());
+        const auto first = static_cast<std::ptrdiff_t>(neighbours_.size());
         auto take = [&](std::int32_t u) {
             if (u == id || pattern.sign[at(u)] < 0 || mark_[at(u)] == id) return;
             mark_[at(u)] = id;
-            adjacent_.push_back(u);
+            neighbours_.push_back(u);
         };
         if (pattern.sign[v] > 0)
             for (const std::int32_t u : pattern.neighbours(id)) {
@@ -41,16 +41,16 @@ BodyGraph WireFinder::graph(const Pattern& pattern) {
                 if (pattern.sign[at(u)] < 0)
                     for (const std::int32_t w : pattern.neighbours(u)) take(w);
             }
-        std::sort(adjacent_.begin() + first, adjacent_.end());
-        start_[v + 1] = static_cast<std::int32_t>(adjacent_.size());
+        std::sort(neighbours_.begin() + first, neighbours_.end());
+        start_[v + 1] = static_cast<std::int32_t>(neighbours_.size());
     }
-    return {start_.data(), adjacent_.data()};
+    return {start_.data(), neighbours_.data()};
 }
 
 /// Compute prefix sums of `of` over the neighbours of all nodes. The sum of one node is then a
 /// difference, and a single loop covers all nodes.
-void WireFinder::sum_up(const BodyGraph& graph, std::size_t nodes,
-                        const std::vector<std::uint8_t>& of) {
+void WireFinder::compute_prefix_sums(const BodyGraph& graph, std::size_t nodes,
+                                     const std::vector<std::uint8_t>& of) {
     const std::size_t edges = at(graph.start[nodes]);
     sum_.resize(edges + 1);
     sum_[0] = 0;
@@ -65,7 +65,7 @@ void WireFinder::find_wire_like(const Pattern& pattern, const BodyGraph& graph) 
     like_.resize(n);
     for (std::size_t v = 0; v < n; ++v)
         hub_[v] = graph.start[v + 1] - graph.start[v] > kHub ? 1 : 0;
-    sum_up(graph, n, hub_);
+    compute_prefix_sums(graph, n, hub_);
     bool any_rows = false;
     for (std::size_t v = 0; v < n; ++v) {
         const std::int32_t begin = graph.start[v], end = graph.start[v + 1];
@@ -90,7 +90,7 @@ void WireFinder::find_wire_like(const Pattern& pattern, const BodyGraph& graph) 
 
 void WireFinder::sort_by_degree(const BodyGraph& graph) {
     const std::size_t n = like_.size();
-    sum_up(graph, n, like_);
+    compute_prefix_sums(graph, n, like_);
     degree_.resize(n);
     std::int32_t cursor[kDegrees + 1] = {};
     for (std::size_t v = 0; v < n; ++v) {
@@ -109,8 +109,8 @@ void WireFinder::sort_by_degree(const BodyGraph& graph) {
 
 /// Return the only unvisited neighbour of a node, −1: none, −2: several.
 /// @param smallest  Unvisited neighbour with the smallest degree.
-std::int32_t WireFinder::only(const BodyGraph& graph, std::int32_t node,
-                              std::int32_t& smallest) const noexcept {
+std::int32_t WireFinder::only_unvisited_neighbour(const BodyGraph& graph, std::int32_t node,
+                                                  std::int32_t& smallest) const noexcept {
     std::int32_t found = -1;
     smallest = -1;
     for (const std::int32_t u : graph.neighbours(node)) {
@@ -123,12 +123,12 @@ std::int32_t WireFinder::only(const BodyGraph& graph, std::int32_t node,
 
 /// Return the next body of a wire after `now`. If three-body bending couples i to i + 2, it is the
 /// unvisited neighbour of `before`. Otherwise it is the unvisited neighbour of `now`.
-std::int32_t WireFinder::successor(const Pattern& pattern, const BodyGraph& graph,
-                                   std::int32_t before, std::int32_t now) const noexcept {
+std::int32_t WireFinder::next_wire_body(const Pattern& pattern, const BodyGraph& graph,
+                                        std::int32_t before, std::int32_t now) const noexcept {
     std::int32_t smallest = -1;
-    std::int32_t next = before < 0 ? -1 : only(graph, before, smallest);
+    std::int32_t next = before < 0 ? -1 : only_unvisited_neighbour(graph, before, smallest);
     if (next == -1) {
-        next = only(graph, now, smallest);
+        next = only_unvisited_neighbour(graph, now, smallest);
         if (next == -2 && before < 0) next = smallest;
     }
     if (next < 0 || pattern.size[at(next)] != pattern.size[at(now)]) return -1;
@@ -137,12 +137,12 @@ std::int32_t WireFinder::successor(const Pattern& pattern, const BodyGraph& grap
 }
 
 /// Walk from one end of a wire to the other.
-void WireFinder::walk(const Pattern& pattern, const BodyGraph& graph, std::int32_t seed) {
+void WireFinder::walk_wire(const Pattern& pattern, const BodyGraph& graph, std::int32_t seed) {
     std::int32_t before = -1, now = seed;
     while (now >= 0) {
         like_[at(now)] = 0;
-        walked_.push_back(now);
-        const std::int32_t next = successor(pattern, graph, before, now);
+        walked_bodies_.push_back(now);
+        const std::int32_t next = next_wire_body(pattern, graph, before, now);
         before = now;
         now = next;
     }
@@ -150,10 +150,10 @@ void WireFinder::walk(const Pattern& pattern, const BodyGraph& graph, std::int32
 
 /// Remove each body that touches another wire, or its own wire farther away than kReach. Remove
 /// enough bodies behind it that the remaining parts do not couple.
-void WireFinder::take_apart(const BodyGraph& graph) {
+void WireFinder::remove_touching_bodies(const BodyGraph& graph) {
     std::vector<std::int32_t>& place = wires_.place;
-    for (std::size_t k = 0; k < walked_.size(); ++k)
-        place[at(walked_[k])] = static_cast<std::int32_t>(k);
+    for (std::size_t k = 0; k < walked_bodies_.size(); ++k)
+        place[at(walked_bodies_[k])] = static_cast<std::int32_t>(k);
     wires_.bodies.clear();
     wires_.begin.assign(1, 0);
     auto close = [&] {
@@ -166,7 +166,7 @@ void WireFinder::take_apart(const BodyGraph& graph) {
         const std::int32_t begin = walk_begin_[w], end = walk_begin_[w + 1];
         std::int32_t skip = 0;
         for (std::int32_t k = begin; k < end; ++k) {
-            const std::int32_t b = walked_[at(k)];
+            const std::int32_t b = walked_bodies_[at(k)];
             bool apart = true;
             for (const std::int32_t u : graph.neighbours(b)) {
                 const std::int32_t p = place[at(u)];
@@ -182,7 +182,7 @@ void WireFinder::take_apart(const BodyGraph& graph) {
         }
         close();
     }
-    for (const std::int32_t b : walked_) place[at(b)] = -1;
+    for (const std::int32_t b : walked_bodies_) place[at(b)] = -1;
     for (std::size_t k = 0; k < wires_.bodies.size(); ++k)
         place[at(wires_.bodies[k])] = static_cast<std::int32_t>(k);
 }
@@ -190,26 +190,26 @@ void WireFinder::take_apart(const BodyGraph& graph) {
 const Wires& WireFinder::find(const Pattern& pattern, const BodyGraph& graph) {
     find_wire_like(pattern, graph);
     sort_by_degree(graph);
-    walked_.clear();
+    walked_bodies_.clear();
     walk_begin_.assign(1, 0);
     // Start from the ends, by number of neighbours. The remaining wires are rings.
     for (const std::int32_t v : candidates_) {
         if (!like_[at(v)]) continue;
-        walk(pattern, graph, v);
-        if (static_cast<std::int32_t>(walked_.size()) - walk_begin_.back() < kShortest)
-            walked_.resize(at(walk_begin_.back()));
+        walk_wire(pattern, graph, v);
+        if (static_cast<std::int32_t>(walked_bodies_.size()) - walk_begin_.back() < kShortest)
+            walked_bodies_.resize(at(walk_begin_.back()));
         else
-            walk_begin_.push_back(static_cast<std::int32_t>(walked_.size()));
+            walk_begin_.push_back(static_cast<std::int32_t>(walked_bodies_.size()));
     }
     wires_.place.assign(like_.size(), -1);
-    take_apart(graph);
+    remove_touching_bodies(graph);
     return wires_;
 }
 
 std::size_t WireFinder::bytes() const noexcept {
-    return base::bytes(start_) + base::bytes(adjacent_) + base::bytes(mark_) + base::bytes(hub_) +
+    return base::bytes(start_) + base::bytes(neighbours_) + base::bytes(mark_) + base::bytes(hub_) +
            base::bytes(like_) + base::bytes(degree_) + base::bytes(candidates_) +
-           base::bytes(sum_) + base::bytes(walked_) + base::bytes(walk_begin_) +
+           base::bytes(sum_) + base::bytes(walked_bodies_) + base::bytes(walk_begin_) +
            base::bytes(wires_.bodies) + base::bytes(wires_.begin) + base::bytes(wires_.place);
 }
 

@@ -40,22 +40,23 @@ class WireFinder {
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
-    void sum_up(const BodyGraph& graph, std::size_t nodes, const std::vector<std::uint8_t>& of);
+    void compute_prefix_sums(const BodyGraph& graph, std::size_t nodes,
+                             const std::vector<std::uint8_t>& of);
     void find_wire_like(const Pattern& pattern, const BodyGraph& graph);
     void sort_by_degree(const BodyGraph& graph);
-    void walk(const Pattern& pattern, const BodyGraph& graph, std::int32_t seed);
-    [[nodiscard]] std::int32_t only(const BodyGraph& graph, std::int32_t node,
-                                    std::int32_t& smallest) const noexcept;
-    [[nodiscard]] std::int32_t successor(const Pattern& pattern, const BodyGraph& graph,
-                                         std::int32_t before, std::int32_t now) const noexcept;
-    void take_apart(const BodyGraph& graph);
+    void walk_wire(const Pattern& pattern, const BodyGraph& graph, std::int32_t seed);
+    [[nodiscard]] std::int32_t only_unvisited_neighbour(const BodyGraph& graph, std::int32_t node,
+                                                        std::int32_t& smallest) const noexcept;
+    [[nodiscard]] std::int32_t next_wire_body(const Pattern& pattern, const BodyGraph& graph,
+                                              std::int32_t before, std::int32_t now) const noexcept;
+    void remove_touching_bodies(const BodyGraph& graph);
 
-    std::vector<std::int32_t> start_, adjacent_, mark_, sum_;
+    std::vector<std::int32_t> start_, neighbours_, mark_, sum_;
     std::vector<std::uint8_t> hub_;
     std::vector<std::uint8_t> like_;        ///< May lie in a wire and no walk has visited it.
     std::vector<std::uint8_t> degree_;      ///< Number of neighbours that may lie in a wire.
     std::vector<std::int32_t> candidates_;  ///< Sorted by degree, then by index.
-    std::vector<std::int32_t> walked_, walk_begin_;
+    std::vector<std::int32_t> walked_bodies_, walk_begin_;
     Wires wires_;
 };
 

@@ -43,7 +43,7 @@ std::size_t Chains::bytes() const noexcept {
 }
 
 /// Cut every run into pieces of about `target` bodies with `reach` bodies between them.
-void ChainFinder::cut(std::int32_t target) {
+void ChainFinder::cut_runs(std::int32_t target) {
     pieces_.clear();
     for (std::size_t r = 0; r < runs_.size(); ++r) {
         const std::int32_t n = runs_[r].end - runs_[r].begin, w = runs_[r].reach;
@@ -73,8 +73,9 @@ double ChainFinder::plan_cost(int size, double most) {
         std::int32_t start = first ? run.start : w;
         if (first && !last) start = 0;  // reversed if the end of the wire is less free
         if (last && !first) start = run.start > 0 ? w : 0;
-        shapes_.push_back({w + start + run.across + run.beside * (piece.to - piece.from), run.unit,
-                           piece.to - piece.from, static_cast<std::int32_t>(shapes_.size())});
+        shapes_.push_back(
+            {w + start + run.common_touch_rows + run.single_touch_rows * (piece.to - piece.from),
+             run.unit, piece.to - piece.from, static_cast<std::int32_t>(shapes_.size())});
         if (!last) total += kSeparatorCost * run.reach;
     }
     if (total >= most) return total;
@@ -126,9 +127,9 @@ ChainFinder::Stretch ChainFinder::describe(const Pattern& pattern, const BodyGra
     for (const Neighbour& hub : hubs_) {
         const std::int32_t size = pattern.size[at(hub.node)];
         if (hub.count > 4)
-            run.across += size;
+            run.common_touch_rows += size;
         else if (hub.first > 2 && hub.first < end - begin - 2)
-            run.beside += static_cast<double>(size) / (end - begin);
+            run.single_touch_rows += static_cast<double>(size) / (end - begin);
         else
             (2 * hub.first < end - begin ? left : right) += size;
     }
@@ -137,23 +138,23 @@ ChainFinder::Stretch ChainFinder::describe(const Pattern& pattern, const BodyGra
 }
 
 /// Return true if a chain costs less when eliminated backwards.
-bool ChainFinder::turns(const Pattern& pattern, const BodyGraph& graph, const Wires& wires,
-                        std::int32_t from, std::int32_t to) {
+bool ChainFinder::is_cheaper_backwards(const Pattern& pattern, const BodyGraph& graph,
+                                       const Wires& wires, std::int32_t from, std::int32_t to) {
     // Boundary scalars times the units that carry them, for both directions.
     std::int64_t forward = 0, backward = 0;
     auto visit = [&](std::int32_t k, std::int64_t& area, std::int32_t rest) {
         for (const std::int32_t u : graph.neighbours(wires.bodies[at(k)])) {
             const std::int32_t place = wires.place[at(u)];
             if ((place >= from && place < to) ||
-                std::find(seen_.begin(), seen_.end(), u) != seen_.end())
+                std::find(seen_bodies_.begin(), seen_bodies_.end(), u) != seen_bodies_.end())
                 continue;
-            seen_.push_back(u);
+            seen_bodies_.push_back(u);
             area += static_cast<std::int64_t>(rest) * pattern.size[at(u)];
         }
     };
-    seen_.clear();
+    seen_bodies_.clear();
     for (std::int32_t k = from; k < to; ++k) visit(k, forward, to - k);
-    seen_.clear();
+    seen_bodies_.clear();
     for (std::int32_t k = to; k-- > from;) visit(k, backward, k - from + 1);
     return backward < forward;
 }
@@ -162,7 +163,7 @@ bool ChainFinder::turns(const Pattern& pattern, const BodyGraph& graph, const Wi
 void ChainFinder::append(const Pattern& pattern, const BodyGraph& graph, const Wires& wires,
                          const Stretch& run, const Segment& piece, Chains& out) {
     const std::int32_t from = run.begin + piece.from, to = run.begin + piece.to;
-    const bool turn = turns(pattern, graph, wires, from, to);
+    const bool turn = is_cheaper_backwards(pattern, graph, wires, from, to);
     for (std::int32_t i = 0; i < to - from; ++i) {
         const std::int32_t k = turn ? to - 1 - i : from + i;
         const std::int32_t b = wires.bodies[at(k)];
@@ -185,17 +186,17 @@ void ChainFinder::append(const Pattern& pattern, const BodyGraph& graph, const W
 
 /// Find the cheapest pieces of runs_; no pieces if fronts are cheaper.
 void ChainFinder::cut_best(std::int32_t bodies, std::int32_t longest, int size) {
-    best_.clear();
+    best_cut_.clear();
     double best_cost = kFrontCost * bodies;
     std::size_t before = 0;
     auto consider = [&](std::int32_t target) {
-        cut(std::max(target, kShortestPiece));
+        cut_runs(std::max(target, kShortestPiece));
         // A smaller target never gives fewer pieces, so an equal number means equal pieces.
         if (std::exchange(before, pieces_.size()) == pieces_.size()) return;
         const double cost = plan_cost(size, best_cost);
         if (cost >= best_cost) return;
         best_cost = cost;
-        best_.swap(pieces_);
+        best_cut_.swap(pieces_);
     };
     consider(longest);
     for (std::int32_t batches = 1; batches <= 64 && bodies / (kLanes * batches) > 0; batches *= 2)
@@ -207,15 +208,16 @@ void ChainFinder::find(const Pattern& pattern, Chains& out) {
     if (pattern.nodes() == 0) return;
     const BodyGraph graph = wires_.graph(pattern);
     const Wires& wires = wires_.find(pattern, graph);
-    all_.clear();
+    all_stretches_.clear();
     for (std::size_t w = 0; w + 1 < wires.begin.size(); ++w)
-        all_.push_back(describe(pattern, graph, wires, wires.begin[w], wires.begin[w + 1]));
+        all_stretches_.push_back(
+            describe(pattern, graph, wires, wires.begin[w], wires.begin[w + 1]));
     // Wires of one shape are cut by one plan, so that their pieces fill whole batches.
     for (const int size : {3, 6}) {
         for (const int reach : {1, 2}) {
             runs_.clear();
             std::int32_t bodies = 0, longest = 0;
-            for (const Stretch& run : all_) {
+            for (const Stretch& run : all_stretches_) {
                 if (run.reach != reach || pattern.size[at(wires.bodies[at(run.begin)])] != size)
                     continue;
                 runs_.push_back(run);
@@ -224,15 +226,16 @@ void ChainFinder::find(const Pattern& pattern, Chains& out) {
             }
             if (runs_.empty()) continue;
             cut_best(bodies, longest, size);
-            for (const Segment& piece : best_)
+            for (const Segment& piece : best_cut_)
                 append(pattern, graph, wires, runs_[at(piece.run)], piece, out);
         }
     }
 }
 
 std::size_t ChainFinder::bytes() const noexcept {
-    return wires_.bytes() + base::bytes(all_) + base::bytes(runs_) + base::bytes(pieces_) +
-           base::bytes(best_) + base::bytes(shapes_) + base::bytes(hubs_) + base::bytes(seen_);
+    return wires_.bytes() + base::bytes(all_stretches_) + base::bytes(runs_) +
+           base::bytes(pieces_) + base::bytes(best_cut_) + base::bytes(shapes_) +
+           base::bytes(hubs_) + base::bytes(seen_bodies_);
 }
 
 Chains find_chains(const Pattern& pattern) {

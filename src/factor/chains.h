@@ -65,10 +65,12 @@ class ChainFinder {
     struct Stretch {
         std::int32_t begin, end;  ///< Range in Wires::bodies.
         std::int32_t reach;
-        double unit;          ///< Scalars of a unit, rows included, on average.
-        std::int32_t start;   ///< Boundary scalars that the chain carries from its freer end.
-        std::int32_t across;  ///< Boundary scalars that touch the whole wire (a deck under it).
-        double beside;        ///< Boundary scalars per body that touch single bodies of the wire.
+        double unit;         ///< Scalars of a unit, rows included, on average.
+        std::int32_t start;  ///< Boundary scalars that the chain carries from its freer end.
+        std::int32_t
+            common_touch_rows;  ///< Boundary scalars that touch the whole wire (a deck under it).
+        double
+            single_touch_rows;  ///< Boundary scalars per body that touch single bodies of the wire.
     };
     struct Segment {
         std::int32_t run, from, to;  ///< Bodies [from, to), relative to the start of the run.
@@ -83,20 +85,20 @@ class ChainFinder {
 
     [[nodiscard]] Stretch describe(const Pattern& pattern, const BodyGraph& graph,
                                    const Wires& wires, std::int32_t begin, std::int32_t end);
-    void cut(std::int32_t target);
+    void cut_runs(std::int32_t target);
     [[nodiscard]] double plan_cost(int size, double most);
     void cut_best(std::int32_t bodies, std::int32_t longest, int size);
     void append(const Pattern& pattern, const BodyGraph& graph, const Wires& wires,
                 const Stretch& run, const Segment& piece, Chains& out);
-    [[nodiscard]] bool turns(const Pattern& pattern, const BodyGraph& graph, const Wires& wires,
-                             std::int32_t from, std::int32_t to);
+    [[nodiscard]] bool is_cheaper_backwards(const Pattern& pattern, const BodyGraph& graph,
+                                            const Wires& wires, std::int32_t from, std::int32_t to);
 
     WireFinder wires_;
-    std::vector<Stretch> all_, runs_;
-    std::vector<Segment> pieces_, best_;
+    std::vector<Stretch> all_stretches_, runs_;
+    std::vector<Segment> pieces_, best_cut_;
     std::vector<Shape> shapes_;
     std::vector<Neighbour> hubs_;
-    std::vector<std::int32_t> seen_;
+    std::vector<std::int32_t> seen_bodies_;
 };
 
 [[nodiscard]] Chains find_chains(const Pattern& pattern);

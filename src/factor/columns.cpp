@@ -70,7 +70,7 @@ void Columns::build(const Pattern& pattern, std::span<const std::int32_t> order,
         }
         row_end_[i] = used;
     }
-    live_ = static_cast<std::int64_t>(used);
+    rows_in_use_ = static_cast<std::int64_t>(used);
     pool_.resize(used);
     cursor_.resize(n);
     std::int64_t begin = 0;
@@ -87,7 +87,7 @@ void Columns::build(const Pattern& pattern, std::span<const std::int32_t> order,
         for (; e < row_end_[i]; ++e) pool_[at(cursor_[at(found[e])]++)] = order[i];
     std::fill(stale_.begin(), stale_.end(), std::uint8_t{0});
     std::fill(moved_.begin(), moved_.end(), std::uint8_t{0});
-    fresh_.assign(n, 1);
+    changed_.assign(n, 1);
     stale_list_.clear();
     moved_list_.clear();
     linked_ = false;
@@ -102,7 +102,7 @@ void Columns::renumber(std::span<const std::int32_t> old_of_new, std::int32_t ol
     for (std::size_t v = 0; v < new_of_old.size(); ++v) {
         if (new_of_old[v] >= 0) continue;
         if (parent_[v] >= 0) mark_stale(parent_[v]);
-        live_ -= count_[v];
+        rows_in_use_ -= count_[v];
     }
     carry_over(parent_, old_of_new, std::int32_t{-1}, carried_);
     carry_over(count_, old_of_new, 0, carried_);
@@ -161,13 +161,13 @@ void Columns::repair(const Pattern& pattern, std::span<const std::int32_t> order
                      std::span<const std::int32_t> position) {
     if (!linked_) link_all();
     mark_.assign(order.size(), -1);
-    found_.resize(order.size());
+    found_rows_.resize(order.size());
     todo_.assign(order.size() / 64 + 1, 0);
-    fresh_.assign(order.size(), 0);
+    changed_.assign(order.size(), 0);
     computed_ = 0;
     for (const std::int32_t v : stale_list_) {
         stale_[at(v)] = 0;
-        put_off(position[at(v)]);
+        queue_position(position[at(v)]);
     }
     stale_list_.clear();
     for (std::size_t w = 0; w < todo_.size(); ++w)
@@ -178,13 +178,13 @@ void Columns::repair(const Pattern& pattern, std::span<const std::int32_t> order
         }
     for (const std::int32_t v : moved_list_) moved_[at(v)] = 0;
     moved_list_.clear();
-    if (static_cast<std::int64_t>(pool_.size()) > 2 * live_ + 1024) compact();
+    if (static_cast<std::int64_t>(pool_.size()) > 2 * rows_in_use_ + 1024) compact_pool();
 }
 
 void Columns::compute(const Pattern& pattern, std::span<const std::int32_t> order,
                       std::span<const std::int32_t> position, std::int32_t node) {
     ++computed_;
-    std::int32_t *const found = found_.data(), *const mark = mark_.data();
+    std::int32_t *const found = found_rows_.data(), *const mark = mark_.data();
     std::size_t count = 0;
     std::int32_t below = 0;
     const std::int32_t own = position[at(node)];
@@ -202,25 +202,25 @@ void Columns::compute(const Pattern& pattern, std::span<const std::int32_t> orde
             for (const std::int32_t u : rows(c)) take(u);
     for (const std::int32_t u : pattern.neighbours(node)) take(u);
     below_[at(node)] = below;
-    if (same_as_before(node, count)) return;
+    if (is_unchanged(node, count)) return;
     if (!std::is_sorted(found, found + count)) std::sort(found, found + count);
     for (std::size_t i = 0; i < count; ++i) found[i] = order[at(found[i])];
-    fresh_[at(node)] = 1;
+    changed_[at(node)] = 1;
     const std::int32_t before = parent_[at(node)], up = count == 0 ? -1 : found[0];
-    if (before >= 0 && position[at(before)] > own) put_off(position[at(before)]);
-    if (up >= 0) put_off(position[at(up)]);
+    if (before >= 0 && position[at(before)] > own) queue_position(position[at(before)]);
+    if (up >= 0) queue_position(position[at(up)]);
     if (up != before) {
-        if (before >= 0) fresh_[at(before)] = 1;
+        if (before >= 0) changed_[at(before)] = 1;
         unlink(node);
         parent_[at(node)] = up;
         link(node);
     }
-    store(node, count);
+    store_column(node, count);
 }
 
 /// Return true if a column has the marked rows as before and none of them has moved. Rows in the
 /// same sequence might have other positions in the parent.
-bool Columns::same_as_before(std::int32_t node, std::size_t found) const noexcept {
+bool Columns::is_unchanged(std::int32_t node, std::size_t found) const noexcept {
     const std::span<const std::int32_t> old = rows(node);
     if (moved_[at(node)] != 0 || old.size() != found) return false;
     bool same = true;
@@ -228,20 +228,20 @@ bool Columns::same_as_before(std::int32_t node, std::size_t found) const noexcep
     return same;
 }
 
-void Columns::store(std::int32_t node, std::size_t found) {
+void Columns::store_column(std::int32_t node, std::size_t found) {
     const auto count = static_cast<std::int32_t>(found);
-    const auto end = found_.begin() + count;
-    live_ += count - count_[at(node)];
+    const auto end = found_rows_.begin() + count;
+    rows_in_use_ += count - count_[at(node)];
     if (count > count_[at(node)]) {
         begin_[at(node)] = static_cast<std::int64_t>(pool_.size());
-        pool_.insert(pool_.end(), found_.begin(), end);
+        pool_.insert(pool_.end(), found_rows_.begin(), end);
     } else {
-        std::copy(found_.begin(), end, pool_.begin() + begin_[at(node)]);
+        std::copy(found_rows_.begin(), end, pool_.begin() + begin_[at(node)]);
     }
     count_[at(node)] = count;
 }
 
-void Columns::compact() {
+void Columns::compact_pool() {
     spare_.clear();
     for (std::size_t v = 0; v < count_.size(); ++v) {
         const auto first = pool_.begin() + begin_[v];
@@ -253,12 +253,13 @@ void Columns::compact() {
 
 std::size_t Columns::bytes() const noexcept {
     return base::bytes(parent_) + base::bytes(count_) + base::bytes(below_) + base::bytes(begin_) +
-           base::bytes(pool_) + base::bytes(spare_) + base::bytes(found_) + base::bytes(head_) +
-           base::bytes(next_) + base::bytes(mark_) + base::bytes(rows_) + base::bytes(row_end_) +
-           base::bytes(cursor_) + base::bytes(stale_) + base::bytes(moved_) + base::bytes(prev_) +
-           base::bytes(todo_) + base::bytes(stale_list_) + base::bytes(moved_list_) +
-           base::bytes(fresh_) + base::bytes(new_of_old_) + base::bytes(carried_) +
-           base::bytes(carried_begin_) + base::bytes(carried_stale_);
+           base::bytes(pool_) + base::bytes(spare_) + base::bytes(found_rows_) +
+           base::bytes(head_) + base::bytes(next_) + base::bytes(mark_) + base::bytes(rows_) +
+           base::bytes(row_end_) + base::bytes(cursor_) + base::bytes(stale_) +
+           base::bytes(moved_) + base::bytes(prev_) + base::bytes(todo_) +
+           base::bytes(stale_list_) + base::bytes(moved_list_) + base::bytes(changed_) +
+           base::bytes(new_of_old_) + base::bytes(carried_) + base::bytes(carried_begin_) +
+           base::bytes(carried_stale_);
 }
 
 }  // namespace hawser::factor

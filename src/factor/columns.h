@@ -62,11 +62,11 @@ class Columns {
     }
     /// Return true if the last build() or repair() changed the rows, position or children of this
     /// node. A branch of the tree without such nodes is unchanged.
-    [[nodiscard]] bool fresh(std::int32_t node) const noexcept {
-        return fresh_[static_cast<std::size_t>(node)] != 0;
+    [[nodiscard]] bool column_changed(std::int32_t node) const noexcept {
+        return changed_[static_cast<std::size_t>(node)] != 0;
     }
     /// Return the number of columns that the last build() or repair() computed.
-    [[nodiscard]] std::int32_t computed() const noexcept { return computed_; }
+    [[nodiscard]] std::int32_t columns_computed() const noexcept { return computed_; }
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
@@ -74,19 +74,19 @@ class Columns {
     void link_all();
     void link(std::int32_t node) noexcept;
     void unlink(std::int32_t node) noexcept;
-    void put_off(std::int32_t position) noexcept {
+    void queue_position(std::int32_t position) noexcept {
         todo_[static_cast<std::size_t>(position / 64)] |= std::uint64_t{1} << (position % 64);
     }
     void compute(const Pattern& pattern, std::span<const std::int32_t> order,
                  std::span<const std::int32_t> position, std::int32_t node);
-    [[nodiscard]] bool same_as_before(std::int32_t node, std::size_t found) const noexcept;
-    void store(std::int32_t node, std::size_t found);
-    void compact();
+    [[nodiscard]] bool is_unchanged(std::int32_t node, std::size_t found) const noexcept;
+    void store_column(std::int32_t node, std::size_t found);
+    void compact_pool();
 
     std::vector<std::int32_t> parent_, count_, below_;
     /// Offset into pool_, which has gaps after columns were moved.
     std::vector<std::int64_t> begin_;
-    std::vector<std::int32_t> pool_, found_;
+    std::vector<std::int32_t> pool_, found_rows_;
     std::vector<std::int32_t> spare_;  ///< Buffer for the pool, and for rows during build().
     std::vector<std::int32_t> head_, next_, prev_;  ///< Lists of children during a call.
     bool linked_ = false;
@@ -96,11 +96,11 @@ class Columns {
     std::vector<std::int32_t> rows_;                     ///< Scratch of build().
     std::vector<std::int64_t> cursor_;                   ///< Scratch of build().
     std::vector<std::size_t> row_end_;                   ///< Scratch of build().
-    std::vector<std::uint8_t> stale_, moved_, fresh_;
+    std::vector<std::uint8_t> stale_, moved_, changed_;
     std::vector<std::int32_t> new_of_old_, carried_;  ///< Scratch of renumber().
     std::vector<std::int64_t> carried_begin_;         ///< Scratch of renumber().
     std::vector<std::uint8_t> carried_stale_;         ///< Scratch of renumber().
-    std::int64_t live_ = 0;
+    std::int64_t rows_in_use_ = 0;
     std::int32_t computed_ = 0;
 };
 

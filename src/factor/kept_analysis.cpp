@@ -10,33 +10,33 @@ void Analysis::keep(KeptAnalysis& out) const {
     out.pattern = pattern_;
     out.state.elimination.order = symbolic_.order;
     out.state.elimination.chains = chains_;
-    out.state.between = between_;
+    out.state.at_branch_meeting = at_branch_meeting_;
     out.state.planned_flops = planned_flops_;
     out.stale = stale_;
 }
 
-void Analysis::go_back(KeptAnalysis& to) noexcept {
+void Analysis::restore(KeptAnalysis& to) noexcept {
     std::swap(pattern_, to.pattern);
     std::swap(symbolic_.order, to.state.elimination.order);
     std::swap(chains_, to.state.elimination.chains);
-    std::swap(between_, to.state.between);
+    std::swap(at_branch_meeting_, to.state.at_branch_meeting);
     planned_flops_ = to.state.planned_flops;
     stale_ = true;
 }
 
-/// Rebuild the structure of the order after go_back(). The source stays unchanged until all is
+/// Rebuild the structure of the order after restore(). The source stays unchanged until all is
 /// done.
-void Analysis::freshen() {
+void Analysis::rebuild_derived_data() {
     if (!stale_) return;
     KeptAnalysis now;
     keep(now);
     try {
         const Pattern pattern = now.pattern;
         plan(pattern, now.state.elimination);
-        between_ = now.state.between;
+        at_branch_meeting_ = now.state.at_branch_meeting;
         planned_flops_ = now.state.planned_flops;
     } catch (...) {
-        go_back(now);
+        restore(now);
         throw;
     }
 }

@@ -13,7 +13,9 @@ namespace {
 
 /// Round scalars up to a multiple of three, so that tiles of the window stay aligned when it moves
 /// on.
-std::int32_t whole_tiles(std::int32_t scalars) { return (scalars + kTile - 1) / kTile * kTile; }
+std::int32_t round_up_to_tile(std::int32_t scalars) {
+    return (scalars + kTile - 1) / kTile * kTile;
+}
 
 }  // namespace
 
@@ -89,18 +91,18 @@ void BatchBuilder::add_batch(const Job& job, std::span<const Alike> members) {
     for (const Alike& m : members) steps = std::max(steps, job.chains.units(m.chain));
     find_row_slots(job, members, steps);
     assign_slots(members);
-    place_slots(batch);
+    assign_slot_offsets(batch);
     batch.step_begin = static_cast<std::int32_t>(s.batch_steps.size());
     for (std::int32_t k = 0; k < steps; ++k) {
         std::int32_t active = batch.window;
         for (const Slot& slot : slots_)
-            if (slot.steps >= steps - k) active += whole_tiles(slot.size);
+            if (slot.steps >= steps - k) active += round_up_to_tile(slot.size);
         add_step(job, batch, active, row_slots(k));
     }
     batch.step_end = static_cast<std::int32_t>(s.batch_steps.size());
     for (int l = 0; l < kLaneCount; ++l) batch.front[l] = -1;
     for (std::size_t l = 0; l < members.size(); ++l)
-        place_lane(job, batch, static_cast<int>(l), members[l].chain);
+        assign_lane(job, batch, static_cast<int>(l), members[l].chain);
     s.batches.push_back(batch);
 }
 
@@ -135,15 +137,15 @@ void BatchBuilder::assign_slots(std::span<const Alike> members) {
     chosen_.clear();
     for (std::size_t l = 0; l < members.size(); ++l) {
         lane_begin_[l] = chosen_.size();
-        used_.assign(slots_.size(), 0);
+        slot_used_.assign(slots_.size(), 0);
         for (const Touch& t : touches(members[l].chain)) {
             std::size_t i = 0;
-            while (i < slots_.size() && (used_[i] != 0 || slots_[i].size != t.size)) ++i;
+            while (i < slots_.size() && (slot_used_[i] != 0 || slots_[i].size != t.size)) ++i;
             if (i == slots_.size()) {
                 slots_.push_back({t.size, t.steps, 0});
-                used_.push_back(0);
+                slot_used_.push_back(0);
             }
-            used_[i] = 1;
+            slot_used_[i] = 1;
             slots_[i].steps = std::max(slots_[i].steps, t.steps);
             chosen_.push_back(static_cast<std::int32_t>(i));
         }
@@ -152,7 +154,7 @@ void BatchBuilder::assign_slots(std::span<const Alike> members) {
 }
 
 /// Sort slots by first touch and compute their offsets.
-void BatchBuilder::place_slots(Batch& batch) {
+void BatchBuilder::assign_slot_offsets(Batch& batch) {
     by_touch_.resize(slots_.size());
     std::iota(by_touch_.begin(), by_touch_.end(), 0);
     std::sort(by_touch_.begin(), by_touch_.end(), [&](std::int32_t a, std::int32_t b) {
@@ -163,7 +165,7 @@ void BatchBuilder::place_slots(Batch& batch) {
     std::int32_t q = batch.window;
     for (const std::int32_t i : by_touch_) {
         slots_[at(i)].offset = q;
-        q += whole_tiles(slots_[at(i)].size);
+        q += round_up_to_tile(slots_[at(i)].size);
     }
 }
 
@@ -186,19 +188,19 @@ void BatchBuilder::add_step(const Job& job, Batch& batch, std::int32_t q,
 }
 
 /// Assign a step and slots to the nodes of a unit of one lane.
-void BatchBuilder::place_unit(const Job& job, Batch& batch, int lane, std::int32_t unit,
-                              std::int32_t step) {
+void BatchBuilder::assign_unit(const Job& job, Batch& batch, int lane, std::int32_t unit,
+                               std::int32_t step) {
     Symbolic& s = job.s;
     const BatchStep& of = s.batch_steps[at(batch.step_begin + step)];
     const std::span<const std::int32_t> rows = row_slots(step);
-    used_.assign(rows.size(), 0);
+    slot_used_.assign(rows.size(), 0);
     for (const std::int32_t v : job.chains.unit(unit)) {
         std::int32_t slot = 0;
         if (v != job.chains.unit(unit)[0]) {
             slot = batch.body;
             std::size_t r = 0;  // find_row_slots() made a slot for each
-            while (used_[r] != 0 || rows[r] != job.pattern.size[at(v)]) slot += rows[r++];
-            used_[r] = 1;
+            while (slot_used_[r] != 0 || rows[r] != job.pattern.size[at(v)]) slot += rows[r++];
+            slot_used_[r] = 1;
         }
         s.node_step[at(v)] = batch.step_begin + step;
         s.node_slot[at(v)] = slot;
@@ -209,7 +211,7 @@ void BatchBuilder::place_unit(const Job& job, Batch& batch, int lane, std::int32
     }
 }
 
-void BatchBuilder::place_lane(const Job& job, Batch& batch, int lane, std::int32_t chain) {
+void BatchBuilder::assign_lane(const Job& job, Batch& batch, int lane, std::int32_t chain) {
     Symbolic& s = job.s;
     Front& front = s.fronts[at(job.front[at(chain)])];
     batch.front[lane] = job.front[at(chain)];
@@ -219,7 +221,7 @@ void BatchBuilder::place_lane(const Job& job, Batch& batch, int lane, std::int32
     const auto steps = static_cast<std::int32_t>(row_begin_.size()) - 1;
     for (std::int32_t u = job.chains.begin[at(chain)]; u < last; ++u) {
         const std::int32_t k = steps - (last - u);
-        place_unit(job, batch, lane, u, k);
+        assign_unit(job, batch, lane, u, k);
         const BatchStep& step = s.batch_steps[at(batch.step_begin + k)];
         const std::int64_t flops = front_flops(step.p, step.q);
         batch.flops += flops;
@@ -242,7 +244,7 @@ std::size_t BatchBuilder::bytes() const noexcept {
     using base::bytes;
     return bytes(chain_of_) + bytes(touched_by_) + bytes(touch_begin_) + bytes(touches_) +
            bytes(order_) + bytes(row_begin_) + bytes(row_sizes_) + bytes(sizes_) + bytes(union_) +
-           bytes(merged_) + bytes(slots_) + bytes(chosen_) + bytes(by_touch_) + bytes(used_);
+           bytes(merged_) + bytes(slots_) + bytes(chosen_) + bytes(by_touch_) + bytes(slot_used_);
 }
 
 }  // namespace hawser::factor

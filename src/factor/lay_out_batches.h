@@ -54,10 +54,10 @@ class BatchBuilder {
     void add_batch(const Job& job, std::span<const Alike> members);
     void find_row_slots(const Job& job, std::span<const Alike> members, std::int32_t steps);
     void assign_slots(std::span<const Alike> members);
-    void place_slots(Batch& batch);
+    void assign_slot_offsets(Batch& batch);
     void add_step(const Job& job, Batch& batch, std::int32_t q, std::span<const std::int32_t> rows);
-    void place_lane(const Job& job, Batch& batch, int lane, std::int32_t chain);
-    void place_unit(const Job& job, Batch& batch, int lane, std::int32_t unit, std::int32_t step);
+    void assign_lane(const Job& job, Batch& batch, int lane, std::int32_t chain);
+    void assign_unit(const Job& job, Batch& batch, int lane, std::int32_t unit, std::int32_t step);
     [[nodiscard]] std::span<const Touch> touches(std::int32_t chain) const noexcept {
         const auto c = static_cast<std::size_t>(chain);
         return {touches_.data() + touch_begin_[c], touches_.data() + touch_begin_[c + 1]};
@@ -78,7 +78,7 @@ class BatchBuilder {
     std::vector<std::int32_t> chosen_;  ///< Slots of the lanes' touches, lane after lane.
     std::size_t lane_begin_[kLaneCount + 1] = {};  ///< Start of each lane in chosen_.
     std::vector<std::int32_t> by_touch_;
-    std::vector<std::uint8_t> used_;
+    std::vector<std::uint8_t> slot_used_;
 };
 
 }  // namespace hawser::factor

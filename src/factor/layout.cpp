@@ -32,7 +32,7 @@ void reset(Symbolic& s) {
 
 /// Run both, in parallel if there is a second thread.
 template <class A, class B>
-void beside(base::Executor* team, A&& a, B&& b) {
+void run_both(base::Executor* team, A&& a, B&& b) {
     if (team == nullptr || team->threads() == 1) {
         a();
         b();
@@ -53,7 +53,7 @@ void beside(base::Executor* team, A&& a, B&& b) {
 
 }  // namespace
 
-void Layout::place_nodes(const Pattern& pattern, Symbolic& s) {
+void Layout::assign_node_columns(const Pattern& pattern, Symbolic& s) {
     const std::size_t n = s.order.size();
     s.node_offset.resize(n);
     for (const std::int32_t v : s.order) {
@@ -92,22 +92,23 @@ void Layout::count_entries(const Pattern& pattern,
 }
 
 /// Find the fronts with the same pivots and rows as a front of the last layout.
-void Layout::find_same_fronts(const Columns& columns, const Symbolic& s, bool follows) {
+void Layout::find_unchanged_fronts(const Columns& columns, const Symbolic& s, bool follows) {
     const std::size_t count = supernodes_.parent.size();
-    same_.assign(count, -1);
-    same_count_ = 0;
+    unchanged_front_.assign(count, -1);
+    unchanged_count_ = 0;
     if (!follows) return;
     const std::int32_t *const order = s.order.data(), *const then = old_order_.data();
     for (std::size_t f = 0; f < count; ++f) {
         const std::int32_t begin = supernodes_.begin[f], end = supernodes_.begin[f + 1];
         const std::int32_t g = old_node_front_[at(order[begin])];
         const Front& old = old_fronts_[at(g)];
-        bool same = old.node_end - old.node_begin == end - begin && !columns.fresh(order[end - 1]);
+        bool same =
+            old.node_end - old.node_begin == end - begin && !columns.column_changed(order[end - 1]);
         for (std::int32_t k = 0; same && k < end - begin; ++k)
             same = order[begin + k] == then[old.node_begin + k];
         if (!same) continue;
-        same_[f] = g;
-        ++same_count_;
+        unchanged_front_[f] = g;
+        ++unchanged_count_;
     }
 }
 
@@ -190,9 +191,9 @@ void Layout::run(const Pattern& pattern, const Columns& columns, const Chains& c
     }
     tree_.postorder(columns, s.order, s.position);
     tree_.grow_fronts(pattern, columns, s.order, s.position, chain_of_, follows, supernodes_);
-    find_same_fronts(columns, s, follows);
+    find_unchanged_fronts(columns, s, follows);
     count_entries(pattern, edited);
-    place_nodes(pattern, s);
+    assign_node_columns(pattern, s);
     lay_out_fronts(columns, s);
     front_of_chain_.clear();
     for (int c = 0; c < chains.count(); ++c)
@@ -200,7 +201,7 @@ void Layout::run(const Pattern& pattern, const Columns& columns, const Chains& c
     chain_rows_.clear();
     fill_rows(pattern, columns, true, s);
     link_children(s);
-    beside(
+    run_both(
         team,
         [&] {
             fill_rows(pattern, columns, false, s);
@@ -211,9 +212,9 @@ void Layout::run(const Pattern& pattern, const Columns& columns, const Chains& c
             choose_tasks(s);
             link_tasks(s);
             if (s.updates_kept)
-                keep_updates(s);
+                separate_updates(s);
             else
-                place_updates(s);
+                assign_update_addresses(s);
         });
     old_order_ = s.order;
 }
@@ -221,12 +222,13 @@ void Layout::run(const Pattern& pattern, const Columns& columns, const Chains& c
 std::size_t Layout::bytes() const noexcept {
     return tree_.bytes() + base::bytes(supernodes_.begin) + base::bytes(supernodes_.parent) +
            base::bytes(chain_of_) + base::bytes(front_of_chain_) + base::bytes(cursor_) +
-           base::bytes(task_) + base::bytes(flops_) + base::bytes(subtree_) + base::bytes(path_) +
-           base::bytes(height_) + base::bytes(parity_) + base::bytes(crosses_) +
-           base::bytes(edges_) + base::bytes(entries_) + base::bytes(row_of_) +
-           base::bytes(freed_) + base::bytes(chain_rows_) + base::bytes(old_fronts_) +
-           base::bytes(old_runs_) + base::bytes(old_order_) + base::bytes(old_node_front_) +
-           base::bytes(same_) + base::bytes(supernodes_.p) + base::bytes(left_) + batches_.bytes();
+           base::bytes(task_of_front_) + base::bytes(flops_) + base::bytes(subtree_flops_) +
+           base::bytes(path_) + base::bytes(height_) + base::bytes(parity_) +
+           base::bytes(crosses_) + base::bytes(edges_) + base::bytes(entries_) +
+           base::bytes(row_of_) + base::bytes(freed_) + base::bytes(chain_rows_) +
+           base::bytes(old_fronts_) + base::bytes(old_runs_) + base::bytes(old_order_) +
+           base::bytes(old_node_front_) + base::bytes(unchanged_front_) +
+           base::bytes(supernodes_.p) + base::bytes(predecessors_left_) + batches_.bytes();
 }
 
 }  // namespace hawser::factor

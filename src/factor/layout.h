@@ -33,7 +33,7 @@ class Layout {
              Symbolic& symbolic, std::optional<std::span<const std::int32_t>> edited = {},
              base::Executor* team = nullptr);
     /// Return the number of fronts that the last call left unchanged.
-    [[nodiscard]] std::int32_t same() const noexcept { return same_count_; }
+    [[nodiscard]] std::int32_t same() const noexcept { return unchanged_count_; }
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
@@ -46,31 +46,31 @@ class Layout {
     [[nodiscard]] static std::int32_t last_node(const Symbolic& s, const Front& front) noexcept {
         return s.order[static_cast<std::size_t>(front.node_end - 1)];
     }
-    void place_nodes(const Pattern& pattern, Symbolic& s);
+    void assign_node_columns(const Pattern& pattern, Symbolic& s);
     void count_entries(const Pattern& pattern, std::optional<std::span<const std::int32_t>> edited);
     void lay_out_fronts(const Columns& columns, Symbolic& s);
     [[nodiscard]] bool in_chain(const Symbolic& s, const Front& front) const noexcept;
     void fill_rows(const Pattern& pattern, const Columns& columns, bool of_chains, Symbolic& s);
-    void find_same_fronts(const Columns& columns, const Symbolic& s, bool follows);
+    void find_unchanged_fronts(const Columns& columns, const Symbolic& s, bool follows);
     void link_children(Symbolic& s);
     void find_all_runs(const Pattern& pattern, const Columns& columns, Symbolic& s);
     void find_runs(const Pattern& pattern, const Columns& columns, Front& front, Symbolic& s);
     void choose_tasks(Symbolic& s);  // tasks.cpp
     void choose_top_tasks(Symbolic& s, std::int64_t target);
     void link_tasks(Symbolic& s);
-    void place_updates(Symbolic& s);
+    void assign_update_addresses(Symbolic& s);
 
     TreeBuilder tree_;
     Supernodes supernodes_;
-    std::vector<std::int32_t> chain_of_, front_of_chain_, cursor_, task_;
-    std::vector<std::int64_t> flops_, subtree_, path_, height_;
+    std::vector<std::int32_t> chain_of_, front_of_chain_, cursor_, task_of_front_;
+    std::vector<std::int64_t> flops_, subtree_flops_, path_, height_;
     std::vector<std::int32_t> entries_;  ///< Matrix entries by node, twice those of its triangle.
     std::int64_t matrix_entries_ = 0;    ///< Their sum.
     /// Data of the last layout, and the index of each front in it, −1: none.
     std::vector<Front> old_fronts_;
     std::vector<Run> old_runs_;
-    std::vector<std::int32_t> old_order_, old_node_front_, same_;
-    std::int32_t same_count_ = 0;
+    std::vector<std::int32_t> old_order_, old_node_front_, unchanged_front_;
+    std::int32_t unchanged_count_ = 0;
     std::vector<std::int64_t>
         chain_rows_;  ///< Offset of the rows of the chains, and the end of all rows.
     /// By front: size of the update matrices that it pops from a stack.
@@ -78,7 +78,7 @@ class Layout {
     std::vector<std::int32_t> row_of_;  ///< By node: its row in a parent, if any.
     std::vector<std::uint8_t> parity_, crosses_;
     std::vector<std::pair<std::int32_t, std::int32_t>> edges_;
-    std::vector<std::int64_t> left_;  ///< Scratch of link_tasks().
+    std::vector<std::int64_t> predecessors_left_;  ///< Scratch of link_tasks().
     BatchBuilder batches_;
 };
 

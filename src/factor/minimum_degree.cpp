@@ -35,7 +35,7 @@ void MinimumDegree::remove(std::int32_t node) noexcept {
 }
 
 /// Set the weights of nodes and one list for each possible degree.
-void MinimumDegree::weigh(const Pattern& pattern) {
+void MinimumDegree::set_node_weights(const Pattern& pattern) {
     const std::int32_t n = pattern.nodes();
     bool has[kMaxBlock + 1] = {};
     std::int32_t divisor = 0;
@@ -72,11 +72,11 @@ void MinimumDegree::weigh(const Pattern& pattern) {
 void MinimumDegree::begin(const Pattern& pattern) {
     const std::int32_t n = pattern.nodes();
     words_ = (n + 64 * kWordsAtOnce - 1) / (64 * kWordsAtOnce) * kWordsAtOnce;
-    weigh(pattern);
+    set_node_weights(pattern);
     rows_.assign(at(n) * at(words_), 0);
-    left_.assign(at(words_), 0);
+    remaining_nodes_.assign(at(words_), 0);
     degree_.resize(at(n));
-    in_words_.resize(at(n));
+    nonzero_words_.resize(at(n));
     folds_.resize(at(n));
     twin_.assign(at(n), -1);
     last_twin_.resize(at(n));
@@ -95,14 +95,14 @@ void MinimumDegree::begin(const Pattern& pattern) {
             add(u);
             degree_[at(v)] += weight_[at(u)];
         }
-        in_words_[at(v)] = words;
-        left_[at(v / 64)] |= bit(v);
+        nonzero_words_[at(v)] = words;
+        remaining_nodes_[at(v / 64)] |= bit(v);
         last_twin_[at(v)] = v;
         insert(v);
     }
-    heads_ = left_;
+    heads_ = remaining_nodes_;
     clique_.resize(at(words_));
-    least_ = 0;
+    least_degree_ = 0;
 }
 
 void MinimumDegree::run(const Pattern& pattern, std::vector<std::int32_t>& order) {
@@ -112,8 +112,8 @@ void MinimumDegree::run(const Pattern& pattern, std::vector<std::int32_t>& order
     order_ = order.data();
     const Kernels& kernels = factor_kernels();
     while (order_ != order.data() + n) {
-        while (next_[at(list_of(least_))] == list_of(least_)) ++least_;
-        eliminate(next_[at(list_of(least_))], kernels);
+        while (next_[at(list_of(least_degree_))] == list_of(least_degree_)) ++least_degree_;
+        eliminate(next_[at(list_of(least_degree_))], kernels);
     }
 }
 
@@ -121,7 +121,7 @@ void MinimumDegree::run(const Pattern& pattern, std::vector<std::int32_t>& order
 void MinimumDegree::finish(std::int32_t head) noexcept {
     heads_[at(head / 64)] &= ~bit(head);
     for (std::int32_t v = head; v >= 0; v = twin_[at(v)]) {
-        left_[at(v / 64)] &= ~bit(v);
+        remaining_nodes_[at(v / 64)] &= ~bit(v);
         *order_++ = v;
     }
 }
@@ -129,7 +129,7 @@ void MinimumDegree::finish(std::int32_t head) noexcept {
 /// Remove eliminated nodes from a row and list the heads in it.
 /// @return number of heads.
 std::int32_t MinimumDegree::list_heads(const std::uint64_t* own, std::uint32_t in_words) noexcept {
-    for (std::int32_t w = 0; w < words_; ++w) clique_[at(w)] = own[w] & left_[at(w)];
+    for (std::int32_t w = 0; w < words_; ++w) clique_[at(w)] = own[w] & remaining_nodes_[at(w)];
     std::int32_t count = 0;
     for (std::uint32_t words = in_words; words != 0; words &= words - 1) {
         const std::int32_t w = std::countr_zero(words);
@@ -144,14 +144,14 @@ void MinimumDegree::eliminate(std::int32_t pivot, const Kernels& kernels) noexce
     remove(pivot);
     finish(pivot);
     const std::int32_t clique = degree_[at(pivot)];  // weight of its remaining neighbours
-    const std::int32_t count = list_heads(row(pivot), in_words_[at(pivot)]);
-    kernels.unite_rows(rows_.data(), words_, touched_.data(), count, clique_.data(), left_.data(),
-                       weights_, sizes_.data(), folds_.data());
+    const std::int32_t count = list_heads(row(pivot), nonzero_words_[at(pivot)]);
+    kernels.unite_rows(rows_.data(), words_, touched_.data(), count, clique_.data(),
+                       remaining_nodes_.data(), weights_, sizes_.data(), folds_.data());
     std::int32_t kept = 0, gone = 0;
     for (std::int32_t k = 0; k < count; ++k) {
         const std::int32_t u = touched_[at(k)], size = sizes_[at(k)];
         remove(u);
-        in_words_[at(u)] |= in_words_[at(pivot)];
+        nonzero_words_[at(u)] |= nonzero_words_[at(pivot)];
         touched_[at(kept)] = u;
         sizes_[at(kept)] = size;
         folds_[at(kept)] = folds_[at(k)];
@@ -166,7 +166,7 @@ void MinimumDegree::eliminate(std::int32_t pivot, const Kernels& kernels) noexce
         const std::int32_t u = touched_[at(k)];
         if (u < 0) continue;
         degree_[at(u)] = sizes_[at(k)] - gone - weight_[at(u)];
-        least_ = std::min(least_, degree_[at(u)]);
+        least_degree_ = std::min(least_degree_, degree_[at(u)]);
         insert(u);
     }
 }
@@ -195,9 +195,9 @@ void MinimumDegree::join_twins(std::int32_t count) noexcept {
 }
 
 std::size_t MinimumDegree::bytes() const noexcept {
-    std::size_t sum = base::bytes(rows_) + base::bytes(left_) + base::bytes(heads_) +
+    std::size_t sum = base::bytes(rows_) + base::bytes(remaining_nodes_) + base::bytes(heads_) +
                       base::bytes(clique_) + base::bytes(heavy_) + base::bytes(folds_) +
-                      base::bytes(in_words_);
+                      base::bytes(nonzero_words_);
     for (const auto* v :
          {&next_, &prev_, &degree_, &weight_, &twin_, &last_twin_, &touched_, &sizes_})
         sum += base::bytes(*v);

@@ -42,7 +42,7 @@ class MinimumDegree {
 
   private:
     void begin(const Pattern& pattern);
-    void weigh(const Pattern& pattern);
+    void set_node_weights(const Pattern& pattern);
     void eliminate(std::int32_t pivot, const Kernels& kernels) noexcept;
     void finish(std::int32_t head) noexcept;
     [[nodiscard]] std::int32_t list_heads(const std::uint64_t* own,
@@ -61,11 +61,11 @@ class MinimumDegree {
     /// Row of a head: itself and its neighbours, perhaps with eliminated ones.
     base::Array<std::uint64_t> rows_;
     /// Nodes not eliminated; the heads among them (first of its twins).
-    base::Array<std::uint64_t> left_, heads_;
+    base::Array<std::uint64_t> remaining_nodes_, heads_;
     base::Array<std::uint64_t> clique_;  ///< Remaining neighbours of the pivot.
     base::Array<std::uint64_t> heavy_;   ///< Rows of weights_.
     NodeWeights weights_;
-    std::vector<std::uint32_t> in_words_;    ///< Non-zero words of the row of each head.
+    std::vector<std::uint32_t> nonzero_words_;  ///< Non-zero words of the row of each head.
     std::vector<std::int32_t> next_, prev_;  ///< Rings by degree: nodes, then one list per degree.
     /// External degree of a head; its weight with twins.
     std::vector<std::int32_t> degree_, weight_;
@@ -73,7 +73,7 @@ class MinimumDegree {
     /// Heads adjacent to the pivot, and weights of their rows.
     std::vector<std::int32_t> touched_, sizes_;
     std::vector<std::uint64_t> folds_;  ///< Folds of these rows.
-    std::int32_t least_ = 0;            ///< Lower bound of the degrees of all heads.
+    std::int32_t least_degree_ = 0;     ///< Lower bound of the degrees of all heads.
     std::int32_t* order_ = nullptr;     ///< Next entry of the order to write.
 };
 

@@ -13,23 +13,23 @@ void SymmetricNumeric::reserve_buffers(const Symbolic& symbolic, int threads, in
     const auto carried = static_cast<std::int64_t>(symbolic.rows.size());
     // Arrays of a structure that follows a pattern become too small one after another, so they grow
     // together.
-    const bool follows =
-        outgrown(panel_, symbolic.panel_size) || outgrown(work_, work) || outgrown(carry_, carried);
+    const bool follows = is_too_small(panel_, symbolic.panel_size) || is_too_small(work_, work) ||
+                         is_too_small(carry_, carried);
     auto room = [&](std::int64_t size) { return follows ? size + size / 8 : size; };
-    grow(panel_, room(symbolic.panel_size), symbolic.updates_kept);
-    grow(pivot_, symbolic.scalars);
-    grow(work_, room(work), symbolic.updates_kept);
-    grow(carry_, room(carried));
+    grow_discarding(panel_, room(symbolic.panel_size), symbolic.updates_kept);
+    grow_discarding(pivot_, symbolic.scalars);
+    grow_discarding(work_, room(work), symbolic.updates_kept);
+    grow_discarding(carry_, room(carried));
     const auto slots = kLaneCount * static_cast<std::int64_t>(symbolic.slot_sign.size());
-    grow(slot_pivot_, slots);
-    grow(slot_y_, slots);
-    grow(wrong_, symbolic.graph.nodes());
+    grow_discarding(slot_pivot_, slots);
+    grow_discarding(slot_y_, slots);
+    grow_discarding(wrong_pivots_, symbolic.graph.nodes());
     queue_.reserve(symbolic.graph, threads);
     const std::int64_t need =
         sides * std::max(scratch_size(symbolic.max_front), symbolic.batch_scratch);
     const std::int64_t stride = (need + 63) & ~std::int64_t{63};
     scratch_stride_ = std::max(scratch_stride_, stride);
-    grow(scratch_, scratch_stride_ * threads);
+    grow_discarding(scratch_, scratch_stride_ * threads);
 }
 
 constexpr std::int64_t kCached = 1'048'576;  // bytes of a core's own cache
@@ -48,7 +48,7 @@ FactorView SymmetricNumeric::view(const Symbolic& s, int thread) noexcept {
     v.upper = upper_.data();
     v.upper_work = upper_work_.data();
     v.upper_stack = v.upper_work + (stack - work_.data());
-    v.wrong = wrong_mark_.data();
+    v.wrong = wrong_pivot_mark_.data();
     return v;
 }
 
@@ -89,23 +89,25 @@ void SymmetricNumeric::run_tasks(const Symbolic& s, TaskPass pass, base::Executo
     queue_.run(s.graph, pass, executor, node);
 }
 
-int SymmetricNumeric::count_wrong(const Symbolic& symbolic) const noexcept {
-    return std::accumulate(wrong_.begin(), wrong_.begin() + symbolic.graph.nodes(), 0);
+int SymmetricNumeric::count_wrong_pivots(const Symbolic& symbolic) const noexcept {
+    return std::accumulate(wrong_pivots_.begin(), wrong_pivots_.begin() + symbolic.graph.nodes(),
+                           0);
 }
 
 int SymmetricNumeric::factor(const Symbolic& symbolic, base::Executor& executor) noexcept {
     const Kernels& kernels = factor_kernels();
-    std::fill_n(wrong_.begin(), symbolic.graph.nodes(), 0);
+    std::fill_n(wrong_pivots_.begin(), symbolic.graph.nodes(), 0);
     run_tasks(
         symbolic, TaskPass::factor, executor,
         [&](const Batch& batch, std::size_t node, int thread) noexcept {
-            wrong_[node] = kernels.factor_batch(view(symbolic, thread), batch, batch.step_begin,
-                                                batch.step_end, scratch(thread));
+            wrong_pivots_[node] = kernels.factor_batch(
+                view(symbolic, thread), batch, batch.step_begin, batch.step_end, scratch(thread));
         },
         [&](std::int32_t begin, std::int32_t end, std::size_t node, int thread) noexcept {
-            wrong_[node] += kernels.factor(view(symbolic, thread), begin, end, scratch(thread));
+            wrong_pivots_[node] +=
+                kernels.factor(view(symbolic, thread), begin, end, scratch(thread));
         });
-    return count_wrong(symbolic);
+    return count_wrong_pivots(symbolic);
 }
 
 void SymmetricNumeric::solve(const Symbolic& symbolic, double* x,
@@ -140,7 +142,7 @@ void SymmetricNumeric::backward(const Symbolic& symbolic, double* x,
 std::size_t SymmetricNumeric::bytes() const noexcept {
     return base::bytes(panel_) + base::bytes(pivot_) + base::bytes(work_) + base::bytes(carry_) +
            base::bytes(slot_pivot_) + base::bytes(slot_y_) + base::bytes(scratch_) +
-           base::bytes(wrong_) + queue_.bytes();
+           base::bytes(wrong_pivots_) + queue_.bytes();
 }
 
 }  // namespace hawser::factor

@@ -75,22 +75,23 @@ class SymmetricNumeric {
     template <class Batches, class Fronts>
     void run_tasks(const Symbolic& s, TaskPass pass, base::Executor& executor, Batches&& on_batch,
                    Fronts&& on_fronts) noexcept;
-    [[nodiscard]] int count_wrong(const Symbolic& symbolic) const noexcept;
+    [[nodiscard]] int count_wrong_pivots(const Symbolic& symbolic) const noexcept;
     [[nodiscard]] FactorView view(const Symbolic& symbolic, int thread) noexcept;
     [[nodiscard]] double* scratch(int thread) noexcept {
         return scratch_.data() + static_cast<std::ptrdiff_t>(thread) * scratch_stride_;
     }
 
     base::Array<double> panel_, pivot_, work_, carry_, slot_pivot_, slot_y_, scratch_;
-    base::Array<int> wrong_;  ///< One per node, so that the count needs no atomics.
+    base::Array<int> wrong_pivots_;  ///< One per node, so that the count needs no atomics.
     TaskQueue queue_;
     std::int64_t scratch_stride_ = 0;
 
     // Data of unsymmetric fronts; empty if none were requested.
     base::Array<double> upper_, upper_work_;
     base::Array<std::uint8_t> kind_;  ///< One per front of the last factorisation: 1 unsymmetric.
-    base::Array<std::int8_t> wrong_mark_;  ///< One per scalar; all zero between factorisations.
-    bool unsymmetric_ = false;             ///< true if any front is unsymmetric.
+    base::Array<std::int8_t>
+        wrong_pivot_mark_;      ///< One per scalar; all zero between factorisations.
+    bool unsymmetric_ = false;  ///< true if any front is unsymmetric.
 };
 
 /// Factorisation with unsymmetric values, and with panels that are filled just before they are
@@ -133,7 +134,7 @@ class Numeric : public SymmetricNumeric {
     /// Return the nodes with wrong pivots in unsymmetric fronts of the last factorisation or
     /// refactorisation, in the order of elimination. Later wrong pivots on a subtree's path may be
     /// consequences of the first.
-    [[nodiscard]] std::span<const std::int32_t> wrong_nodes() const noexcept {
+    [[nodiscard]] std::span<const std::int32_t> nodes_with_wrong_pivots() const noexcept {
         return failed_nodes_;
     }
 
@@ -171,7 +172,7 @@ class Numeric : public SymmetricNumeric {
     /// Copy the lower half of a piece to its upper half.
     /// @return true if the piece has an upper half.
     bool copy_piece(const Symbolic& symbolic, const Piece& piece) noexcept;
-    [[nodiscard]] int find_wrong(const Symbolic& symbolic, int wrong) noexcept;
+    [[nodiscard]] int find_wrong_pivots(const Symbolic& symbolic, int wrong) noexcept;
 
     base::Array<double> stage_;  ///< A piece of a batch for each thread, if pieces are streamed.
     std::int64_t stage_stride_ = 0;  ///< 0: pieces are not streamed.

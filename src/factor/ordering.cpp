@@ -18,9 +18,9 @@ namespace hawser::factor {
 void Orderer::order(const Pattern& pattern, std::vector<std::int32_t>& order) {
     const auto& size = pattern.size;
     if (pattern.nodes() <= MinimumDegree::kMaximum)
-        small_.run(pattern, order);
+        minimum_degree_.run(pattern, order);
     else if (std::adjacent_find(size.begin(), size.end(), std::not_equal_to<>()) != size.end())
-        large_.run(pattern, order);
+        amd_.run(pattern, order);
     else
         return order_by_amd(pattern, order);
     place_rows(pattern, order);
@@ -58,7 +58,7 @@ void Orderer::order_by_amd(const Pattern& pattern, std::vector<std::int32_t>& or
 
 /// Find the boundary of each chain, each node once.
 void Orderer::find_boundaries(const Pattern& pattern, const Chains& chains) {
-    mark_.assign(rest_of_.size(), -1);
+    mark_.assign(index_outside_chains_.size(), -1);
     boundary_.clear();
     boundary_begin_.assign(1, 0);
     for (int c = 0; c < chains.count(); ++c) {
@@ -66,32 +66,32 @@ void Orderer::find_boundaries(const Pattern& pattern, const Chains& chains) {
                            end = chains.unit_begin[at(chains.begin[at(c) + 1])];
         for (std::int32_t i = begin; i < end; ++i)
             for (const std::int32_t u : pattern.neighbours(chains.nodes[at(i)])) {
-                if (rest_of_[at(u)] < 0 || mark_[at(u)] == c) continue;
+                if (index_outside_chains_[at(u)] < 0 || mark_[at(u)] == c) continue;
                 mark_[at(u)] = c;
-                boundary_.push_back(rest_of_[at(u)]);
+                boundary_.push_back(index_outside_chains_[at(u)]);
             }
         boundary_begin_.push_back(static_cast<std::int32_t>(boundary_.size()));
     }
 }
 
 /// Build the pattern without the chains, in which their boundaries are cliques.
-void Orderer::find_rest(const Pattern& pattern, const Chains& chains) {
+void Orderer::build_pattern_without_chains(const Pattern& pattern, const Chains& chains) {
     const std::size_t n = pattern.size.size();
-    rest_of_.assign(n, 0);
-    for (const std::int32_t v : chains.nodes) rest_of_[at(v)] = -1;
-    rest_.clear();
-    left_.size.clear();
-    left_.sign.clear();
+    index_outside_chains_.assign(n, 0);
+    for (const std::int32_t v : chains.nodes) index_outside_chains_[at(v)] = -1;
+    nodes_outside_.clear();
+    remaining_pattern_.size.clear();
+    remaining_pattern_.sign.clear();
     for (std::size_t v = 0; v < n; ++v) {
-        if (rest_of_[v] < 0) continue;
-        rest_of_[v] = static_cast<std::int32_t>(rest_.size());
-        rest_.push_back(static_cast<std::int32_t>(v));
-        left_.size.push_back(pattern.size[v]);
-        left_.sign.push_back(pattern.sign[v]);
+        if (index_outside_chains_[v] < 0) continue;
+        index_outside_chains_[v] = static_cast<std::int32_t>(nodes_outside_.size());
+        nodes_outside_.push_back(static_cast<std::int32_t>(v));
+        remaining_pattern_.size.push_back(pattern.size[v]);
+        remaining_pattern_.sign.push_back(pattern.sign[v]);
     }
     find_boundaries(pattern, chains);
     // Lists of the chains that a node touches, as indices into boundary_.
-    touch_.assign(rest_.size(), -1);
+    touch_.assign(nodes_outside_.size(), -1);
     touch_next_.resize(boundary_.size());
     mark_.resize(boundary_.size());  // from here on: the chain of each entry
     for (int c = 0; c < chains.count(); ++c)
@@ -100,23 +100,28 @@ void Orderer::find_rest(const Pattern& pattern, const Chains& chains) {
             touch_[at(boundary_[at(i)])] = i;
             mark_[at(i)] = c;
         }
-    left_.start.assign(1, 0);
-    left_.adjacent.clear();
-    for (std::size_t k = 0; k < rest_.size(); ++k) {
-        const std::size_t begin = left_.adjacent.size();
-        for (const std::int32_t u : pattern.neighbours(rest_[k]))
-            if (rest_of_[at(u)] >= 0) left_.adjacent.push_back(rest_of_[at(u)]);
+    remaining_pattern_.start.assign(1, 0);
+    remaining_pattern_.adjacent.clear();
+    for (std::size_t k = 0; k < nodes_outside_.size(); ++k) {
+        const std::size_t begin = remaining_pattern_.adjacent.size();
+        for (const std::int32_t u : pattern.neighbours(nodes_outside_[k]))
+            if (index_outside_chains_[at(u)] >= 0)
+                remaining_pattern_.adjacent.push_back(index_outside_chains_[at(u)]);
         for (std::int32_t t = touch_[k]; t >= 0; t = touch_next_[at(t)]) {
             const std::size_t c = at(mark_[at(t)]);
             for (std::int32_t i = boundary_begin_[c]; i < boundary_begin_[c + 1]; ++i)
-                if (at(boundary_[at(i)]) != k) left_.adjacent.push_back(boundary_[at(i)]);
+                if (at(boundary_[at(i)]) != k)
+                    remaining_pattern_.adjacent.push_back(boundary_[at(i)]);
         }
         if (touch_[k] >= 0) {
-            const auto first = left_.adjacent.begin() + static_cast<std::ptrdiff_t>(begin);
-            std::sort(first, left_.adjacent.end());
-            left_.adjacent.erase(std::unique(first, left_.adjacent.end()), left_.adjacent.end());
+            const auto first =
+                remaining_pattern_.adjacent.begin() + static_cast<std::ptrdiff_t>(begin);
+            std::sort(first, remaining_pattern_.adjacent.end());
+            remaining_pattern_.adjacent.erase(std::unique(first, remaining_pattern_.adjacent.end()),
+                                              remaining_pattern_.adjacent.end());
         }
-        left_.start.push_back(static_cast<std::int32_t>(left_.adjacent.size()));
+        remaining_pattern_.start.push_back(
+            static_cast<std::int32_t>(remaining_pattern_.adjacent.size()));
     }
 }
 
@@ -126,10 +131,10 @@ void Orderer::plan(const Pattern& pattern, std::vector<std::int32_t>& order_, Ch
         order(pattern, order_);
         return;
     }
-    find_rest(pattern, chains);
-    order(left_, left_order_);
+    build_pattern_without_chains(pattern, chains);
+    order(remaining_pattern_, outside_order_);
     order_.assign(chains.nodes.begin(), chains.nodes.end());
-    for (const std::int32_t k : left_order_) order_.push_back(rest_[at(k)]);
+    for (const std::int32_t k : outside_order_) order_.push_back(nodes_outside_[at(k)]);
 }
 
 void Orderer::place_rows(const Pattern& pattern, std::vector<std::int32_t>& order) {
@@ -164,11 +169,12 @@ void Orderer::place_rows(const Pattern& pattern, std::vector<std::int32_t>& orde
 }
 
 std::size_t Orderer::bytes() const noexcept {
-    std::size_t sum = chains_.bytes() + small_.bytes() + large_.bytes() + base::bytes(left_.size) +
-                      base::bytes(left_.sign);
+    std::size_t sum = chains_.bytes() + minimum_degree_.bytes() + amd_.bytes() +
+                      base::bytes(remaining_pattern_.size) + base::bytes(remaining_pattern_.sign);
     for (const auto* v :
-         {&work_, &position_, &head_, &next_, &left_.start, &left_.adjacent, &rest_of_, &rest_,
-          &left_order_, &boundary_, &boundary_begin_, &touch_, &touch_next_, &mark_})
+         {&work_, &position_, &head_, &next_, &remaining_pattern_.start,
+          &remaining_pattern_.adjacent, &index_outside_chains_, &nodes_outside_, &outside_order_,
+          &boundary_, &boundary_begin_, &touch_, &touch_next_, &mark_})
         sum += base::bytes(*v);
     return sum;
 }

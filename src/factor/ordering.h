@@ -50,16 +50,16 @@ class Orderer {
 
   private:
     void find_boundaries(const Pattern& pattern, const Chains& chains);
-    void find_rest(const Pattern& pattern, const Chains& chains);
+    void build_pattern_without_chains(const Pattern& pattern, const Chains& chains);
 
     ChainFinder chains_;
-    MinimumDegree small_;
-    ApproximateDegree large_;
+    MinimumDegree minimum_degree_;
+    ApproximateDegree amd_;
     std::vector<std::int32_t> work_;                    ///< Scratch of AMD.
     std::vector<std::int32_t> position_, head_, next_;  ///< Scratch of place_rows().
     // Pattern and data of the nodes outside chains.
-    Pattern left_;
-    std::vector<std::int32_t> rest_of_, rest_, left_order_;
+    Pattern remaining_pattern_;
+    std::vector<std::int32_t> index_outside_chains_, nodes_outside_, outside_order_;
     std::vector<std::int32_t> boundary_,
         boundary_begin_;  ///< Boundary of each chain: indices into rest_.
     std::vector<std::int32_t> touch_, touch_next_, mark_;

@@ -21,7 +21,7 @@ PanelRange panel_of(const Symbolic& s, const Batch& batch) noexcept {
             last.panel + static_cast<std::int64_t>(kLaneCount) * last.p * (last.p + last.q)};
 }
 
-void keep_updates(Symbolic& s) noexcept {
+void separate_updates(Symbolic& s) noexcept {
     std::int64_t size = 0;
     for (Front& f : s.fronts) {
         f.update = size;

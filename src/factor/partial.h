@@ -6,12 +6,12 @@
 ///
 /// The update matrix of a front is a function of the values in its subtree. If they did not change,
 /// the update matrix of the last factorisation is still valid, if it is still stored. The stacks of
-/// symbolic.h reuse its memory for the next front. keep_updates() therefore assigns separate memory
-/// to each update matrix. The result has the bits of a full factorisation, because each front does
-/// the same additions in the same order.
+/// symbolic.h reuse its memory for the next front. separate_updates() therefore assigns separate
+/// memory to each update matrix. The result has the bits of a full factorisation, because each
+/// front does the same additions in the same order.
 ///
 /// ```
-/// keep_updates(symbolic);                    // once, after analyse()
+/// separate_updates(symbolic);                    // once, after analyse()
 /// numeric.reserve(symbolic, threads); numeric.clear(...); fill all; numeric.factor(...);
 /// ...
 /// dirty.find(symbolic, columns);             // which fronts, which panels
@@ -34,7 +34,7 @@ namespace hawser::factor {
 
 /// Assign separate memory to every update matrix for the life of the structure.
 /// @cost O(fronts); memory: Σ q·ldu doubles instead of the height of the stacks.
-void keep_updates(Symbolic& symbolic) noexcept;
+void separate_updates(Symbolic& symbolic) noexcept;
 
 /// Offsets [begin, end) of the panel array.
 struct PanelRange {

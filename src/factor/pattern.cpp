@@ -8,8 +8,8 @@
 
 namespace hawser::factor {
 
-void EdgeDealer::deal(std::span<const std::int32_t> edge_from,
-                      std::span<const std::int32_t> edge_to, Pattern& p) {
+void NeighbourLists::set_neighbours(std::span<const std::int32_t> edge_from,
+                                    std::span<const std::int32_t> edge_to, Pattern& p) {
     const std::size_t n = p.size.size(), m = edge_from.size();
     // Two counting sorts: bucket by column, then distribute by row; rows come out ascending.
     begin_.assign(n + 1, 0);
@@ -48,7 +48,7 @@ void EdgeDealer::deal(std::span<const std::int32_t> edge_from,
     p.adjacent.resize(at(to));
 }
 
-std::size_t EdgeDealer::bytes() const noexcept {
+std::size_t NeighbourLists::bytes() const noexcept {
     return base::bytes(begin_) + base::bytes(cursor_) + base::bytes(by_column_) +
            base::bytes(sorted_);
 }
@@ -59,7 +59,7 @@ Pattern make_pattern(std::vector<std::int8_t> size, std::vector<std::int8_t> sig
     Pattern p;
     p.size = std::move(size);
     p.sign = std::move(sign);
-    EdgeDealer().deal(edge_from, edge_to, p);
+    NeighbourLists().set_neighbours(edge_from, edge_to, p);
     return p;
 }
 

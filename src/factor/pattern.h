@@ -33,12 +33,12 @@ struct Pattern {
 
 /// Distributes edges to the nodes of a pattern. A second run on a similar number of edges allocates
 /// nothing.
-class EdgeDealer {
+class NeighbourLists {
   public:
     /// Set the neighbours of `pattern`, which has its sizes and signs. Edges as for make_pattern().
     /// @throws std::bad_alloc.
-    void deal(std::span<const std::int32_t> edge_from, std::span<const std::int32_t> edge_to,
-              Pattern& pattern);
+    void set_neighbours(std::span<const std::int32_t> edge_from,
+                        std::span<const std::int32_t> edge_to, Pattern& pattern);
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:

@@ -65,7 +65,7 @@ void Numeric::find_stage(const Symbolic& s, int threads) {
     for (const Piece& p : pieces_)
         if (p.begin == p.end) stage_stride_ = std::max(stage_stride_, p.panel_end - p.panel_begin);
     stage_stride_ = (stage_stride_ + 63) & ~std::int64_t{63};
-    grow(stage_, stage_stride_ * threads);
+    grow_discarding(stage_, stage_stride_ * threads);
 }
 
 int Numeric::run_batch_piece(const Symbolic& symbolic, int piece, Fill fill, double* x,
@@ -118,10 +118,10 @@ int Numeric::factor_forward(const Symbolic& symbolic, Fill fill, double* x,
         int wrong = 0;
         for (std::int32_t p = task_piece_[n]; p < task_piece_[n + 1] && !executor.stopping(); ++p)
             wrong += run_piece(symbolic, p, fill, x, thread);
-        wrong_[n] = wrong;
+        wrong_pivots_[n] = wrong;
     };
     queue_.run(symbolic.graph, TaskPass::factor, executor, node);
-    return find_wrong(symbolic, count_wrong(symbolic));
+    return find_wrong_pivots(symbolic, count_wrong_pivots(symbolic));
 }
 
 }  // namespace hawser::factor

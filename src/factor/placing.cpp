@@ -21,13 +21,13 @@ constexpr std::size_t kFewNeighbours = 16;
 struct Analysis::Meeting {
     /// Lowest front of one branch, or the front in which several meet.
     std::int32_t front = kUnknown;
-    bool several = false;
+    bool has_several = false;
     std::int64_t first = -1;       ///< Least key of the nodes with a key.
     std::int32_t first_node = -1;  ///< First node eliminated.
 };
 
 /// Return the first common ancestor of two fronts, −1: none. Parents have higher indices.
-std::int32_t Analysis::meet(std::int32_t a, std::int32_t b) const noexcept {
+std::int32_t Analysis::common_ancestor(std::int32_t a, std::int32_t b) const noexcept {
     while (a != b) {
         if (a < 0 || b < 0) return -1;
         std::int32_t& lower = a < b ? a : b;
@@ -37,13 +37,13 @@ std::int32_t Analysis::meet(std::int32_t a, std::int32_t b) const noexcept {
 }
 
 /// Return the front that represents the position of a node, kUnknown if it has none yet.
-std::int32_t Analysis::branch(std::int32_t node) const noexcept {
+std::int32_t Analysis::front_of_node(std::int32_t node) const noexcept {
     if (anchor_[at(node)] != kUnknown || placing_[at(node)] != 0) return anchor_[at(node)];
     return symbolic_.node_front[at(old_of_new_[at(node)])];
 }
 
 void Analysis::visit(Meeting& m, std::int32_t node) const noexcept {
-    const std::int32_t front = branch(node);
+    const std::int32_t front = front_of_node(node);
     if (front == kUnknown) return;
     const std::int64_t key = key_[at(node)];
     if (key >= 0 && (m.first < 0 || key < m.first)) m.first = key;
@@ -52,12 +52,12 @@ void Analysis::visit(Meeting& m, std::int32_t node) const noexcept {
         m.front = front;
         return;
     }
-    const std::int32_t common = meet(m.front, front);
+    const std::int32_t common = common_ancestor(m.front, front);
     if (common == front) return;  // above
     if (common != m.front) {
         m.front = common;
-        m.several = true;
-    } else if (!m.several) {
+        m.has_several = true;
+    } else if (!m.has_several) {
         m.front = front;  // below
     }
 }
@@ -72,8 +72,8 @@ void Analysis::choose_moves(const Pattern& next) {
         if (old < 0)
             placing_[at(v)] = kFresh;
         else if (chain_of_[at(v)] < 0 &&
-                 (next.sign[at(v)] < 0 ||
-                  (between_[at(old)] != 0 && next.neighbours(v).size() <= kFewNeighbours)))
+                 (next.sign[at(v)] < 0 || (at_branch_meeting_[at(old)] != 0 &&
+                                           next.neighbours(v).size() <= kFewNeighbours)))
             placing_[at(v)] = kFresh;
     }
     for (const std::int32_t v : changes_) {
@@ -94,8 +94,8 @@ void Analysis::choose_moves(const Pattern& next) {
 /// Process a new edge between nodes that stay. If they lie in different branches, one of them moves
 /// to the front in which the branches meet.
 void Analysis::join(const Pattern& next, std::int32_t a, std::int32_t b) {
-    const std::int32_t front_a = branch(a), front_b = branch(b);
-    const std::int32_t common = meet(front_a, front_b);
+    const std::int32_t front_a = front_of_node(a), front_b = front_of_node(b);
+    const std::int32_t common = common_ancestor(front_a, front_b);
     if (common == front_a || common == front_b) return;
     auto can_move = [&](std::int32_t v) { return next.sign[at(v)] > 0 && chain_of_[at(v)] < 0; };
     auto burden = [&](std::int32_t v) { return std::pair(next.size[at(v)], columns_.below(v)); };
@@ -108,15 +108,15 @@ void Analysis::join(const Pattern& next, std::int32_t a, std::int32_t b) {
 
 /// Collect the nodes in no chain: those that keep their position, in order, and those that need
 /// one.
-void Analysis::collect_rest(const Pattern& next) {
+void Analysis::collect_nodes_outside_chains(const Pattern& next) {
     const std::size_t n = changed_.size();
     placed_.clear();
-    each_marked(placing_, [&](std::int32_t v) {
+    for_each_marked(placing_, [&](std::int32_t v) {
         placed_.push_back(v);
         if (old_of_new_[at(v)] >= 0) columns_.mark_moved(next, v);
     });
     key_.assign(n, -1);  // chains come first
-    rest_.resize(symbolic_.order.size());
+    nodes_outside_chains_.resize(symbolic_.order.size());
     std::size_t kept = 0;
     for (const std::int32_t old : symbolic_.order) {
         const std::int32_t v = new_of_old_[at(old)];
@@ -124,21 +124,22 @@ void Analysis::collect_rest(const Pattern& next) {
         // Only entries that stay advance the count.
         const bool stays = placing_[at(v)] == 0;
         if (stays) key_[at(v)] = 2 * static_cast<std::int64_t>(kept) + 1;
-        rest_[kept] = v;
+        nodes_outside_chains_[kept] = v;
         kept += stays ? 1 : 0;
     }
-    rest_.resize(kept);
-    before_.assign(rest_.size() + 1, -1);
-    behind_.assign(n + 1, -1);  // the last list: behind all chains
+    nodes_outside_chains_.resize(kept);
+    bodies_before_.assign(nodes_outside_chains_.size() + 1, -1);
+    rows_behind_.assign(n + 1, -1);  // the last list: behind all chains
     next_.resize(n);
     spare_.assign(n, 0);
     for (std::size_t v = 0; v < n; ++v)
-        if (old_of_new_[v] >= 0 && placing_[v] != kFresh) spare_[v] = between_[at(old_of_new_[v])];
-    between_.swap(spare_);
+        if (old_of_new_[v] >= 0 && placing_[v] != kFresh)
+            spare_[v] = at_branch_meeting_[at(old_of_new_[v])];
+    at_branch_meeting_.swap(spare_);
 }
 
 /// Return the key before the first pivot of a front that keeps its position.
-std::int64_t Analysis::before_front(std::int32_t front) const noexcept {
+std::int64_t Analysis::key_before_front(std::int32_t front) const noexcept {
     for (; front >= 0; front = symbolic_.fronts[at(front)].parent) {
         const Front& f = symbolic_.fronts[at(front)];
         for (std::int32_t k = f.node_begin; k < f.node_end; ++k) {
@@ -146,13 +147,13 @@ std::int64_t Analysis::before_front(std::int32_t front) const noexcept {
             if (v >= 0 && placing_[at(v)] == 0 && key_[at(v)] >= 0) return key_[at(v)] - 1;
         }
     }
-    return 2 * static_cast<std::int64_t>(rest_.size());
+    return 2 * static_cast<std::int64_t>(nodes_outside_chains_.size());
 }
 
 void Analysis::place_body(const Pattern& next, std::int32_t v) {
     if (placing_[at(v)] == kMoved) {
-        between_[at(v)] = 1;
-        key_[at(v)] = before_front(anchor_[at(v)]);
+        at_branch_meeting_[at(v)] = 1;
+        key_[at(v)] = key_before_front(anchor_[at(v)]);
     } else {
         Meeting m;
         for (const std::int32_t u : next.neighbours(v)) {
@@ -164,28 +165,29 @@ void Analysis::place_body(const Pattern& next, std::int32_t v) {
                 if (w != v && next.sign[at(w)] > 0) visit(m, w);
         }
         anchor_[at(v)] = m.front == kUnknown ? -1 : m.front;
-        between_[at(v)] = m.several ? 1 : 0;
+        at_branch_meeting_[at(v)] = m.has_several ? 1 : 0;
         // A node that is isolated or adjacent to chains only goes directly behind them.
         key_[at(v)] =
-            m.several ? before_front(m.front) : std::max<std::int64_t>(m.first, 0) / 2 * 2;
+            m.has_several ? key_before_front(m.front) : std::max<std::int64_t>(m.first, 0) / 2 * 2;
     }
-    hang(before_, static_cast<std::size_t>(key_[at(v)] / 2), v);
+    prepend_node(bodies_before_, static_cast<std::size_t>(key_[at(v)] / 2), v);
 }
 
 void Analysis::place_rows(const Pattern& next, std::int32_t v) {
     Meeting m;
     for (const std::int32_t u : next.neighbours(v))
         if (next.sign[at(u)] > 0) visit(m, u);
-    if (m.several)
-        hang(before_, static_cast<std::size_t>(before_front(m.front) / 2), v);
+    if (m.has_several)
+        prepend_node(bodies_before_, static_cast<std::size_t>(key_before_front(m.front) / 2), v);
     else if (m.first_node < 0 || key_[at(m.first_node)] < 0)
-        hang(behind_, changed_.size(), v);
+        prepend_node(rows_behind_, changed_.size(), v);
     else
-        hang(behind_, at(m.first_node), v);
+        prepend_node(rows_behind_, at(m.first_node), v);
 }
 
 /// Prepend a node to the list of a position.
-void Analysis::hang(std::vector<std::int32_t>& heads, std::size_t place, std::int32_t node) {
+void Analysis::prepend_node(std::vector<std::int32_t>& heads, std::size_t place,
+                            std::int32_t node) {
     next_[at(node)] = heads[place];
     heads[place] = node;
 }

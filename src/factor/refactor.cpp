@@ -29,10 +29,10 @@ int SymmetricNumeric::refactor(const Symbolic& s, const DirtyParts& dirty,
         for (std::int32_t k = dirty.nodes[at(i)]; k < dirty.nodes[at(i) + 1]; ++k)
             wrong += kernels.factor(v, dirty.ranges[at(k)].begin, dirty.ranges[at(k)].end,
                                     scratch(thread));
-        wrong_[at(i)] = wrong;
+        wrong_pivots_[at(i)] = wrong;
     };
     queue_.run(s.graph, TaskPass::factor, executor, node);
-    return count_wrong(s);
+    return count_wrong_pivots(s);
 }
 
 }  // namespace hawser::factor

@@ -50,8 +50,8 @@ void Analysis::plan(const Pattern& pattern, Elimination elimination) {
 void Analysis::analyse_order() {
     invert(symbolic_.order, symbolic_.position);
     columns_.build(pattern_, symbolic_.order, symbolic_.position);
-    layout_.run(pattern_, columns_, chains_, symbolic_, {}, team_);
-    between_.assign(symbolic_.order.size(), 0);
+    layout_.run(pattern_, columns_, chains_, symbolic_, {}, executor_);
+    at_branch_meeting_.assign(symbolic_.order.size(), 0);
     planned_flops_ = symbolic_.flops;
     stale_ = false;
 }
@@ -60,7 +60,7 @@ bool Analysis::resume(const Pattern& pattern, const AnalysisState& state) {
     const std::size_t n = pattern.size.size();
     const std::vector<std::int32_t>& order = state.elimination.order;
     std::vector<std::int32_t> position(n, -1);
-    bool fits = order.size() == n && state.between.size() == n;
+    bool fits = order.size() == n && state.at_branch_meeting.size() == n;
     for (std::size_t k = 0; fits && k < n; ++k) {
         fits = order[k] >= 0 && at(order[k]) < n && position[at(order[k])] < 0;
         if (fits) position[at(order[k])] = static_cast<std::int32_t>(k);
@@ -70,17 +70,17 @@ bool Analysis::resume(const Pattern& pattern, const AnalysisState& state) {
         return false;
     }
     plan(pattern, state.elimination);
-    between_ = state.between;
+    at_branch_meeting_ = state.at_branch_meeting;
     planned_flops_ = state.planned_flops;
     return true;
 }
 
 RepairReport Analysis::update(const Pattern& next, std::span<const std::int32_t> old_of_new) {
-    freshen();
-    const bool same_numbers = compare(next, old_of_new);
+    rebuild_derived_data();
+    const bool same_numbers = find_changed_nodes(next, old_of_new);
     const double nodes = next.nodes(), changes = static_cast<double>(changes_.size());
     RepairReport report;
-    if (!planner_ && !order_given_ && next.nodes() <= MinimumDegree::kMaximum &&
+    if (!planner_ && !order_fixed_ && next.nodes() <= MinimumDegree::kMaximum &&
         changes > kEdited * nodes) {
         report.replanned = true;
     } else {
@@ -96,13 +96,13 @@ RepairReport Analysis::update(const Pattern& next, std::span<const std::int32_t>
 }
 
 RepairReport Analysis::repair(const Pattern& next, std::span<const std::int32_t> old_of_new) {
-    freshen();
-    return follow(next, compare(next, old_of_new));
+    rebuild_derived_data();
+    return follow(next, find_changed_nodes(next, old_of_new));
 }
 
 /// Find the changed nodes by their new indices.
 /// @return true if all nodes have their old indices.
-bool Analysis::compare(const Pattern& next, std::span<const std::int32_t> old_of_new) {
+bool Analysis::find_changed_nodes(const Pattern& next, std::span<const std::int32_t> old_of_new) {
     const bool same_numbers = match_nodes(next, old_of_new);
     if (!same_numbers) columns_.renumber(old_of_new_, pattern_.nodes());
     find_changes(next, same_numbers);
@@ -111,9 +111,9 @@ bool Analysis::compare(const Pattern& next, std::span<const std::int32_t> old_of
 
 RepairReport Analysis::follow(const Pattern& next, bool same_numbers) {
     RepairReport report;
-    keep_chains(next, report);
+    keep_unchanged_chains(next, report);
     choose_moves(next);
-    collect_rest(next);
+    collect_nodes_outside_chains(next);
     for (const std::int32_t v : placed_)
         if (next.sign[at(v)] > 0) place_body(next, v);
     for (const std::int32_t v : placed_)
@@ -121,11 +121,11 @@ RepairReport Analysis::follow(const Pattern& next, bool same_numbers) {
     emit_order();
     report.placed = static_cast<std::int32_t>(placed_.size());
     columns_.repair(next, symbolic_.order, symbolic_.position);
-    report.columns = columns_.computed();
+    report.columns = columns_.columns_computed();
     pattern_ = next;
     std::optional<std::span<const std::int32_t>> edited;
     if (same_numbers && report.dissolved == 0) edited = changes_;
-    layout_.run(pattern_, columns_, chains_, symbolic_, edited, team_);
+    layout_.run(pattern_, columns_, chains_, symbolic_, edited, executor_);
     report.same = layout_.same();
     return report;
 }
@@ -178,7 +178,7 @@ void Analysis::find_changes(const Pattern& next, bool same_numbers) {
         }
     }
     changes_.clear();
-    each_marked(changed_, [&](std::int32_t v) {
+    for_each_marked(changed_, [&](std::int32_t v) {
         changes_.push_back(v);
         columns_.mark_stale(v);
     });
@@ -209,7 +209,7 @@ void Analysis::compare_lists(const Pattern& next) {
     }
 }
 
-void Analysis::keep_chains(const Pattern& next, RepairReport& report) {
+void Analysis::keep_unchanged_chains(const Pattern& next, RepairReport& report) {
     chain_of_.assign(changed_.size(), -1);
     if (chains_.count() == 0) return;
     for (std::int32_t& v : chains_.nodes) v = new_of_old_[at(v)];
@@ -217,10 +217,10 @@ void Analysis::keep_chains(const Pattern& next, RepairReport& report) {
         for (std::int32_t u = chains_.begin[at(c)]; u < chains_.begin[at(c) + 1]; ++u)
             for (const std::int32_t v : chains_.unit(u))
                 if (v >= 0) chain_of_[at(v)] = c;
-    kept_.clear();
+    kept_chains_.clear();
     for (int c = 0; c < chains_.count(); ++c) {
         if (chain_holds(next, c)) {
-            append(chains_, c, kept_);
+            append(chains_, c, kept_chains_);
             continue;
         }
         ++report.dissolved;
@@ -228,7 +228,7 @@ void Analysis::keep_chains(const Pattern& next, RepairReport& report) {
             for (const std::int32_t v : chains_.unit(u))
                 if (v >= 0) chain_of_[at(v)] = -1;
     }
-    std::swap(chains_, kept_);
+    std::swap(chains_, kept_chains_);
 }
 
 /// Return true if a chain is unchanged inside and touches no other chain. Its boundary may have
@@ -260,29 +260,29 @@ void Analysis::emit_order() {
     std::vector<std::int32_t>& order = symbolic_.order;
     order.assign(chains_.nodes.begin(), chains_.nodes.end());
     auto rows_behind = [&](std::size_t place) {
-        for (std::int32_t r = behind_[place]; r >= 0; r = next_[at(r)]) order.push_back(r);
+        for (std::int32_t r = rows_behind_[place]; r >= 0; r = next_[at(r)]) order.push_back(r);
     };
     rows_behind(changed_.size());
-    for (std::size_t k = 0; k <= rest_.size(); ++k) {
-        for (std::int32_t v = before_[k]; v >= 0; v = next_[at(v)]) {
+    for (std::size_t k = 0; k <= nodes_outside_chains_.size(); ++k) {
+        for (std::int32_t v = bodies_before_[k]; v >= 0; v = next_[at(v)]) {
             order.push_back(v);
             rows_behind(at(v));
         }
-        if (k == rest_.size()) break;
-        order.push_back(rest_[k]);
-        rows_behind(at(rest_[k]));
+        if (k == nodes_outside_chains_.size()) break;
+        order.push_back(nodes_outside_chains_[k]);
+        rows_behind(at(nodes_outside_chains_[k]));
     }
     invert(order, symbolic_.position);
 }
 
 std::size_t Analysis::bytes() const noexcept {
     std::size_t sum = orderer_.bytes() + columns_.bytes() + layout_.bytes() + symbolic_.bytes();
-    for (const auto* v :
-         {&old_of_new_, &new_of_old_, &changes_, &chain_of_, &mark_, &rest_, &placed_, &before_,
-          &behind_, &next_, &anchor_, &pattern_.start, &pattern_.adjacent})
+    for (const auto* v : {&old_of_new_, &new_of_old_, &changes_, &chain_of_, &mark_,
+                          &nodes_outside_chains_, &placed_, &bodies_before_, &rows_behind_, &next_,
+                          &anchor_, &pattern_.start, &pattern_.adjacent})
         sum += base::bytes(*v);
     return sum + base::bytes(key_) + base::bytes(changed_) + base::bytes(placing_) +
-           base::bytes(between_) + base::bytes(spare_);
+           base::bytes(at_branch_meeting_) + base::bytes(spare_);
 }
 
 }  // namespace hawser::factor

@@ -64,8 +64,8 @@ struct RepairReport {
 /// like the original: equal member by member, after any repairs.
 struct AnalysisState {
     Elimination elimination;
-    std::vector<std::uint8_t> between;  ///< By node: placed at a meeting of branches.
-    std::int64_t planned_flops = 0;     ///< Flops of the last plan.
+    std::vector<std::uint8_t> at_branch_meeting;  ///< By node: placed at a meeting of branches.
+    std::int64_t planned_flops = 0;               ///< Flops of the last plan.
     friend bool operator==(const AnalysisState&, const AnalysisState&) = default;
 };
 
@@ -84,13 +84,13 @@ class Analysis {
     explicit Analysis(Planner planner = nullptr) : planner_(std::move(planner)) {}
 
     /// Assign separate memory to every update matrix from the next call on (partial.h).
-    void keep_updates(bool keep) noexcept { symbolic_.updates_kept = keep; }
+    void separate_updates(bool keep) noexcept { symbolic_.updates_kept = keep; }
 
     /// Use the order of the caller: update() makes no other order while it fits.
-    void keep_order(bool given) noexcept { order_given_ = given; }
+    void set_fixed_order(bool given) noexcept { order_fixed_ = given; }
 
     /// Set the executor for the next calls; nullptr: none. Results do not depend on it.
-    void use(base::Executor* team) noexcept { team_ = team; }
+    void use(base::Executor* team) noexcept { executor_ = team; }
 
     /// Order and analyse a pattern.
     /// @throws std::bad_alloc.
@@ -116,13 +116,15 @@ class Analysis {
     void keep(KeptAnalysis& out) const;
     /// Restore a saved analysis. The next update(), repair() or resume() computes the derived data.
     /// Until then symbolic() is invalid.
-    void go_back(KeptAnalysis& to) noexcept;
+    void restore(KeptAnalysis& to) noexcept;
 
     [[nodiscard]] const Symbolic& symbolic() const noexcept { return symbolic_; }
     [[nodiscard]] const Columns& columns() const noexcept { return columns_; }
     /// Return the current order and chains.
     [[nodiscard]] Elimination elimination() const { return {symbolic_.order, chains_}; }
-    [[nodiscard]] AnalysisState state() const { return {elimination(), between_, planned_flops_}; }
+    [[nodiscard]] AnalysisState state() const {
+        return {elimination(), at_branch_meeting_, planned_flops_};
+    }
     /// Return the pattern of the last call.
     [[nodiscard]] const Pattern& pattern() const noexcept { return pattern_; }
     /// Return the flops of the last plan.
@@ -130,32 +132,32 @@ class Analysis {
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
-    bool compare(const Pattern& next, std::span<const std::int32_t> old_of_new);
+    bool find_changed_nodes(const Pattern& next, std::span<const std::int32_t> old_of_new);
     RepairReport follow(const Pattern& next, bool same_numbers);
     bool match_nodes(const Pattern& next, std::span<const std::int32_t> old_of_new);
     void find_changes(const Pattern& next, bool same_numbers);
     void compare_lists(const Pattern& next);
-    void keep_chains(const Pattern& next, RepairReport& report);
+    void keep_unchanged_chains(const Pattern& next, RepairReport& report);
     [[nodiscard]] bool chain_holds(const Pattern& next, std::int32_t chain);
     // Moves of nodes to new positions: placing.cpp.
     void choose_moves(const Pattern& next);
     void join(const Pattern& next, std::int32_t a, std::int32_t b);
-    void collect_rest(const Pattern& next);
+    void collect_nodes_outside_chains(const Pattern& next);
     void place_body(const Pattern& next, std::int32_t node);
     void place_rows(const Pattern& next, std::int32_t node);
     struct Meeting;
-    [[nodiscard]] std::int32_t meet(std::int32_t a, std::int32_t b) const noexcept;
+    [[nodiscard]] std::int32_t common_ancestor(std::int32_t a, std::int32_t b) const noexcept;
     void visit(Meeting& meeting, std::int32_t node) const noexcept;
-    [[nodiscard]] std::int32_t branch(std::int32_t node) const noexcept;
-    [[nodiscard]] std::int64_t before_front(std::int32_t front) const noexcept;
+    [[nodiscard]] std::int32_t front_of_node(std::int32_t node) const noexcept;
+    [[nodiscard]] std::int64_t key_before_front(std::int32_t front) const noexcept;
     void emit_order();
-    void hang(std::vector<std::int32_t>& heads, std::size_t place, std::int32_t node);
+    void prepend_node(std::vector<std::int32_t>& heads, std::size_t place, std::int32_t node);
 
     void analyse_order();
-    void freshen();
+    void rebuild_derived_data();
     /// Call f(node) for each marked node, ascending. Eight marks are tested at a time.
     template <class F>
-    static void each_marked(const std::vector<std::uint8_t>& marks, F&& f) {
+    static void for_each_marked(const std::vector<std::uint8_t>& marks, F&& f) {
         const std::size_t n = marks.size();
         for (std::size_t v = 0, end; v < n; v = end) {
             end = std::min(v + 8, n);
@@ -167,8 +169,8 @@ class Analysis {
     }
 
     Planner planner_;
-    bool order_given_ = false;  ///< See keep_order().
-    base::Executor* team_ = nullptr;
+    bool order_fixed_ = false;  ///< See set_fixed_order().
+    base::Executor* executor_ = nullptr;
     Orderer orderer_;
     Pattern pattern_;
     Chains chains_;
@@ -185,18 +187,19 @@ class Analysis {
     std::vector<std::int32_t> changes_;  ///< These nodes, ascending.
     /// Non-zero: gets a new position; kFresh: from its neighbours alone.
     std::vector<std::uint8_t> placing_;
-    std::vector<std::uint8_t> between_;  ///< Kept between calls: placed at a meeting of branches.
+    std::vector<std::uint8_t>
+        at_branch_meeting_;  ///< Kept between calls: placed at a meeting of branches.
     std::vector<std::uint8_t> spare_;
     /// Front of the last structure that represents the node's position.
     std::vector<std::int32_t> anchor_;
     std::vector<std::int32_t> chain_of_, mark_;
     /// Nodes in no chain: those that stay; those that are placed.
-    std::vector<std::int32_t> rest_, placed_;
-    std::vector<std::int64_t> key_;     ///< 2 rank + 1 of a node that stays, 2 rank before it.
-    std::vector<std::int32_t> before_;  ///< By rank: bodies placed before that node.
-    std::vector<std::int32_t> behind_;  ///< Rows placed behind a node.
-    std::vector<std::int32_t> next_;    ///< Links of both lists.
-    Chains kept_;
+    std::vector<std::int32_t> nodes_outside_chains_, placed_;
+    std::vector<std::int64_t> key_;  ///< 2 rank + 1 of a node that stays, 2 rank before it.
+    std::vector<std::int32_t> bodies_before_;  ///< By rank: bodies placed before that node.
+    std::vector<std::int32_t> rows_behind_;    ///< Rows placed behind a node.
+    std::vector<std::int32_t> next_;           ///< Links of both lists.
+    Chains kept_chains_;
 };
 
 }  // namespace hawser::factor

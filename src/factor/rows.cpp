@@ -44,9 +44,9 @@ void Layout::find_all_runs(const Pattern& pattern, const Columns& columns, Symbo
         Front& front = s.fronts[f];
         front.run_begin = front.run_end = static_cast<std::int32_t>(runs);
         if (front.parent < 0) continue;
-        if (same_[f] >= 0 && same_[at(front.parent)] >= 0) {
-            const Front& old = old_fronts_[at(same_[f])];
-            if (old.parent == same_[at(front.parent)]) {
+        if (unchanged_front_[f] >= 0 && unchanged_front_[at(front.parent)] >= 0) {
+            const Front& old = old_fronts_[at(unchanged_front_[f])];
+            if (old.parent == unchanged_front_[at(front.parent)]) {
                 const auto length = at(old.run_end - old.run_begin);
                 if (runs + length > s.runs.size()) s.runs.resize(2 * (runs + length));
                 std::copy_n(old_runs_.begin() + old.run_begin, length,

@@ -39,7 +39,7 @@ ColumnTargets::ColumnTargets(const Symbolic& symbolic, std::int32_t column) noex
 }
 
 /// Return the row of a step's panel at which a node begins.
-std::int32_t ColumnTargets::slot_of(std::size_t row) const noexcept {
+std::int32_t ColumnTargets::panel_row_of(std::size_t row) const noexcept {
     if (s_.node_front[row] != index_)
         return step_->p + s_.tail_slot[at(front_.rows + local_row(s_, front_, s_.node_offset[row]) -
                                           front_.p)];
@@ -52,7 +52,7 @@ BlockTarget ColumnTargets::of(std::int32_t row) const noexcept {
     if (step_ == nullptr)
         return {begin_ + local_row(s_, front_, s_.node_offset[at(row)]), 1, front_.ld};
     const std::int32_t stride = kLaneCount * step_->p;
-    return {begin_ + std::int64_t{slot_of(at(row))} * stride, stride, kLaneCount};
+    return {begin_ + std::int64_t{panel_row_of(at(row))} * stride, stride, kLaneCount};
 }
 
 BlockTarget Symbolic::target(std::int32_t row, std::int32_t column) const noexcept {

@@ -130,7 +130,7 @@ class ColumnTargets {
     [[nodiscard]] BlockTarget of(std::int32_t row) const noexcept;
 
   private:
-    [[nodiscard]] std::int32_t slot_of(std::size_t row) const noexcept;
+    [[nodiscard]] std::int32_t panel_row_of(std::size_t row) const noexcept;
 
     const Symbolic& s_;
     const Front& front_;

@@ -40,7 +40,7 @@ struct TaskGraph {
         friend bool operator==(const Way&, const Way&) = default;
     };
     std::vector<std::int64_t> work;  ///< By node [flop].
-    Way up, down;
+    Way upward, downward;
     std::int64_t path = 0;  ///< Largest sum of work along a path.
 
     [[nodiscard]] int nodes() const noexcept { return static_cast<int>(work.size()); }
@@ -73,12 +73,12 @@ class TaskQueue {
     template <class F>
     void run(const TaskGraph& graph, TaskPass pass, base::Executor& executor, F& f) noexcept {
         const int n = graph.nodes();
-        const bool up = pass != TaskPass::backward, owns = pass == TaskPass::factor;
-        const TaskGraph::Way& way = up ? graph.up : graph.down;
+        const bool upward = pass != TaskPass::backward, owns = pass == TaskPass::factor;
+        const TaskGraph::Way& way = upward ? graph.upward : graph.downward;
         executor.announce({way.start, way.next, way.rank});
         if (executor.threads() == 1) {
             auto one = [&](int i, int thread) noexcept {
-                const int node = up ? i : n - 1 - i;
+                const int node = upward ? i : n - 1 - i;
                 executor.begin_node(node, thread);
                 f(node, thread);
             };
@@ -87,7 +87,7 @@ class TaskQueue {
         }
         begin(way, executor.threads());
         auto task = [&](int, int thread) noexcept {
-            const std::int32_t node = take(way, thread, owns);
+            const std::int32_t node = next_ready_node(way, thread, owns);
             executor.begin_node(node, thread);
             f(node, thread);
             finish(way, node);
@@ -95,20 +95,22 @@ class TaskQueue {
         executor.for_each(n, task);
     }
     [[nodiscard]] std::size_t bytes() const noexcept {
-        return base::bytes(waits_) + base::bytes(ready_) + base::bytes(mine_) + base::bytes(owner_);
+        return base::bytes(waits_) + base::bytes(ready_) + base::bytes(owned_) +
+               base::bytes(owner_);
     }
 
   private:
     void begin(const TaskGraph::Way& way, int threads) noexcept;
-    [[nodiscard]] std::int32_t take(const TaskGraph::Way& way, int thread, bool owns) noexcept;
-    [[nodiscard]] int take_bit(std::size_t w, std::uint64_t among) noexcept;
+    [[nodiscard]] std::int32_t next_ready_node(const TaskGraph::Way& way, int thread,
+                                               bool owns) noexcept;
+    [[nodiscard]] int claim_ready_bit(std::size_t w, std::uint64_t among) noexcept;
     void finish(const TaskGraph::Way& way, std::int32_t node) noexcept;
 
     /// By node: predecessors still to run. Atomic while running.
     base::Array<std::int32_t> waits_;
     base::Array<std::uint64_t> ready_;  ///< One bit per rank. Atomic while running.
     /// One bit per rank and thread: the nodes that the thread owns.
-    base::Array<std::uint64_t> mine_;
+    base::Array<std::uint64_t> owned_;
     base::Array<std::int16_t> owner_;  ///< By node: the thread that owns it.
     std::size_t words_ = 0;
 };

@@ -21,7 +21,7 @@ std::int64_t chain_flops(const Symbolic& s, const Front& front) {
 /// Split the tree into subtrees and the paths above them. Targets depend on the tree alone.
 void Layout::choose_tasks(Symbolic& s) {
     const std::size_t count = s.fronts.size();
-    subtree_.assign(count, 0);
+    subtree_flops_.assign(count, 0);
     path_.assign(count, 0);
     std::int64_t total = 0;
     for (std::size_t f = 0; f < count; ++f) {
@@ -30,14 +30,14 @@ void Layout::choose_tasks(Symbolic& s) {
         // done before the tasks.
         const bool chain = front.batch >= 0;
         const std::int64_t own = flops_[f];
-        subtree_[f] += own + (chain ? 0 : 600);
+        subtree_flops_[f] += own + (chain ? 0 : 600);
         path_[f] += chain ? chain_flops(s, front) : own;
         s.critical_flops = std::max(s.critical_flops, path_[f]);
         if (front.parent < 0) {
-            total += subtree_[f];
+            total += subtree_flops_[f];
             continue;
         }
-        subtree_[at(front.parent)] += subtree_[f];
+        subtree_flops_[at(front.parent)] += subtree_flops_[f];
         path_[at(front.parent)] = std::max(path_[at(front.parent)], path_[f]);
     }
     constexpr std::int64_t kParts = 48, kSmallest = 40'000;
@@ -50,22 +50,22 @@ void Layout::choose_tasks(Symbolic& s) {
         begin = end;
         work = 0;
     };
-    task_.assign(count, -1);
+    task_of_front_.assign(count, -1);
     for (std::size_t f = 0; f < count; ++f) {
         const auto id = static_cast<std::int32_t>(f);
-        if (subtree_[f] > target) {
+        if (subtree_flops_[f] > target) {
             close(id);
             s.top.push_back(id);
             begin = id + 1;
-        } else if (s.fronts[f].parent < 0 || subtree_[at(s.fronts[f].parent)] > target) {
-            work += subtree_[f];
+        } else if (s.fronts[f].parent < 0 || subtree_flops_[at(s.fronts[f].parent)] > target) {
+            work += subtree_flops_[f];
             if (work >= target / 2) close(id + 1);
         }
     }
     close(static_cast<std::int32_t>(count));
     for (std::size_t t = 0; t < s.tasks.size(); ++t)
-        std::fill(task_.begin() + s.tasks[t].begin, task_.begin() + s.tasks[t].end,
-                  static_cast<std::int32_t>(t));
+        std::fill(task_of_front_.begin() + s.tasks[t].begin,
+                  task_of_front_.begin() + s.tasks[t].end, static_cast<std::int32_t>(t));
     choose_top_tasks(s, target);
 }
 
@@ -78,25 +78,27 @@ void Layout::choose_top_tasks(Symbolic& s, std::int64_t target) {
         const Front& front = s.fronts[at(f)];
         std::int32_t before = -1, children = 0;
         for (std::int32_t c = front.child_begin; c < front.child_end; ++c) {
-            const std::int32_t owner = task_[at(s.children[at(c)])];
+            const std::int32_t owner = task_of_front_[at(s.children[at(c)])];
             if (owner < below) continue;
             before = owner;
             ++children;
         }
         const std::int64_t work = flops_[at(f)] + 600;
         if (children == 1 && s.top_tasks[at(before - below)].flops + work <= target) {
-            task_[at(f)] = before;
+            task_of_front_[at(f)] = before;
             s.top_tasks[at(before - below)].flops += work;
         } else {
-            task_[at(f)] = below + static_cast<std::int32_t>(s.top_tasks.size());
+            task_of_front_[at(f)] = below + static_cast<std::int32_t>(s.top_tasks.size());
             s.top_tasks.push_back({0, 0, work});
         }
     }
     std::sort(s.top.begin(), s.top.end(), [&](std::int32_t a, std::int32_t b) {
-        return task_[at(a)] != task_[at(b)] ? task_[at(a)] < task_[at(b)] : a < b;
+        return task_of_front_[at(a)] != task_of_front_[at(b)]
+                   ? task_of_front_[at(a)] < task_of_front_[at(b)]
+                   : a < b;
     });
     for (std::size_t k = 0; k < s.top.size(); ++k) {
-        TaskRange& task = s.top_tasks[at(task_[at(s.top[k])] - below)];
+        TaskRange& task = s.top_tasks[at(task_of_front_[at(s.top[k])] - below)];
         if (task.end == 0) task.begin = static_cast<std::int32_t>(k);
         task.end = static_cast<std::int32_t>(k) + 1;
     }
@@ -111,7 +113,7 @@ void Layout::link_tasks(Symbolic& s) {
     for (const TaskRange& t : s.top_tasks) s.graph.work.push_back(t.flops);
     s.front_task.resize(s.fronts.size());
     for (std::size_t f = 0; f < s.fronts.size(); ++f)
-        s.front_task[f] = s.fronts[f].batch >= 0 ? s.fronts[f].batch : batches + task_[f];
+        s.front_task[f] = s.fronts[f].batch >= 0 ? s.fronts[f].batch : batches + task_of_front_[f];
     edges_.clear();
     for (std::size_t f = 0; f < s.fronts.size(); ++f) {
         if (s.fronts[f].parent < 0) continue;
@@ -119,20 +121,20 @@ void Layout::link_tasks(Symbolic& s) {
         if (from != to && (edges_.empty() || edges_.back() != std::pair(from, to)))
             edges_.emplace_back(from, to);
     }
-    s.graph.build(edges_, left_);
+    s.graph.build(edges_, predecessors_left_);
 }
 
 /// Assign addresses to the update matrices: two stacks for each task, by parity of depth. All tasks
 /// have them at the same offsets, and each thread has its own copy. Update matrices passed to
 /// another task lie outside.
-void Layout::place_updates(Symbolic& s) {
+void Layout::assign_update_addresses(Symbolic& s) {
     const std::size_t count = s.fronts.size();
     parity_.assign(count, 0);
     for (std::size_t f = count; f-- > 0;)
         if (s.fronts[f].parent >= 0) parity_[f] = parity_[at(s.fronts[f].parent)] ^ 1;
     const std::size_t stacks = 2 * (s.tasks.size() + s.top_tasks.size());
     height_.assign(stacks, 0);
-    auto stack_of = [&](std::size_t f) { return 2 * at(task_[f]) + parity_[f]; };
+    auto stack_of = [&](std::size_t f) { return 2 * at(task_of_front_[f]) + parity_[f]; };
     std::int64_t shared = 0, even = 0, odd = 0;  // updates handed on; heights of the stacks
     crosses_.assign(count, 0);
     auto size_of = [&](const Front& f) { return static_cast<std::int64_t>(f.ldu) * f.q; };
@@ -140,8 +142,8 @@ void Layout::place_updates(Symbolic& s) {
     for (std::size_t f = 0; f < count; ++f) {
         Front& front = s.fronts[f];
         height_[stack_of(f) ^ 1] -= freed_[f];  // its children lie on the other stack
-        crosses_[f] =
-            front.parent >= 0 && (front.batch >= 0 || task_[at(front.parent)] != task_[f]);
+        crosses_[f] = front.parent >= 0 &&
+                      (front.batch >= 0 || task_of_front_[at(front.parent)] != task_of_front_[f]);
         if (crosses_[f]) {
             front.update = shared;
             // Vector loads may read one vector past it.

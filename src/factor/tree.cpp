@@ -52,7 +52,7 @@ void TreeBuilder::grow_fronts(const Pattern& pattern, const Columns& columns,
     // From left to right: a node joins the front just before it if that front's last node is its
     // child and merging is exact or saves time.
     growing_.resize(n);
-    grown_.resize(n);
+    front_size_.resize(n);
     other_.assign(n, follows ? 0 : 1);
     Growing* last = growing_.data();  // the current front
     auto time_of = [](Growing& g) {
@@ -64,8 +64,8 @@ void TreeBuilder::grow_fronts(const Pattern& pattern, const Columns& columns,
         const std::int32_t node = order[k], parent = columns.parent(node);
         const std::int32_t up = parent < 0 ? -1 : position[at(parent)];
         const std::int32_t chain = chain_of.empty() ? -1 : chain_of[at(node)];
-        Grown& grown = grown_[at(node)];
-        if (other_[k] == 0 && !columns.fresh(node)) {
+        Grown& grown = front_size_[at(node)];
+        if (other_[k] == 0 && !columns.column_changed(node)) {
             last -= grown.merged;
             *last++ = {id + 1 - grown.nodes, id + 1, grown.p, columns.below(node), up, chain, -1.0};
             continue;
@@ -107,7 +107,8 @@ void TreeBuilder::grow_fronts(const Pattern& pattern, const Columns& columns,
 
 std::size_t TreeBuilder::bytes() const noexcept {
     return base::bytes(growing_) + base::bytes(up_) + base::bytes(size_) + base::bytes(end_) +
-           base::bytes(post_) + base::bytes(front_at_) + base::bytes(grown_) + base::bytes(other_);
+           base::bytes(post_) + base::bytes(front_at_) + base::bytes(front_size_) +
+           base::bytes(other_);
 }
 
 }  // namespace hawser::factor

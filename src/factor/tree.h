@@ -57,7 +57,7 @@ class TreeBuilder {
         std::int32_t nodes, p;
     };
     std::vector<Growing> growing_;
-    std::vector<Grown> grown_;         ///< By node.
+    std::vector<Grown> front_size_;    ///< By node.
     std::vector<std::uint8_t> other_;  ///< By position: 1 if a node below changed.
     std::vector<std::int32_t> up_, size_, end_, post_, front_at_;
 };

@@ -15,10 +15,10 @@ void Numeric::reserve(const Symbolic& s, int threads, bool unsymmetric) {
     find_stage(s, threads);
     use(s, nullptr);
     if (!unsymmetric) return;
-    grow(upper_, s.panel_size, s.updates_kept);
-    grow(upper_work_, work_size(s, threads), s.updates_kept);
-    grow(kind_, static_cast<std::int64_t>(s.fronts.size()));
-    grow(wrong_mark_, s.scalars);
+    grow_discarding(upper_, s.panel_size, s.updates_kept);
+    grow_discarding(upper_work_, work_size(s, threads), s.updates_kept);
+    grow_discarding(kind_, static_cast<std::int64_t>(s.fronts.size()));
+    grow_discarding(wrong_pivot_mark_, s.scalars);
     failed_nodes_.reserve(s.order.size());
 }
 
@@ -41,18 +41,18 @@ void Numeric::use(const Symbolic& s, const Unsymmetric* set) noexcept {
 int Numeric::factor(const Symbolic& s, base::Executor& executor,
                     const Unsymmetric* unsymmetric) noexcept {
     use(s, unsymmetric);
-    return find_wrong(s, SymmetricNumeric::factor(s, executor));
+    return find_wrong_pivots(s, SymmetricNumeric::factor(s, executor));
 }
 
 int Numeric::refactor(const Symbolic& s, const DirtyParts& dirty, base::Executor& executor,
                       const Unsymmetric* unsymmetric) noexcept {
     use(s, unsymmetric);
-    return find_wrong(s, SymmetricNumeric::refactor(s, dirty, executor));
+    return find_wrong_pivots(s, SymmetricNumeric::refactor(s, dirty, executor));
 }
 
 std::size_t Numeric::bytes() const noexcept {
     return SymmetricNumeric::bytes() + base::bytes(stage_) + base::bytes(upper_) +
-           base::bytes(upper_work_) + base::bytes(kind_) + base::bytes(wrong_mark_) +
+           base::bytes(upper_work_) + base::bytes(kind_) + base::bytes(wrong_pivot_mark_) +
            base::bytes(failed_nodes_);
 }
 
@@ -109,13 +109,13 @@ void Numeric::copy_to_upper(const Symbolic& s, const DirtyParts& dirty, const Un
     executor.for_each(static_cast<int>(dirty.batches.size()), batch);
 }
 
-int Numeric::find_wrong(const Symbolic& s, int wrong) noexcept {
+int Numeric::find_wrong_pivots(const Symbolic& s, int wrong) noexcept {
     if (wrong == 0 || !unsymmetric_) return wrong;
     for (std::size_t k = 0; k < s.order.size(); ++k) {
-        const auto begin = wrong_mark_.begin() + s.node_offset[at(s.order[k])];
+        const auto begin = wrong_pivot_mark_.begin() + s.node_offset[at(s.order[k])];
         const auto end = k + 1 < s.order.size()
-                             ? wrong_mark_.begin() + s.node_offset[at(s.order[k + 1])]
-                             : wrong_mark_.begin() + s.scalars;
+                             ? wrong_pivot_mark_.begin() + s.node_offset[at(s.order[k + 1])]
+                             : wrong_pivot_mark_.begin() + s.scalars;
         if (std::find(begin, end, 1) == end) continue;
         failed_nodes_.push_back(s.order[k]);
         std::fill(begin, end, std::int8_t{0});

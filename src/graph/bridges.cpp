@@ -13,15 +13,15 @@ constexpr std::int32_t kUnseen = -1;
 
 }  // namespace
 
-void LoopFinder::discover(std::int32_t node, std::int32_t edge) {
-    found_[at(node)] = low_[at(node)] = time_++;
+void LoopFinder::begin_visit(std::int32_t node, std::int32_t edge) {
+    visit_time_[at(node)] = low_link_[at(node)] = time_++;
     path_.push_back({node, edge});
 }
 
 /// Visit every node reachable from the root, depth first. No recursion: chains may have millions of
 /// nodes.
 void LoopFinder::search(std::int32_t root) {
-    discover(root, -1);
+    begin_visit(root, -1);
     while (!path_.empty()) {
         const Visit top = path_.back();
         if (next_[at(top.node)] < begin_[at(top.node) + 1]) {
@@ -29,17 +29,17 @@ void LoopFinder::search(std::int32_t root) {
             const auto& [a, b] = edges_[at(e)];
             const std::int32_t other = a == top.node ? b : a;
             if (e == top.edge) continue;
-            if (found_[at(other)] == kUnseen)
-                discover(other, e);
+            if (visit_time_[at(other)] == kUnseen)
+                begin_visit(other, e);
             else
-                low_[at(top.node)] = std::min(low_[at(top.node)], found_[at(other)]);
+                low_link_[at(top.node)] = std::min(low_link_[at(top.node)], visit_time_[at(other)]);
             continue;
         }
         path_.pop_back();
         if (path_.empty()) break;
         const std::int32_t above = path_.back().node;
-        low_[at(above)] = std::min(low_[at(above)], low_[at(top.node)]);
-        if (low_[at(top.node)] > found_[at(above)]) looped_[at(top.edge)] = 0;
+        low_link_[at(above)] = std::min(low_link_[at(above)], low_link_[at(top.node)]);
+        if (low_link_[at(top.node)] > visit_time_[at(above)]) on_loop_[at(top.edge)] = 0;
     }
 }
 
@@ -47,9 +47,9 @@ std::span<const std::uint8_t> LoopFinder::find(
     std::int32_t nodes, std::span<const std::pair<std::int32_t, std::int32_t>> edges) {
     edges_ = edges;
     begin_.assign(at(nodes) + 1, 0);
-    found_.assign(at(nodes), kUnseen);
-    low_.assign(at(nodes), 0);
-    looped_.assign(edges.size(), 1);
+    visit_time_.assign(at(nodes), kUnseen);
+    low_link_.assign(at(nodes), 0);
+    on_loop_.assign(edges.size(), 1);
     time_ = 0;
     for (const auto& [a, b] : edges) {
         ++begin_[at(a) + 1];
@@ -65,14 +65,15 @@ std::span<const std::uint8_t> LoopFinder::find(
     next_.assign(begin_.begin(), begin_.end() - 1);
     // Skip nodes without edges: they lie on no loop.
     for (std::int32_t root = 0; root < nodes; ++root)
-        if (found_[at(root)] == kUnseen && begin_[at(root)] < begin_[at(root) + 1]) search(root);
-    return looped_;
+        if (visit_time_[at(root)] == kUnseen && begin_[at(root)] < begin_[at(root) + 1])
+            search(root);
+    return on_loop_;
 }
 
 std::size_t LoopFinder::bytes() const noexcept {
     using base::bytes;
-    return bytes(begin_) + bytes(ends_) + bytes(next_) + bytes(found_) + bytes(low_) +
-           bytes(looped_) + bytes(path_);
+    return bytes(begin_) + bytes(ends_) + bytes(next_) + bytes(visit_time_) + bytes(low_link_) +
+           bytes(on_loop_) + bytes(path_);
 }
 
 std::vector<std::uint8_t> edges_on_loops(

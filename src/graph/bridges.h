@@ -28,14 +28,14 @@ class LoopFinder {
         /// Node, and the edge by which it was reached; edge −1 at the root.
         std::int32_t node, edge;
     };
-    void discover(std::int32_t node, std::int32_t edge);
+    void begin_visit(std::int32_t node, std::int32_t edge);
     void search(std::int32_t root);
 
     std::span<const std::pair<std::int32_t, std::int32_t>> edges_;
     /// Edges at each node: offsets, edge indices, next edge to visit.
     std::vector<std::int32_t> begin_, ends_, next_;
-    std::vector<std::int32_t> found_, low_;
-    std::vector<std::uint8_t> looped_;
+    std::vector<std::int32_t> visit_time_, low_link_;
+    std::vector<std::uint8_t> on_loop_;
     std::vector<Visit> path_;
     std::int32_t time_ = 0;
 };

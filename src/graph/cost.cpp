@@ -61,7 +61,7 @@ void Cost::search_all(const Hypergraph& graph, const Neighbours& neighbours) {
     order.resize(at(moving));
 }
 
-std::int32_t Cost::meet(std::int32_t u, std::int32_t v) const noexcept {
+std::int32_t Cost::common_ancestor(std::int32_t u, std::int32_t v) const noexcept {
     const std::int32_t *depth = depth_.data(), *jump = jump_.data(), *parent = parent_.data();
     if (depth[u] < depth[v]) std::swap(u, v);
     while (depth[u] > depth[v]) u = depth[jump[u]] >= depth[v] ? jump[u] : parent[u];
@@ -102,7 +102,7 @@ void Cost::find_loops(const Neighbours& neighbours) {
         loop[found] = {a, b};
         found += static_cast<std::size_t>((parent[a] != b) & (parent[b] != a));
     }
-    loops_found_ = found;
+    loop_count_ = found;
 }
 
 /// Count the loops through each node. Each loop adds 1 at both ends, and subtracts 1 at their
@@ -110,9 +110,9 @@ void Cost::find_loops(const Neighbours& neighbours) {
 /// counts.
 void Cost::close_loops() noexcept {
     through_.assign(order.size(), 0);
-    for (std::size_t i = 0; i < loops_found_; ++i) {
+    for (std::size_t i = 0; i < loop_count_; ++i) {
         const Loop l = loop_[i];
-        const std::int32_t top = meet(l.u, l.v);
+        const std::int32_t top = common_ancestor(l.u, l.v);
         ++through_[at(l.u)];
         ++through_[at(l.v)];
         --through_[at(top)];
@@ -141,7 +141,7 @@ void Cost::build(const Hypergraph& graph, const Neighbours& neighbours) {
         paper[at(i)] = sum;
     }
     if (!graph.cost.empty()) {
-        take_costs(graph);
+        copy_costs(graph);
         return;
     }
     node.assign(graph.size.size(), 0);
@@ -152,7 +152,7 @@ void Cost::build(const Hypergraph& graph, const Neighbours& neighbours) {
     }
 }
 
-void Cost::take_costs(const Hypergraph& graph) {
+void Cost::copy_costs(const Hypergraph& graph) {
     node.assign(graph.size.size(), 0);
     for (const std::int32_t v : order) node[at(v)] = graph.cost[at(v)];
 }
@@ -161,7 +161,7 @@ void Cost::find_islands(const Hypergraph& graph, const Neighbours& neighbours) {
     search_all(graph, neighbours);
     loops.clear();
     paper.clear();
-    take_costs(graph);
+    copy_costs(graph);
 }
 
 }  // namespace hawser::graph

@@ -52,14 +52,14 @@ class Cost {
     void search_all(const Hypergraph& graph, const Neighbours& neighbours);
     void find_loops(const Neighbours& neighbours);
     void close_loops() noexcept;
-    void take_costs(const Hypergraph& graph);
-    [[nodiscard]] std::int32_t meet(std::int32_t u, std::int32_t v) const noexcept;
+    void copy_costs(const Hypergraph& graph);
+    [[nodiscard]] std::int32_t common_ancestor(std::int32_t u, std::int32_t v) const noexcept;
 
     // By rank, the index in `order`. A parent has a lower rank than its children.
     std::vector<std::int32_t> parent_, jump_, depth_, through_;
     std::vector<std::int32_t> rank_;  ///< Rank of each node.
     std::vector<Loop> loop_;          ///< Ranks of the pairs of nodes that the tree leaves out.
-    std::size_t loops_found_ = 0;     ///< Number of entries of loop_ in use.
+    std::size_t loop_count_ = 0;      ///< Number of entries of loop_ in use.
     std::int32_t found_ = 0;          ///< Number of nodes in `order`.
 };
 

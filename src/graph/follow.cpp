@@ -12,7 +12,7 @@ void Follower::start(const Hypergraph& graph, std::span<const std::int64_t> node
     node_cost_.assign(node_cost.begin(), node_cost.end());
     part_ = partition.part;
     load_ = partition.cost;
-    between_ = partition.separator_cost;
+    separator_cost_ = partition.separator_cost;
     makespan_ = makespan();
     head_.assign(graph.size.size(), -1);
     stays_.assign(graph.size.size(), 0);
@@ -51,14 +51,14 @@ void Follower::unlink(std::int32_t slot) noexcept {
 
 void Follower::set_part(std::int32_t node, std::int32_t part) noexcept {
     const std::int64_t cost = node_cost_[at(node)];
-    (part_[at(node)] >= 0 ? load_[at(part_[at(node)])] : between_) -= cost;
-    (part >= 0 ? load_[at(part)] : between_) += cost;
+    (part_[at(node)] >= 0 ? load_[at(part_[at(node)])] : separator_cost_) -= cost;
+    (part >= 0 ? load_[at(part)] : separator_cost_) += cost;
     part_[at(node)] = part;
 }
 
 /// Turn nodes of the edge into separators until its other nodes belong to one part. The part with
 /// most scalars in the edge stays; if two are equal, the one with the lower index.
-void Follower::keep_apart(std::int32_t e) noexcept {
+void Follower::separate_parts_of_edge(std::int32_t e) noexcept {
     const std::int32_t first = kMaxMembers * e;
     std::int32_t stays = -1, most = -1;
     for (std::int32_t i = 0; i < count_[at(e)]; ++i) {
@@ -79,7 +79,7 @@ void Follower::keep_apart(std::int32_t e) noexcept {
     }
 }
 
-void Follower::rejoin(std::int32_t node) noexcept {
+void Follower::absorb_separator(std::int32_t node) noexcept {
     if (stays_[at(node)] != 0) return;
     std::int32_t only = -1;
     for (std::int32_t slot = head_[at(node)]; slot >= 0; slot = next_[at(slot)]) {
@@ -108,24 +108,24 @@ void Follower::change(std::int32_t e, std::span<const std::int32_t> members) noe
         member_[at(first + i)] = members[static_cast<std::size_t>(i)];
         link(first + i);
     }
-    keep_apart(e);
+    separate_parts_of_edge(e);
     for (std::int32_t i = 0; i < before; ++i)
-        if (part_[at(old[i])] == kSeparator) rejoin(old[i]);
+        if (part_[at(old[i])] == kSeparator) absorb_separator(old[i]);
 }
 
 std::int64_t Follower::makespan() const noexcept {
-    return between_ + (load_.empty() ? 0 : *std::max_element(load_.begin(), load_.end()));
+    return separator_cost_ + (load_.empty() ? 0 : *std::max_element(load_.begin(), load_.end()));
 }
 
-bool Follower::worn() const noexcept {
-    return static_cast<double>(makespan()) > kWorn * static_cast<double>(makespan_);
+bool Follower::needs_new_partition() const noexcept {
+    return static_cast<double>(makespan()) > kReplanRatio * static_cast<double>(makespan_);
 }
 
 void Follower::copy_to(Partition& out) const {
     out.parts = static_cast<std::int32_t>(load_.size());
     out.part = part_;
     out.cost = load_;
-    out.separator_cost = between_;
+    out.separator_cost = separator_cost_;
     out.cut.clear();
     out.separator.clear();
     for (std::size_t v = 0; v < part_.size(); ++v)

@@ -10,8 +10,8 @@
 /// nothing.
 ///
 /// Other nodes keep their part, which is the temporal coherence that the paper requires. The
-/// function worn() returns true if the modelled makespan exceeds 1.15 times its initial value. A
-/// new partition is then due.
+/// function needs_new_partition() returns true if the modelled makespan exceeds 1.15 times its
+/// initial value. A new partition is then due.
 
 #include "graph/partition.h"
 
@@ -24,7 +24,7 @@ namespace hawser::graph {
 class Follower {
   public:
     static constexpr std::int32_t kMaxMembers = 4;  ///< Most members of an edge that is followed.
-    static constexpr double kWorn = 1.15;
+    static constexpr double kReplanRatio = 1.15;
 
     /// Start from a partition with separators. Edges with more than kMaxMembers members must not
     /// change; separators among their nodes stay.
@@ -38,16 +38,16 @@ class Follower {
 
     [[nodiscard]] const std::vector<std::int32_t>& part() const noexcept { return part_; }
     [[nodiscard]] std::span<const std::int64_t> cost() const noexcept { return load_; }
-    [[nodiscard]] std::int64_t separator_cost() const noexcept { return between_; }
-    [[nodiscard]] bool worn() const noexcept;
+    [[nodiscard]] std::int64_t separator_cost() const noexcept { return separator_cost_; }
+    [[nodiscard]] bool needs_new_partition() const noexcept;
     /// Copy the current partition to `out`.
     void copy_to(Partition& out) const;
 
   private:
     void link(std::int32_t slot) noexcept;
     void unlink(std::int32_t slot) noexcept;
-    void keep_apart(std::int32_t e) noexcept;
-    void rejoin(std::int32_t node) noexcept;
+    void separate_parts_of_edge(std::int32_t e) noexcept;
+    void absorb_separator(std::int32_t node) noexcept;
     void set_part(std::int32_t node, std::int32_t part) noexcept;
     /// Return the cost of the largest part plus the cost of all separators [flops].
     [[nodiscard]] std::int64_t makespan() const noexcept;
@@ -60,7 +60,7 @@ class Follower {
     std::vector<std::uint8_t> stays_;
     std::vector<std::int32_t> part_;
     std::vector<std::int64_t> load_, node_cost_;
-    std::int64_t between_ = 0, makespan_ = 0;
+    std::int64_t separator_cost_ = 0, makespan_ = 0;
 };
 
 }  // namespace hawser::graph

@@ -59,12 +59,12 @@ void Lineup::list(std::int32_t unit, std::int32_t bucket) noexcept {
     previous[unit] = head;
     previous[second] = unit;
     next[head] = unit;
-    lowest_ = std::min(lowest_, bucket);
+    lowest_bucket_ = std::min(lowest_bucket_, bucket);
 }
 
 /// Add a unit to the frontier. Its neighbours become candidates and their keys decrease by its
 /// weight.
-void Lineup::touch(std::int32_t unit) noexcept {
+void Lineup::add_to_frontier(std::int32_t unit) noexcept {
     state_[at(unit)] = touched;
     const std::int32_t weight = weight_[at(unit)];
     key_[at(unit)] -= weight;
@@ -78,9 +78,9 @@ void Lineup::touch(std::int32_t unit) noexcept {
 }
 
 /// Return the candidate that enlarges the frontier least, −1: none.
-std::int32_t Lineup::cheapest() noexcept {
-    for (; lowest_ < kBuckets; ++lowest_) {
-        const std::int32_t unit = next_[at(count_ + lowest_)];
+std::int32_t Lineup::cheapest_candidate() noexcept {
+    for (; lowest_bucket_ < kBuckets; ++lowest_bucket_) {
+        const std::int32_t unit = next_[at(count_ + lowest_bucket_)];
         if (unit < count_) return unit;
     }
     return -1;
@@ -88,8 +88,8 @@ std::int32_t Lineup::cheapest() noexcept {
 
 /// Return a score of the neighbours of a wire's end node outside the wire: 2 for each that is in
 /// the line, −1 for each other.
-std::int32_t Lineup::outside(const Neighbours& neighbours, const Units& units,
-                             std::int32_t node) const noexcept {
+std::int32_t Lineup::outside_score(const Neighbours& neighbours, const Units& units,
+                                   std::int32_t node) const noexcept {
     std::int32_t sum = 0;
     for (const std::int32_t u : neighbours.of(node))
         if (units.unit[at(u)] != units.unit[at(node)]) sum += place[at(u)] >= 0 ? 2 : -1;
@@ -98,8 +98,8 @@ std::int32_t Lineup::outside(const Neighbours& neighbours, const Units& units,
 
 void Lineup::append(const Neighbours& neighbours, const Units& units, std::int32_t unit) {
     const auto nodes = units.nodes_of(unit);
-    const bool turned = unit < units.wires && outside(neighbours, units, nodes.back()) >
-                                                  outside(neighbours, units, nodes.front());
+    const bool turned = unit < units.wires && outside_score(neighbours, units, nodes.back()) >
+                                                  outside_score(neighbours, units, nodes.front());
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         const std::int32_t v = nodes[turned ? nodes.size() - 1 - i : i];
         place[at(v)] = static_cast<std::int32_t>(order.size());
@@ -107,15 +107,15 @@ void Lineup::append(const Neighbours& neighbours, const Units& units, std::int32
     }
 }
 
-void Lineup::grow(const Neighbours& neighbours, const Units& units, std::int32_t start) {
+void Lineup::order_island(const Neighbours& neighbours, const Units& units, std::int32_t start) {
     list(start, bucket(key_[at(start)]));
-    for (std::int32_t unit = cheapest(); unit >= 0; unit = cheapest()) {
-        if (state_[at(unit)] == untouched) touch(unit);
+    for (std::int32_t unit = cheapest_candidate(); unit >= 0; unit = cheapest_candidate()) {
+        if (state_[at(unit)] == untouched) add_to_frontier(unit);
         state_[at(unit)] = placed;
         list(unit, kBuckets);
         append(neighbours, units, unit);
         for (std::int32_t k = start_[at(unit)]; k < start_[at(unit) + 1]; ++k)
-            if (state_[at(adjacent_[at(k)])] == untouched) touch(adjacent_[at(k)]);
+            if (state_[at(adjacent_[at(k)])] == untouched) add_to_frontier(adjacent_[at(k)]);
     }
 }
 
@@ -132,10 +132,10 @@ void Lineup::build(const Hypergraph& graph, const Neighbours& neighbours, const 
     order.reserve(graph.size.size());
     island_begin.assign(1, 0);
     for (std::int32_t i = 0; i < cost.islands(); ++i) {
-        lowest_ = 0;
+        lowest_bucket_ = 0;
         // Start at the node farthest from the heaviest one: the free end of a cable, the corner of
         // a net.
-        grow(neighbours, units, units.unit[at(cost.order[at(cost.begin[at(i) + 1] - 1)])]);
+        order_island(neighbours, units, units.unit[at(cost.order[at(cost.begin[at(i) + 1] - 1)])]);
         island_begin.push_back(static_cast<std::int32_t>(order.size()));
     }
 }

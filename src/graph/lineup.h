@@ -39,16 +39,16 @@ class Lineup {
     enum State : std::int32_t { untouched, touched, placed };
 
     void connect(const Hypergraph& graph, const Neighbours& neighbours, const Units& units);
-    void grow(const Neighbours& neighbours, const Units& units, std::int32_t start);
+    void order_island(const Neighbours& neighbours, const Units& units, std::int32_t start);
     void append(const Neighbours& neighbours, const Units& units, std::int32_t unit);
-    void touch(std::int32_t unit) noexcept;
+    void add_to_frontier(std::int32_t unit) noexcept;
     void list(std::int32_t unit, std::int32_t bucket) noexcept;
-    [[nodiscard]] std::int32_t cheapest() noexcept;
+    [[nodiscard]] std::int32_t cheapest_candidate() noexcept;
     [[nodiscard]] static std::int32_t bucket(std::int32_t key) noexcept {
         return std::clamp(key - kLow, 0, kBuckets - 1);
     }
-    [[nodiscard]] std::int32_t outside(const Neighbours& neighbours, const Units& units,
-                                       std::int32_t node) const noexcept;
+    [[nodiscard]] std::int32_t outside_score(const Neighbours& neighbours, const Units& units,
+                                             std::int32_t node) const noexcept;
 
     // Graph of units: offsets, neighbours, weights, marks.
     std::vector<std::int32_t> start_, adjacent_, weight_, mark_;
@@ -58,7 +58,7 @@ class Lineup {
     std::vector<std::int32_t> key_;
     std::vector<State> state_;
     std::vector<std::int32_t> next_, previous_;
-    std::int32_t count_ = 0, lowest_ = 0;
+    std::int32_t count_ = 0, lowest_bucket_ = 0;
 };
 
 }  // namespace hawser::graph

@@ -47,7 +47,7 @@ class Neighbours {
     [[nodiscard]] std::span<const std::int32_t> of(std::int32_t node) const noexcept {
         return {adjacent.data() + start[at(node)], adjacent.data() + end[at(node)]};
     }
-    [[nodiscard]] std::span<const std::int32_t> near(std::int32_t node) const noexcept {
+    [[nodiscard]] std::span<const std::int32_t> near_neighbours(std::int32_t node) const noexcept {
         return {adjacent.data() + start[at(node)], adjacent.data() + middle[at(node)]};
     }
     /// Return all pairs of neighbours, near ones first, without duplicates.
@@ -55,7 +55,7 @@ class Neighbours {
     [[nodiscard]] std::span<const Pair> near_pairs() const noexcept {
         return {pair_.data(), near_pairs_};
     }
-    [[nodiscard]] std::span<const Pair> far_pairs() const noexcept {
+    [[nodiscard]] std::span<const Pair> distant_pairs() const noexcept {
         return pairs().subspan(near_pairs_);
     }
     [[nodiscard]] std::int32_t degree(std::int32_t node) const noexcept {

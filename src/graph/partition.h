@@ -88,17 +88,17 @@ class Partitioner {
         }
     };
     [[nodiscard]] std::int32_t max_parts() const noexcept;
-    void place_islands(const PartitionOptions& options, Partition& out);
+    void assign_islands(const PartitionOptions& options, Partition& out);
     void find_profile();
     void find_reach();
-    void choose_places(const PartitionOptions& options);
+    void choose_cut_positions(const PartitionOptions& options);
     void assign();
-    void join_back();
+    void absorb_separators();
     void write(Partition& out);
-    [[nodiscard]] bool is_between(std::int32_t place) const noexcept;
+    [[nodiscard]] bool separates_parts(std::int32_t place) const noexcept;
 
     std::vector<std::int64_t> island_cost_, small_cost_, load_, prefix_, sum_;
-    std::vector<std::int32_t> island_lane_, order_, place_, cut_, lane_of_;
+    std::vector<std::int32_t> island_lane_, order_, line_index_, cut_, lane_of_;
     std::vector<Profile> profile_;
     // By position in the line, which holds the nodes of divided islands.
     std::vector<std::int32_t> line_;
@@ -108,7 +108,7 @@ class Partitioner {
     std::vector<std::int32_t> part_;     ///< Part; kSeparator: between parts.
     /// Cost; cost in this iteration, without separators.
     std::vector<std::int64_t> cost_, weight_;
-    std::vector<std::int32_t> between_;  ///< Positions of separators.
+    std::vector<std::int32_t> separator_positions_;  ///< Positions of separators.
 };
 
 }  // namespace hawser::graph

@@ -23,7 +23,7 @@ constexpr int kRounds = 3;
 
 /// Assign each small island as a whole to a lane. Write the nodes of the other islands one after
 /// the other to line_.
-void Partitioner::place_islands(const PartitionOptions& options, Partition& out) {
+void Partitioner::assign_islands(const PartitionOptions& options, Partition& out) {
     const std::int32_t islands = cost.islands();
     island_cost_.assign(at(islands), 0);
     std::int64_t total = 0;
@@ -55,10 +55,10 @@ void Partitioner::place_islands(const PartitionOptions& options, Partition& out)
             for (std::int32_t k = cost.begin[at(i)]; k < cost.begin[at(i) + 1]; ++k)
                 out.part[at(cost.order[at(k)])] = island_lane_[at(i)];
     // Nodes that are not in the line have the position behind its end.
-    place_.assign(graph.size.size(), static_cast<std::int32_t>(line_.size()));
+    line_index_.assign(graph.size.size(), static_cast<std::int32_t>(line_.size()));
     cost_.resize(line_.size());
     for (std::size_t k = 0; k < line_.size(); ++k) {
-        place_[at(line_[k])] = static_cast<std::int32_t>(k);
+        line_index_[at(line_[k])] = static_cast<std::int32_t>(k);
         cost_[k] = cost.node[at(line_[k])];
     }
 }
@@ -70,7 +70,7 @@ void Partitioner::find_reach() {
     std::iota(low_.begin(), low_.end(), 0);
     high_ = low_;
     std::int32_t *low = low_.data(), *high = high_.data();
-    const std::int32_t* place = place_.data();
+    const std::int32_t* place = line_index_.data();
     const std::uint8_t* hub = units.hub.data();
     for_each_pair(neighbours.pairs(), [=](Pair p) {
         const std::int32_t a = place[p.a], b = place[p.b];
@@ -117,7 +117,7 @@ void Partitioner::find_profile() {
 }
 
 /// Choose the cuts of the line. cut_[j] is the first position of the segment after cut j.
-void Partitioner::choose_places(const PartitionOptions& options) {
+void Partitioner::choose_cut_positions(const PartitionOptions& options) {
     prefix_.resize(line_.size() + 1);
     prefix_[0] = 0;
     for (std::size_t k = 0; k < line_.size(); ++k) prefix_[k + 1] = prefix_[k] + weight_[k];
@@ -164,11 +164,11 @@ void Partitioner::choose_places(const PartitionOptions& options) {
     }
 }
 
-bool Partitioner::is_between(std::int32_t place) const noexcept {
+bool Partitioner::separates_parts(std::int32_t place) const noexcept {
     const std::int32_t v = line_[at(place)], p = segment_[at(place)];
     const bool hub = units.hub[at(v)] != 0;
     for (const std::int32_t u : neighbours.of(v)) {
-        const std::int32_t q = segment_[at(place_[at(u)])];
+        const std::int32_t q = segment_[at(line_index_[at(u)])];
         if (q == p) continue;
         if (hub) return true;
         if (units.hub[at(u)] != 0) continue;
@@ -183,7 +183,7 @@ bool Partitioner::is_between(std::int32_t place) const noexcept {
 void Partitioner::assign() {
     segment_.resize(line_.size());
     part_.resize(line_.size());
-    between_.resize(line_.size() + 1);
+    separator_positions_.resize(line_.size() + 1);
     std::int32_t from = 0;
     std::size_t found = 0;
     for (std::size_t s = 0; s <= cut_.size(); ++s) {
@@ -193,37 +193,38 @@ void Partitioner::assign() {
         std::fill(part_.begin() + from, part_.begin() + to, lane_of_[s]);
         const std::int32_t *low = low_.data(), *high = high_.data();
         for (std::int32_t k = from; k < to; ++k) {
-            between_[found] = k;
+            separator_positions_[found] = k;
             found += static_cast<std::size_t>((low[k] < from) | (high[k] >= to));
         }
         from = to;
     }
     std::size_t kept = 0;
     for (std::size_t i = 0; i < found; ++i)
-        if (is_between(between_[i])) between_[kept++] = between_[i];
-    between_.resize(kept);
-    for (const std::int32_t k : between_) part_[at(k)] = kSeparator;
-    join_back();
+        if (separates_parts(separator_positions_[i]))
+            separator_positions_[kept++] = separator_positions_[i];
+    separator_positions_.resize(kept);
+    for (const std::int32_t k : separator_positions_) part_[at(k)] = kSeparator;
+    absorb_separators();
 }
 
 /// Move separator nodes whose neighbours are in one part only to that part.
-void Partitioner::join_back() {
+void Partitioner::absorb_separators() {
     std::size_t kept = 0;
-    for (const std::int32_t k : between_) {
+    for (const std::int32_t k : separator_positions_) {
         std::int32_t only = -1;
         bool several = false;
         for (const std::int32_t u : neighbours.of(line_[at(k)])) {
-            const std::int32_t p = part_[at(place_[at(u)])];
+            const std::int32_t p = part_[at(line_index_[at(u)])];
             if (p < 0 || p == only) continue;
             several |= only >= 0;
             only = p;
         }
         if (several)
-            between_[kept++] = k;
+            separator_positions_[kept++] = k;
         else
             part_[at(k)] = only >= 0 ? only : lane_of_[at(segment_[at(k)])];
     }
-    between_.resize(kept);
+    separator_positions_.resize(kept);
 }
 
 /// Write the part of each node, the separators in ascending order, and the sums of costs.
@@ -235,7 +236,7 @@ void Partitioner::write(Partition& out) {
         sum_[at(part_[k] - kSeparator)] += cost_[k];
     }
     out.separator.clear();
-    for (const std::int32_t k : between_) out.separator.push_back(line_[at(k)]);
+    for (const std::int32_t k : separator_positions_) out.separator.push_back(line_[at(k)]);
     std::sort(out.separator.begin(), out.separator.end());
     out.separator_cost = sum_[0];
     out.cost.assign(load_.begin(), load_.end());
@@ -254,16 +255,16 @@ std::int32_t Partitioner::max_parts() const noexcept {
 
 void Partitioner::separate(const PartitionOptions& asked, Partition& out) {
     const PartitionOptions options{std::min(asked.parts, max_parts())};
-    place_islands(options, out);
+    assign_islands(options, out);
     out.cut.clear();
-    between_.clear();
+    separator_positions_.clear();
     if (!line_.empty()) {
         find_profile();
         weight_ = cost_;
         for (int round = 0; round < kRounds; ++round) {
-            for (const std::int32_t k : between_) weight_[at(k)] = 0;
-            choose_places(options);
-            for (const std::int32_t k : between_) weight_[at(k)] = cost_[at(k)];
+            for (const std::int32_t k : separator_positions_) weight_[at(k)] = 0;
+            choose_cut_positions(options);
+            for (const std::int32_t k : separator_positions_) weight_[at(k)] = cost_[at(k)];
             assign();
         }
     }

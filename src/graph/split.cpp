@@ -22,7 +22,7 @@ std::int32_t Splitter::find(std::int32_t v) noexcept {
     return v;
 }
 
-void Splitter::join(std::int32_t a, std::int32_t b) noexcept {
+void Splitter::unite_clusters(std::int32_t a, std::int32_t b) noexcept {
     a = find(a);
     b = find(b);
     if (a != b) root_[at(std::max(a, b))] = std::min(a, b);
@@ -38,7 +38,7 @@ void Splitter::contract() {
         std::int32_t first = -1;
         for (const std::int32_t v : graph_.edge(e)) {
             if (graph_.size[at(v)] == 0) continue;
-            if (first >= 0) join(first, v);
+            if (first >= 0) unite_clusters(first, v);
             first = v;
         }
     }
@@ -48,7 +48,7 @@ void Splitter::contract() {
         if (graph_.size[v] == 0 || g < 0) continue;
         if (at(g) >= lane_.size()) lane_.resize(at(g) + 1, -1);
         if (lane_[at(g)] < 0) lane_[at(g)] = static_cast<std::int32_t>(v);
-        join(lane_[at(g)], static_cast<std::int32_t>(v));
+        unite_clusters(lane_[at(g)], static_cast<std::int32_t>(v));
     }
     options_.parts = std::max(options_.parts, static_cast<std::int32_t>(lane_.size()));
     clusters = 0;
@@ -67,7 +67,7 @@ void Splitter::contract() {
         }
         const auto c = at(cluster_[v] = cluster_[at(r)]);
         size_[c] = static_cast<std::uint8_t>(std::min(255, size_[c] + graph_.size[v]));
-        node_cost_[c] += cost_of(v);
+        node_cost_[c] += node_cost(v);
         if (!graph_.group.empty() && graph_.group[v] >= 0) group_part_[c] = graph_.group[v];
     }
 }
@@ -95,16 +95,16 @@ void Splitter::build_quotient() {
 
 /// Compute the weight of a cut behind each position of a wire: weights of the edges across it and
 /// of the nodes on both sides.
-void Splitter::weigh_places() {
+void Splitter::compute_cut_weights() {
     weight_.assign(units_.nodes.size(), 0);
     repair_.assign(units_.nodes.size(), 0);
-    wire_place_.assign(at(clusters), -1);
+    wire_position_.assign(at(clusters), -1);
     const std::int32_t in_wires = units_.begin[at(units_.wires)];
-    for (std::int32_t k = 0; k < in_wires; ++k) wire_place_[at(units_.nodes[at(k)])] = k;
+    for (std::int32_t k = 0; k < in_wires; ++k) wire_position_[at(units_.nodes[at(k)])] = k;
     for (std::int32_t e = 0; !graph_.edge_weight.empty() && e < graph_.edges(); ++e) {
         std::int32_t low = -1, high = -1;
         for (std::int32_t k = member_begin_[at(e)]; k < member_begin_[at(e) + 1]; ++k) {
-            const std::int32_t p = wire_place_[at(members_[at(k)])];
+            const std::int32_t p = wire_position_[at(members_[at(k)])];
             if (p < 0) continue;
             if (low >= 0 &&
                 units_.unit[at(members_[at(k)])] != units_.unit[at(units_.nodes[at(low)])])
@@ -118,7 +118,7 @@ void Splitter::weigh_places() {
         }
     }
     for (std::size_t v = 0; !graph_.node_weight.empty() && v < cluster_.size(); ++v) {
-        const std::int32_t p = cluster_[v] < 0 ? -1 : wire_place_[at(cluster_[v])];
+        const std::int32_t p = cluster_[v] < 0 ? -1 : wire_position_[at(cluster_[v])];
         if (p < 0) continue;
         weight_[at(p)] += graph_.node_weight[v];
         if (p > 0 && units_.unit[at(units_.nodes[at(p - 1)])] == units_.unit[at(cluster_[v])])
@@ -136,7 +136,7 @@ void Splitter::write(Partition& out) const {
     for (std::size_t v = 0; v < cluster_.size(); ++v) {
         if (cluster_[v] < 0) continue;
         out.part[v] = part_[at(cluster_[v])];
-        out.cost[at(out.part[v])] += cost_of(v);
+        out.cost[at(out.part[v])] += node_cost(v);
     }
     for (std::int32_t e = 0; e < graph_.edges(); ++e) {
         std::int32_t first = kNoPart;
@@ -154,7 +154,7 @@ void Splitter::write(Partition& out) const {
 
 void Splitter::split(const Hypergraph& graph, const PartitionOptions& options, Partition& out) {
     prepare(graph, options);
-    choose();
+    choose_parts();
     out.worse_for = 0;
     write(out);
 }
@@ -163,16 +163,16 @@ void Splitter::prepare(const Hypergraph& graph, const PartitionOptions& options)
     graph_ = graph;
     options_ = options;
     if (graph_.cost.empty()) {
-        whole_.build(graph_);
-        whole_cost_.build(graph_, whole_);
+        full_neighbours_.build(graph_);
+        full_cost_.build(graph_, full_neighbours_);
     }
     contract();
     build_quotient();
-    weigh_places();
+    compute_cut_weights();
 }
 
 /// Start from the partition of the previous step. @return false if the graph does not allow it.
-bool Splitter::adopt(const Partition& before) {
+bool Splitter::start_from_previous(const Partition& before) {
     if (before.parts != options_.parts || before.part.size() != cluster_.size()) return false;
     part_.assign(at(clusters), -1);
     for (std::size_t v = 0; v < cluster_.size(); ++v) {
@@ -190,22 +190,23 @@ bool Splitter::adopt(const Partition& before) {
     return true;
 }
 
-bool Splitter::follow(const Hypergraph& graph, const PartitionOptions& options, Partition& out) {
+bool Splitter::split_from_previous(const Hypergraph& graph, const PartitionOptions& options,
+                                   Partition& out) {
     prepare(graph, options);
-    choose();
+    choose_parts();
     const auto longest = [&] { return *std::max_element(load_.begin(), load_.end()); };
     const auto best = static_cast<double>(longest());
-    fresh_part_ = part_;
+    new_part_ = part_;
     bool goes_on = true;
-    if (!adopt(out)) {
-        part_ = fresh_part_;
+    if (!start_from_previous(out)) {
+        part_ = new_part_;
         out.worse_for = 0;
         goes_on = false;
     } else if (static_cast<double>(longest()) <= kWorse * best || ++out.worse_for <= kPatience) {
         if (static_cast<double>(longest()) <= kWorse * best) out.worse_for = 0;
-        move_one();
+        move_best_cut();
     } else {
-        part_ = fresh_part_;
+        part_ = new_part_;
         out.worse_for = 0;
         goes_on = false;
     }

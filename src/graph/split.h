@@ -13,10 +13,10 @@
 /// possible.
 /// 6. Every cut moves along its wire to the position of least weight, by at most a tenth of a part.
 ///
-/// The function follow() keeps the partition of the previous step. At most one cut moves in a step,
-/// and only if the gain is large enough. A new partition is chosen if the graph no longer allows
-/// the old cuts. It is also chosen if the old makespan has exceeded 1.15 times the new one for 30
-/// steps.
+/// The function split_from_previous() keeps the partition of the previous step. At most one cut
+/// moves in a step, and only if the gain is large enough. A new partition is chosen if the graph no
+/// longer allows the old cuts. It is also chosen if the old makespan has exceeded 1.15 times the
+/// new one for 30 steps.
 
 #include "graph/cost.h"
 #include "graph/hypergraph.h"
@@ -35,7 +35,8 @@ class Splitter {
     void split(const Hypergraph& graph, const PartitionOptions& options, Partition& out);
     /// Split the graph, starting from the partition of the previous step in `out`. @return true if
     /// the result continues that partition.
-    bool follow(const Hypergraph& graph, const PartitionOptions& options, Partition& out);
+    bool split_from_previous(const Hypergraph& graph, const PartitionOptions& options,
+                             Partition& out);
 
     std::int64_t largest_cluster = 0;  ///< Cost of the most expensive cluster [flops].
     std::int32_t clusters = 0;
@@ -47,29 +48,31 @@ class Splitter {
 
     void prepare(const Hypergraph& graph, const PartitionOptions& options);
     void contract();
-    [[nodiscard]] std::int64_t cost_of(std::size_t node) const noexcept {
-        return graph_.cost.empty() ? whole_cost_.node[node] : graph_.cost[node];
+    [[nodiscard]] std::int64_t node_cost(std::size_t node) const noexcept {
+        return graph_.cost.empty() ? full_cost_.node[node] : graph_.cost[node];
     }
     [[nodiscard]] std::int32_t find(std::int32_t node) noexcept;
-    void join(std::int32_t a, std::int32_t b) noexcept;
+    void unite_clusters(std::int32_t a, std::int32_t b) noexcept;
     void build_quotient();
-    void weigh_places();
-    void choose();
-    void choose(bool together);
+    void compute_cut_weights();
+    void choose_parts();
+    void choose_parts(bool together);
     [[nodiscard]] std::int32_t count_cuts() const noexcept;
-    void put(std::int32_t cluster, std::int32_t part) noexcept;
-    void place_islands();
-    void place_clusters(bool together);
-    void place_wires();
-    void level();
+    void assign_part(std::int32_t cluster, std::int32_t part) noexcept;
+    void assign_islands();
+    void assign_clusters(bool together);
+    void assign_wires();
+    void balance_parts();
     bool move_filler(std::int32_t from, std::int32_t to, std::int64_t amount);
-    void slide();
-    [[nodiscard]] std::int32_t slide_to(std::int32_t wire, std::int32_t left) const noexcept;
-    void cut_behind(std::int32_t old_left, std::int32_t left) noexcept;
-    [[nodiscard]] std::int32_t part_beside(std::int32_t cluster, std::int32_t wire) const noexcept;
+    void move_cuts();
+    [[nodiscard]] std::int32_t cheaper_cut_near(std::int32_t wire,
+                                                std::int32_t left) const noexcept;
+    void move_cut(std::int32_t old_left, std::int32_t left) noexcept;
+    [[nodiscard]] std::int32_t neighbouring_part(std::int32_t cluster,
+                                                 std::int32_t wire) const noexcept;
     void write(Partition& out) const;
-    [[nodiscard]] bool adopt(const Partition& before);
-    void move_one();
+    [[nodiscard]] bool start_from_previous(const Partition& before);
+    void move_best_cut();
 
     Hypergraph graph_;
     PartitionOptions options_;
@@ -78,21 +81,21 @@ class Splitter {
     std::vector<std::uint8_t> size_;
     std::vector<std::int64_t> node_cost_;
     std::vector<std::int32_t> member_begin_, members_, group_part_;
-    Neighbours whole_, neighbours_;  // of the graph, of its clusters
-    Cost whole_cost_, cost_;         // by the model, if the graph has no costs
+    Neighbours full_neighbours_, neighbours_;  // of the graph, of its clusters
+    Cost full_cost_, cost_;                    // by the model, if the graph has no costs
     Units units_;
     Lineup lineup_;
-    std::int64_t share_ = 0;
+    std::int64_t mean_load_ = 0;
     std::vector<std::int64_t> weight_;  ///< Weight of a cut behind each index of units_.nodes.
     /// Price of repairing an existing cut behind each index of units_.nodes.
     std::vector<std::int64_t> repair_;
-    std::vector<std::int32_t> wire_place_;
+    std::vector<std::int32_t> wire_position_;
     /// Part of each cluster: chosen, newly computed, of the other variant.
-    std::vector<std::int32_t> part_, fresh_part_, other_part_;
+    std::vector<std::int32_t> part_, new_part_, other_part_;
     std::vector<std::int64_t> other_load_;
-    std::vector<std::int64_t> load_, room_, island_cost_;
+    std::vector<std::int64_t> load_, free_capacity_, island_cost_;
     std::vector<std::int32_t> lane_, order_;
-    std::vector<std::uint8_t> stuck_, open_;
+    std::vector<std::uint8_t> is_stuck_, is_open_;
 };
 
 }  // namespace hawser::graph

@@ -20,16 +20,16 @@ constexpr double kLevel = 0.02;  ///< Tolerated imbalance, as a fraction of an e
 
 /// Choose parts in two variants. Packing large clusters together saves cuts; distributing them
 /// improves the balance. The variant with fewer cut edges is used if both are about equally even.
-void Splitter::choose() {
-    choose(true);
+void Splitter::choose_parts() {
+    choose_parts(true);
     const std::int64_t longest = *std::max_element(load_.begin(), load_.end());
     const std::int32_t cut = count_cuts();
     other_part_ = part_;
     other_load_ = load_;
-    choose(false);
+    choose_parts(false);
     const std::int64_t longest_now = *std::max_element(load_.begin(), load_.end());
     const auto uneven = [&](std::int64_t load) {
-        return std::max(static_cast<double>(load), kEven * static_cast<double>(share_));
+        return std::max(static_cast<double>(load), kEven * static_cast<double>(mean_load_));
     };
     const double now = uneven(longest_now), before = uneven(longest);
     if (before < now || (before == now && cut <= count_cuts())) {
@@ -49,7 +49,7 @@ std::int32_t Splitter::count_cuts() const noexcept {
     return count;
 }
 
-void Splitter::choose(bool together) {
+void Splitter::choose_parts(bool together) {
     part_.assign(at(clusters), -1);
     load_.assign(at(options_.parts), 0);
     std::int64_t total = 0;
@@ -58,24 +58,24 @@ void Splitter::choose(bool together) {
         total += node_cost_[at(c)];
         largest_cluster = std::max(largest_cluster, node_cost_[at(c)]);
     }
-    share_ = total / options_.parts;
+    mean_load_ = total / options_.parts;
     for (std::int32_t c = 0; c < clusters; ++c)
-        if (group_part_[at(c)] >= 0) put(c, group_part_[at(c)]);
-    place_islands();
-    place_clusters(together);
-    place_wires();
-    level();
-    slide();
+        if (group_part_[at(c)] >= 0) assign_part(c, group_part_[at(c)]);
+    assign_islands();
+    assign_clusters(together);
+    assign_wires();
+    balance_parts();
+    move_cuts();
 }
 
-void Splitter::put(std::int32_t cluster, std::int32_t part) noexcept {
+void Splitter::assign_part(std::int32_t cluster, std::int32_t part) noexcept {
     if (part_[at(cluster)] >= 0) load_[at(part_[at(cluster)])] -= node_cost_[at(cluster)];
     part_[at(cluster)] = part;
     load_[at(part)] += node_cost_[at(cluster)];
 }
 
 /// Assign islands that fit into one part whole.
-void Splitter::place_islands() {
+void Splitter::assign_islands() {
     const std::int32_t islands = cost_.islands();
     island_cost_.assign(at(islands), 0);
     lane_.assign(at(islands), -1);
@@ -84,7 +84,7 @@ void Splitter::place_islands() {
         island_cost_[at(i)] += node_cost_[at(c)];
         if (group_part_[at(c)] >= 0) lane_[at(i)] = -2;
     }
-    const double most = kDivide * static_cast<double>(share_);
+    const double most = kDivide * static_cast<double>(mean_load_);
     order_.clear();
     for (std::int32_t i = 0; i < islands; ++i)
         if (lane_[at(i)] != -2 &&
@@ -98,22 +98,22 @@ void Splitter::place_islands() {
         const auto part =
             static_cast<std::int32_t>(std::min_element(load_.begin(), load_.end()) - load_.begin());
         for (std::int32_t k = cost_.begin[at(i)]; k < cost_.begin[at(i) + 1]; ++k)
-            put(cost_.order[at(k)], part);
+            assign_part(cost_.order[at(k)], part);
     }
 }
 
 /// Place large clusters in order of decreasing cost, then the others by their position in the line.
-void Splitter::place_clusters(bool together) {
+void Splitter::assign_clusters(bool together) {
     const double big = together ? kBig : kBigApart;
     order_.clear();
-    open_.assign(at(clusters), 0);
+    is_open_.assign(at(clusters), 0);
     std::int64_t left = 0;
     for (std::int32_t c = 0; c < clusters; ++c) {
         if (part_[at(c)] >= 0) continue;
-        open_[at(c)] = 1;
+        is_open_[at(c)] = 1;
         left += node_cost_[at(c)];
         if (units_.unit[at(c)] >= units_.wires &&
-            static_cast<double>(node_cost_[at(c)]) > big * static_cast<double>(share_))
+            static_cast<double>(node_cost_[at(c)]) > big * static_cast<double>(mean_load_))
             order_.push_back(c);
     }
     std::sort(order_.begin(), order_.end(), [&](std::int32_t a, std::int32_t b) {
@@ -121,30 +121,30 @@ void Splitter::place_clusters(bool together) {
         return x != y ? x > y : a < b;
     });
     std::int64_t capacities = 0;
-    room_.resize(load_.size());
+    free_capacity_.resize(load_.size());
     for (std::size_t p = 0; p < load_.size(); ++p)
-        capacities += room_[p] = std::max<std::int64_t>(0, share_ - load_[p]);
+        capacities += free_capacity_[p] = std::max<std::int64_t>(0, mean_load_ - load_[p]);
     for (const std::int32_t c : order_) {
         // Packed: use the fullest part with enough capacity, or the emptiest part if there is none.
         std::int32_t best = -1, emptiest = 0;
         for (std::int32_t p = 0; p < options_.parts; ++p) {
             if (load_[at(p)] < load_[at(emptiest)]) emptiest = p;
-            const bool fits = together && load_[at(p)] + node_cost_[at(c)] <= share_;
+            const bool fits = together && load_[at(p)] + node_cost_[at(c)] <= mean_load_;
             if (fits && (best < 0 || load_[at(p)] > load_[at(best)])) best = p;
         }
-        put(c, best < 0 ? emptiest : best);
+        assign_part(c, best < 0 ? emptiest : best);
     }
     std::int64_t passed = 0;
-    const double most = kDivide * static_cast<double>(share_);
+    const double most = kDivide * static_cast<double>(mean_load_);
     for (const std::int32_t c : lineup_.order) {
-        if (!open_[at(c)]) continue;
+        if (!is_open_[at(c)]) continue;
         const std::int64_t middle = passed + node_cost_[at(c)] / 2;
         passed += node_cost_[at(c)];
         if (part_[at(c)] >= 0 || units_.unit[at(c)] < units_.wires) continue;
         // Place the cluster with a neighbour if capacity allows; wires have no part yet.
-        const std::int32_t beside = part_beside(c, -1);
+        const std::int32_t beside = neighbouring_part(c, -1);
         if (beside >= 0 && static_cast<double>(load_[at(beside)] + node_cost_[at(c)]) <= most) {
-            put(c, beside);
+            assign_part(c, beside);
             continue;
         }
         // Use the part that the cluster's fraction of the total capacity falls into.
@@ -153,16 +153,16 @@ void Splitter::place_clusters(bool together) {
                               static_cast<double>(capacities);
         double sum = 0.0;
         std::int32_t part = 0;
-        for (std::size_t p = 0; p < room_.size(); ++p) {
-            if (room_[p] > 0) part = static_cast<std::int32_t>(p);
-            sum += static_cast<double>(room_[p]);
+        for (std::size_t p = 0; p < free_capacity_.size(); ++p) {
+            if (free_capacity_[p] > 0) part = static_cast<std::int32_t>(p);
+            sum += static_cast<double>(free_capacity_[p]);
             if (sum >= wanted) break;
         }
-        put(c, part);
+        assign_part(c, part);
     }
 }
 
-std::int32_t Splitter::part_beside(std::int32_t cluster, std::int32_t wire) const noexcept {
+std::int32_t Splitter::neighbouring_part(std::int32_t cluster, std::int32_t wire) const noexcept {
     for (const std::int32_t u : neighbours_.of(cluster))
         if (units_.unit[at(u)] != wire && part_[at(u)] >= 0) return part_[at(u)];
     return -1;
@@ -170,10 +170,11 @@ std::int32_t Splitter::part_beside(std::int32_t cluster, std::int32_t wire) cons
 
 /// Place each wire with the bodies that hold it. If these belong to two parts, the wire is cut in
 /// the ratio of their free capacities.
-void Splitter::place_wires() {
+void Splitter::assign_wires() {
     for (std::int32_t w = 0; w < units_.wires; ++w) {
         const auto nodes = units_.nodes_of(w);
-        std::int32_t a = part_beside(nodes.front(), w), b = part_beside(nodes.back(), w);
+        std::int32_t a = neighbouring_part(nodes.front(), w),
+                     b = neighbouring_part(nodes.back(), w);
         if (a < 0) a = b;
         if (a < 0)
             a = static_cast<std::int32_t>(std::min_element(load_.begin(), load_.end()) -
@@ -182,36 +183,37 @@ void Splitter::place_wires() {
         std::int64_t sum = 0;
         for (const std::int32_t c : nodes) sum += part_[at(c)] < 0 ? node_cost_[at(c)] : 0;
         const double capacity_a =
-            static_cast<double>(std::max<std::int64_t>(1, share_ - load_[at(a)]));
+            static_cast<double>(std::max<std::int64_t>(1, mean_load_ - load_[at(a)]));
         const double capacity_b =
-            static_cast<double>(std::max<std::int64_t>(1, share_ - load_[at(b)]));
+            static_cast<double>(std::max<std::int64_t>(1, mean_load_ - load_[at(b)]));
         const auto first = static_cast<std::int64_t>(static_cast<double>(sum) * capacity_a /
                                                      (capacity_a + capacity_b));
         std::int64_t passed = 0;
         for (const std::int32_t c : nodes) {
             if (part_[at(c)] >= 0) continue;
             passed += node_cost_[at(c)];
-            put(c, a == b || passed <= first ? a : b);
+            assign_part(c, a == b || passed <= first ? a : b);
         }
     }
 }
 
 /// Move filler nodes from the fullest part to the emptiest, until the parts are about even.
-void Splitter::level() {
-    stuck_.assign(load_.size(), 0);
+void Splitter::balance_parts() {
+    is_stuck_.assign(load_.size(), 0);
     for (std::int32_t round = 0; round < 4 * options_.parts; ++round) {
         std::int32_t from = -1, to = 0;
         for (std::int32_t p = 0; p < options_.parts; ++p) {
-            if (!stuck_[at(p)] && (from < 0 || load_[at(p)] > load_[at(from)])) from = p;
+            if (!is_stuck_[at(p)] && (from < 0 || load_[at(p)] > load_[at(from)])) from = p;
             if (load_[at(p)] < load_[at(to)]) to = p;
         }
         if (from < 0) return;
-        const std::int64_t amount = std::min(load_[at(from)] - share_, share_ - load_[at(to)]);
-        if (static_cast<double>(amount) <= kLevel * static_cast<double>(share_)) {
-            stuck_[at(from)] = 1;
+        const std::int64_t amount =
+            std::min(load_[at(from)] - mean_load_, mean_load_ - load_[at(to)]);
+        if (static_cast<double>(amount) <= kLevel * static_cast<double>(mean_load_)) {
+            is_stuck_[at(from)] = 1;
             continue;
         }
-        if (!move_filler(from, to, amount)) stuck_[at(from)] = 1;
+        if (!move_filler(from, to, amount)) is_stuck_[at(from)] = 1;
     }
 }
 
@@ -227,7 +229,9 @@ bool Splitter::move_filler(std::int32_t from, std::int32_t to, std::int64_t amou
         const std::int32_t first = units_.begin[at(w)], last = units_.begin[at(w) + 1] - 1;
         const auto part = [&](std::int32_t k) { return part_[at(units_.nodes[at(k)])]; };
         const auto group = [&](std::int32_t k) { return group_part_[at(units_.nodes[at(k)])]; };
-        const auto held = [&](std::int32_t k) { return part_beside(units_.nodes[at(k)], w) >= 0; };
+        const auto held = [&](std::int32_t k) {
+            return neighbouring_part(units_.nodes[at(k)], w) >= 0;
+        };
         for (std::int32_t a = first, b; a <= last; a = b + 1) {
             b = a;
             // Nodes of a group form a run of their own, which stays.
@@ -262,7 +266,7 @@ bool Splitter::move_filler(std::int32_t from, std::int32_t to, std::int64_t amou
                     at_left || kind == 1 ? high : low};
         }
     }
-    if (best.kind == 0 || static_cast<double>(best.cost) < kLevel * static_cast<double>(share_))
+    if (best.kind == 0 || static_cast<double>(best.cost) < kLevel * static_cast<double>(mean_load_))
         return false;
     std::int32_t k = best.begin;
     if (best.kind == 1) {  // leave equal costs on both sides
@@ -275,7 +279,7 @@ bool Splitter::move_filler(std::int32_t from, std::int32_t to, std::int64_t amou
     for (;; k += best.step) {
         const std::int32_t c = units_.nodes[at(k)];
         if (moved > 0 && moved + node_cost_[at(c)] / 2 > best.cost) break;
-        put(c, to);
+        assign_part(c, to);
         moved += node_cost_[at(c)];
         if (k == best.end) break;
     }

@@ -18,9 +18,9 @@ constexpr std::int64_t kMinGain = 100;
 }  // namespace
 
 /// Return the best position for the cut behind `left`, as an index of units_.nodes.
-std::int32_t Splitter::slide_to(std::int32_t wire, std::int32_t left) const noexcept {
+std::int32_t Splitter::cheaper_cut_near(std::int32_t wire, std::int32_t left) const noexcept {
     const auto part = [&](std::int32_t k) { return part_[at(units_.nodes[at(k)])]; };
-    const auto room = static_cast<std::int64_t>(kSlide * static_cast<double>(share_));
+    const auto room = static_cast<std::int64_t>(kSlide * static_cast<double>(mean_load_));
     std::int32_t best = left;
     for (const std::int32_t step : {-1, 1}) {
         std::int64_t moved = 0;
@@ -45,31 +45,31 @@ std::int32_t Splitter::slide_to(std::int32_t wire, std::int32_t left) const noex
     return best;
 }
 
-void Splitter::cut_behind(std::int32_t old_left, std::int32_t left) noexcept {
+void Splitter::move_cut(std::int32_t old_left, std::int32_t left) noexcept {
     const std::int32_t a = part_[at(units_.nodes[at(old_left)])];
     const std::int32_t b = part_[at(units_.nodes[at(old_left) + 1])];
-    for (std::int32_t k = old_left + 1; k <= left; ++k) put(units_.nodes[at(k)], a);
-    for (std::int32_t k = left + 1; k <= old_left; ++k) put(units_.nodes[at(k)], b);
+    for (std::int32_t k = old_left + 1; k <= left; ++k) assign_part(units_.nodes[at(k)], a);
+    for (std::int32_t k = left + 1; k <= old_left; ++k) assign_part(units_.nodes[at(k)], b);
 }
 
-void Splitter::slide() {
+void Splitter::move_cuts() {
     for (std::int32_t w = 0; w < units_.wires; ++w)
         for (std::int32_t k = units_.begin[at(w)]; k + 1 < units_.begin[at(w) + 1]; ++k) {
             if (part_[at(units_.nodes[at(k)])] == part_[at(units_.nodes[at(k + 1)])]) continue;
-            const std::int32_t to = slide_to(w, k);
-            cut_behind(k, to);
+            const std::int32_t to = cheaper_cut_near(w, k);
+            move_cut(k, to);
             k = std::max(k, to);
         }
 }
 
 /// Move the one cut with the largest gain, if the gain is large enough.
-void Splitter::move_one() {
+void Splitter::move_best_cut() {
     std::int32_t from = -1, to = -1;
     std::int64_t gain = kMinGain - 1;
     for (std::int32_t w = 0; w < units_.wires; ++w)
         for (std::int32_t k = units_.begin[at(w)]; k + 1 < units_.begin[at(w) + 1]; ++k) {
             if (part_[at(units_.nodes[at(k)])] == part_[at(units_.nodes[at(k + 1)])]) continue;
-            const std::int32_t best = slide_to(w, k);
+            const std::int32_t best = cheaper_cut_near(w, k);
             const std::int64_t old = weight_[at(k)], now = weight_[at(best)];
             const std::int64_t gained = old - now - repair_[at(k)];
             if (static_cast<double>(now) > kWorth * static_cast<double>(old) || gained <= gain)
@@ -78,7 +78,7 @@ void Splitter::move_one() {
             from = k;
             to = best;
         }
-    if (from >= 0) cut_behind(from, to);
+    if (from >= 0) move_cut(from, to);
 }
 
 }  // namespace hawser::graph

@@ -9,7 +9,7 @@ namespace hawser::graph {
 
 /// Find hubs, the nodes that may belong to a wire, and the couplings of nodes with consecutive
 /// indices.
-void Units::classify(const Hypergraph& graph, const Neighbours& neighbours) {
+void Units::classify_nodes(const Hypergraph& graph, const Neighbours& neighbours) {
     const std::size_t n = graph.size.size();
     hub.resize(n);
     open_.resize(n);
@@ -29,7 +29,7 @@ void Units::classify(const Hypergraph& graph, const Neighbours& neighbours) {
             (graph.size[v] != 0) & (is_hub[v] == 0) & (end[v] - start[v] - like[v] <= 2 * kReach);
     for_each_pair(neighbours.near_pairs(),
                   [=](Pair p) { bends[p.a] |= static_cast<std::uint8_t>(p.b - p.a == 1); });
-    for_each_pair(neighbours.far_pairs(),
+    for_each_pair(neighbours.distant_pairs(),
                   [=](Pair p) { bends[p.a] |= static_cast<std::uint8_t>((p.b - p.a == 2) << 1); });
 }
 
@@ -40,7 +40,7 @@ std::int32_t Units::end_sequence(std::int32_t size) {
     if (size - from < kShortestWire) return from;
     for (std::int32_t k = from; k < size; ++k) {
         open_[at(walked_[at(k)])] = 0;
-        place_[at(walked_[at(k)])] = k + 1;
+        walk_index_[at(walked_[at(k)])] = k + 1;
     }
     from_.push_back(size);
     return size;
@@ -75,7 +75,8 @@ void Units::find_ends(const Neighbours& neighbours) {
 }
 
 /// Return the only open neighbour of a node; −1: none, −2: several.
-std::int32_t Units::next(const Neighbours& neighbours, std::int32_t v) const noexcept {
+std::int32_t Units::next_open_neighbour(const Neighbours& neighbours,
+                                        std::int32_t v) const noexcept {
     std::int32_t count = 0, sum = 0;
     const std::int32_t* open = open_.data();
     for (const std::int32_t u : neighbours.of(v)) {
@@ -85,20 +86,20 @@ std::int32_t Units::next(const Neighbours& neighbours, std::int32_t v) const noe
     return count == 1 ? sum : count == 0 ? -1 : -2;
 }
 
-void Units::walk(const Hypergraph& graph, const Neighbours& neighbours, std::int32_t end) {
+void Units::walk_wire(const Hypergraph& graph, const Neighbours& neighbours, std::int32_t end) {
     std::int32_t before = -1, now = end;
     while (now >= 0) {
         open_[at(now)] = 0;
         walked_.push_back(now);
-        place_[at(now)] = static_cast<std::int32_t>(walked_.size());
+        walk_index_[at(now)] = static_cast<std::int32_t>(walked_.size());
         // If bending couples a node to the next but one, the previous node has one open neighbour
         // left, which is the next node. At an end the next node is the one with fewer open
         // neighbours.
-        std::int32_t to = before < 0 ? -1 : next(neighbours, before);
-        if (to == -1) to = next(neighbours, now);
+        std::int32_t to = before < 0 ? -1 : next_open_neighbour(neighbours, before);
+        if (to == -1) to = next_open_neighbour(neighbours, now);
         if (to == -2 && before < 0) {
             std::int32_t least = 127;
-            for (const std::int32_t u : neighbours.near(now)) {
+            for (const std::int32_t u : neighbours.near_neighbours(now)) {
                 if (open_[at(u)] == 0) continue;
                 if (like_[at(u)] < least) to = u;
                 least = std::min(least, like_[at(u)]);
@@ -126,17 +127,18 @@ void Units::close() noexcept {
 
 /// Remove nodes that are neighbours of another wire, or of a node of their own wire farther away
 /// than kReach.
-void Units::keep_whole(const Neighbours& neighbours) {
+void Units::remove_nodes_beside_wires(const Neighbours& neighbours) {
     walk_.assign(walked_.size() + 1, -1);
     for (std::size_t w = 0; w + 1 < from_.size(); ++w) {
         const bool brief = from_[w + 1] - from_[w] < kShortestWire;
         for (std::int32_t k = from_[w]; k < from_[w + 1]; ++k) {
             walk_[at(k) + 1] = static_cast<std::int32_t>(w);
-            if (brief) place_[at(walked_[at(k)])] = 0;
+            if (brief) walk_index_[at(walked_[at(k)])] = 0;
         }
     }
-    apart_.assign(place_.size(), 0);
-    std::int32_t *separation = apart_.data(), *place = place_.data(), *walk = walk_.data();
+    leaves_wire_.assign(walk_index_.size(), 0);
+    std::int32_t *separation = leaves_wire_.data(), *place = walk_index_.data(),
+                 *walk = walk_.data();
     // Loop without branches; position 0 is for nodes in no sequence.
     for_each_pair(neighbours.pairs(), [=](Pair p) {
         const std::int32_t a = place[p.a], b = place[p.b];
@@ -161,7 +163,7 @@ void Units::keep_whole(const Neighbours& neighbours) {
 
 /// Collect all nodes outside wires. Up to kLump consecutive nodes that bend together form one unit,
 /// even if other bodies touch them. Each other node is a unit of its own.
-void Units::add_lumps(const Hypergraph& graph) {
+void Units::add_free_nodes(const Hypergraph& graph) {
     const std::size_t n = graph.size.size();
     begin.resize(n + 2);
     nodes.resize(n + 1);
@@ -189,8 +191,8 @@ void Units::add_lumps(const Hypergraph& graph) {
 
 void Units::build(const Hypergraph& graph, const Neighbours& neighbours) {
     const std::size_t n = graph.size.size();
-    classify(graph, neighbours);
-    place_.assign(n, 0);
+    classify_nodes(graph, neighbours);
+    walk_index_.assign(n, 0);
     from_.assign(1, 0);
     walked_.reserve(n + 1);
     follow_numbers(graph);
@@ -200,7 +202,7 @@ void Units::build(const Hypergraph& graph, const Neighbours& neighbours) {
     for (const std::vector<std::int32_t>& list : end_)
         for (const std::int32_t v : list) {
             if (open_[at(v)] == 0) continue;
-            walk(graph, neighbours, v);
+            walk_wire(graph, neighbours, v);
             from_.push_back(static_cast<std::int32_t>(walked_.size()));
         }
     nodes.clear();
@@ -208,9 +210,9 @@ void Units::build(const Hypergraph& graph, const Neighbours& neighbours) {
     begin.assign(1, 0);
     begin.reserve(n + 2);
     unit.assign(n, -1);
-    keep_whole(neighbours);
+    remove_nodes_beside_wires(neighbours);
     wires = count();
-    add_lumps(graph);
+    add_free_nodes(graph);
 }
 
 }  // namespace hawser::graph

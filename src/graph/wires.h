@@ -43,15 +43,16 @@ class Units {
     std::int32_t wires = 0;           ///< Number of wires. Units 0 … wires − 1 are wires.
 
   private:
-    void classify(const Hypergraph& graph, const Neighbours& neighbours);
+    void classify_nodes(const Hypergraph& graph, const Neighbours& neighbours);
     [[nodiscard]] std::int32_t end_sequence(std::int32_t size);
     void follow_numbers(const Hypergraph& graph);
     void find_ends(const Neighbours& neighbours);
-    void walk(const Hypergraph& graph, const Neighbours& neighbours, std::int32_t end);
-    [[nodiscard]] std::int32_t next(const Neighbours& neighbours, std::int32_t v) const noexcept;
-    void keep_whole(const Neighbours& neighbours);
+    void walk_wire(const Hypergraph& graph, const Neighbours& neighbours, std::int32_t end);
+    [[nodiscard]] std::int32_t next_open_neighbour(const Neighbours& neighbours,
+                                                   std::int32_t v) const noexcept;
+    void remove_nodes_beside_wires(const Neighbours& neighbours);
     void close() noexcept;
-    void add_lumps(const Hypergraph& graph);
+    void add_free_nodes(const Hypergraph& graph);
 
     // By node: 1 if it may belong to a wire and is in none yet, else 0; number of such neighbours.
     std::vector<std::int32_t> open_, like_;
@@ -60,11 +61,11 @@ class Units {
         bends_;
     /// Open nodes by their number of open neighbours, at most 2 kReach.
     std::array<std::vector<std::int32_t>, 2 * kReach + 1> end_;
-    std::vector<std::int32_t> walked_;  ///< Sequences of nodes, before keep_whole().
+    std::vector<std::int32_t> walked_;  ///< Sequences of nodes, before remove_nodes_beside_wires().
     std::vector<std::int32_t> from_;    ///< Offsets of the sequences in walked_.
-    std::vector<std::int32_t> place_;   ///< By node: 1 + index in walked_, 0: none.
-    std::vector<std::int32_t> walk_;    ///< Sequence of each position, as stored in place_.
-    std::vector<std::int32_t> apart_;   ///< By node: 1 if it may not stay in its sequence.
+    std::vector<std::int32_t> walk_index_;   ///< By node: 1 + index in walked_, 0: none.
+    std::vector<std::int32_t> walk_;         ///< Sequence of each position, as stored in place_.
+    std::vector<std::int32_t> leaves_wire_;  ///< By node: 1 if it may not stay in its sequence.
 };
 
 }  // namespace hawser::graph

@@ -32,7 +32,7 @@ void set_design_draughts(const World& world, SeaDef& def, double level) {
         return std::isnan(h.design_draught) && !h.mesh.triangles.empty();
     };
     if (std::none_of(def.hulls.begin(), def.hulls.end(), needs)) return;
-    const base::HeldTogether held(world);
+    const base::LinkedGroups held(world);
     for (WaterHull& hull : def.hulls) {
         if (!needs(hull)) continue;
         const std::size_t group = held.group(hull.body);

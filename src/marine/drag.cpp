@@ -26,13 +26,14 @@ PieceWater water_past(const WetPiece& piece, const Vec3& velocity, const WaterPo
     const LineWater& of = *piece.of;
     const Vec3 &t = piece.t, r = water.velocity - velocity;
     PieceWater out;
-    out.along = t * t.dot(r);
+    const double slide = t.dot(r);
+    out.along = t * slide;
     out.across = r - out.along;
     const double sweep = 0.5 * density * of.diameter * piece.length * piece.wet;
     out.cn = sweep * of.cd_normal;
     out.ct = std::numbers::pi * sweep * of.cd_tangential;
     out.fast = out.across.norm();
-    out.slide = out.along.norm();
+    out.slide = std::abs(slide);  // t is a unit vector, or 0
     out.drag = out.cn * out.fast * out.across + out.ct * out.slide * out.along;
     out.displaced = density * of.volume * piece.length;
     out.mass = out.displaced * piece.wet;

@@ -87,6 +87,9 @@ void FastWaves::sort(std::span<const WaveComponent> waves) {
 
 void FastWaves::fill_tables() {
     const auto padded = static_cast<std::size_t>(padded_);
+    const WaveComponent& longest = waves_.front();
+    gravity_ = longest.frequency * longest.frequency /
+               (longest.wave_number * std::tanh(longest.wave_number * sea_depth_));
     table_.assign(kFastRows * padded, 0.0F);
     reference_.assign(kReferenceRows * padded, 0.0);
     middle_.assign(kMaxFastGroups, 0.0F);
@@ -101,11 +104,11 @@ void FastWaves::fill_tables() {
             table_[static_cast<std::size_t>(row) * padded + i] = static_cast<float>(value);
         };
         const double dx = std::cos(w.direction), dy = std::sin(w.direction), k = w.wave_number;
-        const double speed = -w.amplitude * w.frequency / std::expm1(-2.0 * k * sea_depth_);
+        const double rate = -w.frequency / std::expm1(-2.0 * k * sea_depth_);
         reference_[kReferenceX * padded + i] = k * dx / kTwoPi;
         reference_[kReferenceY * padded + i] = k * dy / kTwoPi;
-        set(kFastTurnsX, k * dx / kTwoPi);
-        set(kFastTurnsY, k * dy / kTwoPi);
+        set(kFastPhaseX, 2.0 * k * dx / kTwoPi);
+        set(kFastPhaseY, 2.0 * k * dy / kTwoPi);
         set(kFastAmplitude, w.amplitude);
         set(kFastDecay, -k * std::numbers::log2e);
         const double middle = middle_of(i / kFastGroup);
@@ -115,13 +118,13 @@ void FastWaves::fill_tables() {
         middle_[i / kFastGroup] = static_cast<float>(-middle * std::numbers::log2e);
         const double bottom = std::exp(-2.0 * k * sea_depth_);
         set(kFastBottom, bottom > 1e-37 ? bottom : 0.0);  // no denormal number
-        set(kFastSpeedX, speed * dx);
-        set(kFastSpeedY, speed * dy);
-        set(kFastSpeedZ, speed);
-        set(kFastRateX, speed * w.frequency * dx);
-        set(kFastRateY, speed * w.frequency * dy);
-        set(kFastRateZ, speed * w.frequency);
-        set(kFastPressure, speed * w.frequency / k);
+        set(kFastPressure, 1.0 / (1.0 + bottom));
+        set(kFastSpeedX, rate * dx);
+        set(kFastSpeedY, rate * dy);
+        set(kFastRateZ, rate * w.frequency);
+        set(kFastSpeedZ, w.amplitude * rate);
+        set(kFastRateX, w.amplitude * rate * w.frequency * dx);
+        set(kFastRateY, w.amplitude * rate * w.frequency * dy);
     }
     for (std::size_t g = 0; g < padded; g += kFastGroup) lowest_.push_back(waves_[g].wave_number);
 }

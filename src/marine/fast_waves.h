@@ -51,7 +51,7 @@ class FastWaves {
     [[nodiscard]] int padded() const noexcept { return padded_; }
     [[nodiscard]] int groups() const noexcept { return padded_ / kFastGroup; }
     [[nodiscard]] FastTable table() const noexcept {
-        return {table_.data(), middle_.data(), width_.data(), padded_};
+        return {table_.data(), middle_.data(), width_.data(), padded_, gravity_};
     }
     [[nodiscard]] const double* reference() const noexcept { return reference_.data(); }
     /// Return the largest distance of a point from its reference if it uses `first` leading groups
@@ -89,6 +89,7 @@ class FastWaves {
     const FastWaveKernels* kernels_;
     double rows_per_metre_ = 0.0;
     double highest_ = 0.0;
+    double gravity_ = 0.0;
     std::vector<double> reach_;  ///< Largest distance from the reference by number of groups [m].
     std::vector<std::size_t> order_;    ///< Components by ascending wave number.
     std::vector<WaveComponent> waves_;  ///< In this order.

@@ -22,17 +22,18 @@ struct WaterField::Cluster {
     bool fast = false;
     int groups = 0;
     double x = 0.0, y = 0.0;
-    alignas(base::kAlign) float turns[kMaxWaveComponents];
+    alignas(base::kAlign) float phase[kMaxWaveComponents];
 };
 
 /// At most kWavePoints points, from `first` on. Slots beyond `count` repeat the last point.
 struct WaterField::Batch {
     int first = 0, count = 0;
     bool fast = false;
+    bool motions = false;  ///< True: for velocities and accelerations as well.
     double surface[kWavePoints] = {};
     alignas(base::kAlign) double circle[kCircle];
 
-    /// h and f of a point in single precision.
+    /// a cos θ and f of the components at each point in single precision.
     [[nodiscard]] float* floats() noexcept { return reinterpret_cast<float*>(circle); }
 };
 
@@ -101,7 +102,7 @@ void WaterField::refer(const FieldPoint* points, int first, int count, bool exac
     if (!to.fast) return;
     to.x = 0.5 * (low[0] + high[0]);
     to.y = 0.5 * (low[1] + high[1]);
-    fast_.kernels().refer(fast_.reference(), fast_.padded(), to.groups, to.x, to.y, to.turns);
+    fast_.kernels().refer(fast_.reference(), fast_.padded(), to.groups, to.x, to.y, to.phase);
 }
 
 void WaterField::fast_surfaces(const FieldPoint* points, const Cluster& of,
@@ -112,8 +113,9 @@ void WaterField::fast_surfaces(const FieldPoint* points, const Cluster& of,
         dx[i] = static_cast<float>(from.x - of.x);
         dy[i] = static_cast<float>(from.y - of.y);
     }
-    fast_.kernels().surface(fast_.table(), of.groups, of.turns, dx, dy, batch.floats(),
-                            batch.surface);
+    const FastWaveKernels& by = fast_.kernels();
+    const auto& compute = batch.motions ? by.surface : by.elevation;
+    compute(fast_.table(), of.groups, of.phase, dx, dy, batch.floats(), batch.surface);
 }
 
 void WaterField::surfaces(const FieldPoint* points, const Cluster& of,
@@ -191,6 +193,7 @@ void WaterField::pressures(const FieldPoint* points, Batch& batch, double* rise)
 void WaterField::water(const FieldPoint* points, int count, WaterPoint* out) const noexcept {
     Cluster cluster;
     Batch batch;
+    batch.motions = true;
     for (int first = 0; first < count; first += kWavePoints) {
         batch.first = first;
         batch.count = std::min(count - first, kWavePoints);

@@ -38,9 +38,15 @@ double volume_of(const HullMesh& mesh) noexcept {
     return sum;
 }
 
+/// Return m v, without a call.
+Vec3 turned(const Mat3& m, const Vec3& v) noexcept {
+    return m.col(0) * v.x() + m.col(1) * v.y() + m.col(2) * v.z();
+}
+
 /// Return an order of corners such that consecutive ones are near each other. Squares of the
 /// waterplane, with diagonals shorter than a cluster, are visited along a row and back along the
-/// next one. Without clusters it is the order of the mesh.
+/// next one, each from its lowest corner: corners of one batch are all wet or all dry if possible.
+/// Without clusters it is the order of the mesh.
 std::vector<std::int32_t> corner_order(const HullMesh& mesh, double reach) {
     std::vector<std::int32_t> out(mesh.vertices.size());
     std::iota(out.begin(), out.end(), 0);
@@ -56,7 +62,10 @@ std::vector<std::int32_t> corner_order(const HullMesh& mesh, double reach) {
     };
     std::stable_sort(out.begin(), out.end(), [&](std::int32_t i, std::int32_t j) {
         const Key a = key(i), b = key(j);
-        return a.row != b.row ? a.row < b.row : a.column < b.column;
+        if (a.row != b.row) return a.row < b.row;
+        if (a.column != b.column) return a.column < b.column;
+        return mesh.vertices[static_cast<std::size_t>(i)].z() <
+               mesh.vertices[static_cast<std::size_t>(j)].z();
     });
     return out;
 }
@@ -113,7 +122,7 @@ void HullWater::press(const WaterField& field, int chunk) noexcept {
     const std::int32_t* const own = &order_[static_cast<std::size_t>(first)];
     for (int i = 0; i < count; ++i) {
         HullCorner& corner = corners_[at(own[i])];
-        corner.x = axes_ * def_->mesh.vertices[at(own[i])];
+        corner.x = turned(axes_, def_->mesh.vertices[at(own[i])]);
         points[i] = {pose_.position + corner.x, 0.0};
     }
     field.press(points, count, waves, surface, def_->wave_pressure ? rise : nullptr);

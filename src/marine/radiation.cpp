@@ -20,7 +20,7 @@ double sinc(double x) noexcept { return std::abs(x) < 1e-4 ? 1.0 - x * x / 6.0 :
 }  // namespace
 
 Matrix6 without_negative(const Matrix6& m) {
-    const Matrix6 s = symmetric(m);
+    Matrix6 s = symmetric(m);
     const double largest = s.diagonal().cwiseAbs().maxCoeff();
     if (!(largest > 0.0)) return Matrix6::Zero();
     Vec6 scale;

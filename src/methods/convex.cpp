@@ -61,10 +61,10 @@ void search(context::Model& model, const context::Newton& newton) noexcept {
         const double middle = 0.5 * (low + high);
         (slope(model, newton, middle) > 0.0 ? high : low) = middle;
     }
-    contact::shorten(model, newton, 0.5 * (low + high));
+    contact::return_to_fraction(model, newton, 0.5 * (low + high));
 }
 
-double worst_of_model(const context::Model& model) noexcept {
+double largest_model_residual(const context::Model& model) noexcept {
     double largest = 0.0;
     for (const Cone& c : model.system.contacts.cones)
         largest = std::max(largest, nonsmooth::associated_map(c, model.contact_floor));
@@ -94,16 +94,16 @@ Status solve_convex(context::StepContext& ctx) noexcept {
         }
         if (it > 0) search(ctx.model, ctx.work.newton);
         again = solve::update_active_set(ctx.model, ctx.work, it);
-        const double left = worst_of_model(ctx.model);
+        const double left = largest_model_residual(ctx.model);
         if (!std::isfinite(left)) return Status::not_finite;
         if ((left <= ctx.model.def.contact_tolerance && !again) ||
             it + 1 >= ctx.model.def.contact_iterations)
             break;
-        contact::keep_iterate(ctx.model, ctx.work.newton);
+        contact::save_iterate(ctx.model, ctx.work.newton);
         ctx.work.stats.flips_left +=
             linearise_cones(ctx.model, ctx.work.newton);  // added to the flips of rows
     }
-    ctx.work.stats.natural_map = contact::worst(ctx.model, ctx.work.solve, ctx.pool);
+    ctx.work.stats.natural_map = contact::largest_residual(ctx.model, ctx.work.solve, ctx.pool);
     return solve::refine(ctx);
 }
 

@@ -39,7 +39,7 @@ bool invert6(const double* m, double* out) noexcept {
     return true;
 }
 
-const double* inverse_of(const context::Newton& newton, std::int32_t body) noexcept {
+const double* inverse_mass_block(const context::Newton& newton, std::int32_t body) noexcept {
     return &newton.inverse_mass[at(body) * assembly::kBodyBlock];
 }
 
@@ -54,7 +54,7 @@ void contact_mobility(const context::Model& model, context::Newton& newton, std:
         for (int i = 0; i < row.slots; ++i) {
             const ContactSlot& s = row.slot[i];
             if (s.dof == 0) continue;
-            const double* inverse = inverse_of(newton, s.body);
+            const double* inverse = inverse_mass_block(newton, s.body);
             V3 u = mul6(inverse, axis);
             if (s.dof == 6)
                 u = u + cross(mul6(inverse + 6, cross(load3(s.arm), axis)), load3(s.arm));
@@ -92,9 +92,9 @@ bool invert_masses(const context::Model& model, context::Newton& newton,
     return true;
 }
 
-void answer(const context::Newton& newton, std::int32_t body, int dof, const double* p,
-            double* out) noexcept {
-    const double* inverse = inverse_of(newton, body);
+void velocity_after_impulse(const context::Newton& newton, std::int32_t body, int dof,
+                            const double* p, double* out) noexcept {
+    const double* inverse = inverse_mass_block(newton, body);
     if (dof == 1) out[0] = inverse[0] * p[0];
     if (dof >= 3) store3(out, mul6(inverse, load3(p)));
     if (dof == 6) store3(out + 3, mul6(inverse + 6, load3(p + 3)));
@@ -107,7 +107,7 @@ void push_contact(const context::Model& model, const context::Newton& newton,
     for (int i = 0; i < row.slots; ++i) {
         const ContactSlot& s = row.slot[i];
         if (s.dof == 0) continue;
-        const double* inverse = inverse_of(newton, s.body);
+        const double* inverse = inverse_mass_block(newton, s.body);
         const V3 f = s.weight * force;
         add3(v.v_new + s.dof_begin, mul6(inverse, f));
         if (s.dof == 6) add3(v.v_new + s.dof_begin + 3, mul6(inverse + 6, cross(load3(s.arm), f)));

@@ -21,8 +21,8 @@ void reserve_gauss_seidel(const context::Model& model, context::Newton& newton,
 
 /// Compute M⁻¹ p, the velocity of a body after an impulse p. Both arrays have one entry for each
 /// degree of freedom.
-void answer(const context::Newton& newton, std::int32_t body, int dof, const double* p,
-            double* out) noexcept;
+void velocity_after_impulse(const context::Newton& newton, std::int32_t body, int dof,
+                            const double* p, double* out) noexcept;
 
 /// Update v₊ += M⁻¹ Jᵀ x for impulses x of contact k.
 void push_contact(const context::Model& model, const context::Newton& newton,

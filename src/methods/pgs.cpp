@@ -44,7 +44,7 @@ void push_row(const context::Newton& newton, const View& v, std::int32_t id, int
     each_body(v, id, r, [&](std::int32_t body, int dof, const double* g) {
         double p[6], answered[6];
         for (int j = 0; j < dof; ++j) p[j] = x * g[j];
-        answer(newton, body, dof, p, answered);
+        velocity_after_impulse(newton, body, dof, p, answered);
         for (int j = 0; j < dof; ++j) v.v_new[v.dof_begin[body] + j] += answered[j];
     });
 }
@@ -61,7 +61,7 @@ double row_mobility(const context::Newton& newton, const View& v, std::int32_t i
     double sum = 0.0;
     each_body(v, id, r, [&](std::int32_t body, int dof, const double* g) {
         double answered[6];
-        answer(newton, body, dof, g, answered);
+        velocity_after_impulse(newton, body, dof, g, answered);
         for (int j = 0; j < dof; ++j) sum += g[j] * answered[j];
     });
     return sum;
@@ -71,7 +71,8 @@ double row_mobility(const context::Newton& newton, const View& v, std::int32_t i
 void start(context::Model& model, context::Newton& newton, const View& v) noexcept {
     for (std::int32_t b = 0; b < v.body_count; ++b)
         if (v.dof[b] > 0)
-            answer(newton, b, v.dof[b], v.a + v.dof_begin[b], v.v_new + v.dof_begin[b]);
+            velocity_after_impulse(newton, b, v.dof[b], v.a + v.dof_begin[b],
+                                   v.v_new + v.dof_begin[b]);
     for (std::int32_t id = 0; id < v.interaction_count; ++id) {
         if (model.system.rests(id)) continue;
         const solve::ImpulseRange range = solve::impulse_range(model, newton, id);
@@ -109,7 +110,7 @@ void sweep_rows(const context::Model& model, const context::Newton& newton,
 }
 
 /// Compute the residuals of the rows, for the certificate.
-void take_residuals(context::Model& model, const context::Newton& newton, const View& v) noexcept {
+void store_residuals(context::Model& model, const context::Newton& newton, const View& v) noexcept {
     for (std::int32_t id = 0; id < v.interaction_count; ++id) {
         if (model.system.rests(id)) continue;
         const solve::ImpulseRange range = solve::impulse_range(model, newton, id);
@@ -149,9 +150,9 @@ Status solve_pgs(context::StepContext& ctx) noexcept {
     ctx.work.newton.iterations = ctx.model.def.nonsmooth_sweeps;
     freeze_impulses(ctx.model);
     if (ctx.model.system.contacts.count() > 0) solve::update_contacts(ctx.model, ctx.pool, v.v_new);
-    take_residuals(ctx.model, ctx.work.newton, v);
+    store_residuals(ctx.model, ctx.work.newton, v);
     if (ctx.model.system.contacts.count() > 0)
-        ctx.work.stats.natural_map = contact::worst(ctx.model, ctx.work.solve, ctx.pool);
+        ctx.work.stats.natural_map = contact::largest_residual(ctx.model, ctx.work.solve, ctx.pool);
     if (!std::isfinite(ctx.work.stats.natural_map)) return Status::not_finite;
     return solve::measure(ctx);
 }

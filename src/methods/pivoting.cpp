@@ -26,12 +26,12 @@ void make_laws(context::Model& model, context::Newton& newton) noexcept {
         Cone& c = model.system.contacts.cones[k];
         const nonsmooth::Bound* rows = &newton.bounds[3 * k];
         newton.laws[k] = nonsmooth::box_law(c, rows, newton.limit[k]);
-        c.touch = nonsmooth::touch_of(rows, newton.limit[k]);
+        c.touch = nonsmooth::contact_state(rows, newton.limit[k]);
     }
 }
 
 /// Run one pass. @param rounds  Number of factorisations in all passes.
-Status pass(context::StepContext& ctx, int& rounds) noexcept {
+Status run_pass(context::StepContext& ctx, int& rounds) noexcept {
     nonsmooth::PivotProgress progress;
     for (bool again = false;;) {
         if (const Status s = solve::newton_solve(ctx, rounds == 0, rounds == 0 || again);
@@ -92,7 +92,7 @@ void begin_pivoting(context::Model& model, context::Newton& newton, runtime::Poo
 Status solve_pivoting(context::StepContext& ctx) noexcept {
     int rounds = 0;
     for (int i = 0; i < kPasses; ++i) {
-        if (const Status s = pass(ctx, rounds); s != Status::ok) return s;
+        if (const Status s = run_pass(ctx, rounds); s != Status::ok) return s;
         // Tolerance of the bounds, 0.1 %. The box itself deviates by up to 41 %, so a smaller one
         // is useless.
         constexpr double kStill = 1e-3;
@@ -102,7 +102,7 @@ Status solve_pivoting(context::StepContext& ctx) noexcept {
         contact::adopt_laws(ctx.model, ctx.work.newton, ctx.pool, false);
     }
     ctx.work.newton.iterations = rounds;
-    ctx.work.stats.natural_map = contact::worst(ctx.model, ctx.work.solve, ctx.pool);
+    ctx.work.stats.natural_map = contact::largest_residual(ctx.model, ctx.work.solve, ctx.pool);
     if (!std::isfinite(ctx.work.stats.natural_map)) return Status::not_finite;
     return solve::refine(ctx);
 }

@@ -45,7 +45,7 @@ void make_law(context::Model& model, context::Newton& newton, std::size_t k, boo
     c.touch = bears || pushed ? Touch::stick : Touch::open;
 }
 
-bool bears(const Cone& c) noexcept {
+bool presses(const Cone& c) noexcept {
     const double r = c.u[0] + c.sigma_n * c.lambda[0] - c.b[0];
     return c.lambda[0] - r / (c.mobility + c.sigma_n) > 0.0;
 }
@@ -68,7 +68,7 @@ Status solve_normals(context::StepContext& ctx, bool first) noexcept {
         std::int32_t flips = 0;
         for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k) {
             const Cone& c = ctx.model.system.contacts.cones[k];
-            const bool now = bears(c);
+            const bool now = presses(c);
             flips += now != (c.s[0] != 0.0) ? 1 : 0;
             make_law(ctx.model, ctx.work.newton, k, now);
         }
@@ -113,7 +113,7 @@ Status solve_split(context::StepContext& ctx) noexcept {
         make_law(ctx.model, ctx.work.newton, k, ctx.model.system.contacts.cones[k].s[0] != 0.0);
     contact::adopt_laws(ctx.model, ctx.work.newton, ctx.pool, false);
     if (const Status s = solve_normals(ctx, false); s != Status::ok) return s;
-    ctx.work.stats.natural_map = contact::worst(ctx.model, ctx.work.solve, ctx.pool);
+    ctx.work.stats.natural_map = contact::largest_residual(ctx.model, ctx.work.solve, ctx.pool);
     if (!std::isfinite(ctx.work.stats.natural_map)) return Status::not_finite;
     const Status status = solve::refine(ctx);
     for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k) {

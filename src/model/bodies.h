@@ -7,6 +7,7 @@
 
 #include <hawser/def.h>
 
+#include "base/body_dof.h"
 #include "base/memory.h"
 #include "base/places.h"
 
@@ -15,21 +16,7 @@
 
 namespace hawser::model {
 
-/// Return the number of degrees of freedom of a kind.
-[[nodiscard]] constexpr int dof_of(BodyKind kind) noexcept {
-    switch (kind) {
-        case BodyKind::rigid:
-            return 6;
-        case BodyKind::lump:
-            return 3;
-        case BodyKind::scalar:
-            return 1;
-        case BodyKind::fixed:
-        case BodyKind::kinematic:
-            break;
-    }
-    return 0;
-}
+using base::dof_of;
 
 struct Bodies {
     base::Slots slots;  ///< Slots; a removed body leaves a fixed one without a name.

@@ -28,7 +28,7 @@ void subtract_product(const double a[9], const double b[9], double c[9]) noexcep
 }
 
 /// Compute y −= a x.
-void subtract_image(const double a[9], const double x[3], double y[3]) noexcept {
+void subtract_block_product(const double a[9], const double x[3], double y[3]) noexcept {
     for (int i = 0; i < 3; ++i) y[i] -= a[3 * i] * x[0] + a[3 * i + 1] * x[1] + a[3 * i + 2] * x[2];
 }
 
@@ -40,22 +40,22 @@ void apply(const double a[9], double x[3]) noexcept {
 }  // namespace
 
 bool solve_block_chain(std::size_t n, ChainBlock* rows) noexcept {
-    // Rows end as x_k + U_k x_{k+1} = y_k, with U_k in `behind`.
+    // Rows end as x_k + U_k x_{k+1} = y_k, with U_k in `block_behind`.
     for (std::size_t k = 0; k < n; ++k) {
         ChainBlock& row = rows[k];
         if (k > 0) {
-            subtract_product(row.before, rows[k - 1].behind, row.diagonal);
-            subtract_image(row.before, rows[k - 1].x, row.x);
+            subtract_product(row.block_before, rows[k - 1].block_behind, row.diagonal);
+            subtract_block_product(row.block_before, rows[k - 1].x, row.x);
         }
         if (!invert_block(row.diagonal)) return false;
         apply(row.diagonal, row.x);
         if (k + 1 == n) break;
         double u[9] = {};
-        subtract_product(row.diagonal, row.behind, u);
-        for (int i = 0; i < 9; ++i) row.behind[i] = -u[i];
+        subtract_product(row.diagonal, row.block_behind, u);
+        for (int i = 0; i < 9; ++i) row.block_behind[i] = -u[i];
     }
     for (std::size_t k = n; k-- > 0;) {
-        if (k + 1 < n) subtract_image(rows[k].behind, rows[k + 1].x, rows[k].x);
+        if (k + 1 < n) subtract_block_product(rows[k].block_behind, rows[k + 1].x, rows[k].x);
         for (const double x : rows[k].x)
             if (!std::isfinite(x)) return false;
     }

@@ -10,9 +10,9 @@ namespace hawser::nonsmooth {
 /// A block row of K x = b. Blocks are row-major.
 struct ChainBlock {
     double diagonal[9];
-    double before[9];  ///< To the unknowns of the block row before; of the first row unused.
-    double behind[9];  ///< To those of the next one; of the last row unused.
-    double x[3];       ///< b; then x.
+    double block_before[9];  ///< To the unknowns of the block row before; of the first row unused.
+    double block_behind[9];  ///< To those of the next one; of the last row unused.
+    double x[3];             ///< b; then x.
 };
 
 /// Solve by block elimination without exchange of pivots. Blocks are overwritten.

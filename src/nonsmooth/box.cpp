@@ -46,7 +46,7 @@ int box_pivots(const Cone& c, const Bound rows[3], double limit, double floor,
     return count;
 }
 
-Touch touch_of(const Bound rows[3], double limit) noexcept {
+Touch contact_state(const Bound rows[3], double limit) noexcept {
     const bool tied = rows[1] == Bound::free && rows[2] == Bound::free;
     const bool any = rows[0] == Bound::free || rows[1] == Bound::free || rows[2] == Bound::free;
     if (!any && limit == 0.0) return Touch::open;

@@ -26,6 +26,6 @@ enum class Bound : std::uint8_t { free, low, high };
                              Bound wanted[3]) noexcept;
 
 /// Return the state of the contact for the rest of the step: open, sliding or sticking.
-[[nodiscard]] Touch touch_of(const Bound rows[3], double limit) noexcept;
+[[nodiscard]] Touch contact_state(const Bound rows[3], double limit) noexcept;
 
 }  // namespace hawser::nonsmooth

@@ -74,7 +74,7 @@ Law linearise(const Cone& c, Touch& status) noexcept {
     return law;
 }
 
-Law hold_law(const Cone& c) noexcept {
+Law sticking_law(const Cone& c) noexcept {
     Law law{};
     law.s[0] = 1.0 / c.sigma_n;
     law.s[4] = law.s[8] = 1.0 / c.sigma_t;
@@ -82,7 +82,7 @@ Law hold_law(const Cone& c) noexcept {
     return law;
 }
 
-bool turned_round(const Law& before, const Law& after) noexcept {
+bool sliding_reversed(const Law& before, const Law& after) noexcept {
     // μŷ/Σ_n; zero of every other law.
     return before.s[3] * after.s[3] + before.s[6] * after.s[6] < 0.0;
 }

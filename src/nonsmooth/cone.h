@@ -35,8 +35,8 @@
 /// *Reversal.* The law of slip has no stiffness along ŷ. If the friction force reverses, the point
 /// jumps from one side of its solution to the other, with sticking between both. So if ŷ turns by
 /// more than 90° from one law to the next, the law of sticking replaces it for an iteration
-/// (hold_law()). Then λ_t has the right direction, and the contact slides next if λ_t exceeds the
-/// disk.
+/// (sticking_law()). Then λ_t has the right direction, and the contact slides next if λ_t exceeds
+/// the disk.
 
 #include <cstdint>
 
@@ -79,10 +79,10 @@ struct Law {
 void project(double friction, double lambda[3]) noexcept;
 
 /// Return the law of sticking, r = 0.
-[[nodiscard]] Law hold_law(const Cone& cone) noexcept;
+[[nodiscard]] Law sticking_law(const Cone& cone) noexcept;
 
 /// True if two sliding laws with exact coupling have directions ŷ more than 90° apart.
-[[nodiscard]] bool turned_round(const Law& before, const Law& after) noexcept;
+[[nodiscard]] bool sliding_reversed(const Law& before, const Law& after) noexcept;
 
 /// Return μ y_n about (u, λ), the radius of the friction disk [N s]; 0 if open.
 [[nodiscard]] double disk_radius(const Cone& cone, const double u[3],

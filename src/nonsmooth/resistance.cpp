@@ -8,7 +8,7 @@ namespace hawser::nonsmooth {
 namespace {
 
 /// Return the normal impulse P(y)_n of the law of the cone at (u_n, λ_n).
-double wanted_normal(const Cone& c, double u_n, double lambda_n) noexcept {
+double normal_law_impulse(const Cone& c, double u_n, double lambda_n) noexcept {
     const double r = u_n + c.sigma_n * lambda_n - c.b[0];
     return lambda_n - r / (c.sigma_n + c.mobility);
 }
@@ -19,15 +19,15 @@ double target(const Resistance& a, double rho, double u, double lambda, int i) n
 }
 
 /// Set component i to λ_i = b_i/Σ − u_i/Σ: the spring holds.
-void hold(const Resistance& a, int i, ResistanceLaw& law) noexcept {
+void hold_component(const Resistance& a, int i, ResistanceLaw& law) noexcept {
     law.s[4 * i] = 1.0 / a.sigma;
     law.p[i] = law.s[4 * i] * a.b[i];
 }
 
 /// Set component i to the fraction `along` of the bound `coefficient` λ_n, whose present value is
 /// `radius`.
-void bound(const Cone& c, double coefficient, double radius, double along, int i,
-           ResistanceLaw& law) noexcept {
+void bound_component(const Cone& c, double coefficient, double radius, double along, int i,
+                     ResistanceLaw& law) noexcept {
     if (c.coupling == Coupling::exact) {
         law.column[i] = coefficient * along / c.sigma_n;
         law.p[i] += law.column[i] * c.b[0];
@@ -41,7 +41,7 @@ void bound(const Cone& c, double coefficient, double radius, double along, int i
 ResistanceLaw linearise(const Resistance& a, const Cone& c, Touch& spins, Touch& rolls) noexcept {
     ResistanceLaw law{};
     spins = rolls = Touch::open;
-    const double y_n = wanted_normal(c, c.u[0], c.lambda[0]);
+    const double y_n = normal_law_impulse(c, c.u[0], c.lambda[0]);
     if (!(y_n > 0.0)) return law;
     // ρ uses all of W. Measured on a collapsing heap of balls, unsolved steps out of 1,200 by the
     // factor of W: 1: 7; 0.3: 8; 0.1: 11; 0.03: 58.
@@ -52,16 +52,16 @@ ResistanceLaw linearise(const Resistance& a, const Cone& c, Touch& spins, Touch&
         const double radius = a.torsional * y_n;
         spins = std::fabs(y[0]) <= radius ? Touch::stick : Touch::slip;
         if (spins == Touch::stick)
-            hold(a, 0, law);
+            hold_component(a, 0, law);
         else
-            bound(c, a.torsional, radius, std::copysign(1.0, y[0]), 0, law);
+            bound_component(c, a.torsional, radius, std::copysign(1.0, y[0]), 0, law);
     }
     if (a.rolling > 0.0) {
         const double radius = a.rolling * y_n, length = std::sqrt(y[1] * y[1] + y[2] * y[2]);
         rolls = length <= radius ? Touch::stick : Touch::slip;
         if (rolls == Touch::stick) {
-            hold(a, 1, law);
-            hold(a, 2, law);
+            hold_component(a, 1, law);
+            hold_component(a, 2, law);
         } else {
             // Like a sliding cone: along q ⟂ ŷ the torque turns with the velocity.
             const double yx = y[1] / length, yy = y[2] / length, qx = -yy, qy = yx;
@@ -75,14 +75,14 @@ ResistanceLaw linearise(const Resistance& a, const Cone& c, Touch& spins, Touch&
             const double pq = along * (1.0 - 1.0 / part) + st * (qx * a.u[1] + qy * a.u[2]);
             law.p[1] = pq * qx;
             law.p[2] = pq * qy;
-            bound(c, a.rolling, radius, yx, 1, law);
-            bound(c, a.rolling, radius, yy, 2, law);
+            bound_component(c, a.rolling, radius, yx, 1, law);
+            bound_component(c, a.rolling, radius, yy, 2, law);
         }
     }
     return law;
 }
 
-void take_impulse(Resistance& a, double u_n) noexcept {
+void set_law_offset(Resistance& a, double u_n) noexcept {
     for (int i = 0; i < 3; ++i)
         a.p[i] = a.lambda[i] + a.s[3 * i] * a.u[0] + a.s[3 * i + 1] * a.u[1] +
                  a.s[3 * i + 2] * a.u[2] + a.column[i] * u_n;
@@ -101,7 +101,7 @@ void residual(const Resistance& a, const Cone& c, double u_n, double lambda_n, c
               const double lambda[3], double out[3]) noexcept {
     const double rho = 1.0 / (a.sigma + a.mobility);
     for (int i = 0; i < 3; ++i) out[i] = target(a, rho, u[i], lambda[i], i);
-    limit(a, wanted_normal(c, u_n, lambda_n), out);
+    limit(a, normal_law_impulse(c, u_n, lambda_n), out);
     for (int i = 0; i < 3; ++i) out[i] = lambda[i] - out[i];
 }
 

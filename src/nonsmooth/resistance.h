@@ -53,7 +53,7 @@ struct ResistanceLaw {
                                       Touch& rolls) noexcept;
 
 /// Set p so that the linear law gives λ at u and u_n.
-void take_impulse(Resistance& resistance, double u_n) noexcept;
+void set_law_offset(Resistance& resistance, double u_n) noexcept;
 
 /// Limit λ to its bounds at a normal impulse.
 void limit(const Resistance& resistance, double normal, double lambda[3]) noexcept;

@@ -5,7 +5,7 @@ namespace hawser::nonsmooth {
 namespace {
 
 /// Return the entry of M between rows k and k + 1 of n; 0 after the last one.
-double beside(std::size_t n, const ChainRow* rows, std::size_t k) noexcept {
+double off_diagonal(std::size_t n, const ChainRow* rows, std::size_t k) noexcept {
     return k + 1 < n ? rows[k].next : 0.0;
 }
 
@@ -35,12 +35,12 @@ void solve_active(std::size_t n, ChainRow* rows) noexcept {
         ChainRow& row = rows[k];
         if (!row.active) continue;
         const double behind = k + 1 < n ? rows[k + 1].z : 0.0;
-        row.z = (row.reduced - beside(n, rows, k) * behind) / row.pivot;
+        row.z = (row.reduced - off_diagonal(n, rows, k) * behind) / row.pivot;
     }
 }
 
 /// True if a row is in the wrong set.
-bool chain_row_asks(std::size_t n, const ChainRow* rows, std::size_t k) noexcept {
+bool row_in_wrong_set(std::size_t n, const ChainRow* rows, std::size_t k) noexcept {
     const ChainRow& row = rows[k];
     if (row.fixed) return false;
     if (row.active) return !(row.z > 0.0);
@@ -58,7 +58,7 @@ bool solve_chain(std::size_t n, ChainRow* rows) noexcept {
         solve_active(n, rows);
         bool asked = false;
         for (std::size_t k = 0; k < n; ++k) {
-            if (!chain_row_asks(n, rows, k)) continue;
+            if (!row_in_wrong_set(n, rows, k)) continue;
             asked = true;
             rows[k].active = !rows[k].active;
             if (sweep >= 2 * n) break;

@@ -36,7 +36,7 @@ class ByteWriter {
         const auto* p = reinterpret_cast<const std::byte*>(&value);
         bytes_.insert(bytes_.end(), p, p + sizeof value);
     }
-    void put_bytes(std::span<const std::byte> bytes) {
+    void write_bytes(std::span<const std::byte> bytes) {
         bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
     }
     /// Write the length in 4 bytes, then the characters.
@@ -44,7 +44,7 @@ class ByteWriter {
         if (text.size() > std::numeric_limits<std::uint32_t>::max())
             throw BadBytes("a text is longer than 4 GiB");
         put(static_cast<std::uint32_t>(text.size()));
-        put_bytes(std::as_bytes(std::span(text.data(), text.size())));
+        write_bytes(std::as_bytes(std::span(text.data(), text.size())));
     }
     void clear() noexcept { bytes_.clear(); }
     /// Drop all but the first `size` bytes.
@@ -77,19 +77,19 @@ class ByteReader {
     /// @param least Smallest size of one entry [bytes].
     [[nodiscard]] std::size_t get_count(std::size_t least) {
         const std::size_t count = get<std::uint32_t>();
-        if (count > left() / least) throw BadBytes("a count is larger than its data");
+        if (count > bytes_left() / least) throw BadBytes("a count is larger than its data");
         return count;
     }
     [[nodiscard]] std::span<const std::byte> take(std::size_t size) {
-        if (size > left()) throw BadBytes("data end too early");
+        if (size > bytes_left()) throw BadBytes("data end too early");
         const auto out = bytes_.subspan(at_, size);
         at_ += size;
         return out;
     }
-    [[nodiscard]] std::size_t left() const noexcept { return bytes_.size() - at_; }
+    [[nodiscard]] std::size_t bytes_left() const noexcept { return bytes_.size() - at_; }
     /// Check that all bytes have been read. @throws BadBytes if bytes remain.
     void expect_end() const {
-        if (left() != 0) throw BadBytes("data are longer than expected");
+        if (bytes_left() != 0) throw BadBytes("data are longer than expected");
     }
 
   private:

@@ -152,7 +152,7 @@ void apply_guide_change(ChangeKind kind, GetFields& get, World& world) {
     }
 }
 
-void apply_one(ChangeKind kind, ByteReader& in, World& world) {
+void apply_change(ChangeKind kind, ByteReader& in, World& world) {
     GetFields get{in};
     if (kind <= ChangeKind::add_material_pair) return apply_addition(kind, get, world);
     if (kind <= ChangeKind::remove_input) return apply_removal(kind, get, world);
@@ -188,10 +188,10 @@ void apply_one(ChangeKind kind, ByteReader& in, World& world) {
 
 void apply_changes(std::span<const std::byte> bytes, World& world) {
     ByteReader in(bytes);
-    while (in.left() > 0) {
+    while (in.bytes_left() > 0) {
         const auto kind = in.get<std::uint8_t>();
         if (kind >= kChangeKindCount) throw BadBytes("a change of an unknown kind");
-        apply_one(static_cast<ChangeKind>(kind), in, world);
+        apply_change(static_cast<ChangeKind>(kind), in, world);
     }
 }
 

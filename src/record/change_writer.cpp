@@ -15,7 +15,7 @@ void ChangeBytes::write(F&& fields) noexcept {
         ByteWriter one;
         PutFields put{one};
         fields(put);
-        out_.put_bytes(one.bytes());
+        out_.write_bytes(one.bytes());
     } catch (const std::exception&) {
         failed_ = true;
     }
@@ -28,7 +28,7 @@ void begin(PutFields& put, ChangeKind kind) { put.out.put(static_cast<std::uint8
 }  // namespace
 
 void ChangeBytes::added(const BodyDef& def) noexcept {
-    other_bodies_ = true;
+    bodies_changed_ = true;
     write([&](PutFields& put) {
         begin(put, ChangeKind::add_body);
         visit_fields(def, put);
@@ -65,7 +65,7 @@ void ChangeBytes::added(const MaterialPairDef& def) noexcept {
     });
 }
 void ChangeBytes::removed(BodyId id) noexcept {
-    other_bodies_ = true;
+    bodies_changed_ = true;
     write([&](PutFields& put) {
         begin(put, ChangeKind::remove_body);
         put(id);
@@ -176,7 +176,7 @@ void ChangeBytes::set_mass(BodyId lump, double mass) noexcept {
     });
 }
 void ChangeBytes::node_inserted(InteractionId element, double share, double mass) noexcept {
-    other_bodies_ = true;
+    bodies_changed_ = true;
     write([&](PutFields& put) {
         begin(put, ChangeKind::insert_node);
         put(element);
@@ -185,7 +185,7 @@ void ChangeBytes::node_inserted(InteractionId element, double share, double mass
     });
 }
 void ChangeBytes::node_removed(BodyId node, double bend) noexcept {
-    other_bodies_ = true;
+    bodies_changed_ = true;
     write([&](PutFields& put) {
         begin(put, ChangeKind::remove_node);
         put(node);
@@ -194,7 +194,7 @@ void ChangeBytes::node_removed(BodyId node, double bend) noexcept {
 }
 void ChangeBytes::laid_over(InteractionId element, const InteractionDef& before,
                             const InteractionDef& behind) noexcept {
-    other_bodies_ = true;
+    bodies_changed_ = true;
     write([&](PutFields& put) {
         begin(put, ChangeKind::lay_over);
         put(element);
@@ -204,7 +204,7 @@ void ChangeBytes::laid_over(InteractionId element, const InteractionDef& before,
 }
 void ChangeBytes::lifted(InteractionId before, InteractionId behind,
                          const InteractionDef& element) noexcept {
-    other_bodies_ = true;
+    bodies_changed_ = true;
     write([&](PutFields& put) {
         begin(put, ChangeKind::lift_off);
         put(before);
@@ -223,7 +223,7 @@ void ChangeBytes::moved_along(InteractionId before, InteractionId behind, double
     });
 }
 void ChangeBytes::cut(InteractionId element, double share) noexcept {
-    other_bodies_ = true;
+    bodies_changed_ = true;
     write([&](PutFields& put) {
         begin(put, ChangeKind::cut);
         put(element);
@@ -231,7 +231,7 @@ void ChangeBytes::cut(InteractionId element, double share) noexcept {
     });
 }
 void ChangeBytes::joined(BodyId a, BodyId b, const Vec3& point, const JoinDef& def) noexcept {
-    other_bodies_ = true;
+    bodies_changed_ = true;
     write([&](PutFields& put) {
         begin(put, ChangeKind::join);
         put(a);
@@ -241,7 +241,7 @@ void ChangeBytes::joined(BodyId a, BodyId b, const Vec3& point, const JoinDef& d
     });
 }
 void ChangeBytes::detached(InteractionId element, int end) noexcept {
-    other_bodies_ = true;
+    bodies_changed_ = true;
     write([&](PutFields& put) {
         begin(put, ChangeKind::detach);
         put(element);
@@ -249,7 +249,7 @@ void ChangeBytes::detached(InteractionId element, int end) noexcept {
     });
 }
 void ChangeBytes::detached_carried(InteractionId element, int end, double mass) noexcept {
-    other_bodies_ = true;
+    bodies_changed_ = true;
     write([&](PutFields& put) {
         begin(put, ChangeKind::detach_carried);
         put(element);
@@ -267,23 +267,23 @@ void ChangeBytes::restored(std::span<const std::byte> bytes) noexcept {
     write([&](PutFields& put) {
         begin(put, ChangeKind::restore);
         put(static_cast<std::uint32_t>(bytes.size()));
-        put.out.put_bytes(bytes);
+        put.out.write_bytes(bytes);
     });
 }
 
 void ChangeBytes::restored(const Structure& made_of, std::span<const std::byte> bytes) noexcept {
-    other_bodies_ = true;
+    bodies_changed_ = true;
     write([&](PutFields& put) {
         begin(put, ChangeKind::rebuild);
         put(made_of);
         put(static_cast<std::uint32_t>(bytes.size()));
-        put.out.put_bytes(bytes);
+        put.out.write_bytes(bytes);
     });
 }
 
 void ChangeBytes::clear() noexcept {
     out_.clear();
-    other_bodies_ = false;
+    bodies_changed_ = false;
 }
 
 }  // namespace hawser::record

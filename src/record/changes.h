@@ -65,7 +65,7 @@ class ChangeBytes : public ChangeListener {
     /// Return all changes since the last clear(), in order.
     [[nodiscard]] std::span<const std::byte> bytes() const noexcept { return out_.bytes(); }
     /// True if bodies were added, removed or restored: frames have another layout from now on.
-    [[nodiscard]] bool other_bodies() const noexcept { return other_bodies_; }
+    [[nodiscard]] bool bodies_changed() const noexcept { return bodies_changed_; }
     [[nodiscard]] bool failed() const noexcept { return failed_; }
     void clear() noexcept;
 
@@ -78,7 +78,7 @@ class ChangeBytes : public ChangeListener {
     void write(F&& fields) noexcept;
 
     ByteWriter out_;
-    bool other_bodies_ = false, failed_ = false;
+    bool bodies_changed_ = false, failed_ = false;
 };
 
 /// Repeat recorded changes in a world in the same state.

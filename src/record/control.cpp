@@ -65,7 +65,7 @@ class Parser {
 
     void header(const std::vector<Field>& fields) {
         if (fields[0].text != "time") {
-            const std::string other = base::wrong_kind(text_, "a control file (CSV)", file_);
+            const std::string other = base::file_kind_error(text_, "a control file (CSV)", file_);
             if (!other.empty()) throw ControlError(file_ + ": " + other);
         }
         if (fields[0].text != "time")
@@ -74,7 +74,7 @@ class Parser {
         columns_.push_back(-1);
         for (std::size_t i = 1; i < fields.size(); ++i) {
             const auto found = std::find(inputs_.begin(), inputs_.end(), fields[i].text);
-            if (found == inputs_.end()) fail(fields[i].column, unknown(fields[i].text));
+            if (found == inputs_.end()) fail(fields[i].column, unknown_name_error(fields[i].text));
             const auto input = static_cast<std::int32_t>(found - inputs_.begin());
             if (std::find(columns_.begin(), columns_.end(), input) != columns_.end())
                 fail(fields[i].column,
@@ -90,7 +90,7 @@ class Parser {
         return "the scene's inputs are " + fmt::format("{}", fmt::join(inputs_, ", "));
     }
 
-    [[nodiscard]] std::string unknown(std::string_view name) const {
+    [[nodiscard]] std::string unknown_name_error(std::string_view name) const {
         if (inputs_.empty())
             return fmt::format("unknown input \"{}\": the scene has no inputs", name);
         return fmt::format("unknown input \"{}\"; nearest: \"{}\"", name,

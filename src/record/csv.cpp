@@ -18,7 +18,7 @@ namespace hawser::record {
 namespace {
 
 // RFC 4180: a name with a comma or quote is quoted, quotes inside are doubled.
-std::string quoted(const std::string& name) {
+std::string csv_quoted(const std::string& name) {
     if (name.find_first_of(",\"\n\r") == std::string::npos) return name;
     std::string out = "\"";
     for (const char c : name) out += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -40,18 +40,18 @@ CsvWriter::CsvWriter(const std::filesystem::path& file, const SceneInfo& scene, 
         if (cable.elements.empty()) continue;
         const InteractionId first = cable.elements.front(), last = cable.elements.back();
         ends_.push_back({world.alive(first) ? world.wires().of(first) : WireId{}, first, last});
-        line_ += "," + quoted(cable.name + " tension at first end [N]");
-        line_ += "," + quoted(cable.name + " tension at last end [N]");
+        line_ += "," + csv_quoted(cable.name + " tension at first end [N]");
+        line_ += "," + csv_quoted(cable.name + " tension at last end [N]");
     }
     bodies_ = watched_bodies(scene, world);
     for (const BodyId body : bodies_)
         for (const char* what :
              {"x [m]", "y [m]", "z [m]", "roll [deg]", "pitch [deg]", "yaw [deg]"})
-            line_ += "," + quoted(body_label(world, body) + " " + what);
+            line_ += "," + csv_quoted(body_label(world, body) + " " + what);
     for (const OutputId id : world.output_ids()) {
         const OutputDef& output = world.output_def(id);
         outputs_.push_back(id);
-        line_ += "," + quoted(output.name + " [" + output.unit + "]");
+        line_ += "," + csv_quoted(output.name + " [" + output.unit + "]");
     }
     write();
 }

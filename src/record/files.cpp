@@ -31,10 +31,10 @@ class Descriptor {
     int value_;
 };
 
-std::string reason(int error) { return std::strerror(error); }
+std::string error_text(int error) { return std::strerror(error); }
 
 /// Describe a file that is not a plain file.
-const char* kind_of(mode_t mode) {
+const char* file_type_words(mode_t mode) {
     if (S_ISDIR(mode)) return "a folder";
     if (S_ISFIFO(mode)) return "a pipe";
     if (S_ISSOCK(mode)) return "a socket";
@@ -47,9 +47,9 @@ std::string read_to(const std::filesystem::path& file, Out& out, std::size_t mos
     // Without O_NONBLOCK, open() would wait for the writer of a pipe.
     const Descriptor in(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     struct stat about{};
-    if (in.get() < 0 || ::fstat(in.get(), &about) != 0) return "cannot open: " + reason(errno);
+    if (in.get() < 0 || ::fstat(in.get(), &about) != 0) return "cannot open: " + error_text(errno);
     if (!S_ISREG(about.st_mode))
-        return std::string("is ") + kind_of(about.st_mode) + ", expected a plain file";
+        return std::string("is ") + file_type_words(about.st_mode) + ", expected a plain file";
     const auto size = static_cast<std::size_t>(about.st_size);
     if (size > most) return "larger than " + std::to_string(most >> 20U) + " MiB";
     const auto held = 512 * static_cast<std::size_t>(about.st_blocks);
@@ -61,7 +61,7 @@ std::string read_to(const std::filesystem::path& file, Out& out, std::size_t mos
     while (done < size) {
         const ssize_t n = ::read(in.get(), out.data() + done, size - done);
         if (n < 0 && errno == EINTR) continue;
-        if (n < 0) return "cannot read: " + reason(errno);
+        if (n < 0) return "cannot read: " + error_text(errno);
         if (n == 0) break;  // The file became shorter while it was read.
         done += static_cast<std::size_t>(n);
     }
@@ -101,7 +101,7 @@ bool is_device(const std::filesystem::path& file) {
 
 /// Open a new file in the folder of `to` for writing, with the permissions that `to` has or would
 /// get.
-int open_beside(const std::filesystem::path& to, std::string& name) {
+int open_temporary(const std::filesystem::path& to, std::string& name) {
     name = to.string() + ".XXXXXX";
     const int out = ::mkostemp(name.data(), O_CLOEXEC);
     if (out < 0) return out;
@@ -130,14 +130,14 @@ std::string output_fault(const std::filesystem::path& file) {
     const std::filesystem::path to = target(file);
     if (::stat(to.c_str(), &about) == 0) {
         if (S_ISCHR(about.st_mode))
-            return ::access(to.c_str(), W_OK) == 0 ? std::string() : reason(errno);
+            return ::access(to.c_str(), W_OK) == 0 ? std::string() : error_text(errno);
         if (!S_ISREG(about.st_mode))
-            return std::string("is ") + kind_of(about.st_mode) + ", expected a plain file";
-        if (::access(to.c_str(), W_OK) != 0) return reason(errno);
+            return std::string("is ") + file_type_words(about.st_mode) + ", expected a plain file";
+        if (::access(to.c_str(), W_OK) != 0) return error_text(errno);
     }
     std::string name;
-    const Descriptor out(open_beside(to, name));
-    if (out.get() < 0) return reason(errno);
+    const Descriptor out(open_temporary(to, name));
+    if (out.get() < 0) return error_text(errno);
     ::unlink(name.c_str());
     return {};
 }
@@ -147,19 +147,19 @@ std::string write_file(const std::filesystem::path& file, std::span<const std::b
     const std::filesystem::path to = target(file);
     if (is_device(to)) {
         Descriptor out(::open(to.c_str(), O_WRONLY | O_CLOEXEC));
-        if (out.get() < 0 || !write_all(out.get(), bytes) || !out.close()) return reason(errno);
+        if (out.get() < 0 || !write_all(out.get(), bytes) || !out.close()) return error_text(errno);
         return {};
     }
     if (const std::string fault = output_fault(to); !fault.empty()) return fault;
     std::string name;
-    Descriptor out(open_beside(to, name));
-    if (out.get() < 0) return reason(errno);
+    Descriptor out(open_temporary(to, name));
+    if (out.get() < 0) return error_text(errno);
     // Flush the data before the rename: otherwise a crash could replace the old file by an empty
     // one.
     if (write_all(out.get(), bytes) && (flush == Flush::later || ::fsync(out.get()) == 0) &&
         out.close() && std::rename(name.c_str(), to.c_str()) == 0)
         return {};
-    const std::string why = reason(errno);
+    const std::string why = error_text(errno);
     ::unlink(name.c_str());
     return why;
 }
@@ -170,7 +170,7 @@ std::string write_file(const std::filesystem::path& file, const std::string& tex
 
 std::string flush_folder(const std::filesystem::path& folder) {
     const Descriptor all(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    return all.get() >= 0 && ::syncfs(all.get()) == 0 ? std::string() : reason(errno);
+    return all.get() >= 0 && ::syncfs(all.get()) == 0 ? std::string() : error_text(errno);
 }
 
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {

@@ -12,7 +12,7 @@ namespace hawser::record {
 namespace {
 
 void put_joints(ByteWriter& out, const SceneInfo& scene, const World& world) {
-    const std::vector<InteractionId> joints = joints_of(scene, world);
+    const std::vector<InteractionId> joints = drawn_joints(scene, world);
     out.put(static_cast<std::uint32_t>(joints.size()));
     for (const InteractionId joint : joints) {
         const InteractionDef& def = world.interaction_def(joint);
@@ -37,7 +37,7 @@ Vec3 end_point(const CableInfo& cable, const World& world, bool last) {
 
 }  // namespace
 
-std::vector<InteractionId> joints_of(const SceneInfo& scene, const World& world) {
+std::vector<InteractionId> drawn_joints(const SceneInfo& scene, const World& world) {
     std::vector<bool> in_cable(static_cast<std::size_t>(world.interaction_count()), false);
     for (const CableInfo& cable : scene.cables)
         for (const InteractionId element : cable.elements)
@@ -53,7 +53,7 @@ std::vector<InteractionId> joints_of(const SceneInfo& scene, const World& world)
     return joints;
 }
 
-void put_body(ByteWriter& out, const BodyDef& def, const Pose& pose) {
+void write_body(ByteWriter& out, const BodyDef& def, const Pose& pose) {
     out.put_text(def.name);
     out.put(static_cast<std::uint8_t>(def.kind));
     for (int k = 0; k < 3; ++k) out.put(def.half_size[k]);
@@ -63,17 +63,17 @@ void put_body(ByteWriter& out, const BodyDef& def, const Pose& pose) {
         out.put(q);
 }
 
-void put_layout(ByteWriter& out, const SceneInfo& scene, const World& world) {
+void write_layout(ByteWriter& out, const SceneInfo& scene, const World& world) {
     out.put(static_cast<std::uint32_t>(world.body_count()));
     // Write bodies by index. Empty slots are written too, because all other entries refer to bodies
     // by index.
     std::int32_t place = 0;
     for (const BodyId id : world.bodies()) {
-        for (; place < id.index; ++place) put_body(out, BodyDef{}, Pose{});
-        put_body(out, world.body_def(id), world.pose(id));
+        for (; place < id.index; ++place) write_body(out, BodyDef{}, Pose{});
+        write_body(out, world.body_def(id), world.pose(id));
         ++place;
     }
-    for (; place < world.body_count(); ++place) put_body(out, BodyDef{}, Pose{});
+    for (; place < world.body_count(); ++place) write_body(out, BodyDef{}, Pose{});
     out.put(static_cast<std::uint32_t>(scene.cables.size()));
     for (const CableInfo& cable : scene.cables) {
         out.put_text(cable.name);
@@ -94,7 +94,7 @@ void put_layout(ByteWriter& out, const SceneInfo& scene, const World& world) {
     put_joints(out, scene, world);
 }
 
-void put_input_names(ByteWriter& out, const World& world) {
+void write_input_names(ByteWriter& out, const World& world) {
     std::vector<std::string> names(static_cast<std::size_t>(world.input_count()));
     for (const InputId id : world.inputs())
         names[static_cast<std::size_t>(id.index)] = world.input_def(id).name;

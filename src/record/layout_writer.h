@@ -15,10 +15,10 @@ namespace hawser::record {
 
 /// Return joints and rods between two bodies that are not elements of a cable, in the order of a
 /// layout.
-[[nodiscard]] std::vector<InteractionId> joints_of(const SceneInfo& scene, const World& world);
-void put_body(ByteWriter& out, const BodyDef& def, const Pose& pose);
+[[nodiscard]] std::vector<InteractionId> drawn_joints(const SceneInfo& scene, const World& world);
+void write_body(ByteWriter& out, const BodyDef& def, const Pose& pose);
 /// Write the names of inputs by index, "" for a removed input, and the inputs that systems drive.
-void put_input_names(ByteWriter& out, const World& world);
-void put_layout(ByteWriter& out, const SceneInfo& scene, const World& world);
+void write_input_names(ByteWriter& out, const World& world);
+void write_layout(ByteWriter& out, const SceneInfo& scene, const World& world);
 
 }  // namespace hawser::record

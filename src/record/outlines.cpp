@@ -13,7 +13,7 @@ namespace {
 constexpr int kMaxLines = 64;  ///< Largest number of lines along each side of a ground.
 constexpr std::size_t kMostTriangles = 4096;
 
-std::vector<Vec3> rim(double radius, double z) {
+std::vector<Vec3> circle_points(double radius, double z) {
     std::vector<Vec3> out;
     for (int i = 0; i < kOutlineRim; ++i) {
         const double t = 2.0 * std::numbers::pi * i / kOutlineRim;
@@ -56,8 +56,9 @@ RecordedOutline in_shape(const ShapeDef& def) {
             out.points = {Vec3(0, 0, -def.half_length), Vec3(0, 0, def.half_length)};
             break;
         case ShapeKind::cylinder:
-            out.points = rim(def.radius, -def.half_length);
-            for (const Vec3& p : rim(def.radius, def.half_length)) out.points.push_back(p);
+            out.points = circle_points(def.radius, -def.half_length);
+            for (const Vec3& p : circle_points(def.radius, def.half_length))
+                out.points.push_back(p);
             break;
         case ShapeKind::box:
             for (int i = 0; i < 8; ++i)
@@ -90,7 +91,7 @@ RecordedOutline in_shape(const ShapeDef& def) {
 
 }  // namespace
 
-std::vector<RecordedOutline> outlines_of(const SceneInfo& scene, const World& world) {
+std::vector<RecordedOutline> make_outlines(const SceneInfo& scene, const World& world) {
     std::vector<bool> in_cable(static_cast<std::size_t>(world.body_count()), false);
     for (const CableInfo& cable : scene.cables)
         for (std::size_t i = 1; i + 1 < cable.nodes.size(); ++i)
@@ -111,7 +112,7 @@ std::vector<RecordedOutline> outlines_of(const SceneInfo& scene, const World& wo
     return out;
 }
 
-void put_outlines(ByteWriter& out, const std::vector<RecordedOutline>& outlines) {
+void write_outlines(ByteWriter& out, const std::vector<RecordedOutline>& outlines) {
     out.put(static_cast<std::uint32_t>(outlines.size()));
     for (const RecordedOutline& o : outlines) {
         out.put(o.body);

@@ -13,9 +13,10 @@ inline constexpr int kOutlineRim = 24;  ///< Number of points of the outline of 
 
 /// Return the outlines of all shapes except those along cables, which are drawn as lines. Round
 /// shapes become points with a radius or rims of 24 points; large grounds and meshes are thinned.
-[[nodiscard]] std::vector<RecordedOutline> outlines_of(const SceneInfo& scene, const World& world);
+[[nodiscard]] std::vector<RecordedOutline> make_outlines(const SceneInfo& scene,
+                                                         const World& world);
 
-void put_outlines(ByteWriter& out, const std::vector<RecordedOutline>& outlines);
+void write_outlines(ByteWriter& out, const std::vector<RecordedOutline>& outlines);
 /// Read outlines. @throws BadBytes.
 [[nodiscard]] std::vector<RecordedOutline> get_outlines(ByteReader& in, std::size_t bodies);
 

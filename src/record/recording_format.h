@@ -51,19 +51,6 @@ inline constexpr std::size_t kMaxFreedom = 6, kMaxLoadNumbers = 69;
     return freedom + 3 * (freedom * (freedom + 1) / 2);
 }
 static_assert(load_numbers(kMaxFreedom) == kMaxLoadNumbers);
-/// Return the freedom of a body.
-[[nodiscard]] constexpr std::size_t freedom_of(BodyKind kind) noexcept {
-    switch (kind) {
-        case BodyKind::rigid:
-            return 6;
-        case BodyKind::lump:
-            return 3;
-        case BodyKind::scalar:
-            return 1;
-        default:
-            return 0;
-    }
-}
 /// Step, sea, its inputs and number of bodies of a LOAD chunk; index, generation, freedom and
 /// sources of one body.
 inline constexpr std::size_t kLoadHeadBytes = 8 + 4 + 3 * 8 + 4, kLoadBodyBytes = 4 + 4 + 1 + 1;

@@ -123,7 +123,7 @@ void Recording::read_note(ByteReader in) {
     RecordedNote note;
     note.step = get_step(in, 0);
     note.kind = in.get_text();
-    note.bytes = in.take(in.left());
+    note.bytes = in.take(in.bytes_left());
     notes.push_back(std::move(note));
 }
 

@@ -12,7 +12,7 @@ namespace hawser::record {
 namespace {
 
 /// Return all interactions in ascending order.
-std::vector<InteractionId> all_of(const World& world) {
+std::vector<InteractionId> all_interactions(const World& world) {
     return {world.interactions().begin(), world.interactions().end()};
 }
 
@@ -24,7 +24,7 @@ bool is_line(const World& world, InteractionId id) {
 }  // namespace
 
 LineFollower::LineFollower(const World& world, std::vector<InteractionId> joints)
-    : joints_(std::move(joints)), at_start_(all_of(world)), all_(at_start_) {}
+    : joints_(std::move(joints)), at_start_(all_interactions(world)), all_(at_start_) {}
 
 bool LineFollower::changed(const World& world) {
     const auto now = world.interactions();
@@ -37,26 +37,26 @@ bool LineFollower::changed(const World& world) {
     std::vector<std::int32_t> gone;
     for (std::size_t j = 0; j < joints_.size(); ++j)
         if (!world.alive(joints_[j])) gone.push_back(static_cast<std::int32_t>(j));
-    const bool other = lines != lines_ || gone != gone_;
+    const bool other = lines != lines_ || gone != removed_joints_;
     lines_ = std::move(lines);
-    gone_ = std::move(gone);
+    removed_joints_ = std::move(gone);
     return other;
 }
 
-void LineFollower::put_lines(ByteWriter& out, const World& world,
-                             std::span<const BodyId> bodies) const {
+void LineFollower::write_lines(ByteWriter& out, const World& world,
+                               std::span<const BodyId> bodies) const {
     out.put(static_cast<std::uint32_t>(lines_.size()));
     for (const InteractionId id : lines_) {
         out.put_text(interaction_label(world, id));
         out.put(std::uint32_t{1});
-        put_piece(out, world, id, bodies);
+        write_piece(out, world, id, bodies);
     }
-    out.put(static_cast<std::uint32_t>(gone_.size()));
-    for (const std::int32_t joint : gone_) out.put(joint);
+    out.put(static_cast<std::uint32_t>(removed_joints_.size()));
+    for (const std::int32_t joint : removed_joints_) out.put(joint);
 }
 
-void LineFollower::put_pulls(ByteWriter& out, const World& world) const {
-    for (const InteractionId id : lines_) put_pull(out, world, id);
+void LineFollower::write_pulls(ByteWriter& out, const World& world) const {
+    for (const InteractionId id : lines_) write_pull(out, world, id);
 }
 
 }  // namespace hawser::record

@@ -25,14 +25,14 @@ class LineFollower {
     /// True if lines were added or removed since the last call.
     [[nodiscard]] bool changed(const World& world);
     /// Write the contents of LINE. @param bodies  Bodies of a frame, ascending.
-    void put_lines(ByteWriter& out, const World& world, std::span<const BodyId> bodies) const;
+    void write_lines(ByteWriter& out, const World& world, std::span<const BodyId> bodies) const;
     /// Write the contents of LPUL.
-    void put_pulls(ByteWriter& out, const World& world) const;
+    void write_pulls(ByteWriter& out, const World& world) const;
 
   private:
     std::vector<InteractionId> joints_, at_start_, all_;
     std::vector<InteractionId> lines_;
-    std::vector<std::int32_t> gone_;  ///< Numbers of the removed joints.
+    std::vector<std::int32_t> removed_joints_;  ///< Numbers of the removed joints.
 };
 
 }  // namespace hawser::record

@@ -7,7 +7,7 @@
 namespace hawser::record {
 
 RecordingListener::RecordingListener(RecordingWriter& writer, World& world) noexcept
-    : writer_(writer), world_(world), inputs_(world.input_count()), now_(world.step_count()) {
+    : writer_(writer), world_(world), inputs_(world.input_count()), last_step_(world.step_count()) {
     world.set_change_listener(this);
 }
 
@@ -46,13 +46,13 @@ void RecordingListener::detached(InteractionId element, int end) noexcept {
 /// Store a restored state in a chunk of its own, at the step of the world before. A replay makes
 /// its world like that of the start before this chunk.
 template <class F>
-void RecordingListener::begin_take(F&& reported) noexcept {
-    const std::int64_t before = now_;
+void RecordingListener::begin_branch(F&& reported) noexcept {
+    const std::int64_t before = last_step_;
     try {
         flush(before);
         reported();
         flush(before);
-        if (before != now_) writer_.add_take(before, now_);
+        if (before != last_step_) writer_.add_take(before, last_step_);
     } catch (const std::bad_alloc&) {
         lost();
     } catch (const std::exception&) {
@@ -61,10 +61,10 @@ void RecordingListener::begin_take(F&& reported) noexcept {
 }
 
 void RecordingListener::restored(std::span<const std::byte>) noexcept {
-    begin_take([&] { ChangeBytes::restored(world_.state().save_motion()); });
+    begin_branch([&] { ChangeBytes::restored(world_.state().save_motion()); });
 }
 void RecordingListener::restored(const Structure& made_of, std::span<const std::byte>) noexcept {
-    begin_take([&] { ChangeBytes::restored(made_of, world_.state().save_motion()); });
+    begin_branch([&] { ChangeBytes::restored(made_of, world_.state().save_motion()); });
 }
 
 void RecordingListener::flush() { flush(world_.step_count()); }
@@ -76,16 +76,16 @@ void RecordingListener::flush(std::int64_t step) {
     std::size_t written = 0;
     for (std::size_t i = 0; i < set_.size();) {
         const std::size_t before = set_[i].bytes;
-        writer_.add_changes(step, all.subspan(written, before - written), other_bodies());
+        writer_.add_changes(step, all.subspan(written, before - written), bodies_changed());
         written = before;
         run_.clear();
         for (; i < set_.size() && set_[i].bytes == before; ++i) run_.push_back(set_[i].input);
         writer_.add_inputs(run_);
     }
-    writer_.add_changes(step, all.subspan(written), other_bodies());
+    writer_.add_changes(step, all.subspan(written), bodies_changed());
     set_.clear();
     clear();
-    now_ = world_.step_count();
+    last_step_ = world_.step_count();
 }
 
 }  // namespace hawser::record

@@ -45,14 +45,14 @@ class RecordingListener final : public ChangeBytes {
         std::size_t bytes = 0;  ///< Size of the changes before it.
     };
     template <class F>
-    void begin_take(F&& reported) noexcept;
+    void begin_branch(F&& reported) noexcept;
 
     RecordingWriter& writer_;
     World& world_;
     std::vector<Set> set_;            ///< Not written yet; their changes are in bytes().
     std::vector<RecordedInput> run_;  ///< Scratch: inputs between two changes.
     std::int32_t inputs_;         ///< Number of inputs of the scene; the recording has their names.
-    std::int64_t now_;            ///< Steps taken when it looked last.
+    std::int64_t last_step_;      ///< Steps taken when it looked last.
     bool failed_before_ = false;  ///< failed() at the last mark.
     std::exception_ptr fault_;
 };

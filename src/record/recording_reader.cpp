@@ -62,9 +62,9 @@ Recording Recording::read(std::vector<std::byte> bytes, const std::string& name)
     ByteReader in(r.bytes_);
     if (r.bytes_.size() < sizeof kMagic + 4 ||
         std::memcmp(in.take(sizeof kMagic).data(), kMagic, sizeof kMagic) != 0)
-        throw RecordingError(
-            name + ": " +
-            base::wrong_kind_or(as_text(r.bytes_), "a recording", name, "not a Hawser recording"));
+        throw RecordingError(name + ": " +
+                             base::file_kind_error_or(as_text(r.bytes_), "a recording", name,
+                                                      "not a Hawser recording"));
     const auto version = in.get<std::uint32_t>();
     if (version != kFormatVersion && version != kAllLoadsVersion)
         throw RecordingError(fmt::format("{}: recording format {}, this program reads {} and {}",
@@ -72,7 +72,7 @@ Recording Recording::read(std::vector<std::byte> bytes, const std::string& name)
     r.format = version;
     int stage = 0;
     try {
-        while (in.left() > 0) {
+        while (in.bytes_left() > 0) {
             if (r.ending != Ending::unknown) throw BadBytes("data follow the end");
             const auto head = in.take(8);
             ByteReader head_in(head.subspan(4));
@@ -108,7 +108,7 @@ void Recording::read_chunk(std::string_view kind, std::span<const std::byte> pay
             default:
                 start_step = get_step(in, 0);
                 start_hash = in.get<std::uint64_t>();
-                snapshot = in.take(in.left());
+                snapshot = in.take(in.bytes_left());
         }
         ++stage;
     } else if (kind == kFrameChunk) {
@@ -119,7 +119,7 @@ void Recording::read_chunk(std::string_view kind, std::span<const std::byte> pay
         if (!input_names.empty() || !inputs.empty()) throw BadBytes("inputs are named too late");
         input_names.resize(in.get_count(4));
         for (std::string& name : input_names) name = in.get_text();
-        if (in.left() > 0) inner_inputs.resize(input_names.size());
+        if (in.bytes_left() > 0) inner_inputs.resize(input_names.size());
         for (std::size_t i = 0; i < inner_inputs.size(); ++i)
             inner_inputs[i] = in.get<std::uint8_t>() != 0;
         in.expect_end();
@@ -183,13 +183,13 @@ void Recording::read_cut(ByteReader in) {
     RecordedCut cut;
     cut.step = get_step(in, 0);
     cut.left_out.iterations = in.get<std::int32_t>();
-    if (in.left() > 0) {  // not in recordings of earlier versions
+    if (in.bytes_left() > 0) {  // not in recordings of earlier versions
         cut.left_out.hasty = in.get<std::uint8_t>() != 0;
         cut.cause = get_enum<DegradedBy>(in, kDegradedByCount);
         cut.foreseen = get_finite(in);
         cut.left_out.cuts = in.get<std::uint64_t>();
     }
-    if (in.left() > 0) cut.left_out.wires = in.get<std::int32_t>();  // nor these
+    if (in.bytes_left() > 0) cut.left_out.wires = in.get<std::int32_t>();  // nor these
     in.expect_end();
     if (!cut.left_out.any() || cut.left_out.iterations < 0 || cut.left_out.wires < 0)
         throw BadBytes("a cut leaves nothing out");

@@ -24,7 +24,7 @@ void Recording::read_changes(ByteReader in) {
     RecordedChanges out;
     out.step = get_step(in, least_step(changes, &RecordedTake::changes));
     out.inputs_before = inputs.size();
-    out.bytes = in.take(in.left());
+    out.bytes = in.take(in.bytes_left());
     changes.push_back(out);
 }
 
@@ -33,7 +33,7 @@ void Recording::read_loads(ByteReader in) {
     const std::size_t first = takes.empty() ? 0 : takes.back().loads;
     const std::int64_t least = least_step(loads, &RecordedTake::loads);
     out.step = get_step(in, loads.size() > first ? least + 1 : least);
-    out.bytes = in.take(in.left());
+    out.bytes = in.take(in.bytes_left());
     loads.push_back(out);
 }
 

@@ -47,8 +47,8 @@ bool WireFollower::changed(const World& world) {
     return other;
 }
 
-void put_piece(ByteWriter& out, const World& world, InteractionId element,
-               std::span<const BodyId> bodies) {
+void write_piece(ByteWriter& out, const World& world, InteractionId element,
+                 std::span<const BodyId> bodies) {
     const InteractionDef& d = world.interaction_def(element);
     const std::array<Vec3, 2> ends = world.wires().ends(element);
     for (std::size_t k = 0; k < 2; ++k) {
@@ -60,7 +60,7 @@ void put_piece(ByteWriter& out, const World& world, InteractionId element,
     }
 }
 
-void put_pull(ByteWriter& out, const World& world, InteractionId element) {
+void write_pull(ByteWriter& out, const World& world, InteractionId element) {
     constexpr double kMaximum = std::numeric_limits<float>::max();
     const double pull = world.intact(element) ? std::max(0.0, -world.force(element)[0]) : -1.0;
     out.put(static_cast<float>(std::isnan(pull) ? 0.0 : std::min<double>(pull, kMaximum)));
@@ -73,13 +73,13 @@ void WireFollower::put_wires(ByteWriter& out, const World& world,
     for (std::size_t w = 0; w < wires.size(); ++w) {
         out.put_text(world.wires().name(wires[w]));
         out.put(static_cast<std::uint32_t>(elements_[w].size()));
-        for (const InteractionId id : elements_[w]) put_piece(out, world, id, bodies);
+        for (const InteractionId id : elements_[w]) write_piece(out, world, id, bodies);
     }
 }
 
-void WireFollower::put_pulls(ByteWriter& out, const World& world) const {
+void WireFollower::write_pulls(ByteWriter& out, const World& world) const {
     for (const auto& wire : elements_)
-        for (const InteractionId id : wire) put_pull(out, world, id);
+        for (const InteractionId id : wire) write_pull(out, world, id);
 }
 
 std::vector<RecordedWire> get_wires(ByteReader& in, std::span<const std::int32_t> bodies,

@@ -26,7 +26,7 @@ class WireFollower {
     /// Write the contents of WIRE. @param bodies  Bodies of a frame, ascending.
     void put_wires(ByteWriter& out, const World& world, std::span<const BodyId> bodies) const;
     /// Write the contents of PULL.
-    void put_pulls(ByteWriter& out, const World& world) const;
+    void write_pulls(ByteWriter& out, const World& world) const;
 
   private:
     std::vector<std::vector<InteractionId>>
@@ -35,10 +35,10 @@ class WireFollower {
 
 /// Write both ends of an element: the index of each body in a frame and the point of attachment
 /// [m]. @param bodies  Bodies of a frame, ascending.
-void put_piece(ByteWriter& out, const World& world, InteractionId element,
-               std::span<const BodyId> bodies);
+void write_piece(ByteWriter& out, const World& world, InteractionId element,
+                 std::span<const BodyId> bodies);
 /// Write the tension of an element [N]; −1: broken.
-void put_pull(ByteWriter& out, const World& world, InteractionId element);
+void write_pull(ByteWriter& out, const World& world, InteractionId element);
 
 /// Read wires. @param bodies  Bodies of a frame, as indices of the recording. @param pieces  Set to
 /// the number of pieces. @throws BadBytes

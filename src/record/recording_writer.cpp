@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/recording_writer.h"
+#include "base/body_dof.h"
 #include "record/event_input.h"
 #include "record/field_bytes.h"
 
@@ -38,7 +39,7 @@ std::size_t sea_load_bytes(const World& world) {
     bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
     std::size_t bytes = kChunkOverhead + kLoadHeadBytes;
     for (const BodyId id : bodies)
-        if (const std::size_t n = freedom_of(world.body_def(id).kind); n > 0)
+        if (const auto n = static_cast<std::size_t>(base::dof_of(world.body_def(id).kind)); n > 0)
             bytes += kLoadBodyBytes + 8 * load_numbers(n);
     return bytes;
 }
@@ -57,7 +58,7 @@ float to_float(double value) {
 
 // Positions are stored as distances from the start. At a kilometre from the origin single precision
 // would round to a tenth of a millimetre.
-void put_pose(ByteWriter& out, const Pose& pose, const Pose& start, BodyKind kind) {
+void write_pose(ByteWriter& out, const Pose& pose, const Pose& start, BodyKind kind) {
     const int floats = pose_floats(kind);
     for (int k = 0; k < std::min(3, floats); ++k)
         out.put(to_float(pose.position[k] - start.position[k]));
@@ -72,7 +73,7 @@ void put_pose(ByteWriter& out, const Pose& pose, const Pose& start, BodyKind kin
 RecordingWriter::RecordingWriter(const std::filesystem::path& file, const SceneInfo& scene,
                                  const World& world, const RecordingSettings& settings,
                                  LoadStorage loads)
-    : file_(file), loads_(loads), wires_(world), lines_(world, joints_of(scene, world)) {
+    : file_(file), loads_(loads), wires_(world), lines_(world, drawn_joints(scene, world)) {
     // A pipe would be waited for.
     if (const std::string fault = output_fault(file); !fault.empty())
         throw RecordingError(
@@ -107,18 +108,18 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& file, const SceneI
         payload_.put_text(text);
     write_chunk(kSettingsChunk);
 
-    put_layout(payload_, scene, world);
+    write_layout(payload_, scene, world);
     write_chunk(kLayoutChunk);
 
     payload_.put(world.step_count());
     payload_.put(world.state().motion_hash());
-    payload_.put_bytes(world.state().save_motion());
+    payload_.write_bytes(world.state().save_motion());
     write_chunk(kSnapshotChunk);
 
-    put_input_names(payload_, world);
+    write_input_names(payload_, world);
     write_chunk(kInputNamesChunk);
-    if (const auto outlines = outlines_of(scene, world); !outlines.empty()) {
-        put_outlines(payload_, outlines);
+    if (const auto outlines = make_outlines(scene, world); !outlines.empty()) {
+        write_outlines(payload_, outlines);
         write_chunk(kOutlineChunk);
     }
     add_frame(world);
@@ -139,7 +140,7 @@ void RecordingWriter::write_chunk(const char* kind) {
                         "of {} bytes, at most {}",
                         file_.string(), payload.size(), kMaxChunk));
     ByteWriter head;
-    head.put_bytes(std::as_bytes(std::span(kind, 4)));
+    head.write_bytes(std::as_bytes(std::span(kind, 4)));
     head.put(static_cast<std::uint32_t>(payload.size()));
     const std::uint32_t crc = crc32(payload, crc32(head.bytes()));
     if (std::fwrite(head.bytes().data(), 1, head.bytes().size(), out_.get()) !=
@@ -158,17 +159,17 @@ void RecordingWriter::check_complete(const ChangeBytes& changes) const {
 }
 
 void RecordingWriter::add_changes(std::int64_t step, std::span<const std::byte> changes,
-                                  bool other_bodies) {
+                                  bool bodies_changed) {
     if (changes.empty()) return;
     payload_.put(step);
-    payload_.put_bytes(changes);
+    payload_.write_bytes(changes);
     write_chunk(kChangesChunk);
-    other_bodies_ = other_bodies_ || other_bodies;
+    bodies_changed_ = bodies_changed_ || bodies_changed;
 }
 
 /// Choose the bodies of the following frames: the remaining bodies, by their numbers in the file.
 void RecordingWriter::follow_bodies(const World& world) {
-    other_bodies_ = false;
+    bodies_changed_ = false;
     std::vector<FramedBody> now;
     payload_.put(static_cast<std::uint32_t>(world.bodies().size()));
     auto before = bodies_.begin();
@@ -180,7 +181,7 @@ void RecordingWriter::follow_bodies(const World& world) {
             continue;
         }
         payload_.put(std::int32_t{-1});
-        put_body(payload_, world.body_def(id), world.pose(id));
+        write_body(payload_, world.body_def(id), world.pose(id));
         now.push_back({id, world.body_def(id).kind, world.pose(id)});
     }
     write_chunk(kBodiesChunk);
@@ -189,15 +190,15 @@ void RecordingWriter::follow_bodies(const World& world) {
 
 void RecordingWriter::follow_wires(const World& world) {
     if (!wires_.changed(world)) return;
-    other_wires_ = true;
+    wires_changed_ = true;
     wires_.put_wires(payload_, world, bodies_of_frame());
     write_chunk(kWiresChunk);
 }
 
 void RecordingWriter::follow_lines(const World& world) {
     if (!lines_.changed(world)) return;
-    other_lines_ = true;
-    lines_.put_lines(payload_, world, bodies_of_frame());
+    lines_changed_ = true;
+    lines_.write_lines(payload_, world, bodies_of_frame());
     write_chunk(kLinesChunk);
 }
 
@@ -216,7 +217,7 @@ std::vector<BodyId> RecordingWriter::bodies_of_frame() const {
 }
 
 void RecordingWriter::add_frame(const World& world) {
-    if (other_bodies_) follow_bodies(world);
+    if (bodies_changed_) follow_bodies(world);
     follow_wires(world);
     follow_lines(world);
     follow_water(world);
@@ -228,16 +229,16 @@ void RecordingWriter::add_frame(const World& world) {
          {stats.violation_max, stats.momentum_residual, world.energy().mechanical()})
         payload_.put(in_range(figure));
     for (const FramedBody& body : bodies_)
-        put_pose(payload_, world.pose(body.id), body.start, body.kind);
+        write_pose(payload_, world.pose(body.id), body.start, body.kind);
     for (const InteractionId element : elements_)
         payload_.put(to_float(world.alive(element) ? element_tension(world, element) : 0.0));
     write_chunk(kFrameChunk);
-    if (other_wires_) {
-        wires_.put_pulls(payload_, world);
+    if (wires_changed_) {
+        wires_.write_pulls(payload_, world);
         write_chunk(kPullsChunk);
     }
-    if (!other_lines_) return;
-    lines_.put_pulls(payload_, world);
+    if (!lines_changed_) return;
+    lines_.write_pulls(payload_, world);
     write_chunk(kLinePullsChunk);
 }
 
@@ -286,8 +287,8 @@ void RecordingWriter::add_loads(const World& world) {
         payload_.put(static_cast<std::uint8_t>(load.force.size()));
         payload_.put(static_cast<std::uint8_t>(source));
         for (const auto& numbers : {load.force, load.mass, load.damping, load.stiffness})
-            payload_.put_bytes(std::as_bytes(numbers));
-        if (shared) payload_.put_bytes(std::as_bytes(load.water));
+            payload_.write_bytes(std::as_bytes(numbers));
+        if (shared) payload_.write_bytes(std::as_bytes(load.water));
     }
     write_chunk(kLoadsChunk);
 }
@@ -302,7 +303,7 @@ void RecordingWriter::add_all_loads(const World& world) {
         payload_.put(load.body.generation);
         payload_.put(static_cast<std::uint8_t>(load.force.size()));
         for (const auto& numbers : {load.force, load.mass, load.damping, load.stiffness})
-            payload_.put_bytes(std::as_bytes(numbers));
+            payload_.write_bytes(std::as_bytes(numbers));
     }
     write_chunk(kLoadsChunk);
 }
@@ -311,7 +312,7 @@ void RecordingWriter::add_note(std::int64_t step, std::string_view kind,
                                std::span<const std::byte> bytes) {
     payload_.put(step);
     payload_.put_text(kind);
-    payload_.put_bytes(bytes);
+    payload_.write_bytes(bytes);
     write_chunk(kNoteChunk);
 }
 

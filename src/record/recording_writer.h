@@ -38,7 +38,7 @@ class RecordingWriter {
     /// Check that no change is missing. @throws RecordingError if memory was insufficient for one.
     void check_complete(const ChangeBytes& changes) const;
     /// Write changes of the world since the last call (changes.h), before the next step.
-    void add_changes(std::int64_t step, std::span<const std::byte> changes, bool other_bodies);
+    void add_changes(std::int64_t step, std::span<const std::byte> changes, bool bodies_changed);
     /// Write the loads of systems in the last step that a replay needs, if any.
     void add_loads(const World& world);
     void add_note(std::int64_t step, std::string_view kind, std::span<const std::byte> bytes);
@@ -78,11 +78,11 @@ class RecordingWriter {
     std::vector<FramedBody> bodies_;  ///< Bodies of a frame, in its order.
     WireFollower wires_;
     LineFollower lines_;
-    double water_ = 0.0;        ///< z of still water in the frame before [m].
-    bool other_wires_ = false;  ///< Than those of the start: frames have their tensions.
+    double water_ = 0.0;          ///< z of still water in the frame before [m].
+    bool wires_changed_ = false;  ///< Than those of the start: frames have their tensions.
     /// True if lines were added or removed: frames then have their tensions.
-    bool other_lines_ = false;
-    bool other_bodies_ = false;  ///< Than bodies_: they are written before the next frame.
+    bool lines_changed_ = false;
+    bool bodies_changed_ = false;  ///< Than bodies_: they are written before the next frame.
 };
 
 /// Return the number of bytes of one frame in the file.

@@ -2,6 +2,7 @@
 #include <hawser/hawser.h>
 #include <hawser/repeater.h>
 
+#include "base/body_dof.h"
 #include "record/bytes.h"
 #include "record/change_fields.h"
 #include "record/changes.h"
@@ -124,8 +125,8 @@ void Repeater::read_load(ByteReader& in, const World& world, Load& load) const {
     load.freedom = in.get<std::uint8_t>();
     load.sources = all ? unsigned{kOtherSource} : in.get<std::uint8_t>();
     const bool none = !all && load.freedom == 0 && load.sources == kNoSource;
-    if (!world.alive(load.body) ||
-        (!none && load.freedom != freedom_of(world.body_def(load.body).kind)))
+    if (!world.alive(load.body) || (!none && load.freedom != static_cast<std::size_t>(base::dof_of(
+                                                                 world.body_def(load.body).kind))))
         throw BadBytes("a load is on no body that has it");
     if (load.sources > kBothSources || (!none && load.sources == kNoSource))
         throw BadBytes("a load has no source");
@@ -176,7 +177,7 @@ void Repeater::drop_loader(std::span<const std::byte> change, World& world) {
 
 /// Enter the next branch. The last change of a branch restores the state at which the next one
 /// starts.
-void Repeater::enter_take(World& world) {
+void Repeater::enter_branch(World& world) {
     const RecordedTake& take = recording_.takes[take_];
     if (world.step_count() != take.to)
         throw std::runtime_error("a branch of the recording does not begin at its stated step");
@@ -200,7 +201,7 @@ void Repeater::before_step(World& world) {
             drop_loader(changes[change_].bytes, world);
             apply_changes(changes[change_++].bytes, world);
             if (change_ == end && take_ < recording_.takes.size()) {
-                enter_take(world);
+                enter_branch(world);
                 now = world.step_count();
             }
         } else if (input_ < end_of(inputs.size(), &RecordedTake::inputs) &&

@@ -34,7 +34,7 @@ class DocumentComparison {
             for (std::size_t i = 0; i < before.size(); ++i)
                 compare(before[i], now[i], fmt::format("{}/{}", path, i));
         } else {
-            differ(path, said(before), said(now));
+            add_difference(path, shortened_value(before), shortened_value(now));
         }
     }
 
@@ -43,12 +43,13 @@ class DocumentComparison {
     static bool has(const List& list, const std::string& path) {
         return std::find(list.begin(), list.end(), path) != list.end();
     }
-    static std::string said(const DocumentJson& value) {
+    static std::string shortened_value(const DocumentJson& value) {
         if (value.is_array()) return fmt::format("a list of {}", value.size());
         if (value.is_object()) return "an object";
         return value.dump();
     }
-    void differ(const std::string& path, const std::string& before, const std::string& now) {
+    void add_difference(const std::string& path, const std::string& before,
+                        const std::string& now) {
         if (out_.structure.empty()) out_.structure = fmt::format("{}: {} -> {}", path, before, now);
     }
     void compare_objects(const DocumentJson& before, const DocumentJson& now,
@@ -60,17 +61,17 @@ class DocumentComparison {
                 compare(value, *other, at);
             else if (!has(kNoMatter, at))
                 value.is_number() ? number(at, value.dump(), "not given")
-                                  : differ(at, said(value), "not there");
+                                  : add_difference(at, shortened_value(value), "not there");
         }
         for (const auto& [key, value] : now.items()) {
             const std::string at = path + "/" + key;
             if (before.contains(key) || has(kNoMatter, at)) continue;
             value.is_number() ? number(at, "not given", value.dump())
-                              : differ(at, "not there", said(value));
+                              : add_difference(at, "not there", shortened_value(value));
         }
     }
     void number(const std::string& path, const std::string& before, const std::string& now) {
-        if (has(kFixed, path)) return differ(path, before, now);
+        if (has(kFixed, path)) return add_difference(path, before, now);
         out_.numbers.push_back(fmt::format("{}: {} -> {}", path, before, now));
     }
 

@@ -8,7 +8,7 @@
 
 namespace hawser::record {
 
-SceneInfo info_of(const scene::Scene& scene) {
+SceneInfo make_scene_info(const scene::Scene& scene) {
     SceneInfo info{.name = scene.name,
                    .path = scene.path,
                    .text = scene.text,

@@ -29,7 +29,7 @@ struct CableInfo {
     double laid_from = kDefault, laid_to = kDefault;
     /// True if a bare drum keeps one element of it, which ends hauling
     /// (scene::Cable::drum_element).
-    bool keeps_one = false;
+    bool keeps_drum_element = false;
 };
 
 struct SceneInfo {
@@ -45,7 +45,7 @@ struct SceneInfo {
 };
 
 /// Return the data of a scene that was read. The scene may be moved afterwards.
-[[nodiscard]] SceneInfo info_of(const scene::Scene& scene);
+[[nodiscard]] SceneInfo make_scene_info(const scene::Scene& scene);
 
 /// Return the tension in one element after the last step [N]. For a stretch, winch or distance row
 /// it is minus the row's force. For a joint between links it is the magnitude of the force.

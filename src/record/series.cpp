@@ -29,8 +29,8 @@ std::vector<std::int32_t> chosen_bodies(const Recording& recording, std::size_t 
 
 /// Return the tensions of the elements of a wire in a frame. If no element was added or removed,
 /// these are the elements of the start.
-std::span<const float> pulls_of(const Recording& recording, const CableSeries& s,
-                                const Frame& frame) {
+std::span<const float> element_tensions(const Recording& recording, const CableSeries& s,
+                                        const Frame& frame) {
     if (frame.wires != nullptr)
         for (const RecordedWire& wire : *frame.wires)
             if (wire.name == s.name)
@@ -44,7 +44,7 @@ std::span<const float> pulls_of(const Recording& recording, const CableSeries& s
 
 void append(CableSeries& s, const Recording& recording, const Frame& frame) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    const std::span<const float> pulls = pulls_of(recording, s, frame);
+    const std::span<const float> pulls = element_tensions(recording, s, frame);
     const bool none = pulls.empty();
     const auto put = [&](std::vector<double>& to, float value) {  // a broken element has −1
         to.push_back(none ? kNone : std::max(0.0, static_cast<double>(value)));
@@ -144,8 +144,8 @@ Series collect_series(const Recording& recording, std::size_t limit) {
     return series;
 }
 
-std::vector<std::pair<std::size_t, std::size_t>> stretches(const Series& series,
-                                                           const std::vector<double>& values) {
+std::vector<std::pair<std::size_t, std::size_t>> continuous_intervals(
+    const Series& series, const std::vector<double>& values) {
     std::vector<std::pair<std::size_t, std::size_t>> out;
     bool open = false;
     for (std::size_t i = 0; i < values.size(); ++i) {

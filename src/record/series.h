@@ -51,7 +51,7 @@ struct Series {
 
 /// Return the intervals [begin, end) in which a curve is continuous. It breaks at a restored state
 /// and at a frame without value.
-[[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> stretches(
+[[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> continuous_intervals(
     const Series& series, const std::vector<double>& values);
 
 /// Return one line with step, form, duration, hash, instruction set and version.

@@ -21,7 +21,7 @@ constexpr char kSnapshotMagic[8] = {'H', 'A', 'W', 'S', 'E', 'R', 'S', 'T'};
 /// Version 5 has a structure before the state. Both versions contain the scene.
 constexpr std::uint32_t kVersion = 4, kWithStructure = 5;
 
-std::uint32_t checksum_of(std::span<const std::byte> file) {
+std::uint32_t file_checksum(std::span<const std::byte> file) {
     std::uint32_t sum = 0;
     std::memcpy(&sum, file.last(sizeof sum).data(), sizeof sum);
     return sum;
@@ -36,8 +36,8 @@ SceneDifferences differences(const std::string& before, const std::string& now) 
 
 /// Restore a state of a scene with other numbers. They may change the objects of a scene, such as
 /// the elements of a cable.
-void restore_other(World& world, std::span<const std::byte> state,
-                   const std::vector<std::string>& numbers) {
+void restore_variant_state(World& world, std::span<const std::byte> state,
+                           const std::vector<std::string>& numbers) {
     try {
         world.state().restore_variant(state);
     } catch (const DefError& e) {
@@ -52,7 +52,7 @@ void restore_other(World& world, std::span<const std::byte> state,
 void save_snapshot(const std::filesystem::path& file, const SceneInfo& scene, const World& world,
                    bool with_structure) {
     ByteWriter out;
-    out.put_bytes(std::as_bytes(std::span(kSnapshotMagic)));
+    out.write_bytes(std::as_bytes(std::span(kSnapshotMagic)));
     out.put(with_structure ? kWithStructure : kVersion);
     out.put(scene.hash);
     out.put_text(scene.name);
@@ -63,7 +63,7 @@ void save_snapshot(const std::filesystem::path& file, const SceneInfo& scene, co
         PutFields put{out};
         put(world.state().structure());
     }
-    out.put_bytes(world.state().save());
+    out.write_bytes(world.state().save());
     out.put(crc32(out.bytes()));
     if (const std::string fault = write_file(file, out.bytes()); !fault.empty())
         throw SnapshotError(fmt::format("{}: cannot write the snapshot: {}", file.string(), fault));
@@ -78,8 +78,8 @@ std::vector<std::string> restore_snapshot(const std::filesystem::path& file, con
         ByteReader in(bytes);
         if (std::memcmp(in.take(sizeof kSnapshotMagic).data(), kSnapshotMagic,
                         sizeof kSnapshotMagic) != 0)
-            throw BadBytes(base::wrong_kind_or(as_text(bytes), "a saved state", file.string(),
-                                               "not a Hawser snapshot"));
+            throw BadBytes(base::file_kind_error_or(as_text(bytes), "a saved state", file.string(),
+                                                    "not a Hawser snapshot"));
         const auto version = in.get<std::uint32_t>();
         if (version != kVersion && version != kWithStructure)
             throw BadBytes(fmt::format("snapshot format {}, this program reads {} and {}", version,
@@ -88,7 +88,8 @@ std::vector<std::string> restore_snapshot(const std::filesystem::path& file, con
         const std::string name = in.get_text(), text = in.get_text();
         const double time = in.get<double>();
         const auto state_hash = in.get<std::uint64_t>();
-        if (in.left() < 4 || checksum_of(bytes) != crc32(std::span(bytes).first(bytes.size() - 4)))
+        if (in.bytes_left() < 4 ||
+            file_checksum(bytes) != crc32(std::span(bytes).first(bytes.size() - 4)))
             throw BadBytes("the checksum does not match");
         if (hash != scene.hash) {
             SceneDifferences found = differences(text, scene.text);
@@ -101,14 +102,14 @@ std::vector<std::string> restore_snapshot(const std::filesystem::path& file, con
                     "same scene file and the same --step, --form and --scale",
                     time, name, hash, scene.name, scene.hash, found.structure));
             if (!found.numbers.empty()) {
-                restore_other(world, in.take(in.left() - 4), found.numbers);
+                restore_variant_state(world, in.take(in.bytes_left() - 4), found.numbers);
                 return found.numbers;
             }
         }
         Structure made_of;
         GetFields get{in};
         if (version == kWithStructure) get(made_of);
-        const auto state = in.take(in.left() - 4);
+        const auto state = in.take(in.bytes_left() - 4);
         // If the state does not fit, the world stays unchanged.
         const std::vector<std::byte> before = world.state().save();
         const bool other = version == kWithStructure;

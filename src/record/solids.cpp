@@ -23,7 +23,7 @@ struct Face {
     Corner corner;
     Vec3 normal;  ///< Unit vector, outwards.
     double offset = 0.0;
-    bool gone = false;
+    bool is_removed = false;
 };
 
 /// Builds the surface around points.
@@ -66,18 +66,20 @@ class Hull {
         return true;
     }
 
-    void grow(std::uint32_t point) {
-        std::map<std::pair<std::uint32_t, std::uint32_t>, int> rim;
+    void enclose_point(std::uint32_t point) {
+        std::map<std::pair<std::uint32_t, std::uint32_t>, int> seen_edges;
         bool sees = false;
         for (Face& face : faces_) {
             if (face.normal.dot(p_[point]) - face.offset <= kFlat * extent_) continue;
-            face.gone = sees = true;
-            for (std::size_t k = 0; k < 3; ++k) rim[{face.corner[k], face.corner[(k + 1) % 3]}] = 1;
+            face.is_removed = sees = true;
+            for (std::size_t k = 0; k < 3; ++k)
+                seen_edges[{face.corner[k], face.corner[(k + 1) % 3]}] = 1;
         }
         if (!sees) return;
-        std::erase_if(faces_, [](const Face& f) { return f.gone; });
-        for (const auto& [edge, one] : rim)
-            if (!rim.contains({edge.second, edge.first})) add({edge.first, edge.second, point});
+        std::erase_if(faces_, [](const Face& f) { return f.is_removed; });
+        for (const auto& [edge, one] : seen_edges)
+            if (!seen_edges.contains({edge.second, edge.first}))
+                add({edge.first, edge.second, point});
     }
 
     [[nodiscard]] Triangles result() const {
@@ -138,7 +140,7 @@ Triangles convex_surface(std::span<const Vec3> points) {
     if (points.size() < 4) return {};
     Hull hull(points);
     if (!hull.start()) return {};
-    for (std::uint32_t i = 0; i < points.size(); ++i) hull.grow(i);
+    for (std::uint32_t i = 0; i < points.size(); ++i) hull.enclose_point(i);
     return hull.result();
 }
 

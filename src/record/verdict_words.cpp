@@ -39,7 +39,8 @@ const char* remedy_for(const World& world, Judge judge) {
     return remedy(judge);
 }
 
-std::string sentence(const World& world, Judge judge, const Finding& f, const std::string& where) {
+std::string finding_sentence(const World& world, Judge judge, const Finding& f,
+                             const std::string& where) {
     const bool of_body = !f.interaction.valid() && f.body.valid();
     const std::string when = fmt::format("at {:.6g} s", f.time);
     const std::string at = "'" + where + "'" + origin(world, where);

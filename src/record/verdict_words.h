@@ -12,8 +12,8 @@ namespace hawser::record {
 
 /// Return a sentence such as "joint 'l' was open by 1.2 m at 0.4 s". @param where  Joint, element
 /// or body; "": the whole scene.
-[[nodiscard]] std::string sentence(const World& world, Judge judge, const Finding& finding,
-                                   const std::string& where);
+[[nodiscard]] std::string finding_sentence(const World& world, Judge judge, const Finding& finding,
+                                           const std::string& where);
 
 /// Return a sentence about a change of mechanical energy that no work explains: lost if below 0.
 /// @param tense  "" or "had ", before the verb.

@@ -45,7 +45,7 @@ std::string broken_label(const World& world, InteractionId element) {
     return at ? fmt::format("{} ({} at {:.4g} m)", name, at->wire, at->s) : name;
 }
 
-std::string breaking_note(const World& world, const Event& event) {
+std::string describe_breaking(const World& world, const Event& event) {
     if (event.kind != EventKind::line_break || !event.interaction.valid() ||
         !world.alive(event.interaction))
         return {};

@@ -28,6 +28,6 @@ struct WirePosition {
 
 /// Return the tension of a line_break event as a percentage of the line's breaking load, such as
 /// " (131 % of its breaking load)"; "" for other events, and for lines without a breaking load.
-[[nodiscard]] std::string breaking_note(const World& world, const Event& event);
+[[nodiscard]] std::string describe_breaking(const World& world, const Event& event);
 
 }  // namespace hawser::record

@@ -8,7 +8,7 @@ namespace hawser::report {
 
 namespace {
 
-void extend(DegradedSpan& span, const StepStats& s) {
+void extend_interval(DegradedSpan& span, const StepStats& s) {
     if (span.steps++ == 0) {
         span.first = s.step;
         span.begin = s.time;
@@ -34,15 +34,15 @@ void Degradations::after_step(const StepStats& s) {
     // Requested cuts that contacts keep closed are exact.
     if (s.degradation.iterations == 0 && s.compliant == 0 && s.degradation.wires == 0) return;
     const bool goes_on = all.steps > 0 && all.last == s.step - 1;
-    extend(all, s);
-    if (s.degradation.wires > 0) extend(wires, s);
-    if (s.degradation.iterations > 0) extend(friction, s);
-    if (s.compliant != 0) extend(coupling, s);
+    extend_interval(all, s);
+    if (s.degradation.wires > 0) extend_interval(wires, s);
+    if (s.degradation.iterations > 0) extend_interval(friction, s);
+    if (s.compliant != 0) extend_interval(coupling, s);
     ++by_cause[static_cast<std::size_t>(s.degraded_by)];
     if (!goes_on) ++spans;
     if (static_cast<std::size_t>(spans) > kListedSpans) return;
     if (!goes_on) list.emplace_back();
-    extend(list.back(), s);
+    extend_interval(list.back(), s);
 }
 
 }  // namespace hawser::report

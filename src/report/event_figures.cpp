@@ -17,7 +17,7 @@ namespace hawser::report {
 namespace {
 
 /// Return the importance of an event for the reader of a report.
-int rank_of(EventKind kind) {
+int event_importance(EventKind kind) {
     switch (kind) {
         case EventKind::line_break:
         case EventKind::weak_link:
@@ -148,7 +148,7 @@ std::string of_anchors(const EventFigures& e) {
 }
 
 /// Return a text with an event and its number of occurrences.
-std::string what_happened(const EventFigures& e) {
+std::string event_text(const EventFigures& e) {
     if (e.anchors) return of_anchors(e);
     switch (e.kind) {
         case EventKind::line_break:
@@ -238,13 +238,18 @@ std::string reported(const EventFigures& e, const ListedEvent& event) {
     if (e.kind == EventKind::energy_created)
         value = fmt::format(", {} {}", event.value < 0.0 ? "lost" : "gained",
                             record::with_unit(std::abs(event.value), e.unit));
-    else if (e.kind != EventKind::slack)
-        value = *e.unit != '\0' ? ", " + record::with_unit(event.value, e.unit)
-                                : fmt::format(", {:.4g}", event.value + 0.0);
+    else if (e.kind == EventKind::failure_critical)
+        value = fmt::format(", {:.3g} % of the force is missing", 100.0 * event.value);
+    else if (e.kind == EventKind::alarm || e.kind == EventKind::alarm_end)
+        value = fmt::format(", {:.4g} % of the rated load", 100.0 * event.value);
+    else if (*e.unit != '\0')
+        value = ", " + record::with_unit(event.value, e.unit);
+    else if (e.kind != EventKind::slack && e.kind != EventKind::saturation)
+        value = fmt::format(", {:.4g}", event.value + 0.0);
     return fmt::format("{:.4g} s, {}{}{}", event.time, event.where, value, event.note);
 }
 
-std::string place_in_words(const World& world, const Event& event) {
+std::string event_position(const World& world, const Event& event) {
     if (const std::string input = record::input_label(world, event); !input.empty())
         return "the input " + record::name_in_quotes(input);
     if (!event.interaction.valid() && event.body.valid())
@@ -264,8 +269,8 @@ bool is_of_anchor(const World& world, const Event& event) {
 }
 
 ListedEvent listed(const World& world, const Event& event) {
-    return {event.time, to_string(event.kind), place_in_words(world, event), event.value,
-            record::breaking_note(world, event)};
+    return {event.time, to_string(event.kind), event_position(world, event), event.value,
+            record::describe_breaking(world, event)};
 }
 
 }  // namespace
@@ -285,12 +290,12 @@ std::vector<EventFigures> event_figures(const World& world) {
                        anchors});
     }
     std::stable_sort(out.begin(), out.end(), [](const EventFigures& a, const EventFigures& b) {
-        return rank_of(a.kind) < rank_of(b.kind);
+        return event_importance(a.kind) < event_importance(b.kind);
     });
     return out;
 }
 
-std::string events_in_words(const Summary& summary) {
+std::string event_lines(const Summary& summary) {
     std::string text;
     const auto out = std::back_inserter(text);
     fmt::format_to(out, "\n");
@@ -298,7 +303,7 @@ std::string events_in_words(const Summary& summary) {
     const char* label = "  events       ";
     for (const EventFigures& e : summary.happened) {
         fmt::format_to(out, "{}{}: first at {}\n", std::exchange(label, "               "),
-                       what_happened(e), reported(e, e.first));
+                       event_text(e), reported(e, e.first));
         const bool another = e.worst.time != e.first.time || e.worst.where != e.first.where;
         if (another) fmt::format_to(out, "               worst at {}\n", reported(e, e.worst));
     }

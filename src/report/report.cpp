@@ -15,7 +15,7 @@ namespace {
 
 using Out = std::back_insert_iterator<std::string>;
 
-void simulated(Out out, const Summary& s) {
+void print_simulated(Out out, const Summary& s) {
     const double time = s.last.time - s.start_time;
     fmt::format_to(out, "  simulated    {:.6g} s in {} steps of {:.6g} ms", time, s.steps,
                    1e3 * s.step);
@@ -25,12 +25,9 @@ void simulated(Out out, const Summary& s) {
     fmt::format_to(out, "\n");
 }
 
-void times(Out out, const Summary& s) {
+/// Print times of the solver and of the stages of a step.
+void print_solver_times(Out out, const Summary& s) {
     if (s.timed_steps > 0) {
-        fmt::format_to(out, "  step         median {:.4g} ms, p99 {:.4g} ms, max {:.4g} ms",
-                       s.step_ms.median, s.step_ms.p99, s.step_ms.max);
-        fmt::format_to(out, "  (solver {:.4g} ms; first {} steps left out)\n", s.solver_ms.median,
-                       kWarmUpSteps);
         fmt::format_to(out,
                        "  wall, cpu    step p50/p95/p99 {:.4g}/{:.4g}/{:.4g} ms, solver's slowest "
                        "thread {:.4g}/{:.4g}/{:.4g} ms of CPU time\n",
@@ -47,9 +44,6 @@ void times(Out out, const Summary& s) {
             if (s.stage_ms[k] > 1e-3 * s.step_ms.median)
                 fmt::format_to(out, " {} {:.3g}", to_string(static_cast<Stage>(k)), s.stage_ms[k]);
         fmt::format_to(out, "\n");
-    } else {
-        fmt::format_to(out, "  step         not timed: the run has no more than {} steps\n",
-                       kWarmUpSteps);
     }
     if (s.last.plans + s.last.repairs > 1)
         fmt::format_to(out,
@@ -57,39 +51,65 @@ void times(Out out, const Summary& s) {
                        "at most {:.3g} ms\n",
                        s.last.plans, s.last.repairs, s.last.columns_repaired, s.analyses,
                        s.analyse_ms_max);
+}
+
+void print_times(Out out, const Summary& s, Detail detail) {
+    if (s.timed_steps > 0) {
+        fmt::format_to(out, "  step         median {:.4g} ms, p99 {:.4g} ms, max {:.4g} ms  (",
+                       s.step_ms.median, s.step_ms.p99, s.step_ms.max);
+        if (detail == Detail::solver) fmt::format_to(out, "solver {:.4g} ms; ", s.solver_ms.median);
+        fmt::format_to(out, "first {} steps left out)\n", kWarmUpSteps);
+    } else {
+        fmt::format_to(out, "  step         not timed: the run has no more than {} steps\n",
+                       kWarmUpSteps);
+    }
+    if (detail == Detail::solver) print_solver_times(out, s);
     if (s.missed_frames >= 0)
         fmt::format_to(out, "  real time    {} of {} frames late, at most {:.3g} ms\n",
                        s.missed_frames, s.steps, 1e3 * s.lateness_max);
 }
 
-void friction(Out out, const Summary& s) {
+void print_friction(Out out, const Summary& s, Detail detail) {
     const FrictionFigures& f = s.friction;
+    const std::string lost =
+        fmt::format("lost by friction {}, by contact {}",
+                    record::with_unit(s.energy_end.friction - s.energy_start.friction, "J"),
+                    record::with_unit(s.energy_end.contact - s.energy_start.contact, "J"));
     fmt::format_to(out, "  contacts     {:.0f} points in the median step, at most {:.0f}\n",
                    s.contacts_median, s.contacts_max);
-    fmt::format_to(out, "               with them {:.0f} interactions, {:.0f} equations\n",
-                   s.interactions.median, s.equations.median);
-    fmt::format_to(out,
-                   "  friction     natural map p50 {:.2e}, p95 {:.2e}, max {:.2e}; {} of {} steps "
-                   "uncertified\n",
-                   f.natural_map.median, f.natural_map.p95, f.natural_map.max, f.uncertified_steps,
-                   f.steps);
-    fmt::format_to(out,
-                   "               factorisations a step median {:.3g}, p90 {:.3g}, max {:.3g}; "
-                   "lost by friction {}, by contact {}\n",
-                   f.factorisations.median, f.factorisations.p90, f.factorisations.max,
-                   record::with_unit(s.energy_end.friction - s.energy_start.friction, "J"),
-                   record::with_unit(s.energy_end.contact - s.energy_start.contact, "J"));
+    if (detail == Detail::solver) {
+        fmt::format_to(out, "               with them {:.0f} interactions, {:.0f} equations\n",
+                       s.interactions.median, s.equations.median);
+        fmt::format_to(out,
+                       "  friction     natural map p50 {:.2e}, p95 {:.2e}, max {:.2e}; {} of {} "
+                       "steps uncertified\n",
+                       f.natural_map.median, f.natural_map.p95, f.natural_map.max,
+                       f.uncertified_steps, f.steps);
+        fmt::format_to(out,
+                       "               factorisations a step median {:.3g}, p90 {:.3g}, max "
+                       "{:.3g}; {}\n",
+                       f.factorisations.median, f.factorisations.p90, f.factorisations.max, lost);
+    } else {
+        fmt::format_to(out, "  friction     {}", lost);
+        if (f.uncertified_steps > 0)
+            fmt::format_to(out, "; not solved to contact_tolerance in {} of {} steps",
+                           f.uncertified_steps, f.steps);
+        fmt::format_to(out, "\n");
+    }
     if (s.budget_ms <= 0.0 && s.budget_mflop <= 0.0) return;
     fmt::format_to(out, "  budget      ");
     if (s.budget_ms > 0.0)
         fmt::format_to(out, " {:.4g} ms: kept in {:.4g} % of steps;", s.budget_ms,
                        100.0 * s.within_budget);
     if (s.budget_mflop > 0.0) fmt::format_to(out, " {:.4g} Mflop;", s.budget_mflop);
-    fmt::format_to(out, " cut {} steps, residual p50 {:.2e}, max {:.2e}\n", f.cut_steps,
-                   f.cut_residual.median, f.cut_residual.max);
+    fmt::format_to(out, " cut {} steps", f.cut_steps);
+    if (detail == Detail::solver)
+        fmt::format_to(out, ", residual p50 {:.2e}, max {:.2e}", f.cut_residual.median,
+                       f.cut_residual.max);
+    fmt::format_to(out, "\n");
 }
 
-void degradations(Out out, const Summary& s) {
+void print_degradations(Out out, const Summary& s, Detail detail) {
     const Degradations& d = s.degradations;
     if (d.all.steps == 0) return;
     const auto by = [&](DegradedBy cause) { return d.by_cause[static_cast<std::size_t>(cause)]; };
@@ -102,7 +122,7 @@ void degradations(Out out, const Summary& s) {
     if (d.all.foreseen > 0.0)
         fmt::format_to(out, "; another iteration would have ended by {:.4g} ms",
                        1e3 * d.all.foreseen);
-    if (d.coupling.steps > 0)
+    if (detail == Detail::solver && d.coupling.steps > 0)
         fmt::format_to(out,
                        "; momentum defect of compliant cuts at most {:.2e} of h g m, of one {:.3g} "
                        "N s",
@@ -110,7 +130,7 @@ void degradations(Out out, const Summary& s) {
     fmt::format_to(out, "\n");
 }
 
-void coupling(Out out, const Summary& s) {
+void print_coupling(Out out, const Summary& s) {
     const verify::CouplingFigures& c = s.coupling;
     fmt::format_to(out,
                    "  split        {}, predictor {}: {} cuts, {} islands; interface residual "
@@ -128,17 +148,19 @@ void coupling(Out out, const Summary& s) {
         c.jerk_max, c.jerk_exact_max, c.jerk_difference_max);
 }
 
-void quality(Out out, const Summary& s) {
+void print_quality(Out out, const Summary& s, Detail detail) {
     fmt::format_to(out, "  margins      of the limits at which a step fails: {}\n",
                    margins(s.verdict));
-    fmt::format_to(out, "  residuals    momentum {:.2e} (median {:.2e}), constraint {:.2e}\n",
-                   s.momentum_residual_max, s.momentum_residual_median, s.constraint_residual_max);
+    if (detail == Detail::solver)
+        fmt::format_to(out, "  residuals    momentum {:.2e} (median {:.2e}), constraint {:.2e}\n",
+                       s.momentum_residual_max, s.momentum_residual_median,
+                       s.constraint_residual_max);
     fmt::format_to(out, "  violation    {} at {} ({:.4g} s)\n",
                    record::with_unit(s.violation_max, "m"), s.violation_where, s.violation_time);
-    if (s.contacts_max > 0.0) friction(out, s);
-    degradations(out, s);
-    if (s.coupling.steps > 0) coupling(out, s);
-    if (s.parts > 0)
+    if (s.contacts_max > 0.0) print_friction(out, s, detail);
+    print_degradations(out, s, detail);
+    if (detail == Detail::solver && s.coupling.steps > 0) print_coupling(out, s);
+    if (detail == Detail::solver && s.parts > 0)
         fmt::format_to(out,
                        "  groups       {} parts, checked every {} steps: regrouped {} times, {} "
                        "bodies moved\n",
@@ -146,7 +168,7 @@ void quality(Out out, const Summary& s) {
     if (s.asleep_max > 0.0)
         fmt::format_to(out, "  asleep       {:.0f} bodies in the median step, at most {:.0f}\n",
                        s.asleep_median, s.asleep_max);
-    out = fmt::format_to(out, "{}", to_text(s.verified));
+    out = fmt::format_to(out, "{}", to_text(s.verified, detail));
     if (s.sea.points > 0)
         fmt::format_to(out,
                        "  sea          velocities at {} points off by {:.1e} of the significant "
@@ -182,11 +204,11 @@ void quality(Out out, const Summary& s) {
     fmt::format_to(out, "\n");
 }
 
-void cables(Out out, const Summary& s) {
+void print_cables(Out out, const Summary& s) {
     // Pieces of cables that were cut have lines of their own: that of the cable is of all of them.
     std::vector<CableFigures> all = s.cables;
     for (const WireFigures& w : s.wires)
-        if (w.came)
+        if (w.is_cut_piece)
             all.push_back(
                 {w.name, w.tension.least, w.tension.mean, w.tension.greatest, w.breaking_load});
     if (all.empty()) return;
@@ -207,7 +229,7 @@ void cables(Out out, const Summary& s) {
         fmt::format_to(out, "  … and {} more (see --summary)\n", all.size() - kShown);
 }
 
-void bodies(Out out, const Summary& s) {
+void print_bodies(Out out, const Summary& s) {
     if (s.bodies.empty()) return;
     constexpr std::size_t kShown = 12;
     std::size_t width = 5;
@@ -224,14 +246,21 @@ void bodies(Out out, const Summary& s) {
 
 }  // namespace
 
-std::string to_text(const verify::Verification& v) {
+std::string to_text(const verify::Verification& v, Detail detail) {
     if (v.steps == 0) return "";
-    std::string text = fmt::format(
-        "  verified     {} steps: natural map {:.2e} (differs by {:.2e}), momentum of {} of {} "
-        "bodies {:.2e}, bounds {:.2e}\n               of the failure limits: energy {:.2g} %, lost "
+    std::string text =
+        detail == Detail::solver
+            ? fmt::format(
+                  "  verified     {} steps: natural map {:.2e} (differs by {:.2e}), momentum "
+                  "of {} of {} bodies {:.2e}, bounds {:.2e}\n",
+                  v.steps, v.natural_map, v.difference, v.covered_bodies, v.moving_bodies,
+                  v.momentum, v.bounds)
+            : fmt::format("  verified     {} steps, {} of {} bodies\n", v.steps, v.covered_bodies,
+                          v.moving_bodies);
+    text += fmt::format(
+        "               of the failure limits: energy {:.2g} %, lost "
         "{:.2g} %, joints {:.2g} %, cable law {:.2g} %, turns {:.2g} %\n",
-        v.steps, v.natural_map, v.difference, v.covered_bodies, v.moving_bodies, v.momentum,
-        v.bounds, 100.0 * v.states.created, 100.0 * v.states.lost, 100.0 * v.states.open,
+        100.0 * v.states.created, 100.0 * v.states.lost, 100.0 * v.states.open,
         100.0 * v.states.cable, 100.0 * v.states.turn);
     if (v.states.edited > 0.0)
         text += fmt::format(
@@ -242,7 +271,7 @@ std::string to_text(const verify::Verification& v) {
     return text;
 }
 
-std::string to_text(const Summary& s) {
+std::string to_text(const Summary& s, Detail detail) {
     std::string text;
     const Out out = std::back_inserter(text);
     const bool doubtful = s.verdict.verdict.grade != Grade::good;
@@ -254,26 +283,31 @@ std::string to_text(const Summary& s) {
         fmt::format_to(out, "  not verified the step to {:.6g} s is wrong: {}\n", s.last.time,
                        s.objection);
     if (doubtful)
-        fmt::format_to(out, "  {:<11}  {}\n", to_string(s.verdict.verdict.grade), s.verdict.said);
-    simulated(out, s);
+        fmt::format_to(out, "  {:<11}  {}\n", to_string(s.verdict.verdict.grade),
+                       s.verdict.description);
+    print_simulated(out, s);
     constexpr std::size_t kWarnings = 5;
     for (std::size_t i = 0; i < std::min(kWarnings, s.warnings.size()); ++i)
         fmt::format_to(out, "  warning      {}\n", s.warnings[i]);
     if (s.warnings.size() > kWarnings)
         fmt::format_to(out, "  warning      and {} more of the start (see --summary)\n",
                        s.warnings.size() - kWarnings);
-    cables(out, s);
-    bodies(out, s);
-    text += events_in_words(s);
-    text += wires_in_words(s.wires, s.parted);
-    fmt::format_to(out, "\n  system       {} bodies, {} interactions, {} equations, {} island{}\n",
-                   s.last.bodies, s.last.interactions, s.last.equations, s.last.islands,
-                   s.last.islands == 1 ? "" : "s");
-    fmt::format_to(out, "  matrix       {} scalars, factor {}, {:.4g} Mflop a factorisation\n",
-                   s.last.matrix_nnz, s.last.factor_nnz,
-                   1e-6 * static_cast<double>(s.last.factor_flops));
-    times(out, s);
-    quality(out, s);
+    print_cables(out, s);
+    print_bodies(out, s);
+    text += event_lines(s);
+    text += wire_lines(s.wires, s.broken_wires);
+    fmt::format_to(out, "\n  system       {} bodies, {} interactions", s.last.bodies,
+                   s.last.interactions);
+    if (detail == Detail::solver)
+        fmt::format_to(out,
+                       ", {} equations, {} island{}\n  matrix       {} scalars, factor {}, {:.4g} "
+                       "Mflop a factorisation",
+                       s.last.equations, s.last.islands, s.last.islands == 1 ? "" : "s",
+                       s.last.matrix_nnz, s.last.factor_nnz,
+                       1e-6 * static_cast<double>(s.last.factor_flops));
+    fmt::format_to(out, "\n");
+    print_times(out, s, detail);
+    print_quality(out, s, detail);
     fmt::format_to(out, "  state hash   {:016x}  (scene {:016x}, {}, {} thread{}, Hawser {})\n",
                    s.state_hash, s.scene_hash, instruction_set(), s.threads,
                    s.threads == 1 ? "" : "s", version());

@@ -8,21 +8,21 @@ namespace hawser::report {
 
 void Samples::add(double value) {
     max_ = count_ == 0 ? value : std::max(max_, value);
-    if (count_ % every_ == 0) {
-        if (kept_.size() == capacity_) {
+    if (count_ % sample_interval_ == 0) {
+        if (samples_.size() == capacity_) {
             std::size_t n = 0;
-            for (std::size_t i = 0; i < kept_.size(); i += 2) kept_[n++] = kept_[i];
-            kept_.resize(n);
-            every_ *= 2;
+            for (std::size_t i = 0; i < samples_.size(); i += 2) samples_[n++] = samples_[i];
+            samples_.resize(n);
+            sample_interval_ *= 2;
         }
-        if (count_ % every_ == 0) kept_.push_back(value);
+        if (count_ % sample_interval_ == 0) samples_.push_back(value);
     }
     ++count_;
 }
 
 double Samples::quantile(double q) const {
-    if (kept_.empty()) return 0.0;
-    std::vector<double> sorted = kept_;
+    if (samples_.empty()) return 0.0;
+    std::vector<double> sorted = samples_;
     const double at = std::clamp(q, 0.0, 1.0) * static_cast<double>(sorted.size() - 1);
     const auto below = static_cast<std::size_t>(std::floor(at));
     const auto nth = sorted.begin() + static_cast<std::ptrdiff_t>(below);

@@ -25,9 +25,9 @@ class Samples {
 
   private:
     std::size_t capacity_ = 262144;
-    std::vector<double> kept_;
+    std::vector<double> samples_;
     std::int64_t count_ = 0;
-    std::int64_t every_ = 1;
+    std::int64_t sample_interval_ = 1;
     double max_ = 0.0;
 };
 

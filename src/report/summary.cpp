@@ -19,7 +19,7 @@ namespace hawser::report {
 
 namespace {
 
-std::string place_of(const World& world, const Event& event) {
+std::string event_location(const World& world, const Event& event) {
     std::string input = record::input_label(world, event);
     return input.empty() ? record::position_label(world, event.interaction, event.body) : input;
 }
@@ -102,7 +102,7 @@ void SummaryCollector::after_step(const World& world, std::span<const Event> eve
         const bool line = event.kind == EventKind::slack || event.kind == EventKind::taut;
         if (listed_[line ? 0 : 1]++ < kListedEvents)
             summary_.events.push_back(
-                {event.time, to_string(event.kind), place_of(world, event), event.value});
+                {event.time, to_string(event.kind), event_location(world, event), event.value});
     }
     summary_.degradations.after_step(stats);
     watch_joints(world);
@@ -211,12 +211,12 @@ Summary SummaryCollector::result(const World& world) const {
     Summary out = summary_;
     out.last = world.stats();
     out.happened = event_figures(world);
-    out.verdict = in_words(world, world.verdict());
+    out.verdict = verdict_in_words(world, world.verdict());
     out.sea = sea_accuracy(world);
     if (out.incomplete > limit::kIncomplete && out.verdict.verdict.grade == Grade::good) {
         out.verdict.verdict.grade = Grade::doubtful;
         out.verdict.verdict.judge = Judge::certificate;
-        out.verdict.said = fmt::format(
+        out.verdict.description = fmt::format(
             "joints were solved approximately in {:.2g} % of the steps of {:.0f} s before {:.6g} "
             "s; use a smaller step (settings.step), or fewer redundant joints",
             100.0 * out.incomplete, limit::kMemory, out.incomplete_time);
@@ -254,7 +254,7 @@ Summary SummaryCollector::result(const World& world) const {
             out.cables[c].min = out.cables[c].max = 0.0;
     }
     out.wires = wires_.result(world);
-    out.parted = wires_.parted();
+    out.broken_wires = wires_.broken_wires();
     out.state_hash = world.state().hash();
     out.load_end = record::load_average();
     out.world_memory = world.solver().memory_bytes();

@@ -126,7 +126,7 @@ struct Summary {
     std::vector<std::string> warnings;   ///< Warnings of the start, in words.
     std::vector<CableFigures> cables;
     std::vector<WireFigures> wires;
-    std::vector<BrokenWire> parted;  ///< The first ones, in order.
+    std::vector<BrokenWire> broken_wires;  ///< The first ones, in order.
     std::vector<BodyFigures> bodies;
     std::uint64_t state_hash = 0;
     int threads = 1;
@@ -190,15 +190,18 @@ class SummaryCollector : public Observer {
 
 [[nodiscard]] std::string to_json(const Summary& summary);
 
+/// Figures of a report: those for users, or also those of the solver (option --verbose).
+enum class Detail : std::uint8_t { user, solver };
+
 /// Return a page of text for the end of a run: figures for users first, the solver last.
-[[nodiscard]] std::string to_text(const Summary& summary);
+[[nodiscard]] std::string to_text(const Summary& summary, Detail detail);
 
 /// Return the lines about --verify; "" without a verified step.
-[[nodiscard]] std::string to_text(const verify::Verification& verified);
+[[nodiscard]] std::string to_text(const verify::Verification& verified, Detail detail);
 
 /// Return the first and worst event of each kind in the world (event_figures.cpp).
 [[nodiscard]] std::vector<EventFigures> event_figures(const World& world);
 /// Return the lines of a report about them.
-[[nodiscard]] std::string events_in_words(const Summary& summary);
+[[nodiscard]] std::string event_lines(const Summary& summary);
 
 }  // namespace hawser::report

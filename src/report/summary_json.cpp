@@ -26,11 +26,11 @@ const char* form_name(Form form) {
     return "auto";
 }
 
-Json spread(const Spread& s) {
+Json spread_json(const Spread& s) {
     return {{"median", s.median}, {"p95", s.p95}, {"p99", s.p99}, {"max", s.max}};
 }
 
-Json friction(const FrictionFigures& f) {
+Json friction_json(const FrictionFigures& f) {
     const Spread &map = f.natural_map, &work = f.factorisations;
     return {{"steps", f.steps},
             {"natural_map", {{"p50", map.median}, {"p95", map.p95}, {"max", map.max}}},
@@ -39,7 +39,7 @@ Json friction(const FrictionFigures& f) {
             {"uncertified_steps", f.uncertified_steps}};
 }
 
-Json budget(const Summary& s) {
+Json budget_json(const Summary& s) {
     const FrictionFigures& f = s.friction;
     const auto limit = [](double value) { return value > 0.0 ? Json(value) : Json(); };
     return {{"ms", limit(s.budget_ms)},
@@ -49,7 +49,7 @@ Json budget(const Summary& s) {
             {"within", s.budget_ms > 0.0 ? Json(s.within_budget) : Json()}};
 }
 
-Json degraded_span(const DegradedSpan& d) {
+Json degraded_span_json(const DegradedSpan& d) {
     if (d.steps == 0) return {{"steps", 0}};
     return {{"steps", d.steps},
             {"first_step", d.first},
@@ -65,22 +65,22 @@ Json degraded_span(const DegradedSpan& d) {
             {"cause", to_string(d.cause)}};
 }
 
-Json degradations(const Summary& s) {
+Json degradations_json(const Summary& s) {
     const Degradations& d = s.degradations;
     Json causes = Json::object(), list = Json::array();
     for (int k = 1; k < kDegradedByCount; ++k)
         causes[to_string(static_cast<DegradedBy>(k))] = d.by_cause[static_cast<std::size_t>(k)];
-    for (const DegradedSpan& span : d.list) list.push_back(degraded_span(span));
+    for (const DegradedSpan& span : d.list) list.push_back(degraded_span_json(span));
     return {{"steps", d.all.steps},
             {"causes", causes},
-            {"wires", degraded_span(d.wires)},
-            {"friction", degraded_span(d.friction)},
-            {"coupling", degraded_span(d.coupling)},
+            {"wires", degraded_span_json(d.wires)},
+            {"friction", degraded_span_json(d.friction)},
+            {"coupling", degraded_span_json(d.coupling)},
             {"spans", d.spans},
             {"list", list}};
 }
 
-Json coupling(const Summary& s) {
+Json coupling_json(const Summary& s) {
     const verify::CouplingFigures& c = s.coupling;
     return {{"coupling", verify::to_string(c.coupling)},
             {"predictor", verify::to_string(c.predictor)},
@@ -134,7 +134,7 @@ Json energy_balance(const Summary& s) {
             {"drift_relative", s.energy_scale > 0.0 ? Json(drift / s.energy_scale) : Json()}};
 }
 
-Json cables(const Summary& s) {
+Json cables_json(const Summary& s) {
     Json out = Json::object();
     for (const CableFigures& c : s.cables)
         out[c.name] = {{"min", c.min},
@@ -146,7 +146,7 @@ Json cables(const Summary& s) {
     return out;
 }
 
-Json bodies(const Summary& s) {
+Json bodies_json(const Summary& s) {
     Json out = Json::object();
     for (const BodyFigures& b : s.bodies)
         out[b.name] = {{"displacement_max", b.displacement},
@@ -155,7 +155,7 @@ Json bodies(const Summary& s) {
     return out;
 }
 
-Json verdict(const VerdictText& text) {
+Json verdict_json(const VerdictText& text) {
     const auto number = [](double x) { return std::isfinite(x) ? Json(x) : Json(); };
     Json judges = Json::object();
     for (std::size_t k = 0; k < kJudgeCount; ++k) {
@@ -166,7 +166,8 @@ Json verdict(const VerdictText& text) {
                                                     {"time", f.time},
                                                     {"where", text.where[k]}};
     }
-    return {{"grade", to_string(text.verdict.grade)}, {"said", text.said}, {"margins", judges}};
+    return {
+        {"grade", to_string(text.verdict.grade)}, {"said", text.description}, {"margins", judges}};
 }
 
 Json event_counts(const Summary& s) {
@@ -194,7 +195,7 @@ Json event_list(const Summary& s) {
     return out;
 }
 
-Json sizes(const Summary& s) {
+Json sizes_json(const Summary& s) {
     const StepStats& last = s.last;
     return {{"bodies", last.bodies},
             {"interactions", last.interactions},
@@ -209,16 +210,16 @@ Json sizes(const Summary& s) {
             {"flops", last.factor_flops}};
 }
 
-Json times(const Summary& s) {
+Json times_json(const Summary& s) {
     Json stages = Json::object();
     for (int k = 0; k < kStageCount; ++k)
         stages[to_string(static_cast<Stage>(k))] = s.stage_ms[static_cast<std::size_t>(k)];
     return {{"timed_steps", s.timed_steps},
-            {"step_ms", spread(s.step_ms)},
-            {"solver_ms", spread(s.solver_ms)},
-            {"solver_cpu_ms", spread(s.solver_cpu_ms)},
-            {"step_cpu_ms", spread(s.step_cpu_ms)},
-            {"factorisations", spread(s.factorisations)},
+            {"step_ms", spread_json(s.step_ms)},
+            {"solver_ms", spread_json(s.solver_ms)},
+            {"solver_cpu_ms", spread_json(s.solver_cpu_ms)},
+            {"step_cpu_ms", spread_json(s.step_cpu_ms)},
+            {"factorisations", spread_json(s.factorisations)},
             {"stage_ms", stages},
             {"analyses",
              {{"steps", s.analyses},
@@ -228,7 +229,7 @@ Json times(const Summary& s) {
               {"columns_repaired", s.last.columns_repaired}}}};
 }
 
-Json machine(const Summary& s) {
+Json machine_json(const Summary& s) {
     return {{"threads", s.threads},
             {"instruction_set", instruction_set()},
             {"processor", record::processor_model()},
@@ -247,23 +248,23 @@ std::string to_json(const Summary& s) {
              {"scene_hash", fmt::format("{:016x}", s.scene_hash)},
              {"outcome", s.outcome},
              {"status", to_string(s.last.status)},
-             {"verdict", verdict(s.verdict)}};
-    out.update(sizes(s));
+             {"verdict", verdict_json(s.verdict)}};
+    out.update(sizes_json(s));
     out.update(Json{{"steps", s.steps},
                     {"step", s.step},
                     {"form", form_name(s.form)},
                     {"time", {{"start", s.start_time}, {"end", s.last.time}}},
                     {"wall_seconds", s.wall_seconds}});
-    out.update(times(s));
+    out.update(times_json(s));
     if (s.budget_ms > 0.0 || s.budget_mflop > 0.0)
-        out.update(Json{{"budget", budget(s)}, {"degradations", degradations(s)}});
-    if (s.coupling.steps > 0) out["coupling"] = coupling(s);
+        out.update(Json{{"budget", budget_json(s)}, {"degradations", degradations_json(s)}});
+    if (s.coupling.steps > 0) out["coupling"] = coupling_json(s);
     if (s.parts > 0)
         out["groups"] = {{"parts", s.parts},
                          {"regroup_every", s.regroup_every},
                          {"regroupings", s.last.regroupings},
                          {"bodies_moved", s.last.regrouped_bodies}};
-    out["friction"] = friction(s.friction);
+    out["friction"] = friction_json(s.friction);
     if (const verify::Verification& v = s.verified; v.steps > 0)
         out["verified"] = {{"objection", s.objection},
                            {"verified_steps", v.steps},
@@ -295,15 +296,15 @@ std::string to_json(const Summary& s) {
         {"event_extremes", event_extremes(s)},
         {"start_warnings", s.warnings},
         {"events", event_list(s)},
-        {"parted", broken_json(s.parted)},
+        {"parted", broken_json(s.broken_wires)},
         {"wires", wires_json(s.wires)},
-        {"tensions", cables(s)},
-        {"motions", bodies(s)},
+        {"tensions", cables_json(s)},
+        {"motions", bodies_json(s)},
         {"growths", s.last.growths},
         {"state_hash", fmt::format("{:016x}", s.state_hash)}});
     if (s.missed_frames >= 0)
         out["realtime"] = {{"missed_frames", s.missed_frames}, {"lateness_max", s.lateness_max}};
-    out.update(machine(s));
+    out.update(machine_json(s));
     // Names in scenes are UTF-8 already; replace rather than throw if one is not.
     return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -14,11 +14,12 @@ namespace hawser::report {
 struct VerdictText {
     Verdict verdict{};
     std::array<std::string, kJudgeCount>
-        where{};       ///< Affected object of each monitor; "": the whole scene.
-    std::string said;  ///< Description of a failed or suspect result with place, time and remedy;
-                       ///< "" if good.
+        where{};  ///< Affected object of each monitor; "": the whole scene.
+    std::string
+        description;  ///< Description of a failed or suspect result with place, time and remedy;
+                      ///< "" if good.
 };
-[[nodiscard]] VerdictText in_words(const World& world, const Verdict& verdict);
+[[nodiscard]] VerdictText verdict_in_words(const World& world, const Verdict& verdict);
 
 /// Return the monitors with their fractions of the limits, for a report.
 [[nodiscard]] std::string margins(const VerdictText& text);

@@ -24,7 +24,7 @@ void follow(Course& course, double now, bool first) {
     course.most = std::max(course.most, now);
 }
 
-double nodes_there(const World& world, WireId wire) {
+double count_nodes(const World& world, WireId wire) {
     const auto nodes = world.wires().nodes(wire);
     return static_cast<double>(
         std::count_if(nodes.begin(), nodes.end(), [&](BodyId id) { return world.alive(id); }));
@@ -59,7 +59,7 @@ std::string count_from_to(const Course& c) {
 void WireWatch::sample(const World& world, Watched& w, bool first) {
     const auto elements = world.wires().elements(w.id);
     const double length = world.wires().length(w.id);
-    follow(w.figures.nodes, nodes_there(world, w.id), first);
+    follow(w.figures.nodes, count_nodes(world, w.id), first);
     follow(w.figures.length, length, first);
     w.elements.assign(elements.begin(), elements.end());
     w.fraction.assign(elements.size(), -1);
@@ -88,7 +88,7 @@ void WireWatch::sample(const World& world, Watched& w, bool first) {
 }
 
 /// Record the present resolution of wires. If the list is full, remove every other time.
-void WireWatch::note_times(const World& world) {
+void WireWatch::record_edit_times(const World& world) {
     for (Watched& w : wires_) {
         if (!world.alive(w.id)) continue;
         WireFigures& f = w.figures;
@@ -108,7 +108,7 @@ WireWatch::WireWatch(const World& world) {
     known_.assign(world.wires().ids().begin(), world.wires().ids().end());
 }
 
-void WireWatch::add(const World& world, WireId id, bool came) {
+void WireWatch::add(const World& world, WireId id, bool is_cut_piece) {
     const std::size_t shares =
         std::clamp<std::size_t>(world.wires().elements(id).size(), 1, kShares);
     Watched one{.id = id, .figures = {}};
@@ -116,7 +116,7 @@ void WireWatch::add(const World& world, WireId id, bool came) {
     one.counted.assign(shares, 0);
     one.figures.name = world.wires().name(id);
     one.figures.since = world.time();
-    one.figures.came = came;
+    one.figures.is_cut_piece = is_cut_piece;
     one.figures.along.assign(shares, {HUGE_VAL, 0.0, -HUGE_VAL});
     sample(world, one, true);
     wires_.push_back(std::move(one));
@@ -133,8 +133,8 @@ void WireWatch::add_pieces(const World& world) {
 
 void WireWatch::after_step(const World& world, std::span<const Event> events) {
     for (const Event& event : events) {
-        if (event.kind != EventKind::line_break || parted_.size() >= kMaxBroken) continue;
-        if (world.alive(event.interaction)) parted_.push_back(broken_wire(world, event));
+        if (event.kind != EventKind::line_break || broken_.size() >= kMaxBroken) continue;
+        if (world.alive(event.interaction)) broken_.push_back(broken_wire(world, event));
     }
     add_pieces(world);
     const bool due = steps_ % kSampleEvery == 0, noted = steps_ % noted_every_ == 0;
@@ -157,7 +157,7 @@ void WireWatch::after_step(const World& world, std::span<const Event> events) {
             ++w.counted[k];
         }
     }
-    if (noted) note_times(world);
+    if (noted) record_edit_times(world);
 }
 
 std::vector<WireFigures> WireWatch::result(const World& world) const {
@@ -182,19 +182,19 @@ std::vector<WireFigures> WireWatch::result(const World& world) const {
             whole.mean /= tensions;
             w.figures.tension = whole;
         }
-        for (const BrokenWire& p : parted_)
-            if (p.wire == w.figures.name) w.figures.parted.push_back(p);
+        for (const BrokenWire& p : broken_)
+            if (p.wire == w.figures.name) w.figures.broken_wires.push_back(p);
         out.push_back(std::move(w.figures));
     }
     return out;
 }
 
-std::string wires_in_words(const std::vector<WireFigures>& wires,
-                           const std::vector<BrokenWire>& parted) {
+std::string wire_lines(const std::vector<WireFigures>& wires,
+                       const std::vector<BrokenWire>& broken_wires) {
     std::string text;
     const auto out = std::back_inserter(text);
-    for (std::size_t i = 0; i < std::min(kShownBroken, parted.size()); ++i) {
-        const BrokenWire& p = parted[i];
+    for (std::size_t i = 0; i < std::min(kShownBroken, broken_wires.size()); ++i) {
+        const BrokenWire& p = broken_wires[i];
         fmt::format_to(out, "  {:<11}  ", i == 0 ? "parted" : "");
         if (!p.wire.empty())
             fmt::format_to(out, "the wire {} at s = {} of {}, ", record::name_in_quotes(p.wire),
@@ -202,17 +202,18 @@ std::string wires_in_words(const std::vector<WireFigures>& wires,
         fmt::format_to(out, "element {}, at {:.6g} s with {}\n", record::name_in_quotes(p.element),
                        p.time, record::with_unit(p.tension, "N"));
     }
-    if (parted.size() > kShownBroken)
+    if (broken_wires.size() > kShownBroken)
         fmt::format_to(out, "  {:<11}  and {} more (see --summary)\n", "",
-                       parted.size() - kShownBroken);
+                       broken_wires.size() - kShownBroken);
     // Wires without changes are reported in the table of cables.
     std::size_t shown = 0;
     for (const WireFigures& w : wires) {
         const bool changes =
             w.nodes.least != w.nodes.most || w.length.most - w.length.least > 1e-9 * w.length.most;
-        if ((!changes && w.parted.empty() && !w.came) || ++shown > kShownWires) continue;
+        if ((!changes && w.broken_wires.empty() && !w.is_cut_piece) || ++shown > kShownWires)
+            continue;
         const std::string since =
-            w.came ? ", a piece since " + record::with_unit(w.since, "s") : std::string();
+            w.is_cut_piece ? ", a piece since " + record::with_unit(w.since, "s") : std::string();
         fmt::format_to(out, "  {:<11}  {}{}: nodes {}, elements {} to {}, unstretched length {}",
                        shown == 1 ? "wires" : "", record::name_in_quotes(w.name), since,
                        count_from_to(w.nodes), record::with_unit(w.shortest.least, "m"),

@@ -44,7 +44,7 @@ struct Resolved {
 struct WireFigures {
     std::string name;
     double since = 0.0;           ///< Time of its creation [s].
-    bool came = false;            ///< True if it is a piece of a wire that was cut in the run.
+    bool is_cut_piece = false;    ///< True if it is a piece of a wire that was cut in the run.
     Course nodes;                 ///< Number of nodes, including the bodies at the ends.
     Course length;                ///< Unstretched [m].
     Course shortest, longest;     ///< Element, unstretched [m].
@@ -54,7 +54,7 @@ struct WireFigures {
         along;                   ///< Tensions in equal parts of its length, from the first end on.
     TensionAlong tension{};      ///< Tension over its whole length.
     double breaking_load = 0.0;  ///< Breaking load of its weakest element [N]; 0: unbreakable.
-    std::vector<BrokenWire> parted{};  ///< First breaks in the order of time.
+    std::vector<BrokenWire> broken_wires{};  ///< First breaks in the order of time.
 };
 
 /// Observes the wires at the start of a world and the pieces that are cut from them. Tensions are
@@ -70,7 +70,7 @@ class WireWatch {
     void after_step(const World& world, std::span<const Event> events);
     [[nodiscard]] std::vector<WireFigures> result(const World& world) const;
     /// Return the first breaks in the order of time.
-    [[nodiscard]] const std::vector<BrokenWire>& parted() const noexcept { return parted_; }
+    [[nodiscard]] const std::vector<BrokenWire>& broken_wires() const noexcept { return broken_; }
 
   private:
     struct Watched {
@@ -83,19 +83,19 @@ class WireWatch {
         std::vector<std::size_t> counted{};  ///< Number of tensions in that sum.
     };
     static void sample(const World& world, Watched& w, bool first);
-    void add(const World& world, WireId id, bool came);
+    void add(const World& world, WireId id, bool is_cut_piece);
     void add_pieces(const World& world);
-    void note_times(const World& world);
+    void record_edit_times(const World& world);
 
     std::vector<Watched> wires_;
     std::vector<WireId> known_;  ///< Wires of the world at the last call of add_pieces().
-    std::vector<BrokenWire> parted_;
+    std::vector<BrokenWire> broken_;
     int steps_ = 0;
     int noted_every_ = kSampleEvery;  ///< Steps.
 };
 
 /// Return the lines of a report about the wires.
-[[nodiscard]] std::string wires_in_words(const std::vector<WireFigures>& wires,
-                                         const std::vector<BrokenWire>& parted);
+[[nodiscard]] std::string wire_lines(const std::vector<WireFigures>& wires,
+                                     const std::vector<BrokenWire>& broken_wires);
 
 }  // namespace hawser::report

@@ -9,7 +9,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-Json course(const Course& c) {
+Json course_json(const Course& c) {
     return {{"start", c.start}, {"end", c.now}, {"least", c.least}, {"most", c.most}};
 }
 
@@ -46,14 +46,14 @@ Json wires_json(const std::vector<WireFigures>& wires) {
         }
         out[w.name] = {
             {"since", w.since},
-            {"nodes", course(w.nodes)},
-            {"length", course(w.length)},
-            {"shortest", course(w.shortest)},
-            {"longest", course(w.longest)},
-            {"mass", course(w.mass)},
+            {"nodes", course_json(w.nodes)},
+            {"length", course_json(w.length)},
+            {"shortest", course_json(w.shortest)},
+            {"longest", course_json(w.longest)},
+            {"mass", course_json(w.mass)},
             {"resolution",
              {{"time", time}, {"nodes", nodes}, {"shortest", shortest}, {"longest", longest}}},
-            {"parted", broken_json(w.parted)},
+            {"parted", broken_json(w.broken_wires)},
             {"tension_along", {{"least", least}, {"mean", mean}, {"greatest", greatest}}}};
     }
     return out;

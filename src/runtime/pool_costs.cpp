@@ -13,7 +13,7 @@ namespace hawser {
 namespace {
 
 /// Return the quantile of v at the fraction `fraction`; 0 if v is empty.
-double below(std::vector<double>& v, double fraction) {
+double quantile(std::vector<double>& v, double fraction) {
     if (v.empty()) return 0.0;
     const auto at =
         v.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(v.size()));
@@ -88,10 +88,10 @@ PoolCosts measure_pool_costs() {
     // Other programs can only lengthen samples; on a busy machine they lengthen nearly all of them.
     // Gaps are short and many, so that their median is not affected. If the threads never ran
     // together, the bound kAway is the only estimate.
-    costs.start = samples.start.empty() ? kAway : below(samples.start, 0.1);
-    costs.join = below(samples.join, 0.02);
-    costs.wake = below(samples.wake, 0.0);
-    costs.deal = std::max(0.0, below(samples.gap, 0.5) - below(samples.alone, 0.5));
+    costs.start = samples.start.empty() ? kAway : quantile(samples.start, 0.1);
+    costs.join = quantile(samples.join, 0.02);
+    costs.wake = quantile(samples.wake, 0.0);
+    costs.deal = std::max(0.0, quantile(samples.gap, 0.5) - quantile(samples.alone, 0.5));
     return costs;
 }
 

@@ -20,10 +20,14 @@ double sum(const std::vector<double>& v) noexcept {
 class Dealer {
   public:
     Dealer(const LoopTimes& loop, double deal, std::vector<double>& free)
-        : loop_(loop), waits_(loop.waits), deal_(deal), free_(free), left_(loop.task.size()) {
-        if (independent()) return;
+        : loop_times_(loop),
+          wait_times_(loop.waits),
+          dealing_time_(deal),
+          thread_free_at_(free),
+          tasks_left_(loop.task.size()) {
+        if (all_independent()) return;
         blocked_.assign(loop.task.size(), 0);
-        for (const std::int32_t v : waits_.next) ++blocked_[at(v)];
+        for (const std::int32_t v : wait_times_.next) ++blocked_[at(v)];
         for (std::size_t i = 0; i < blocked_.size(); ++i)
             if (blocked_[i] == 0) release(i);
     }
@@ -31,13 +35,13 @@ class Dealer {
     /// Run all tasks of the loop. @return end of the last task [s].
     double run(std::vector<TraceSpan>* spans, const TraceSpan& like) {
         double last = 0.0, ticket = 0.0;
-        for (; left_ > 0; --left_) {
-            const auto thread = std::min_element(free_.begin(), free_.end());
-            ticket = std::max(*thread, ticket) + deal_;
+        for (; tasks_left_ > 0; --tasks_left_) {
+            const auto thread = std::min_element(thread_free_at_.begin(), thread_free_at_.end());
+            ticket = std::max(*thread, ticket) + dealing_time_;
             double begin = ticket;
-            const std::size_t i = take(begin);
-            const double end = *thread = begin + loop_.task[i];
-            if (!independent()) running_.emplace(end, i);
+            const std::size_t i = begin_task(begin);
+            const double end = *thread = begin + loop_times_.task[i];
+            if (!all_independent()) running_.emplace(end, i);
             last = std::max(last, end);
             if (spans == nullptr) continue;
             TraceSpan s = like;
@@ -45,24 +49,24 @@ class Dealer {
             s.begin = begin;
             s.end = end;
             s.task = static_cast<std::int32_t>(i);
-            s.thread = static_cast<std::int32_t>(thread - free_.begin());
+            s.thread = static_cast<std::int32_t>(thread - thread_free_at_.begin());
             spans->push_back(s);
         }
         return last;
     }
 
   private:
-    [[nodiscard]] bool independent() const { return waits_.start.empty(); }
-    void release(std::size_t i) { ready_.emplace(waits_.rank[i], i); }
+    [[nodiscard]] bool all_independent() const { return wait_times_.start.empty(); }
+    void release(std::size_t i) { ready_.emplace(wait_times_.rank[i], i); }
     void finish_first() {
         const std::size_t i = running_.top().second;
         running_.pop();
-        for (std::int32_t k = waits_.start[i]; k < waits_.start[i + 1]; ++k)
-            if (--blocked_[at(waits_.next[at(k)])] == 0) release(at(waits_.next[at(k)]));
+        for (std::int32_t k = wait_times_.start[i]; k < wait_times_.start[i + 1]; ++k)
+            if (--blocked_[at(wait_times_.next[at(k)])] == 0) release(at(wait_times_.next[at(k)]));
     }
     /// Return the task that a thread free at `time` begins. Sets `time` to the begin of that task.
-    std::size_t take(double& time) {
-        if (independent()) return loop_.task.size() - left_;
+    std::size_t begin_task(double& time) {
+        if (all_independent()) return loop_times_.task.size() - tasks_left_;
         while (!running_.empty() && (running_.top().first <= time || ready_.empty())) {
             time = std::max(time, running_.top().first);
             finish_first();
@@ -75,11 +79,11 @@ class Dealer {
     template <class Key>
     using Queue = std::priority_queue<std::pair<Key, std::size_t>,
                                       std::vector<std::pair<Key, std::size_t>>, std::greater<>>;
-    const LoopTimes& loop_;
-    const TaskWaits& waits_;
-    double deal_;
-    std::vector<double>& free_;
-    std::size_t left_;
+    const LoopTimes& loop_times_;
+    const TaskWaits& wait_times_;
+    double dealing_time_;
+    std::vector<double>& thread_free_at_;
+    std::size_t tasks_left_;
     std::vector<std::int32_t> blocked_;  ///< Number of unfinished predecessors, by task.
     Queue<std::int32_t> ready_;          ///< Tasks without unfinished predecessors, by rank.
     Queue<double> running_;              ///< Tasks that have begun, by end.

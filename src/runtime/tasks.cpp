@@ -28,7 +28,7 @@ ThreadError::ThreadError(int wanted, int started, const std::string& reason)
 namespace hawser::runtime {
 namespace {
 
-inline void relax() noexcept {
+inline void spin_pause() noexcept {
 #if defined(__x86_64__)
     __builtin_ia32_pause();
 #endif
@@ -109,7 +109,7 @@ double Pool::cpu_seconds(int thread) noexcept {
 }
 
 /// Run tasks of a part. @return number of tasks that this thread has done.
-int Pool::drain(Part& part, int thread) noexcept {
+int Pool::run_remaining_tasks(Part& part, int thread) noexcept {
     int worked = 0;
     std::uint64_t ticket = part.ticket.load(std::memory_order_acquire);
     for (;;) {
@@ -129,39 +129,40 @@ int Pool::drain(Part& part, int thread) noexcept {
 
 /// Run tasks: first those of the thread's own part. The batch ends only after this function has
 /// counted them, so that every count belongs to one batch.
-void Pool::drain(int thread) noexcept {
+void Pool::run_remaining_tasks(int thread) noexcept {
     int worked = 0;
     for (int p = 0; p < threads_; ++p)
-        worked += drain(parts_[static_cast<std::size_t>((thread + p) % threads_)], thread);
+        worked +=
+            run_remaining_tasks(parts_[static_cast<std::size_t>((thread + p) % threads_)], thread);
     if (worked > 0) done_.fetch_add(worked, std::memory_order_release);
 }
 
 void Pool::run(int count, Task task, void* context) noexcept {
     if (trace_ == nullptr)
-        deal(count, task, context);
+        distribute_tasks(count, task, context);
     else
-        deal_recorded(count, task, context);
+        distribute_recorded_tasks(count, task, context);
 }
 
-void Pool::deal_recorded(int count, Task task, void* context) noexcept {
+void Pool::distribute_recorded_tasks(int count, Task task, void* context) noexcept {
     struct Recorded {
         Trace& trace;
         Task task;
         void* context;
-        TraceSpan like;
+        TraceSpan span_template;
     } r{*trace_, task, context, {}};
-    r.like.step = trace_->step;
-    r.like.stage = trace_->stage;
-    r.like.loop = trace_->loops++;
-    TraceSpan loop = r.like;
+    r.span_template.step = trace_->step;
+    r.span_template.stage = trace_->stage;
+    r.span_template.loop = trace_->loops++;
+    TraceSpan loop = r.span_template;
     loop.kind = SpanKind::loop;
     loop.task = count;
     loop.begin = trace_->now();
-    deal(
+    distribute_tasks(
         count,
         [](void* c, int i, int thread) noexcept {
             const Recorded& recorded = *static_cast<const Recorded*>(c);
-            TraceSpan span = recorded.like;
+            TraceSpan span = recorded.span_template;
             span.task = i;
             span.thread = thread;
             recorded.trace.task(span, [&] { recorded.task(recorded.context, i, thread); });
@@ -179,7 +180,7 @@ void Pool::begin_node(int node, int thread) noexcept {
     if (trace_ != nullptr) trace_->begin_node(node, thread);
 }
 
-void Pool::deal(int count, Task task, void* context) noexcept {
+void Pool::distribute_tasks(int count, Task task, void* context) noexcept {
     if (workers_.empty() || count <= 1 || (awake_.load(std::memory_order_relaxed) & 1U) == 0) {
         for (int i = 0; i < count; ++i) task(context, i, 0);
         return;
@@ -199,10 +200,10 @@ void Pool::deal(int count, Task task, void* context) noexcept {
         parts_[p].ticket.store(batch | begin_of(p), std::memory_order_release);
     }
     opened_.store(batch, std::memory_order_release);
-    drain(0);
+    run_remaining_tasks(0);
     for (int spins = 0; done_.load(std::memory_order_acquire) != count; ++spins) {
         if (spins < 2'000)
-            relax();
+            spin_pause();
         else
             std::this_thread::yield();  // fewer cores than threads
     }
@@ -217,7 +218,7 @@ void Pool::work(const std::stop_token& stop, int thread) noexcept {
         const std::uint32_t awake = awake_.load(std::memory_order_acquire);
         if (stop.stop_requested()) return;
         if (const std::uint64_t batch = opened_.load(std::memory_order_acquire); batch != seen) {
-            drain(thread);
+            run_remaining_tasks(thread);
             seen = batch;
             idle = 0;
             continue;
@@ -226,7 +227,7 @@ void Pool::work(const std::stop_token& stop, int thread) noexcept {
             awake_.wait(awake, std::memory_order_acquire);
             idle = 0;
         } else if (++idle < 20'000) {
-            relax();
+            spin_pause();
         } else {
             std::this_thread::yield();
         }

@@ -44,14 +44,14 @@ class Pool final : public base::Executor {
     /// Let the workers sleep.
     void pause() noexcept;
 
-    /// Let stopping() return true until go_on(). Called by any thread or a signal handler.
+    /// Let stopping() return true until clear_stop(). Called by any thread or a signal handler.
     void stop() noexcept { stopping_.store(true, std::memory_order_relaxed); }
-    void go_on() noexcept { stopping_.store(false, std::memory_order_relaxed); }
+    void clear_stop() noexcept { stopping_.store(false, std::memory_order_relaxed); }
     /// Let stopping() return false until this ends, so that changes of the state are completed.
-    void shield(bool on) noexcept { shielded_.store(on, std::memory_order_relaxed); }
+    void block_stop(bool on) noexcept { stop_blocked_.store(on, std::memory_order_relaxed); }
     [[nodiscard]] bool stopping() const noexcept override {
         return stopping_.load(std::memory_order_relaxed) &&
-               !shielded_.load(std::memory_order_relaxed);
+               !stop_blocked_.load(std::memory_order_relaxed);
     }
 
     /// Return the CPU time of a thread since its start [s]; 0: the calling thread.
@@ -66,11 +66,11 @@ class Pool final : public base::Executor {
     [[nodiscard]] int threads() const noexcept override { return threads_; }
 
   private:
-    void deal(int count, Task task, void* context) noexcept;
-    void deal_recorded(int count, Task task, void* context) noexcept;
+    void distribute_tasks(int count, Task task, void* context) noexcept;
+    void distribute_recorded_tasks(int count, Task task, void* context) noexcept;
     void work(const std::stop_token& stop, int thread) noexcept;
     void end_workers() noexcept;
-    void drain(int thread) noexcept;
+    void run_remaining_tasks(int thread) noexcept;
 
     /// Ticket = batch number (high half) and next task (low half). While the fields of the ticket
     /// change, the low half is kClosed. A worker that read an old ticket with new fields then fails
@@ -82,7 +82,7 @@ class Pool final : public base::Executor {
         std::atomic<std::uint64_t> ticket{kClosed};
         std::atomic<std::int32_t> end{0};
     };
-    int drain(Part& part, int thread) noexcept;
+    int run_remaining_tasks(Part& part, int thread) noexcept;
 
     // One cache line each, so that spinning on one does not slow the other.
     alignas(64) std::atomic<std::uint32_t> awake_{0};   ///< Odd while a step runs.
@@ -90,7 +90,7 @@ class Pool final : public base::Executor {
     alignas(64) std::atomic<std::int32_t> done_{0};     ///< Tasks of this batch that are done.
     alignas(64) std::atomic<Task> task_{nullptr};
     std::atomic<void*> context_{nullptr};
-    std::atomic<bool> stopping_{false}, shielded_{false};
+    std::atomic<bool> stopping_{false}, stop_blocked_{false};
     static_assert(std::atomic<bool>::is_always_lock_free);  // signal handlers
     Trace* trace_ = nullptr;
     const int threads_;  ///< With the caller. Workers read it while others start and end.

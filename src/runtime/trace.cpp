@@ -23,7 +23,7 @@ void Trace::announce(const base::TaskOrder& order) noexcept {
         for (const std::int32_t n : part) numbers_[number_count_++ % numbers_.size()] = n;
 }
 
-std::vector<std::int32_t> Trace::numbers(std::uint64_t begin, std::size_t count) const {
+std::vector<std::int32_t> Trace::copy_numbers(std::uint64_t begin, std::size_t count) const {
     std::vector<std::int32_t> out(count);
     for (std::size_t i = 0; i < count; ++i) out[i] = numbers_[(begin + i) % numbers_.size()];
     return out;
@@ -57,8 +57,9 @@ void Trace::copy(double from, TraceView& to) const {
         const auto nodes = static_cast<std::size_t>(g.nodes);
         const auto edges = static_cast<std::size_t>(g.edges);
         to.graph_loop.push_back(g.loop);
-        to.graph.push_back({numbers(g.begin, nodes + 1), numbers(g.begin + nodes + 1, edges),
-                            numbers(g.begin + nodes + 1 + edges, nodes)});
+        to.graph.push_back({copy_numbers(g.begin, nodes + 1),
+                            copy_numbers(g.begin + nodes + 1, edges),
+                            copy_numbers(g.begin + nodes + 1 + edges, nodes)});
     }
 }
 

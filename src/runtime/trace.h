@@ -85,7 +85,8 @@ class Trace {
         std::int32_t nodes = 0, edges = 0;
         std::uint64_t begin = 0;
     };
-    [[nodiscard]] std::vector<std::int32_t> numbers(std::uint64_t begin, std::size_t count) const;
+    [[nodiscard]] std::vector<std::int32_t> copy_numbers(std::uint64_t begin,
+                                                         std::size_t count) const;
 
     std::vector<Ring> ring_;
     std::vector<Graph> graphs_;  ///< Ring buffer, like `numbers_`.

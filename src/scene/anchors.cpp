@@ -27,7 +27,8 @@ Enum word_of(const Json& json, const char* key, std::span<const char* const> nam
 }
 
 /// Return the full name of a cable of this scope. @throws SceneError with the nearest name
-std::string cable_name(Description& out, const Scope& scope, const Json& json, const Place& place) {
+std::string cable_name(Description& out, const Scope& scope, const Json& json,
+                       const SourceLocation& location) {
     const std::string cable = json.get<std::string>();
     std::string full = scope.prefix + cable;
     if (out.has_cable(full)) return full;
@@ -35,16 +36,18 @@ std::string cable_name(Description& out, const Scope& scope, const Json& json, c
     for (const Cable& one : out.cables)
         if (one.name.starts_with(scope.prefix))
             known.push_back(one.name.substr(scope.prefix.size()));
-    refuse_missing(out.mistakes, Lost::cable, full, place,
+    report_missing(out.mistakes, OmittedPart::cable, full, location,
                    "there is no cable " + in_quotes(cable) + suggestion(cable, known));
 }
 
-AnchorItem read_anchor(Description& out, const Scope& scope, const Json& json, const Place& place) {
-    AnchorItem item{.def = {}, .cable = {}, .place = place};
+AnchorItem read_anchor(Description& out, const Scope& scope, const Json& json,
+                       const SourceLocation& location) {
+    AnchorItem item{.def = {}, .cable = {}, .location = location};
     AnchorDef& def = item.def;
-    if (json.contains("cable")) item.cable = cable_name(out, scope, json["cable"], place / "cable");
+    if (json.contains("cable"))
+        item.cable = cable_name(out, scope, json["cable"], location / "cable");
     def.name = scope.prefix + json["name"].get<std::string>();
-    def.body = resolve_body(out, scope, json["body"].get<std::string>(), place / "body");
+    def.body = resolve_body(out, scope, json["body"].get<std::string>(), location / "body");
     def.point = vector_or(json, "point", def.point);
     def.soil = word_of(json, "soil", anchor_soils(), def.soil);
     def.type = word_of(json, "type", anchor_types(), def.type);
@@ -56,15 +59,16 @@ AnchorItem read_anchor(Description& out, const Scope& scope, const Json& json, c
 }
 
 StabilityItem read_gauge(Description& out, const Scope& scope, const Json& json,
-                         const Place& place) {
-    StabilityItem item{.def = {}, .cable = {}, .others = {}, .place = place};
+                         const SourceLocation& location) {
+    StabilityItem item{.def = {}, .cable = {}, .other_names = {}, .location = location};
     StabilityDef& def = item.def;
     def.name = scope.prefix + json["name"].get<std::string>();
-    def.body = resolve_body(out, scope, json["body"].get<std::string>(), place / "body");
-    item.cable = cable_name(out, scope, json["cable"], place / "cable");
+    def.body = resolve_body(out, scope, json["body"].get<std::string>(), location / "body");
+    item.cable = cable_name(out, scope, json["cable"], location / "cable");
     if (const auto others = json.find("other_cables"); others != json.end())
         for (std::size_t i = 0; i < others->size(); ++i)
-            item.others.push_back(cable_name(out, scope, (*others)[i], place / "other_cables" / i));
+            item.other_names.push_back(
+                cable_name(out, scope, (*others)[i], location / "other_cables" / i));
     def.pin = vector_of(json["pin"]);
     def.stern = vector_or(json, "stern", def.stern);
     read_anchor_part(def, json);
@@ -72,13 +76,13 @@ StabilityItem read_gauge(Description& out, const Scope& scope, const Json& json,
 }
 
 /// Reject a field of an anchor, with the names that angles have in scenes.
-[[noreturn]] void refuse_anchor_field(const Place& place, const DefError& error) {
+[[noreturn]] void throw_anchor_error(const SourceLocation& location, const DefError& error) {
     FieldWords said = field_words(error);
     for (const char* angle : {"clay/fluke_angle", "most_heel", "deck_edge", "flooding"})
         if (said.path == angle) said.path += "_deg";
     if (said.path == "wire") said.path = "cable";
     if (said.path == "others") said.path = "other_cables";
-    refuse_field(place, said);
+    throw_field_error(location, said);
 }
 
 template <class Items, class Read>
@@ -89,13 +93,13 @@ void read_anchor_list(Description& out, const Scope& scope, const char* key, Ite
     for (std::size_t i = 0; i < list->size(); ++i) {
         const Json& json = (*list)[i];
         if (json.is_null()) continue;  // Left out: mistakes.h.
-        const Place place = scope.place / key / i;
+        const SourceLocation location = scope.location / key / i;
         (void)attempt(out.mistakes, [&] {
-            auto item = read(json, place);
+            auto item = read(json, location);
             for (const auto& other : items)
                 if (other.def.name == item.def.name)
-                    refuse(place / "name",
-                           "the name " + in_quotes(item.def.name) + " exists already");
+                    throw_error(location / "name",
+                                "the name " + in_quotes(item.def.name) + " exists already");
             items.push_back(std::move(item));
         });
     }
@@ -104,12 +108,14 @@ void read_anchor_list(Description& out, const Scope& scope, const char* key, Ite
 }  // namespace
 
 void expand_anchors(Description& out, const Scope& scope) {
-    read_anchor_list(out, scope, "anchors", out.anchors, [&](const Json& json, const Place& place) {
-        return read_anchor(out, scope, json, place);
-    });
-    read_anchor_list(
-        out, scope, "stability", out.gauges,
-        [&](const Json& json, const Place& place) { return read_gauge(out, scope, json, place); });
+    read_anchor_list(out, scope, "anchors", out.anchors,
+                     [&](const Json& json, const SourceLocation& location) {
+                         return read_anchor(out, scope, json, location);
+                     });
+    read_anchor_list(out, scope, "stability", out.gauges,
+                     [&](const Json& json, const SourceLocation& location) {
+                         return read_gauge(out, scope, json, location);
+                     });
 }
 
 void add_anchors(World& world, const Description& from) {
@@ -118,12 +124,12 @@ void add_anchors(World& world, const Description& from) {
             try {
                 auto def = item.def;
                 if (!item.cable.empty()) def.wire = world.wires().find(item.cable);
-                if constexpr (requires { item.others; })
-                    for (const std::string& other : item.others)
+                if constexpr (requires { item.other_names; })
+                    for (const std::string& other : item.other_names)
                         def.others.push_back(world.wires().find(other));
                 world.add(def);
             } catch (const DefError& error) {
-                refuse_anchor_field(item.place, error);
+                throw_anchor_error(item.location, error);
             }
         });
     };

@@ -40,7 +40,7 @@ void set_cylinder(BodyDef& def, double radius, double length, char axis) {
     def.half_size[along] = length / 2.0;
 }
 
-void set_inertia_matrix(BodyDef& def, const Json& value, const Place& place) {
+void set_inertia_matrix(BodyDef& def, const Json& value, const SourceLocation& location) {
     if (value[0].is_array()) {
         for (std::size_t i = 0; i < 3; ++i) {
             def.inertia.row(static_cast<Eigen::Index>(i)) = vector_of(value[i]);
@@ -50,17 +50,17 @@ void set_inertia_matrix(BodyDef& def, const Json& value, const Place& place) {
     }
     const double size = def.inertia.cwiseAbs().maxCoeff();
     if ((def.inertia - def.inertia.transpose()).cwiseAbs().maxCoeff() > 1e-9 * size) {
-        refuse(place, "an inertia must be symmetric");
+        throw_error(location, "an inertia must be symmetric");
     }
     // Eigenvalues relative to the largest: a moment 1e-12 of another is round-off, not a body.
     if (!(base::symmetric_eigenvalues(def.inertia).minCoeff() > 1e-12 * size)) {
-        refuse(place,
-               "an inertia must be positive definite; all three principal moments must be "
-               "greater than zero");
+        throw_error(location,
+                    "an inertia must be positive definite; all three principal moments must be "
+                    "greater than zero");
     }
 }
 
-void set_extent(BodyDef& def, const Json& body, const Place& place) {
+void set_extent(BodyDef& def, const Json& body, const SourceLocation& location) {
     if (const auto box = body.find("box"); box != body.end()) {
         const Vec3 s = vector_of(*box);
         const Vec3 q = s.cwiseProduct(s);
@@ -75,19 +75,20 @@ void set_extent(BodyDef& def, const Json& body, const Place& place) {
         def.inertia = Vec3::Constant(0.4 * def.mass * r * r).asDiagonal();
         def.half_size = Vec3::Constant(r);
     } else if (body.contains("inertia")) {
-        set_inertia_matrix(def, body["inertia"], place / "inertia");
+        set_inertia_matrix(def, body["inertia"], location / "inertia");
     } else if (def.kind == BodyKind::rigid) {
-        refuse(place, "a rigid body needs \"inertia\", \"box\", \"cylinder\" or \"sphere\"");
+        throw_error(location,
+                    "a rigid body needs \"inertia\", \"box\", \"cylinder\" or \"sphere\"");
     }
     def.half_size = vector_or(body, "half_size", def.half_size);
 }
 
 /// Reject keys that would have no effect on a body of this kind.
-void refuse_useless(const Json& body, BodyKind kind, const Place& place) {
+void check_useless_keys(const Json& body, BodyKind kind, const SourceLocation& location) {
     const auto refuse_key = [&](const char* key) {
         if (body.contains(key))
-            refuse(place / key, std::string("has no meaning for a body of kind ") +
-                                    kKindWords[static_cast<std::size_t>(kind)]);
+            throw_error(location / key, std::string("has no meaning for a body of kind ") +
+                                            kKindWords[static_cast<std::size_t>(kind)]);
     };
     for (const FieldInfo<BodyDef>& row : kBodyFields) {
         if ((row.without & bit_of(kind)) == 0) continue;
@@ -97,11 +98,11 @@ void refuse_useless(const Json& body, BodyKind kind, const Place& place) {
 }
 
 /// Read a scalar body. It has a coordinate instead of a position, so the frame does not apply.
-void set_scalar(BodyDef& def, const Json& body, const Place& place) {
+void set_scalar(BodyDef& def, const Json& body, const SourceLocation& location) {
     for (const char* key : {"position", "velocity", "force"}) {
         const Vec3 value = vector_or(body, key, Vec3::Zero());
         if (value.y() != 0.0 || value.z() != 0.0) {
-            refuse(place / key, "a scalar body has one coordinate; y and z must be 0");
+            throw_error(location / key, "a scalar body has one coordinate; y and z must be 0");
         }
     }
     def.position = vector_or(body, "position", Vec3::Zero());
@@ -109,13 +110,14 @@ void set_scalar(BodyDef& def, const Json& body, const Place& place) {
     def.force = vector_or(body, "force", Vec3::Zero());
     def.gravity = false;
     if (body.value("gravity", false)) {
-        refuse(place / "gravity", "a scalar body has no weight");
+        throw_error(location / "gravity", "a scalar body has no weight");
     }
 }
 
-void set_motion(BodyDef& def, const Json& body, const Frame& frame, const Place& place) {
+void set_motion(BodyDef& def, const Json& body, const Frame& frame,
+                const SourceLocation& location) {
     def.position = frame.point(vector_or(body, "position", Vec3::Zero()));
-    def.orientation = (frame.orientation * orientation_of(body, place)).normalized();
+    def.orientation = (frame.orientation * orientation_of(body, location)).normalized();
     def.velocity = frame.velocity_at(def.position) +
                    frame.direction(vector_or(body, "velocity", Vec3::Zero()));
     def.angular_velocity =
@@ -139,26 +141,26 @@ std::string group_of(const Json& value) {
 
 namespace {
 
-BodyDef read_body(const Json& body, const Scope& scope, const Place& place) {
+BodyDef read_body(const Json& body, const Scope& scope, const SourceLocation& location) {
     BodyDef def;
     def.name = scope.prefix + body["name"].get<std::string>();
     def.kind = kind_of(text_or(body, "kind", "rigid"));
     read_fields(def, body, kBodyFields);
     if (body["name"] == "world" || scope.bound.contains(body["name"].get<std::string>())) {
-        refuse(place / "name", "the name " + describe(body["name"]) +
-                                   " is taken: it stands for "
-                                   "a body outside");
+        throw_error(location / "name", "the name " + describe(body["name"]) +
+                                           " is taken: it stands for "
+                                           "a body outside");
     }
     if (is_moving(def.kind) && !body.contains("mass")) {
-        refuse(place,
-               "a body of kind " + text_or(body, "kind", "rigid") + " needs the key \"mass\"");
+        throw_error(location,
+                    "a body of kind " + text_or(body, "kind", "rigid") + " needs the key \"mass\"");
     }
-    refuse_useless(body, def.kind, place);
-    set_extent(def, body, place);
+    check_useless_keys(body, def.kind, location);
+    set_extent(def, body, location);
     if (def.kind == BodyKind::scalar) {
-        set_scalar(def, body, place);
+        set_scalar(def, body, location);
     } else {
-        set_motion(def, body, scope.frame, place);
+        set_motion(def, body, scope.frame, location);
     }
     if (const auto group = body.find("group"); group != body.end()) {
         def.group = group_of(*group);
@@ -178,15 +180,16 @@ void expand_bodies(Description& out, const Scope& scope) {
         if (json.is_null()) {
             continue;  // Left out: mistakes.h.
         }
-        const Place place = scope.place / "bodies" / i;
+        const SourceLocation location = scope.location / "bodies" / i;
         BodyId id;
         const bool read = attempt(out.mistakes, [&] {
-            id = out.add_body(read_body(json, scope, place), out.keep(place));
+            id = out.add_body(read_body(json, scope, location), out.store_location(location));
         });
         if (!read) {
-            out.mistakes->lose(Lost::body, scope.prefix + json["name"].get<std::string>());
+            out.mistakes->record_omitted(OmittedPart::body,
+                                         scope.prefix + json["name"].get<std::string>());
         } else if (const auto shapes = json.find("shapes"); shapes != json.end()) {
-            expand_shapes(out, id, *shapes, place / "shapes");
+            expand_shapes(out, id, *shapes, location / "shapes");
         }
     }
 }

@@ -17,7 +17,7 @@ namespace {
 constexpr double kLinkMismatch = 0.01;
 
 CableEnd read_end(Description& out, const Scope& scope, const Json& json, bool links,
-                  const Place& place) {
+                  const SourceLocation& location) {
     CableEnd end;
     if (json.contains("at")) {
         end.kind = CableEnd::Kind::fixed;
@@ -35,17 +35,17 @@ CableEnd read_end(Description& out, const Scope& scope, const Json& json, bool l
         return end;
     }
     if (!json.contains("body")) {
-        refuse(place, "a cable end needs \"body\", \"at\" or \"free\"");
+        throw_error(location, "a cable end needs \"body\", \"at\" or \"free\"");
     }
-    end.body = resolve_body(out, scope, json["body"].get<std::string>(), place / "body");
+    end.body = resolve_body(out, scope, json["body"].get<std::string>(), location / "body");
     end.local = vector_or(json, "point", Vec3::Zero());
     const BodyDef& body = out.body(end.body);
     if (body.kind == BodyKind::scalar) {
-        refuse(place / "body", "the scalar body " + in_quotes(body.name) +
-                                   " has no position; name it as the drum of a \"winch\"");
+        throw_error(location / "body", "the scalar body " + in_quotes(body.name) +
+                                           " has no position; name it as the drum of a \"winch\"");
     }
     if (body.kind == BodyKind::lump && !end.local.isZero(0.0)) {
-        refuse(place / "point", "the lump " + in_quotes(body.name) + " is a point");
+        throw_error(location / "point", "the lump " + in_quotes(body.name) + " is a point");
     }
     end.world = out.world_point(end.body, end.local);
     end.velocity = out.frame_of(end.body).velocity_at(end.world);
@@ -55,34 +55,34 @@ CableEnd read_end(Description& out, const Scope& scope, const Json& json, bool l
 /// Read the ends of a cable. With a winch the cable starts at the fairlead; "from" may then name
 /// the drum.
 void read_ends(CableLayout& c, Description& out, const Scope& scope, const Scope& to_scope,
-               const Json& cable, const Place& place) {
+               const Json& cable, const SourceLocation& location) {
     const Json* from = cable.contains("from") ? &cable["from"] : nullptr;
-    Place from_place = place / "from";
+    SourceLocation from_place = location / "from";
     if (const auto winch = cable.find("winch"); winch != cable.end()) {
-        const Place at = place / "winch";
+        const SourceLocation at = location / "winch";
         if (c.links) {
-            refuse(at, "a cable of links cannot be paid out; use \"as\": \"lumps\"");
+            throw_error(at, "a cable of links cannot be paid out; use \"as\": \"lumps\"");
         }
         const std::string drum = (*winch)["drum"].get<std::string>();
         c.drum = resolve_body(out, scope, drum, at / "drum");
         if (out.body(c.drum).kind != BodyKind::scalar) {
-            refuse(at / "drum", "the body " + in_quotes(drum) + " is not of kind scalar");
+            throw_error(at / "drum", "the body " + in_quotes(drum) + " is not of kind scalar");
         }
         c.drum_radius = (*winch)["radius"].get<double>();
         c.fed = out.version >= 2;
         if (winch->contains("fairlead")) {
             if (from != nullptr && from->value("body", "") != drum) {
-                refuse(at / "fairlead", "the cable starts at \"from\" already; leave one out");
+                throw_error(at / "fairlead", "the cable starts at \"from\" already; leave one out");
             }
             from = &(*winch)["fairlead"];
             from_place = at / "fairlead";
         }
     }
     if (from == nullptr) {
-        refuse(place, "a cable needs the key \"from\" (a cable end)");
+        throw_error(location, "a cable needs the key \"from\" (a cable end)");
     }
     c.from = read_end(out, scope, *from, c.links, from_place);
-    c.to = read_end(out, to_scope, cable["to"], c.links, place / "to");
+    c.to = read_end(out, to_scope, cable["to"], c.links, location / "to");
 }
 
 /// Return the index of the element at a material coordinate.
@@ -99,61 +99,66 @@ std::size_t element_at(const CableLayout& c, double at) {
 }
 
 /// Read the weak element. The lengths of the elements must be known.
-void read_weak(CableLayout& c, const Json& cable, const Place& place) {
+void read_weak(CableLayout& c, const Json& cable, const SourceLocation& location) {
     const auto weak = cable.find("weak");
     if (weak == cable.end()) return;
-    if (c.links) refuse(place / "weak", "a cable of links does not part");
+    if (c.links) throw_error(location / "weak", "a cable of links does not part");
     const double at = (*weak)["at"].get<double>();
     if (at > c.length)
-        refuse(place / "weak" / "at",
-               fmt::format("the cable ends at {:.6g} m, before {:.6g} m", c.length, at));
+        throw_error(location / "weak" / "at",
+                    fmt::format("the cable ends at {:.6g} m, before {:.6g} m", c.length, at));
     c.weak = element_at(c, at);
     c.weak_load = (*weak)["breaking_load"].get<double>();
 }
 
-void read_elements(CableLayout& c, const Description& out, const Json& cable, const Place& place) {
+void read_elements(CableLayout& c, const Description& out, const Json& cable,
+                   const SourceLocation& location) {
     const Json* points = listed_points(cable);
     const bool counted = cable.contains("elements");
     const bool sections = cable.contains("sections");
     if (!counted && !sections && points == nullptr) {
-        refuse(place, "a cable needs the key \"elements\" (their number)");
+        throw_error(location, "a cable needs the key \"elements\" (their number)");
     }
     if (!sections) c.elements = counted ? cable["elements"].get<std::size_t>() : points->size() + 1;
     if (points != nullptr && points->size() + 1 != c.elements) {
-        refuse(place / "shape", fmt::format("expected {} points, one fewer than the elements, "
-                                            "found {}",
-                                            c.elements - 1, points->size()));
+        throw_error(location / "shape",
+                    fmt::format("expected {} points, one fewer than the elements, "
+                                "found {}",
+                                c.elements - 1, points->size()));
     }
     if (!sections) c.sections.front().line.elements = c.elements;
     const auto most = static_cast<std::size_t>(out.settings.max_bodies);
     if ((out.bodies.size() + c.elements) * out.copies > most) {
-        refuse(place / "elements",
-               fmt::format("the scene would have more than {} bodies (settings.max_bodies), its {} "
-                           "copies included",
-                           most, out.copies));
+        throw_error(
+            location / "elements",
+            fmt::format("the scene would have more than {} bodies (settings.max_bodies), its {} "
+                        "copies included",
+                        most, out.copies));
     }
 }
 
-void check_lengths(CableLayout& c, const Place& place) {
+void check_lengths(CableLayout& c, const SourceLocation& location) {
     // The smallest length that a stretch accepts.
     constexpr double kShortest = 1e-9;
     measure_elements(c);
     for (const LayoutSection& section : c.sections)
         if (!(section.element >= kShortest)) {
-            refuse(place, fmt::format("its elements would be {} m long; the ends coincide or "
-                                      "\"elements\" is too large",
-                                      section.element));
+            throw_error(location,
+                        fmt::format("its elements would be {} m long; the ends coincide or "
+                                    "\"elements\" is too large",
+                                    section.element));
         }
     for (std::size_t i = 0; i < c.elements; ++i) {
         const double distance = (c.nodes[i + 1] - c.nodes[i]).norm();
         if (!(distance > kShortest)) {
-            refuse(place, fmt::format("the nodes {} and {} coincide", i, i + 1));
+            throw_error(location, fmt::format("the nodes {} and {} coincide", i, i + 1));
         }
         const double element = c.of(i).element;
         if (c.links && std::abs(distance - element) > kLinkMismatch * element) {
-            refuse(place, fmt::format("the nodes {} and {} lie {:.6g} m apart, but a rigid link "
-                                      "is {:.6g} m long; change \"length\" or the shape",
-                                      i, i + 1, distance, element));
+            throw_error(location,
+                        fmt::format("the nodes {} and {} lie {:.6g} m apart, but a rigid link "
+                                    "is {:.6g} m long; change \"length\" or the shape",
+                                    i, i + 1, distance, element));
         }
     }
 }
@@ -169,57 +174,59 @@ void read_groups(CableLayout& c, const Json& cable) {
     }
 }
 
-void read_contact(CableLayout& c, Description& out, const Json& cable, const Place& place) {
+void read_contact(CableLayout& c, Description& out, const Json& cable,
+                  const SourceLocation& location) {
     const auto contact = cable.find("contact");
     if (contact == cable.end()) {
         return;
     }
-    const Place at = place / "contact";
+    const SourceLocation at = location / "contact";
     c.touches = true;
     c.contact.kind = ShapeKind::capsule;
     c.contact.radius = number_or(*contact, "radius", c.radius);
     if (!(c.contact.radius > 0.0)) {
-        refuse(at, "a cable that touches needs \"radius\", or \"diameter\" in its line type");
+        throw_error(at, "a cable that touches needs \"radius\", or \"diameter\" in its line type");
     }
     c.to_ends = contact->value("to_ends", false);
     if (c.to_ends && c.links)
-        refuse(at / "to_ends", "links have their capsules on them; leave it out");
+        throw_error(at / "to_ends", "links have their capsules on them; leave it out");
     read_surface(c.contact, out, *contact, at);
 }
 
 }  // namespace
 
 CableLayout lay_out_cable(Description& out, const Scope& scope, const Scope& to_scope,
-                          const Json& cable, const Document& document, const Place& place) {
+                          const Json& cable, const Document& document,
+                          const SourceLocation& location) {
     CableLayout c;
     c.name = scope.prefix + cable["name"].get<std::string>();
     if (out.has_cable(c.name)) {
-        refuse(place / "name", "the cable " + in_quotes(c.name) + " exists already");
+        throw_error(location / "name", "the cable " + in_quotes(c.name) + " exists already");
     }
     c.links = text_or(cable, "as", "lumps") == "links";
     c.tension_only = cable.value("tension_only", true);
     c.consistent_mass = cable.value("consistent_mass", false);
     if (c.links && c.consistent_mass)
-        refuse(place / "consistent_mass",
-               "links are rigid bodies and already have consistent mass");
+        throw_error(location / "consistent_mass",
+                    "links are rigid bodies and already have consistent mass");
     c.joint_compliance = number_or(cable, "compliance", out.default_compliance);
     c.joint_damping_time = number_or(cable, "damping_time", out.default_damping_time);
-    read_line_types(c, cable, document, place);
-    read_contact(c, out, cable, place);
+    read_line_types(c, cable, document, location);
+    read_contact(c, out, cable, location);
     read_groups(c, cable);
-    read_ends(c, out, scope, to_scope, cable, place);
-    read_elements(c, out, cable, place);
+    read_ends(c, out, scope, to_scope, cable, location);
+    read_elements(c, out, cable, location);
     if (c.fed) {  // added and removed nodes need elements with mass
         c.consistent_mass = true;
         if (c.elements == 1 && c.to.kind == CableEnd::Kind::free)
-            refuse(place / "elements",
-                   "with \"winch\" and a free end a cable needs at least two "
-                   "elements");
+            throw_error(location / "elements",
+                        "with \"winch\" and a free end a cable needs at least two "
+                        "elements");
     }
-    place_nodes(c, out, scope, cable, still_sea(document), place);
-    check_lengths(c, place);
-    check_links(c, cable, place);
-    read_weak(c, cable, place);
+    place_nodes(c, out, scope, cable, still_sea(document), location);
+    check_lengths(c, location);
+    check_links(c, cable, location);
+    read_weak(c, cable, location);
     return c;
 }
 

@@ -11,6 +11,6 @@ namespace hawser::scene {
 /// Read a cable and compute its layout. @throws SceneError.
 [[nodiscard]] CableLayout lay_out_cable(Description& out, const Scope& scope, const Scope& to_scope,
                                         const Json& cable, const Document& document,
-                                        const Place& place);
+                                        const SourceLocation& location);
 
 }  // namespace hawser::scene

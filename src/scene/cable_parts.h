@@ -70,7 +70,7 @@ struct CableLayout {
         return sections[k];
     }
     /// Return the fraction of the length from the start to node i.
-    [[nodiscard]] double share(std::size_t i) const {
+    [[nodiscard]] double length_fraction(std::size_t i) const {
         if (sections.size() == 1) return static_cast<double>(i) / static_cast<double>(elements);
         double up = 0.0;
         for (const LayoutSection& s : sections) {
@@ -84,10 +84,10 @@ struct CableLayout {
 
 /// Read "resolution" of a cable with a layout (resolutions.cpp). @throws SceneError.
 void read_resolution(Description& out, const CableLayout& cable, const Json& json,
-                     const Place& cable_place);
+                     const SourceLocation& cable_place);
 /// Read the water forces on a cable of nodes. If one section has drag, sections without drag have
 /// no water forces; no part of them may be in air. @throws SceneError.
 void read_water(Description& out, const CableLayout& cable, const Document& document,
-                const Place& place);
+                const SourceLocation& location);
 
 }  // namespace hawser::scene

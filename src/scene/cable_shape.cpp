@@ -14,7 +14,7 @@
 namespace hawser::scene {
 namespace {
 
-double along(const std::vector<Vec3>& nodes) {
+double polyline_length(const std::vector<Vec3>& nodes) {
     double length = 0.0;
     for (std::size_t i = 1; i < nodes.size(); ++i) {
         length += (nodes[i] - nodes[i - 1]).norm();
@@ -33,11 +33,11 @@ constexpr double kFreeEnd = 1e-3;
 class AtRest {
   public:
     AtRest(CableLayout& c, const Description& out, const Scope& scope, const Json& cable,
-           const std::optional<StillSea>& sea, const Place& place)
-        : c_(c), place_(place) {
+           const std::optional<StillSea>& sea, const SourceLocation& location)
+        : layout_(c), location_(location) {
         const Vec3& gravity = out.settings.gravity;
         if (gravity.isZero(0.0)) {
-            refuse(place / "shape", "a cable at rest needs gravity");
+            throw_error(location / "shape", "a cable at rest needs gravity");
         }
         def_.down = gravity;
         const bool wet = sea && in_water(c);
@@ -53,12 +53,12 @@ class AtRest {
             parts_.push_back(part);
         }
         // The shape is computed from an attached end.
-        turned_ = c.from.kind == CableEnd::Kind::free;
-        if (turned_ && c.to.kind == CableEnd::Kind::free) {
-            refuse(place / "shape", "a cable at rest needs an end that is held");
+        is_reversed_ = c.from.kind == CableEnd::Kind::free;
+        if (is_reversed_ && c.to.kind == CableEnd::Kind::free) {
+            throw_error(location / "shape", "a cable at rest needs an end that is held");
         }
-        def_.from = turned_ ? c.to.world : c.from.world;
-        def_.to = turned_ ? c.from.world : c.to.world;
+        def_.from = is_reversed_ ? c.to.world : c.from.world;
+        def_.to = is_reversed_ ? c.from.world : c.to.world;
         if (const auto bed = cable.find("seabed"); bed != cable.end()) {
             const Vec3 point = scope.frame.point({0.0, 0.0, (*bed)["height"].get<double>()});
             // The seabed for nodes is higher by the contact radius, because nodes are centres of
@@ -86,30 +86,33 @@ class AtRest {
     }
 
     void lay_out() {
-        const bool free_end = turned_ || c_.to.kind == CableEnd::Kind::free;
-        Catenary rest = free_end ? free_end_at_rest() : solve(c_.length, false);
+        const bool free_end = is_reversed_ || layout_.to.kind == CableEnd::Kind::free;
+        Catenary rest = free_end ? free_end_at_rest() : solve(layout_.length, false);
         if (rest.status == CatenaryStatus::below_seabed) {
-            refuse(place_ / "seabed",
-                   fmt::format("an end of the cable is below the seabed: at {:.6g} m and {:.6g} m, "
-                               "where nodes on it are at {:.6g} m",
-                               height(c_.from.world), height(c_.to.world),
-                               def_.seabed.value_or(FlatSeabed{}).height));
+            throw_error(
+                location_ / "seabed",
+                fmt::format("an end of the cable is below the seabed: at {:.6g} m and {:.6g} m, "
+                            "where nodes on it are at {:.6g} m",
+                            height(layout_.from.world), height(layout_.to.world),
+                            def_.seabed.value_or(FlatSeabed{}).height));
         }
         if (rest.status == CatenaryStatus::unbalanced) {
-            refuse(place_ / "shape", fmt::format("no shape at rest was found: {:.3g} N are left at "
-                                                 "a node; does it float over a seabed?",
-                                                 rest.residual));
+            throw_error(location_ / "shape",
+                        fmt::format("no shape at rest was found: {:.3g} N are left at "
+                                    "a node; does it float over a seabed?",
+                                    rest.residual));
         }
-        c_.laid_from = rest.laid_from;
-        c_.laid_to = rest.laid_to;
-        if (turned_) {
+        layout_.laid_from = rest.laid_from;
+        layout_.laid_to = rest.laid_to;
+        if (is_reversed_) {
             std::reverse(rest.nodes.begin(), rest.nodes.end());
-            c_.laid_from = c_.length - rest.laid_to;
-            c_.laid_to = c_.length - rest.laid_from;
+            layout_.laid_from = layout_.length - rest.laid_to;
+            layout_.laid_to = layout_.length - rest.laid_from;
         }
-        c_.nodes = std::move(rest.nodes);
+        layout_.nodes = std::move(rest.nodes);
         if (free_end) {
-            (turned_ ? c_.from : c_.to).world = turned_ ? c_.nodes.front() : c_.nodes.back();
+            (is_reversed_ ? layout_.from : layout_.to).world =
+                is_reversed_ ? layout_.nodes.front() : layout_.nodes.back();
         }
     }
 
@@ -119,22 +122,22 @@ class AtRest {
     [[nodiscard]] Catenary solve(double length, bool free, bool bends = true) const {
         CatenaryDef def = def_;
         def.free = free;
-        for (std::size_t i = 0; i < c_.sections.size(); ++i) {
-            const CableSection& line = c_.sections[i].line;
-            const double here = c_.sections.size() == 1 ? length : line.length;
+        for (std::size_t i = 0; i < layout_.sections.size(); ++i) {
+            const CableSection& line = layout_.sections[i].line;
+            const double here = layout_.sections.size() == 1 ? length : line.length;
             CatenarySection part = parts_[i];
             const double rigid = std::max(std::abs(part.weight), 1.0) * here / kLinkStrain;
             part.length = here;
-            part.EA = c_.links ? rigid : line.EA;
+            part.EA = layout_.links ? rigid : line.EA;
             part.elements = static_cast<int>(line.elements);
             if (!bends) part.EI = 0.0;
             def.sections.push_back(part);
         }
-        if (turned_) std::reverse(def.sections.begin(), def.sections.end());
+        if (is_reversed_) std::reverse(def.sections.begin(), def.sections.end());
         try {
             return catenary(def);
         } catch (const DefError& error) {
-            refuse(place_ / "shape", error.what());
+            throw_error(location_ / "shape", error.what());
         }
     }
 
@@ -142,64 +145,68 @@ class AtRest {
     /// it, or the cable hangs from the other end.
     [[nodiscard]] Catenary free_end_at_rest() const {
         if (def_.seabed &&
-            std::abs(height(def_.to) - def_.seabed->height) <= kFreeEnd * c_.length) {
-            Catenary rest = solve(c_.length, false);
+            std::abs(height(def_.to) - def_.seabed->height) <= kFreeEnd * layout_.length) {
+            Catenary rest = solve(layout_.length, false);
             if (rest.status != CatenaryStatus::unbalanced && rest.tension.back() == 0.0) {
                 return rest;
             }
         }
-        Catenary rest = solve(c_.length, true);
+        Catenary rest = solve(layout_.length, true);
         const Vec3& end = rest.nodes.back();
-        if ((end - def_.to).norm() > kFreeEnd * c_.length) {
-            refuse(place_ / (turned_ ? "from" : "to") / "free",
-                   fmt::format("at rest its free end is at [{:.6g}, {:.6g}, {:.6g}]; start it "
-                               "there, or give the cable another shape",
-                               end.x(), end.y(), end.z()));
+        if ((end - def_.to).norm() > kFreeEnd * layout_.length) {
+            throw_error(location_ / (is_reversed_ ? "from" : "to") / "free",
+                        fmt::format("at rest its free end is at [{:.6g}, {:.6g}, {:.6g}]; start it "
+                                    "there, or give the cable another shape",
+                                    end.x(), end.y(), end.z()));
         }
         return rest;
     }
 
-    CableLayout& c_;
-    Place place_;
+    CableLayout& layout_;
+    SourceLocation location_;
     CatenaryDef def_;
     std::vector<CatenarySection> parts_;  ///< Properties of the sections, without their lengths.
-    bool turned_ = false;
+    bool is_reversed_ = false;
 };
 
 /// Compute the shape of a chain of equal rigid elements.
-void hang_rigid(CableLayout& c, const Description& out, const Place& place) {
+void hang_rigid_elements(CableLayout& c, const Description& out, const SourceLocation& location) {
     if (out.settings.gravity.isZero(0.0)) {
-        refuse(place / "shape", "a catenary needs gravity");
+        throw_error(location / "shape", "a catenary needs gravity");
     }
     if (c.sections.size() > 1) {
-        refuse(place / "shape",
-               "a \"catenary\" is of one line type; give \"hanging\", which is at rest with its "
-               "stretch");
+        throw_error(
+            location / "shape",
+            "a \"catenary\" is of one line type; give \"hanging\", which is at rest with its "
+            "stretch");
     }
     const Vec3& a = c.from.world;
     const Vec3& b = c.to.world;
-    auto hanging = hang(a, b, c.length, static_cast<int>(c.elements), out.settings.gravity);
+    auto hanging =
+        hanging_nodes(a, b, c.length, static_cast<int>(c.elements), out.settings.gravity);
     if (!hanging) {
-        refuse(place / "shape",
-               fmt::format("no catenary of {} m in {} elements joins the ends, {:.6g} m "
-                           "apart; the length must not be less than the distance, and the "
-                           "ends must not be nearly on one vertical: \"hanging\" may be all that",
-                           c.length, c.elements, (b - a).norm()));
+        throw_error(
+            location / "shape",
+            fmt::format("no catenary of {} m in {} elements joins the ends, {:.6g} m "
+                        "apart; the length must not be less than the distance, and the "
+                        "ends must not be nearly on one vertical: \"hanging\" may be all that",
+                        c.length, c.elements, (b - a).norm()));
     }
     c.nodes = std::move(*hanging);
 }
 
 /// Place nodes at equal distances along a polyline.
-void follow(CableLayout& c, const std::vector<Vec3>& corners, const Place& place) {
-    const double total = along(corners);
+void place_along_polyline(CableLayout& c, const std::vector<Vec3>& corners,
+                          const SourceLocation& location) {
+    const double total = polyline_length(corners);
     if (!(total > 0.0)) {
-        refuse(place / "path", "all of its points coincide");
+        throw_error(location / "path", "all of its points coincide");
     }
     c.nodes = {corners.front()};
     std::size_t leg = 0;
     double before = 0.0;  // along the corners up to this leg
     for (std::size_t i = 1; i < c.elements; ++i) {
-        const double at = total * c.share(i);
+        const double at = total * c.length_fraction(i);
         double length = (corners[leg + 1] - corners[leg]).norm();
         while (at > before + length && leg + 2 < corners.size()) {
             before += length;
@@ -218,26 +225,27 @@ void straight_or_listed(CableLayout& c, const Scope& scope, const Json& cable) {
     const Json* points = listed_points(cable);
     c.nodes.resize(c.elements + 1);
     for (std::size_t i = 0; i <= c.elements; ++i) {
-        c.nodes[i] = a + (b - a) * c.share(i);
+        c.nodes[i] = a + (b - a) * c.length_fraction(i);
     }
     c.nodes.back() = b;
     for (std::size_t i = 1; points != nullptr && i < c.elements; ++i) {
         c.nodes[i] = scope.frame.point(vector_of((*points)[i - 1]));
     }
     if (points != nullptr && !cable.contains("length") && !cable.contains("sections")) {
-        c.length = along(c.nodes);
+        c.length = polyline_length(c.nodes);
     }
 }
 
-void add_offsets(CableLayout& c, const Scope& scope, const Json& cable, const Place& place) {
+void add_offsets(CableLayout& c, const Scope& scope, const Json& cable,
+                 const SourceLocation& location) {
     const auto offsets = cable.find("offsets");
     if (offsets == cable.end()) {
         return;
     }
     if (offsets->size() + 1 != c.elements) {
-        refuse(place / "offsets",
-               fmt::format("expected {} offsets, one fewer than the elements, found {}",
-                           c.elements - 1, offsets->size()));
+        throw_error(location / "offsets",
+                    fmt::format("expected {} offsets, one fewer than the elements, found {}",
+                                c.elements - 1, offsets->size()));
     }
     for (std::size_t i = 1; i < c.elements; ++i) {
         c.nodes[i] += scope.frame.direction(vector_of((*offsets)[i - 1]));
@@ -252,7 +260,7 @@ const Json* listed_points(const Json& cable) {
 }
 
 void place_nodes(CableLayout& c, const Description& out, const Scope& scope, const Json& cable,
-                 const std::optional<StillSea>& sea, const Place& place) {
+                 const std::optional<StillSea>& sea, const SourceLocation& location) {
     const auto shape = cable.find("shape");
     const std::string kind =
         shape != cable.end() && shape->is_string() ? shape->get<std::string>() : "straight";
@@ -266,39 +274,39 @@ void place_nodes(CableLayout& c, const Description& out, const Scope& scope, con
         measure_elements(c);
     }
     if (seabed && kind != "catenary" && kind != "hanging" && kind != "laid") {
-        refuse(place / "seabed",
-               "only the shapes \"catenary\", \"hanging\" and \"laid\" lie on it");
+        throw_error(location / "seabed",
+                    "only the shapes \"catenary\", \"hanging\" and \"laid\" lie on it");
     }
     if (kind == "laid" && !seabed) {
-        refuse(place / "shape", "a cable that is laid needs \"seabed\"");
+        throw_error(location / "shape", "a cable that is laid needs \"seabed\"");
     }
     if (cable.contains("path") != (kind == "path")) {
-        refuse(place / "path", "the shape \"path\" goes with the key \"path\"");
+        throw_error(location / "path", "the shape \"path\" goes with the key \"path\"");
     }
     // In the sea a part may be wet; the chain of rigid elements has no buoyancy.
     const bool at_rest = kind == "hanging" || kind == "laid";
     if (at_rest || (kind == "catenary" && (seabed || (sea && in_water(c))))) {
-        AtRest rest(c, out, scope, cable, sea, place);
+        AtRest rest(c, out, scope, cable, sea, location);
         if (kind == "laid" && !given) {
             c.length = rest.laid_length();
         }
         rest.lay_out();
     } else if (kind == "catenary") {
-        hang_rigid(c, out, place);
+        hang_rigid_elements(c, out, location);
     } else if (kind == "path") {
         std::vector<Vec3> corners{c.from.world};
         for (const Json& point : cable["path"]) {
             corners.push_back(scope.frame.point(vector_of(point)));
         }
         corners.push_back(c.to.world);
-        follow(c, corners, place);
+        place_along_polyline(c, corners, location);
         if (!given) {
-            c.length = along(c.nodes);
+            c.length = polyline_length(c.nodes);
         }
     } else {
         straight_or_listed(c, scope, cable);
     }
-    add_offsets(c, scope, cable, place);
+    add_offsets(c, scope, cable, location);
 }
 
 }  // namespace hawser::scene

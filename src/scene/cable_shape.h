@@ -25,6 +25,6 @@ struct StillSea {
 /// Set `length` and `nodes`, and the position of a free end of a hanging cable. Shapes at rest have
 /// their weight in still water if a sea acts on them. @throws SceneError.
 void place_nodes(CableLayout& c, const Description& out, const Scope& scope, const Json& cable,
-                 const std::optional<StillSea>& sea, const Place& place);
+                 const std::optional<StillSea>& sea, const SourceLocation& location);
 
 }  // namespace hawser::scene

@@ -136,8 +136,8 @@ bool bisect(const CatenaryProblem& p, Slopes& at) {
 
 }  // namespace
 
-std::optional<std::vector<Vec3>> hang(const Vec3& a, const Vec3& b, double length, int n,
-                                      const Vec3& down) {
+std::optional<std::vector<Vec3>> hanging_nodes(const Vec3& a, const Vec3& b, double length, int n,
+                                               const Vec3& down) {
     const Vec3 up = -down.normalized();
     const Vec3 across = b - a;
     const double rise = across.dot(up);

@@ -21,7 +21,8 @@ namespace hawser::scene {
 /// Return the n + 1 nodes from `a` to `b`, hanging along `down`.
 /// @return null if there is no such shape: length below the distance, or the end points
 ///         nearly on one vertical.
-[[nodiscard]] std::optional<std::vector<Vec3>> hang(const Vec3& a, const Vec3& b, double length,
-                                                    int n, const Vec3& down);
+[[nodiscard]] std::optional<std::vector<Vec3>> hanging_nodes(const Vec3& a, const Vec3& b,
+                                                             double length, int n,
+                                                             const Vec3& down);
 
 }  // namespace hawser::scene

@@ -15,26 +15,26 @@ namespace {
 /// Lists of things with a name, by key.
 struct NamedList {
     const char* key;
-    std::vector<Lost> holds;
+    std::vector<OmittedPart> omissions;
 };
 const std::vector<NamedList>& named_lists() {
     static const std::vector<NamedList> lists{
-        {"bodies", {Lost::body}},
-        {"interactions", {Lost::interaction}},
-        {"cables", {Lost::body, Lost::interaction, Lost::cable}},
-        {"cranes", {Lost::body, Lost::interaction}},
-        {"instances", {Lost::body, Lost::interaction, Lost::cable}},
-        {"line_types", {Lost::line_type}},
-        {"templates", {Lost::instance_template}},
-        {"materials", {Lost::material}}};
+        {"bodies", {OmittedPart::body}},
+        {"interactions", {OmittedPart::interaction}},
+        {"cables", {OmittedPart::body, OmittedPart::interaction, OmittedPart::cable}},
+        {"cranes", {OmittedPart::body, OmittedPart::interaction}},
+        {"instances", {OmittedPart::body, OmittedPart::interaction, OmittedPart::cable}},
+        {"line_types", {OmittedPart::line_type}},
+        {"templates", {OmittedPart::instance_template}},
+        {"materials", {OmittedPart::material}}};
     return lists;
 }
 
-const std::vector<Lost>& kinds_in(const std::string& key) {
-    static const std::vector<Lost> none;
+const std::vector<OmittedPart>& kinds_in(const std::string& key) {
+    static const std::vector<OmittedPart> none;
     for (const NamedList& list : named_lists()) {
         if (key == list.key) {
-            return list.holds;
+            return list.omissions;
         }
     }
     return none;
@@ -58,7 +58,7 @@ std::vector<std::string> tokens_of(const std::string& path) {
 }
 
 /// Remove an entry from a list and record its loss.
-void drop_entry(Json& list, const std::string& index, const std::vector<Lost>& kinds,
+void drop_entry(Json& list, const std::string& index, const std::vector<OmittedPart>& kinds,
                 const std::string& prefix, Mistakes& mistakes) {
     std::size_t i = 0;
     std::from_chars(index.data(), index.data() + index.size(), i);
@@ -67,9 +67,9 @@ void drop_entry(Json& list, const std::string& index, const std::vector<Lost>& k
     }
     const bool named =
         list[i].is_object() && list[i].contains("name") && list[i]["name"].is_string();
-    for (const Lost what : kinds) {
-        named ? mistakes.lose(what, prefix + list[i]["name"].get<std::string>())
-              : mistakes.lose_any(what);
+    for (const OmittedPart what : kinds) {
+        named ? mistakes.record_omitted(what, prefix + list[i]["name"].get<std::string>())
+              : mistakes.record_omitted_unnamed(what);
     }
     list[i] = nullptr;
 }
@@ -80,28 +80,29 @@ void drop(Json& root, const std::string& path, const std::string& prefix, Mistak
         return;
     }
     Json& top = root[tokens[0]];
-    const std::vector<Lost>& kinds = kinds_in(tokens[0]);
+    const std::vector<OmittedPart>& kinds = kinds_in(tokens[0]);
     if (tokens.size() == 1) {
-        for (const Lost what : kinds) {
-            mistakes.lose_any(what);
+        for (const OmittedPart what : kinds) {
+            mistakes.record_omitted_unnamed(what);
         }
         root.erase(tokens[0]);
     } else if (top.is_array()) {
         drop_entry(top, tokens[1], kinds, prefix, mistakes);
     } else if (top.is_object()) {
-        for (const Lost what : kinds) {
-            mistakes.lose(what, tokens[1]);
+        for (const OmittedPart what : kinds) {
+            mistakes.record_omitted(what, tokens[1]);
         }
         top.erase(tokens[1]);
     }
 }
 
 /// Check a part of the document. @param above  Path from `root` to `value`.
-void check_part(Json& root, const Json& value, const Shape& shape, const Place& place,
+void check_part(Json& root, const Json& value, const Shape& shape, const SourceLocation& location,
                 const std::string& above, const std::string& prefix, Mistakes& mistakes) {
     const std::vector<Problem> problems = find_problems(value, shape, Mistakes::kMaximum);
     for (const Problem& problem : problems) {
-        mistakes.take(SceneError(place.file, place.path + problem.path, problem.message));
+        mistakes.add_mistake(
+            SceneError(location.file, location.path + problem.path, problem.message));
     }
     for (const Problem& problem : problems) {
         drop(root, above + problem.path, prefix, mistakes);
@@ -110,20 +111,21 @@ void check_part(Json& root, const Json& value, const Shape& shape, const Place& 
 
 }  // namespace
 
-void check_document(Json& root, const Shape& shape, const Place& place, Mistakes* mistakes) {
+void check_document(Json& root, const Shape& shape, const SourceLocation& location,
+                    Mistakes* mistakes) {
     if (mistakes == nullptr) {
-        check_shape(root, shape, place);
+        check_shape(root, shape, location);
     } else {
-        check_part(root, root, shape, place, "", "", *mistakes);
+        check_part(root, root, shape, location, "", "", *mistakes);
     }
 }
 
-void check_list(Json& content, const char* key, const Shape& shape, const Place& place,
+void check_list(Json& content, const char* key, const Shape& shape, const SourceLocation& location,
                 const std::string& prefix, Mistakes* mistakes) {
     if (mistakes == nullptr) {
-        check_shape(content[key], shape, place);
+        check_shape(content[key], shape, location);
     } else {
-        check_part(content, content[key], shape, place, pointer_token(key), prefix, *mistakes);
+        check_part(content, content[key], shape, location, pointer_token(key), prefix, *mistakes);
     }
 }
 

@@ -13,11 +13,12 @@ namespace hawser::scene {
 /// Check a document as check_shape() does. With a list, all mistakes go to it, and the faulty part
 /// leaves the document. An entry of a list becomes null; an entry of a map or a key of the settings
 /// is removed.
-void check_document(Json& root, const Shape& shape, const Place& place, Mistakes* mistakes);
+void check_document(Json& root, const Shape& shape, const SourceLocation& location,
+                    Mistakes* mistakes);
 
 /// Check a list like check_document(): content[key], whose entries have names that begin with
 /// `prefix`.
-void check_list(Json& content, const char* key, const Shape& shape, const Place& place,
+void check_list(Json& content, const char* key, const Shape& shape, const SourceLocation& location,
                 const std::string& prefix, Mistakes* mistakes);
 
 }  // namespace hawser::scene

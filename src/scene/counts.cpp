@@ -27,18 +27,18 @@ double size_of(const Json& from, const char* key) {
     return at != from.end() && at->is_array() ? static_cast<double>(at->size()) : 0.0;
 }
 
-double whole_or(const Json& from, const char* key, double otherwise) {
+double integer_or(const Json& from, const char* key, double otherwise) {
     const auto at = from.find(key);
     return at != from.end() && at->is_number_integer() ? at->get<double>() : otherwise;
 }
 
 double elements_of_cable(const Json& cable) {
-    double elements = whole_or(cable, "elements", 1.0);
+    double elements = integer_or(cable, "elements", 1.0);
     const auto sections = cable.find("sections");
     if (sections == cable.end() || !sections->is_array()) return elements;
     elements = 0.0;
     for (const Json& section : *sections)
-        elements += section.is_object() ? whole_or(section, "elements", 1.0) : 1.0;
+        elements += section.is_object() ? integer_or(section, "elements", 1.0) : 1.0;
     return elements;
 }
 
@@ -74,7 +74,7 @@ class PartCounter {
                 // Bodies: nodes between the ends, and fixed ends. Interactions: a joint or a
                 // stretch for each element, a bend for each node.
                 const Count count{elements - 1.0 + fixed_ends(cable),
-                                  elements + (bends(cable) ? elements - 1.0 : 0.0)};
+                                  elements + (has_bends(cable) ? elements - 1.0 : 0.0)};
                 add(count, "/cables/" + std::to_string(i) +
                                (cable.contains("elements") ? "/elements" : ""));
             }
@@ -92,7 +92,7 @@ class PartCounter {
     }
 
   private:
-    [[nodiscard]] bool bends(const Json& cable) const {
+    [[nodiscard]] bool has_bends(const Json& cable) const {
         const auto name = cable.find("line_type");
         if (name == cable.end() || !name->is_string() || lines_ == end_ || !lines_->is_object())
             return false;
@@ -122,15 +122,16 @@ void check_counts(const Document& document, std::int64_t max_bodies,
     Count all;
     double copies = 1.0;
     if (const auto repeat = root.find("repeat"); repeat != root.end() && repeat->is_object())
-        copies = whole_or(*repeat, "copies", 1.0);
+        copies = integer_or(*repeat, "copies", 1.0);
     std::string largest;
     all.add(PartCounter(root).of(root, 0, &largest), std::max(copies, 1.0));
-    const Place place{document.place.file, document.place.path + largest};
+    const SourceLocation location{document.location.file, document.location.path + largest};
     const auto check = [&](double count, std::int64_t most, const char* what) {
         if (count > static_cast<double>(most))
-            refuse(place, fmt::format("the scene asks for {:.0f} {}, copies included, more than {} "
-                                      "(settings.max_{})",
-                                      count, what, most, what));
+            throw_error(location,
+                        fmt::format("the scene asks for {:.0f} {}, copies included, more than {} "
+                                    "(settings.max_{})",
+                                    count, what, most, what));
     };
     check(all.bodies, max_bodies, "bodies");
     check(all.interactions, max_interactions, "interactions");

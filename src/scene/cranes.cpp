@@ -40,9 +40,10 @@ CraneRating read_rating(const Json& json) {
     return rating;
 }
 
-CraneLoad read_load(Description& out, const Scope& scope, const Json& json, const Place& place) {
+CraneLoad read_load(Description& out, const Scope& scope, const Json& json,
+                    const SourceLocation& location) {
     CraneLoad load;
-    load.body = resolve_body(out, scope, json["body"].get<std::string>(), place / "body");
+    load.body = resolve_body(out, scope, json["body"].get<std::string>(), location / "body");
     read_crane_part(load, json);
     if (const auto eyes = json.find("eyes"); eyes != json.end())
         for (const Json& eye : *eyes) load.eyes.push_back(vector_of(eye));
@@ -53,7 +54,7 @@ CraneLoad read_load(Description& out, const Scope& scope, const Json& json, cons
 
 /// Return the number of the load that a crane carries at the start; 0: none.
 int first_load(const Description& out, const Scope& scope, const std::vector<CraneLoad>& loads,
-               const Json& json, const Place& place) {
+               const Json& json, const SourceLocation& location) {
     const auto take = json.find("take");
     if (take == json.end()) return 0;
     const std::string name = take->get<std::string>();
@@ -63,17 +64,17 @@ int first_load(const Description& out, const Scope& scope, const std::vector<Cra
         if (full == scope.prefix + name) return static_cast<int>(i) + 1;
         known.push_back(full.starts_with(scope.prefix) ? full.substr(scope.prefix.size()) : full);
     }
-    refuse(place / "take",
-           "none of its loads is the body " + in_quotes(name) + suggestion(name, known));
+    throw_error(location / "take",
+                "none of its loads is the body " + in_quotes(name) + suggestion(name, known));
 }
 
 template <class Def>
 void read_common(Def& def, Description& out, const Scope& scope, const Json& json,
-                 const Place& place) {
+                 const SourceLocation& location) {
     def.name = scope.prefix + json["name"].get<std::string>();
-    def.mount.on = resolve_body(out, scope, json["on"].get<std::string>(), place / "on");
+    def.mount.on = resolve_body(out, scope, json["on"].get<std::string>(), location / "on");
     def.mount.point = vector_or(json, "point", def.mount.point);
-    def.mount.orientation = orientation_of(json, place).normalized();
+    def.mount.orientation = orientation_of(json, location).normalized();
     read_crane_part(def, json);
     read_crane_part(def.slew, json["slew"]);
     read_crane_part(def.column, json["column"]);
@@ -82,7 +83,7 @@ void read_common(Def& def, Description& out, const Scope& scope, const Json& jso
     read_crane_part(def.hook, json["hook"]);
     if (const auto rating = json.find("rating"); rating != json.end())
         def.rating = read_rating(*rating);
-    read_loads(out, scope, json, place, def.loads, def.take);
+    read_loads(out, scope, json, location, def.loads, def.take);
 }
 
 /// Adds parts to the lists of a scene.
@@ -108,34 +109,35 @@ class SceneSite final : public CraneSite {
 
 /// Convert field names of the library, mount/point and boom_angle [rad], to those of a scene, point
 /// and boom_angle_deg.
-[[noreturn]] void refuse_at(const Place& place, const DefError& error) {
+[[noreturn]] void throw_crane_error(const SourceLocation& location, const DefError& error) {
     FieldWords said = field_words(error);
     constexpr std::string_view kMount = "mount/";
     if (said.path.starts_with(kMount)) said.path = said.path.substr(kMount.size());
     if (said.path == "orientation") said.path = "euler_deg";
     if (said.path.ends_with("angle")) said.path += "_deg";
-    refuse_field(place, said);
+    throw_field_error(location, said);
 }
 
-void read_crane(Description& out, const Scope& scope, const Json& json, const Place& place) {
+void read_crane(Description& out, const Scope& scope, const Json& json,
+                const SourceLocation& location) {
     Crane crane;
     if (json["kind"] == "lattice") {
         LatticeCraneDef& def = crane.def.emplace<LatticeCraneDef>();
-        read_common(def, out, scope, json, place);
+        read_common(def, out, scope, json, location);
         read_tackle(def.luffing, json["luffing"]);
     } else {
         KnuckleCraneDef& def = crane.def.emplace<KnuckleCraneDef>();
-        read_common(def, out, scope, json, place);
+        read_common(def, out, scope, json, location);
         read_crane_part(def.boom_cylinder, json["boom_cylinder"]);
         read_crane_part(def.jib, json["jib"]);
         read_crane_part(def.jib_cylinder, json["jib_cylinder"]);
     }
-    crane.place = out.keep(place);
+    crane.location = out.store_location(location);
     try {
-        SceneSite site(out, crane.place);
+        SceneSite site(out, crane.location);
         std::visit([&](const auto& def) { build_crane(site, def); }, crane.def);
     } catch (const DefError& error) {
-        refuse_at(place, error);
+        throw_crane_error(location, error);
     }
     out.cranes.push_back(std::move(crane));
 }
@@ -149,19 +151,19 @@ void expand_cranes(Description& out, const Scope& scope) {
         const Json& json = (*list)[i];
         if (json.is_null()) continue;  // Left out: mistakes.h.
         const bool made = attempt(
-            out.mistakes, [&] { read_crane(out, scope, json, scope.place / "cranes" / i); });
+            out.mistakes, [&] { read_crane(out, scope, json, scope.location / "cranes" / i); });
         if (made) continue;
-        for (const Lost what : {Lost::body, Lost::interaction})
-            out.mistakes->lose(what, scope.prefix + json["name"].get<std::string>());
+        for (const OmittedPart what : {OmittedPart::body, OmittedPart::interaction})
+            out.mistakes->record_omitted(what, scope.prefix + json["name"].get<std::string>());
     }
 }
 
-void read_loads(Description& out, const Scope& scope, const Json& json, const Place& place,
-                std::vector<CraneLoad>& loads, int& take) {
+void read_loads(Description& out, const Scope& scope, const Json& json,
+                const SourceLocation& location, std::vector<CraneLoad>& loads, int& take) {
     if (const auto list = json.find("loads"); list != json.end())
         for (std::size_t i = 0; i < list->size(); ++i)
-            loads.push_back(read_load(out, scope, (*list)[i], place / "loads" / i));
-    take = first_load(out, scope, loads, json, place);
+            loads.push_back(read_load(out, scope, (*list)[i], location / "loads" / i));
+    take = first_load(out, scope, loads, json, location);
 }
 
 InputWords loads_by_word(const Description& description) {

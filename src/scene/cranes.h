@@ -43,7 +43,8 @@ struct CraneTable<CraneColumn> {
         {"mass", &CraneColumn::mass, "kg", "", "Counterweight included.", 0.0, kCraneHeavy}};
     static constexpr CranePoint<CraneColumn> kPoints[] = {
         {"centre", &CraneColumn::centre, "[0, 0, 0]", "Centre of mass, in the column's frame."},
-        {"half_size", &CraneColumn::half_size, "", "Of a solid box: inertia and picture."}};
+        {"half_size", &CraneColumn::half_size, "",
+         "Half sizes of a solid box, for inertia and picture."}};
     static constexpr int kPointCount = 2;
 };
 
@@ -55,9 +56,9 @@ struct CraneTable<CraneLink> {
         {"mass", &CraneLink::mass, "kg", "", "Mass.", 0.0, kCraneHeavy},
         {"centre", &CraneLink::centre, "m", "half the length",
          "Distance of the centre of mass from the foot pin.", 0.0, kCraneFar},
-        {"width", &CraneLink::width, "m", "", "Of a solid box: inertia and picture.", 0.0,
+        {"width", &CraneLink::width, "m", "", "Width of a solid box, for inertia and picture.", 0.0,
          kCraneFar},
-        {"height", &CraneLink::height, "m", "", "Likewise.", 0.0, kCraneFar}};
+        {"height", &CraneLink::height, "m", "", "Height of this box.", 0.0, kCraneFar}};
     static constexpr CranePoint<CraneLink> kPoints[1] = {};
     static constexpr int kPointCount = 0;
 };

@@ -13,40 +13,43 @@ namespace hawser::scene {
 namespace {
 
 StopperDef read_stopper(Description& out, const Scope& scope, const Json& json,
-                        const Place& place) {
+                        const SourceLocation& location) {
     StopperDef def;
     def.name = scope.prefix + json["name"].get<std::string>();
-    def.body = resolve_body(out, scope, json["on"].get<std::string>(), place / "on");
+    def.body = resolve_body(out, scope, json["on"].get<std::string>(), location / "on");
     read_fields(def, json, kStopperFields);
     return def;
 }
 
-PinDef read_pin(Description& out, const Scope& scope, const Json& json, const Place& place) {
+PinDef read_pin(Description& out, const Scope& scope, const Json& json,
+                const SourceLocation& location) {
     PinDef def;
     def.name = scope.prefix + json["name"].get<std::string>();
-    def.body = resolve_body(out, scope, json["on"].get<std::string>(), place / "on");
+    def.body = resolve_body(out, scope, json["on"].get<std::string>(), location / "on");
     read_fields(def, json, kPinFields);
     ShapeDef surface;
-    read_surface(surface, out, json, place);
+    read_surface(surface, out, json, location);
     def.material = surface.material;
     def.group = surface.group;
     def.touches = surface.touches;
     return def;
 }
 
-HookDef read_hook(Description& out, const Scope& scope, const Json& json, const Place& place) {
+HookDef read_hook(Description& out, const Scope& scope, const Json& json,
+                  const SourceLocation& location) {
     HookDef def;
     def.name = scope.prefix + json["name"].get<std::string>();
-    def.body = resolve_body(out, scope, json["on"].get<std::string>(), place / "on");
+    def.body = resolve_body(out, scope, json["on"].get<std::string>(), location / "on");
     read_fields(def, json, kHookFields);
-    read_loads(out, scope, json, place, def.loads, def.take);
+    read_loads(out, scope, json, location, def.loads, def.take);
     return def;
 }
 
-ChaserDef read_chaser(Description& out, const Scope& scope, const Json& json, const Place& place) {
+ChaserDef read_chaser(Description& out, const Scope& scope, const Json& json,
+                      const SourceLocation& location) {
     ChaserDef def;
     def.name = scope.prefix + json["name"].get<std::string>();
-    def.body = resolve_body(out, scope, json["on"].get<std::string>(), place / "on");
+    def.body = resolve_body(out, scope, json["on"].get<std::string>(), location / "on");
     read_fields(def, json, kChaserFields);
     return def;
 }
@@ -59,23 +62,24 @@ void expand_list(Description& out, const Scope& scope, const char* key, std::vec
     for (std::size_t i = 0; i < list->size(); ++i) {
         const Json& json = (*list)[i];
         if (json.is_null()) continue;  // Left out: mistakes.h.
-        const Place place = scope.place / key / i;
+        const SourceLocation location = scope.location / key / i;
         (void)attempt(out.mistakes, [&] {
-            auto def = read(out, scope, json, place);
+            auto def = read(out, scope, json, location);
             for (const Item& other : items)
                 if (other.def.name == def.name)
-                    refuse(place / "name", "the name " + in_quotes(def.name) + " exists already");
-            items.push_back({std::move(def), place});
+                    throw_error(location / "name",
+                                "the name " + in_quotes(def.name) + " exists already");
+            items.push_back({std::move(def), location});
         });
     }
 }
 
 template <class Def>
-void add(World& world, const Def& def, const Place& place) {
+void add(World& world, const Def& def, const SourceLocation& location) {
     try {
         world.add(def);
     } catch (const DefError& error) {
-        refuse_field(place, field_words(error));
+        throw_field_error(location, field_words(error));
     }
 }
 
@@ -90,13 +94,13 @@ void expand_deck(Description& out, const Scope& scope) {
 
 void add_deck(World& world, const Description& from) {
     for (const auto& item : from.deck.pins)
-        (void)attempt(from.mistakes, [&] { add(world, item.def, item.place); });
+        (void)attempt(from.mistakes, [&] { add(world, item.def, item.location); });
     for (const auto& item : from.deck.stoppers)
-        (void)attempt(from.mistakes, [&] { add(world, item.def, item.place); });
+        (void)attempt(from.mistakes, [&] { add(world, item.def, item.location); });
     for (const auto& item : from.deck.hooks)
-        (void)attempt(from.mistakes, [&] { add(world, item.def, item.place); });
+        (void)attempt(from.mistakes, [&] { add(world, item.def, item.location); });
     for (const auto& item : from.deck.chasers)
-        (void)attempt(from.mistakes, [&] { add(world, item.def, item.place); });
+        (void)attempt(from.mistakes, [&] { add(world, item.def, item.location); });
 }
 
 }  // namespace hawser::scene

@@ -15,7 +15,7 @@ void add_deck(World& world, const Description& from);
 
 /// Read the allowed loads of a hook of a crane or a wire, and the load at the start; 0: none
 /// (cranes.cpp). @throws SceneError.
-void read_loads(Description& out, const Scope& scope, const Json& json, const Place& place,
-                std::vector<CraneLoad>& loads, int& take);
+void read_loads(Description& out, const Scope& scope, const Json& json,
+                const SourceLocation& location, std::vector<CraneLoad>& loads, int& take);
 
 }  // namespace hawser::scene

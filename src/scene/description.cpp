@@ -9,54 +9,56 @@
 namespace hawser::scene {
 namespace {
 
-void refuse_taken(const char* what, const std::string& name, const Place& place,
-                  const Place& first) {
-    refuse(place,
-           fmt::format("{} {} exists already, from {}", what, in_quotes(name),
-                       first.file == place.file ? first.path : first.file + ": " + first.path));
+void throw_duplicate_name(const char* what, const std::string& name, const SourceLocation& location,
+                          const SourceLocation& first) {
+    throw_error(
+        location,
+        fmt::format("{} {} exists already, from {}", what, in_quotes(name),
+                    first.file == location.file ? first.path : first.file + ": " + first.path));
 }
 
-void refuse_too_many(std::size_t count, std::int64_t most, const char* what, const Place& place) {
+void throw_too_many(std::size_t count, std::int64_t most, const char* what,
+                    const SourceLocation& location) {
     if (static_cast<std::int64_t>(count) >= most) {
-        refuse(place, fmt::format("the scene has more than {} {}", most, what));
+        throw_error(location, fmt::format("the scene has more than {} {}", most, what));
     }
 }
 
 }  // namespace
 
-int Description::keep(const Place& place) {
-    places_.push_back(place);
-    return static_cast<int>(places_.size()) - 1;
+int Description::store_location(const SourceLocation& location) {
+    locations_.push_back(location);
+    return static_cast<int>(locations_.size()) - 1;
 }
 
-BodyId Description::add_body(BodyDef def, int place) {
+BodyId Description::add_body(BodyDef def, int location) {
     const auto index = static_cast<std::int32_t>(bodies.size());
-    const Place& at = places_[static_cast<std::size_t>(place)];
-    refuse_too_many(bodies.size(), settings.max_bodies, "bodies (settings.max_bodies)", at);
+    const SourceLocation& at = locations_[static_cast<std::size_t>(location)];
+    throw_too_many(bodies.size(), settings.max_bodies, "bodies (settings.max_bodies)", at);
     if (!def.name.empty()) {
         const auto [entry, added] = body_names_.emplace(def.name, index);
         if (!added) {
-            refuse_taken("the body", def.name, at,
-                         body_place(static_cast<std::size_t>(entry->second)));
+            throw_duplicate_name("the body", def.name, at,
+                                 body_location(static_cast<std::size_t>(entry->second)));
         }
     }
     bodies.push_back(std::move(def));
-    body_at_.push_back(static_cast<std::size_t>(place));
+    body_at_.push_back(static_cast<std::size_t>(location));
     return BodyId{index};
 }
 
-void Description::add_shape(ShapeDef def, int place) {
-    refuse_too_many(shapes.size(), kMaxElements, "shapes",
-                    places_[static_cast<std::size_t>(place)]);
+void Description::add_shape(ShapeDef def, int location) {
+    throw_too_many(shapes.size(), kMaxElements, "shapes",
+                   locations_[static_cast<std::size_t>(location)]);
     shapes.push_back(std::move(def));
-    shape_at_.push_back(static_cast<std::size_t>(place));
+    shape_at_.push_back(static_cast<std::size_t>(location));
 }
 
 std::vector<std::string> Description::shape_places() const {
     std::vector<std::string> out;
     out.reserve(shapes.size());
     for (std::size_t i = 0; i < shapes.size(); ++i)
-        out.push_back(shape_place(i).file + ": " + shape_place(i).path);
+        out.push_back(shape_location(i).file + ": " + shape_location(i).path);
     return out;
 }
 
@@ -71,60 +73,60 @@ std::optional<ShapeDef> Description::remove_segment(BodyId a, BodyId b) {
     return out;
 }
 
-InteractionId Description::add_interaction(InteractionDef def, int place) {
+InteractionId Description::add_interaction(InteractionDef def, int location) {
     const auto index = static_cast<std::int32_t>(interactions.size());
-    const Place& at = places_[static_cast<std::size_t>(place)];
-    refuse_too_many(interactions.size(), settings.max_interactions,
-                    "interactions (settings.max_interactions)", at);
+    const SourceLocation& at = locations_[static_cast<std::size_t>(location)];
+    throw_too_many(interactions.size(), settings.max_interactions,
+                   "interactions (settings.max_interactions)", at);
     if (!def.name.empty()) {
         const auto [entry, added] = interaction_names_.emplace(def.name, index);
         if (!added) {
-            refuse_taken("the interaction", def.name, at,
-                         interaction_place(static_cast<std::size_t>(entry->second)));
+            throw_duplicate_name("the interaction", def.name, at,
+                                 interaction_location(static_cast<std::size_t>(entry->second)));
         }
     }
     interactions.push_back(std::move(def));
-    interaction_at_.push_back(static_cast<std::size_t>(place));
+    interaction_at_.push_back(static_cast<std::size_t>(location));
     return InteractionId{index};
 }
 
-void Description::add_input(InputDef def, int place) {
+void Description::add_input(InputDef def, int location) {
     const auto index = static_cast<std::int32_t>(inputs.size());
     const auto [entry, added] = input_names_.emplace(def.name, index);
     if (!added) {
-        refuse_taken("the input", def.name, places_[static_cast<std::size_t>(place)],
-                     input_place(static_cast<std::size_t>(entry->second)));
+        throw_duplicate_name("the input", def.name, locations_[static_cast<std::size_t>(location)],
+                             input_location(static_cast<std::size_t>(entry->second)));
     }
     inputs.push_back(std::move(def));
-    input_at_.push_back(static_cast<std::size_t>(place));
+    input_at_.push_back(static_cast<std::size_t>(location));
 }
 
-void Description::add_lever(SignalInput input, int place) {
-    const Place& at = places_[static_cast<std::size_t>(place)];
+void Description::add_lever(SignalInput input, int location) {
+    const SourceLocation& at = locations_[static_cast<std::size_t>(location)];
     if (const auto other = input_names_.find(input.name); other != input_names_.end())
-        refuse_taken("the input", input.name, at,
-                     input_place(static_cast<std::size_t>(other->second)));
+        throw_duplicate_name("the input", input.name, at,
+                             input_location(static_cast<std::size_t>(other->second)));
     for (std::size_t i = 0; i < levers.size(); ++i)
         if (levers[i].input.name == input.name)
-            refuse_taken("the input", input.name, at, lever_place(i));
-    levers.push_back({std::move(input), place});
+            throw_duplicate_name("the input", input.name, at, lever_location(i));
+    levers.push_back({std::move(input), location});
 }
 
-void Description::add_output(OutputDef def, int place) {
+void Description::add_output(OutputDef def, int location) {
     const auto index = static_cast<std::int32_t>(outputs.size());
     const auto [entry, added] = output_names_.emplace(def.name, index);
     if (!added) {
-        refuse_taken("the output", def.name, places_[static_cast<std::size_t>(place)],
-                     output_place(static_cast<std::size_t>(entry->second)));
+        throw_duplicate_name("the output", def.name, locations_[static_cast<std::size_t>(location)],
+                             output_location(static_cast<std::size_t>(entry->second)));
     }
     outputs.push_back(std::move(def));
-    output_at_.push_back(static_cast<std::size_t>(place));
+    output_at_.push_back(static_cast<std::size_t>(location));
 }
 
-void Description::add_cable(Cable cable, const Place& place) {
+void Description::add_cable(Cable cable, const SourceLocation& location) {
     const auto index = static_cast<std::int32_t>(cables.size());
     if (!cable_names_.emplace(cable.name, index).second) {
-        refuse(place, "the cable " + in_quotes(cable.name) + " exists already");
+        throw_error(location, "the cable " + in_quotes(cable.name) + " exists already");
     }
     cables.push_back(std::move(cable));
 }
@@ -146,7 +148,7 @@ BodyId Description::world_body() {
         BodyDef def;
         def.name = "world";
         def.kind = BodyKind::fixed;
-        world_ = add_body(std::move(def), keep({}));
+        world_ = add_body(std::move(def), store_location({}));
     }
     return world_;
 }
@@ -167,7 +169,7 @@ Frame Description::frame_of(BodyId id) const {
 }
 
 BodyId resolve_body(Description& out, const Scope& scope, const std::string& name,
-                    const Place& place) {
+                    const SourceLocation& location) {
     if (const auto bound = scope.bound.find(name); bound != scope.bound.end()) {
         return bound->second == "world" ? out.world_body() : out.find_body(bound->second);
     }
@@ -187,7 +189,7 @@ BodyId resolve_body(Description& out, const Scope& scope, const std::string& nam
             known.push_back(body.name.substr(scope.prefix.size()));
         }
     }
-    refuse_missing(out.mistakes, Lost::body, scope.prefix + name, place,
+    report_missing(out.mistakes, OmittedPart::body, scope.prefix + name, location,
                    "there is no body " + in_quotes(name) + suggestion(name, known));
 }
 
@@ -210,21 +212,22 @@ std::string text_or(const Json& object, const char* key, const char* fallback) {
     return entry == object.end() ? fallback : entry->get<std::string>();
 }
 
-Quat quaternion_of(const Json& value, const Place& place) {
+Quat quaternion_of(const Json& value, const SourceLocation& location) {
     const Quat q(value[0].get<double>(), value[1].get<double>(), value[2].get<double>(),
                  value[3].get<double>());
     // Hand-written quaternions have nearly unit length; other lengths are mistakes.
     if (std::abs(q.norm() - 1.0) > 1e-2) {
-        refuse(place, fmt::format("expected a unit quaternion [w, x, y, z], found one of length "
-                                  "{}",
-                                  q.norm()));
+        throw_error(location,
+                    fmt::format("expected a unit quaternion [w, x, y, z], found one of length "
+                                "{}",
+                                q.norm()));
     }
     return q.normalized();
 }
 
-Quat orientation_of(const Json& object, const Place& place) {
+Quat orientation_of(const Json& object, const SourceLocation& location) {
     if (const auto q = object.find("orientation"); q != object.end()) {
-        return quaternion_of(*q, place / "orientation");
+        return quaternion_of(*q, location / "orientation");
     }
     const auto euler = object.find("euler_deg");
     if (euler == object.end()) {

@@ -37,20 +37,20 @@ namespace hawser::scene {
 struct Winch {
     WinchDef def;
     std::string cable;
-    int place = 0;
+    int location = 0;
 };
 
 /// A guide of the description. Its wire is given by the name of a cable.
 struct GuideItem {
     GuideDef def;
     std::string cable;
-    int place = 0;
+    int location = 0;
 };
 
 /// A post of the description. Its shape is found by name.
 struct PostItem {
     PostDef def;
-    int place = 0;
+    int location = 0;
 };
 
 /// Deck gear of the description.
@@ -58,7 +58,7 @@ struct DeckGear {
     template <class Def>
     struct Item {
         Def def;
-        Place place;
+        SourceLocation location;
     };
     std::vector<Item<StopperDef>> stoppers;
     std::vector<Item<PinDef>> pins;
@@ -70,29 +70,29 @@ struct DeckGear {
 struct Resolution {
     ResolutionDef def;
     std::string cable;
-    int place = 0;
+    int location = 0;
 };
 
 /// A crane of the description. Its parts are among the bodies and interactions. Its drives are
 /// added to the world.
 struct Crane {
     std::variant<KnuckleCraneDef, LatticeCraneDef> def;
-    int place = 0;
+    int location = 0;
 };
 
 /// An anchor of the description. Its line is given by the name of a cable, or empty.
 struct AnchorItem {
     AnchorDef def;
     std::string cable;
-    Place place;
+    SourceLocation location;
 };
 
 /// A stability gauge of the description. Its wires are given by the names of cables.
 struct StabilityItem {
     StabilityDef def;
     std::string cable;
-    std::vector<std::string> others;
-    Place place;
+    std::vector<std::string> other_names;
+    SourceLocation location;
 };
 
 /// A cable in water, as described.
@@ -100,14 +100,14 @@ struct CableWater {
     std::string cable{};
     std::vector<WaterLine::Section> sections{};
     bool free_first = false, free_last = false;
-    Place place{};
+    SourceLocation location{};
 };
 
 /// An item of a section (sections.h): a system that is added to the world last.
 struct SectionItem {
     std::string name{};    ///< Full name in copy 0.
     std::string prefix{};  ///< Prefix of all names in its copy of the scene; "" in copy 0.
-    Place place{};
+    SourceLocation location{};
     /// Add the system. Names that it refers to begin with `prefix`. @throws DefError.
     std::function<void(World&, const std::string& prefix, const std::string& name)> add;
 };
@@ -115,7 +115,7 @@ struct SectionItem {
 /// An input of a signal.
 struct Lever {
     SignalInput input;
-    int place = 0;
+    int location = 0;
 };
 
 class Description {
@@ -148,60 +148,68 @@ class Description {
     std::vector<SectionItem> sections;
     std::vector<CableWater> waters;  ///< Cables that are in water if the scene has a sea.
     std::optional<SeaDef> sea;       ///< The sea; its lines are in `waters`.
-    Place sea_place;
+    SourceLocation sea_location;
     /// Place of each entry of its lists.
-    std::vector<Place> sea_body_place, sea_hull_place, sea_rod_place;
+    std::vector<SourceLocation> sea_body_locations, sea_hull_locations, sea_rod_locations;
     std::vector<MaterialDef> materials;  ///< Material i of the list is i + 1 of the world.
     std::vector<MaterialPairDef> material_pairs;
     std::vector<ShapeDef> shapes;
 
     /// Store a place to which several items refer. @return its number.
-    int keep(const Place& place);
-    [[nodiscard]] const Place& body_place(std::size_t i) const { return places_[body_at_[i]]; }
-    [[nodiscard]] const Place& interaction_place(std::size_t i) const {
-        return places_[interaction_at_[i]];
+    int store_location(const SourceLocation& location);
+    [[nodiscard]] const SourceLocation& body_location(std::size_t i) const {
+        return locations_[body_at_[i]];
     }
-    [[nodiscard]] const Place& input_place(std::size_t i) const { return places_[input_at_[i]]; }
-    [[nodiscard]] const Place& output_place(std::size_t i) const { return places_[output_at_[i]]; }
-    [[nodiscard]] const Place& winch_place(std::size_t i) const {
-        return places_[static_cast<std::size_t>(winches[i].place)];
+    [[nodiscard]] const SourceLocation& interaction_location(std::size_t i) const {
+        return locations_[interaction_at_[i]];
     }
-    [[nodiscard]] const Place& guide_place(std::size_t i) const {
-        return places_[static_cast<std::size_t>(guides[i].place)];
+    [[nodiscard]] const SourceLocation& input_location(std::size_t i) const {
+        return locations_[input_at_[i]];
     }
-    [[nodiscard]] const Place& post_place(std::size_t i) const {
-        return places_[static_cast<std::size_t>(posts[i].place)];
+    [[nodiscard]] const SourceLocation& output_location(std::size_t i) const {
+        return locations_[output_at_[i]];
     }
-    [[nodiscard]] const Place& resolution_place(std::size_t i) const {
-        return places_[static_cast<std::size_t>(resolutions[i].place)];
+    [[nodiscard]] const SourceLocation& winch_location(std::size_t i) const {
+        return locations_[static_cast<std::size_t>(winches[i].location)];
     }
-    [[nodiscard]] const Place& crane_place(std::size_t i) const {
-        return places_[static_cast<std::size_t>(cranes[i].place)];
+    [[nodiscard]] const SourceLocation& guide_location(std::size_t i) const {
+        return locations_[static_cast<std::size_t>(guides[i].location)];
     }
-    [[nodiscard]] const Place& lever_place(std::size_t i) const {
-        return places_[static_cast<std::size_t>(levers[i].place)];
+    [[nodiscard]] const SourceLocation& post_location(std::size_t i) const {
+        return locations_[static_cast<std::size_t>(posts[i].location)];
     }
-    [[nodiscard]] const Place& shape_place(std::size_t i) const { return places_[shape_at_[i]]; }
+    [[nodiscard]] const SourceLocation& resolution_location(std::size_t i) const {
+        return locations_[static_cast<std::size_t>(resolutions[i].location)];
+    }
+    [[nodiscard]] const SourceLocation& crane_location(std::size_t i) const {
+        return locations_[static_cast<std::size_t>(cranes[i].location)];
+    }
+    [[nodiscard]] const SourceLocation& lever_location(std::size_t i) const {
+        return locations_[static_cast<std::size_t>(levers[i].location)];
+    }
+    [[nodiscard]] const SourceLocation& shape_location(std::size_t i) const {
+        return locations_[shape_at_[i]];
+    }
     /// Return the places of all shapes, "FILE: /shapes/3".
     [[nodiscard]] std::vector<std::string> shape_places() const;
 
-    void add_shape(ShapeDef def, int place);
+    void add_shape(ShapeDef def, int location);
     /// Remove the capsule between two ends. @return the capsule, if there is one.
     std::optional<ShapeDef> remove_segment(BodyId a, BodyId b);
     /// Return the bits of the groups named by a word or a list of words. A new name makes a new
     /// group.
-    std::uint32_t groups(const Json& names, const Place& place);
+    std::uint32_t groups(const Json& names, const SourceLocation& location);
     /// Return the bits of the groups that a shape touches, from a list of names. check_groups()
     /// rejects names that no shape has.
-    std::uint32_t touched(const Json& names, const Place& place);
+    std::uint32_t touched(const Json& names, const SourceLocation& location);
     void check_groups() const;
     /// Add a body. @throws SceneError if the name exists or there are too many bodies.
-    BodyId add_body(BodyDef def, int place);
-    InteractionId add_interaction(InteractionDef def, int place);
-    void add_input(InputDef def, int place);
-    void add_lever(SignalInput input, int place);
-    void add_output(OutputDef def, int place);
-    void add_cable(Cable cable, const Place& place);
+    BodyId add_body(BodyDef def, int location);
+    InteractionId add_interaction(InteractionDef def, int location);
+    void add_input(InputDef def, int location);
+    void add_lever(SignalInput input, int location);
+    void add_output(OutputDef def, int location);
+    void add_cable(Cable cable, const SourceLocation& location);
 
     [[nodiscard]] BodyId find_body(const std::string& name) const;
     [[nodiscard]] InteractionId find_interaction(const std::string& name) const;
@@ -220,12 +228,12 @@ class Description {
     [[nodiscard]] Frame frame_of(BodyId id) const;
 
   private:
-    std::vector<Place> places_;
+    std::vector<SourceLocation> locations_;
     std::vector<std::size_t> body_at_, interaction_at_, input_at_, output_at_, shape_at_;
     std::vector<std::string> group_names_{"default"};
     std::uint32_t named_groups_ = 0;  ///< Those that some shape is in.
     /// Bits of the groups touched, and the place of each name.
-    std::vector<std::pair<std::uint32_t, Place>> touched_at_;
+    std::vector<std::pair<std::uint32_t, SourceLocation>> touched_at_;
     std::unordered_map<std::string, std::int32_t> body_names_, interaction_names_, input_names_,
         output_names_, cable_names_;
     BodyId world_;
@@ -234,7 +242,7 @@ class Description {
 /// Part of the scene in which names are local: the scene itself or one instance.
 struct Scope {
     const Json* content = nullptr;  ///< Object with the lists "bodies", "cables", …
-    Place place;                    ///< Place of `content`.
+    SourceLocation location;        ///< Place of `content`.
     std::string prefix;             ///< Prefix of all names in this scope, such as "port_crane/".
     Frame frame;
     std::unordered_map<std::string, std::string> bound;  ///< Local body name -> full name.
@@ -242,12 +250,13 @@ struct Scope {
 
 /// Return the body with this local name. @throws SceneError with the nearest name.
 [[nodiscard]] BodyId resolve_body(Description& out, const Scope& scope, const std::string& name,
-                                  const Place& place);
+                                  const SourceLocation& location);
 
 /// Return the interaction with this local name among those read so far. @throws SceneError with the
 /// nearest name.
 [[nodiscard]] InteractionId resolve_interaction(const Description& out, const Scope& scope,
-                                                const std::string& name, const Place& place);
+                                                const std::string& name,
+                                                const SourceLocation& location);
 
 /// Fill the description from the document; see expand.cpp. If mistakes are collected, parts with
 /// mistakes are omitted.
@@ -261,14 +270,15 @@ void expand_bodies(Description& out, const Scope& scope);
 void expand_interactions(Description& out, const Scope& scope);
 /// Read one cable (cables.cpp). `to_scope` is the scope of the name of its last end.
 void expand_cable(Description& out, const Scope& scope, const Scope& to_scope, const Json& cable,
-                  const Document& document, const Place& place);
+                  const Document& document, const SourceLocation& location);
 /// Read the materials and their pairs (materials.cpp).
 void expand_materials(Description& out, const Document& document);
 /// Read the surface and groups of a shape as far as given: "material", "groups", "touches"
 /// (materials.cpp).
-void read_surface(ShapeDef& def, Description& out, const Json& json, const Place& place);
+void read_surface(ShapeDef& def, Description& out, const Json& json,
+                  const SourceLocation& location);
 /// Read the shapes of a body, except its segments (shapes.cpp).
-void expand_shapes(Description& out, BodyId body, const Json& list, const Place& place);
+void expand_shapes(Description& out, BodyId body, const Json& list, const SourceLocation& location);
 /// Read the segments between bodies of one scope and others. All bodies must have been read
 /// (shapes.cpp).
 void expand_segments(Description& out, const Scope& scope);
@@ -284,7 +294,7 @@ void expand_posts(Description& out, const Scope& scope);
 /// for "edge_of" of a post (post_edges.cpp). @throws SceneError if there are none.
 [[nodiscard]] std::vector<EdgeAxis> axes_of_edges(const Description& out, BodyId body,
                                                   const Json& json, double radius,
-                                                  const Place& place);
+                                                  const SourceLocation& location);
 /// Read the cranes of one scope. All bodies except those of cables must have been read
 /// (cranes.cpp).
 void expand_cranes(Description& out, const Scope& scope);
@@ -294,7 +304,7 @@ void expand_routes(Description& out, const Scope& scope);
 /// 0.
 void expand_sea(Description& out, const Document& document, std::size_t waters);
 /// Store a cable if a section of it is in water (sea.cpp).
-void keep_water(Description& out, const CableWater& water);
+void store_water(Description& out, const CableWater& water);
 /// Add the sea to a world with bodies and wires (sea.cpp). @throws SceneError, DefError.
 void add_sea(World& world, const Description& from);
 /// Read the outputs of one scope. All interactions must have been read (outputs.cpp).
@@ -312,7 +322,8 @@ void apply_state(Description& out, const Document& document);
 void expand_copies(Description& out, const Document& document);
 
 /// Replace "${name}" in every string by the parameter (templates.cpp).
-[[nodiscard]] Json substitute(const Json& value, const Json& parameters, const Place& place);
+[[nodiscard]] Json substitute(const Json& value, const Json& parameters,
+                              const SourceLocation& location);
 
 // --- Reading values whose shape has been checked -------------------------------------------
 [[nodiscard]] Vec3 vector_of(const Json& value);
@@ -329,7 +340,7 @@ void read_display(Def& def, const Json& json) {
 /// Name of a group: a text, or a number as one.
 [[nodiscard]] std::string group_of(const Json& value);
 /// Read "orientation" or "euler_deg" of an object. @throws SceneError for a zero quaternion.
-[[nodiscard]] Quat orientation_of(const Json& object, const Place& place);
-[[nodiscard]] Quat quaternion_of(const Json& value, const Place& place);
+[[nodiscard]] Quat orientation_of(const Json& object, const SourceLocation& location);
+[[nodiscard]] Quat quaternion_of(const Json& value, const SourceLocation& location);
 
 }  // namespace hawser::scene

@@ -18,44 +18,44 @@ class Includer {
     /// Merge the files that `content` includes. `content` was read from `file`. Also merge its own
     /// entries, unless it is the scene.
     void merge(const Json& content, const std::filesystem::path& file, int depth) {
-        const Place place{file.string(), ""};
+        const SourceLocation location{file.string(), ""};
         if (depth > 0) {
-            take(content, "line_types", place, document_.line_types);
-            take(content, "templates", place, document_.templates);
-            take(content, "materials", place, document_.materials);
+            insert_content(content, "line_types", location, document_.line_types);
+            insert_content(content, "templates", location, document_.templates);
+            insert_content(content, "materials", location, document_.materials);
         }
         const auto list = content.find("include");
         if (list == content.end()) {
             return;
         }
         for (std::size_t i = 0; i < list->size(); ++i) {
-            const Place entry = place / "include" / i;
+            const SourceLocation entry = location / "include" / i;
             const bool read = attempt(document_.mistakes, [&] {
                 if (!(*list)[i].is_null()) {
                     include((*list)[i].get<std::string>(), file, depth, entry);
                 }
             });
             if (!read) {
-                lose_what_files_hold();
+                omit_file_contents();
             }
         }
     }
 
   private:
     void include(const std::string& name, const std::filesystem::path& from, int depth,
-                 const Place& entry) {
+                 const SourceLocation& entry) {
         if (depth >= kMaxIncludeDepth) {
-            refuse(entry,
-                   "includes are nested more than " + std::to_string(kMaxIncludeDepth) + " deep");
+            throw_error(entry, "includes are nested more than " + std::to_string(kMaxIncludeDepth) +
+                                   " deep");
         }
         const auto file = resolve_inside(root_folder_, from.parent_path(), name, entry);
         const auto key = std::filesystem::weakly_canonical(file).string();
         if (std::find(open_.begin(), open_.end(), key) != open_.end()) {
-            refuse(entry, "the file " + in_quotes(name) +
-                              " includes itself, directly or through "
-                              "others");
+            throw_error(entry, "the file " + in_quotes(name) +
+                                   " includes itself, directly or through "
+                                   "others");
         }
-        if (!done_.insert(key).second) {
+        if (!included_.insert(key).second) {
             return;  // The file was included before by another route.
         }
         document_.files.push_back(file);
@@ -63,27 +63,27 @@ class Includer {
             read_json_file(file, outermost_keys(), document_.mistakes, "a part of a scene");
         check_document(content, *format().part, {file.string(), ""}, document_.mistakes);
         if (!content.is_object()) {
-            return lose_what_files_hold();
+            return omit_file_contents();
         }
         open_.push_back(key);
         merge(content, file, depth + 1);
         open_.pop_back();
     }
 
-    void take(const Json& content, const char* what, const Place& place,
-              std::map<std::string, Place, std::less<>>& places) {
+    void insert_content(const Json& content, const char* what, const SourceLocation& location,
+                        std::map<std::string, SourceLocation, std::less<>>& places) {
         const auto entries = content.find(what);
         if (entries == content.end()) {
             return;
         }
         for (const auto& [name, value] : entries->items()) {
-            const Place at = place / what / name;
+            const SourceLocation at = location / what / name;
             if (document_.root.contains(what) && document_.root[what].contains(name)) {
                 const auto other = places.find(name);
                 const std::string& there =
-                    other == places.end() ? document_.place.file : other->second.file;
+                    other == places.end() ? document_.location.file : other->second.file;
                 (void)attempt(document_.mistakes, [&, &taken = name] {
-                    refuse(at, in_quotes(taken) + " is already defined in " + there);
+                    throw_error(at, in_quotes(taken) + " is already defined in " + there);
                 });
                 continue;
             }
@@ -92,16 +92,17 @@ class Includer {
         }
     }
 
-    void lose_what_files_hold() {
-        for (const Lost what : {Lost::line_type, Lost::instance_template, Lost::material}) {
-            document_.mistakes->lose_any(what);
+    void omit_file_contents() {
+        for (const OmittedPart what :
+             {OmittedPart::line_type, OmittedPart::instance_template, OmittedPart::material}) {
+            document_.mistakes->record_omitted_unnamed(what);
         }
     }
 
     Document& document_;
     std::filesystem::path root_folder_;
     std::vector<std::string> open_;
-    std::set<std::string> done_;
+    std::set<std::string> included_;
 };
 
 /// Append the operations of a file to those of the scene. They are checked in that file.
@@ -109,7 +110,7 @@ void add_operations(Document& document, const std::string& file) {
     document.operations = {file, ""};
     document.files.emplace_back(file);
     Json list = read_json_file(file, outermost_keys(), document.mistakes, "a list of operations");
-    if (!list.is_array()) refuse_other_kind(list, file, "a list of operations");
+    if (!list.is_array()) check_document_kind(list, file, "a list of operations");
     check_document(list, *format().operations, document.operations, document.mistakes);
     if (!list.is_array()) return;
     Json& timeline = document.root["timeline"];
@@ -124,11 +125,11 @@ void apply_options(Document& document, const Options& options) {
     if (!options.operations.empty())
         (void)attempt(document.mistakes, [&] { add_operations(document, options.operations); });
     // Options were meant for the whole document: skip them if parts with mistakes were removed.
-    if (!changed || (document.mistakes != nullptr && !document.mistakes->none())) {
+    if (!changed || (document.mistakes != nullptr && !document.mistakes->is_empty())) {
         return;
     }
     for (const std::string& option : options.set) {
-        (void)attempt(document.mistakes, [&] { apply_override(root, option, document.place); });
+        (void)attempt(document.mistakes, [&] { apply_override(root, option, document.location); });
     }
     if (options.step) {
         root["settings"]["step"] = *options.step;
@@ -140,14 +141,15 @@ void apply_options(Document& document, const Options& options) {
     if (options.scale != 1) {
         (void)attempt(document.mistakes, [&] {
             if (!root.contains("repeat")) {
-                refuse(document.place,
-                       "this scene cannot be scaled; it needs the key \"repeat\" with the offset "
-                       "from one copy to the next");
+                throw_error(
+                    document.location,
+                    "this scene cannot be scaled; it needs the key \"repeat\" with the offset "
+                    "from one copy to the next");
             }
             root["repeat"]["copies"] = options.scale;
         });
     }
-    check_document(root, *format().scene, document.place, document.mistakes);
+    check_document(root, *format().scene, document.location, document.mistakes);
 }
 
 void read_state(Document& document, const std::filesystem::path& file) {
@@ -155,20 +157,20 @@ void read_state(Document& document, const std::filesystem::path& file) {
     if (state == document.root.end()) {
         return;
     }
-    const Place place = document.place / "state";
-    document.state = place / "bodies";
+    const SourceLocation location = document.location / "state";
+    document.state = location / "bodies";
     if (state->contains("bodies")) {
         return;
     }
     if (!state->contains("file")) {
-        refuse(place, "needs the key \"file\" or \"bodies\"");
+        throw_error(location, "needs the key \"file\" or \"bodies\"");
     }
     const auto stored = resolve_inside(file.parent_path(), file.parent_path(),
-                                       (*state)["file"].get<std::string>(), place / "file");
+                                       (*state)["file"].get<std::string>(), location / "file");
     document.files.push_back(stored);
     document.state_file = stored;
     Json content = read_json_file(stored, outermost_keys(), document.mistakes, "a settled state");
-    const Place stored_place{stored.string(), ""};
+    const SourceLocation stored_place{stored.string(), ""};
     check_document(content, *format().state, stored_place, document.mistakes);
     if (!content.is_object() || !content.contains("bodies")) {
         return;
@@ -182,7 +184,7 @@ void read_state(Document& document, const std::filesystem::path& file) {
 Document make_document(Json root, const std::filesystem::path& file, const Options& options,
                        Mistakes* mistakes) {
     Document document{.root = std::move(root),
-                      .place = {file.string(), ""},
+                      .location = {file.string(), ""},
                       .line_types = {},
                       .templates = {},
                       .materials = {},
@@ -194,8 +196,8 @@ Document make_document(Json root, const std::filesystem::path& file, const Optio
                       .mistakes = mistakes};
     const bool has_content = document.root.is_object() && !document.root.contains("exercise") &&
                              (document.root.contains("version") || document.root.contains("name"));
-    if (!has_content) refuse_other_kind(document.root, document.place.file, "a scene");
-    check_document(document.root, *format().scene, document.place, mistakes);
+    if (!has_content) check_document_kind(document.root, document.location.file, "a scene");
+    check_document(document.root, *format().scene, document.location, mistakes);
     if (!document.root.is_object()) {
         return document;
     }

@@ -17,15 +17,15 @@
 namespace hawser::scene {
 
 struct Document {
-    Json root;    ///< Self-contained.
-    Place place;  ///< Place of the scene itself.
+    Json root;                ///< Self-contained.
+    SourceLocation location;  ///< Place of the scene itself.
     /// Places of the entries that came from other files, by name.
-    std::map<std::string, Place, std::less<>> line_types;
-    std::map<std::string, Place, std::less<>> templates;
-    std::map<std::string, Place, std::less<>> materials;
-    Place operations;              ///< Place of the entries of "timeline" that came from a file …
+    std::map<std::string, SourceLocation, std::less<>> line_types;
+    std::map<std::string, SourceLocation, std::less<>> templates;
+    std::map<std::string, SourceLocation, std::less<>> materials;
+    SourceLocation operations;     ///< Place of the entries of "timeline" that came from a file …
     std::size_t own_operations{};  ///< … whose index is ≥ this one.
-    Place state;                   ///< Place of the state's "bodies".
+    SourceLocation state;          ///< Place of the state's "bodies".
     std::vector<std::filesystem::path>
         files;                         ///< Files that were read in addition to the scene's own.
     std::filesystem::path state_file;  ///< File of the state, among these; empty: none.
@@ -41,6 +41,6 @@ struct Document {
 void read_hull_files(Document& document, const std::filesystem::path& file);
 
 /// Apply one option "path=value" (see Options::set). @throws SceneError.
-void apply_override(Json& root, const std::string& option, const Place& place);
+void apply_override(Json& root, const std::string& option, const SourceLocation& location);
 
 }  // namespace hawser::scene

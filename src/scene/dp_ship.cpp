@@ -20,7 +20,7 @@ constexpr const char* kDpFile = "data of a ship for DNV-ST-0111";
 
 /// Index of a word among the names of an enumeration.
 template <class Enum>
-Enum dp_word(const Json& json, const char* key, int count, Enum fallback) {
+Enum read_enum(const Json& json, const char* key, int count, Enum fallback) {
     const auto entry = json.find(key);
     if (entry == json.end()) return fallback;
     const std::string word = entry->template get<std::string>();
@@ -30,13 +30,14 @@ Enum dp_word(const Json& json, const char* key, int count, Enum fallback) {
 }
 
 std::vector<std::string> dp_names(const Json& json, const std::vector<DpThruster>& thrusters,
-                                  const Place& place) {
+                                  const SourceLocation& location) {
     std::vector<std::string> out, known;
     for (const DpThruster& t : thrusters) known.push_back(t.name);
     for (std::size_t i = 0; i < json.size(); ++i) {
         const std::string name = json[i].get<std::string>();
         if (std::find(known.begin(), known.end(), name) == known.end())
-            refuse(place / i, "there is no thruster " + in_quotes(name) + suggestion(name, known));
+            throw_error(location / i,
+                        "there is no thruster " + in_quotes(name) + suggestion(name, known));
         out.push_back(name);
     }
     return out;
@@ -45,10 +46,10 @@ std::vector<std::string> dp_names(const Json& json, const std::vector<DpThruster
 DpThruster read_dp_thruster(const Json& json) {
     DpThruster t;
     t.name = json["name"].get<std::string>();
-    t.kind = dp_word(json, "kind", kDpThrusterKinds, t.kind);
-    t.propeller = dp_word(json, "propeller", kDpPropellers, t.propeller);
-    t.inlet = dp_word(json, "inlet", kDpInlets, t.inlet);
-    t.drive = dp_word(json, "drive", kDpDrives, t.drive);
+    t.kind = read_enum(json, "kind", kDpThrusterKinds, t.kind);
+    t.propeller = read_enum(json, "propeller", kDpPropellers, t.propeller);
+    t.inlet = read_enum(json, "inlet", kDpInlets, t.inlet);
+    t.drive = read_enum(json, "drive", kDpDrives, t.drive);
     if (const auto flag = json.find("controllable"); flag != json.end())
         t.controllable = flag->get<bool>();
     t.point = vector_of(json["point"]);
@@ -56,7 +57,7 @@ DpThruster read_dp_thruster(const Json& json) {
     t.power = json["power"].get<double>();
     if (const auto rudder = json.find("rudder"); rudder != json.end()) {
         t.rudder.area = (*rudder)["area"].get<double>();
-        t.rudder.profile = dp_word(*rudder, "profile", kDpRudderProfiles, t.rudder.profile);
+        t.rudder.profile = read_enum(*rudder, "profile", kDpRudderProfiles, t.rudder.profile);
     }
     if (const auto zones = json.find("forbidden_deg"); zones != json.end())
         for (const Json& z : *zones)
@@ -66,7 +67,7 @@ DpThruster read_dp_thruster(const Json& json) {
 
 }  // namespace
 
-DpShip read_dp_ship(const Json& json, const Place& place) {
+DpShip read_dp_ship(const Json& json, const SourceLocation& location) {
     DpShip s;
     s.length = json["length"].get<double>();
     s.beam = json["beam"].get<double>();
@@ -89,14 +90,14 @@ DpShip read_dp_ship(const Json& json, const Place& place) {
             const Json& each = (*list)[i];
             s.switchboards.push_back({each.value("name", ""), each["power"].get<double>(),
                                       dp_names(each["thrusters"], s.thrusters,
-                                               place / "switchboards" / i / "thrusters")});
+                                               location / "switchboards" / i / "thrusters")});
         }
     if (const auto list = json.find("failures"); list != json.end())
         for (std::size_t i = 0; i < list->size(); ++i) {
             const Json& each = (*list)[i];
-            s.failures.push_back(
-                {each["name"].get<std::string>(),
-                 dp_names(each["thrusters"], s.thrusters, place / "failures" / i / "thrusters")});
+            s.failures.push_back({each["name"].get<std::string>(),
+                                  dp_names(each["thrusters"], s.thrusters,
+                                           location / "failures" / i / "thrusters")});
         }
     try {
         check_dp_ship(s);
@@ -104,7 +105,7 @@ DpShip read_dp_ship(const Json& json, const Place& place) {
         FieldWords said = field_words(error);
         constexpr std::string_view kOwn = "dp_capability: ";
         if (said.words.starts_with(kOwn)) said.words.erase(0, kOwn.size());
-        refuse_field(place, said);
+        throw_field_error(location, said);
     }
     return s;
 }
@@ -117,10 +118,10 @@ bool is_dp_ship_file(const std::filesystem::path& file) {
 NamedDpShip load_dp_ship(const std::filesystem::path& file) {
     const Json root =
         read_json_file(file, {"name", "description", "dp_capability", "$schema"}, nullptr, kDpFile);
-    const Place place{file.string(), ""};
-    check_shape(root, *dp_file_shape(), place);
+    const SourceLocation location{file.string(), ""};
+    check_shape(root, *dp_file_shape(), location);
     return {root.value("name", file.stem().string()),
-            read_dp_ship(root["dp_capability"], place / "dp_capability")};
+            read_dp_ship(root["dp_capability"], location / "dp_capability")};
 }
 
 }  // namespace hawser::scene

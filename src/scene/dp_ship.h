@@ -9,7 +9,7 @@
 
 namespace hawser::scene {
 
-/// Read an object whose form has been checked. @throws SceneError at `place`.
-[[nodiscard]] DpShip read_dp_ship(const Json& json, const Place& place);
+/// Read an object whose form has been checked. @throws SceneError at `location`.
+[[nodiscard]] DpShip read_dp_ship(const Json& json, const SourceLocation& location);
 
 }  // namespace hawser::scene

@@ -11,7 +11,8 @@
 namespace hawser::scene {
 namespace {
 
-std::string compose(const std::string& file, const std::string& path, const std::string& message) {
+std::string error_text(const std::string& file, const std::string& path,
+                       const std::string& message) {
     return path.empty() ? file + ": " + message : file + ": " + path + ": " + message;
 }
 
@@ -22,7 +23,7 @@ constexpr std::size_t kLongestList = 24;
 }  // namespace
 
 SceneError::SceneError(std::string file_, std::string path_, std::string message_)
-    : std::runtime_error(compose(file_, path_, message_)),
+    : std::runtime_error(error_text(file_, path_, message_)),
       file(std::move(file_)),
       path(std::move(path_)),
       message(std::move(message_)) {}
@@ -41,17 +42,19 @@ std::string pointer_token(std::string_view key) {
     return token;
 }
 
-Place Place::operator/(std::string_view key) const { return {file, path + pointer_token(key)}; }
+SourceLocation SourceLocation::operator/(std::string_view key) const {
+    return {file, path + pointer_token(key)};
+}
 
-Place Place::operator/(std::size_t index) const {
+SourceLocation SourceLocation::operator/(std::size_t index) const {
     return {file, fmt::format("{}/{}", path, index)};
 }
 
-void refuse(const Place& place, const std::string& message) {
-    throw SceneError(place.file, place.path, message);
+void throw_error(const SourceLocation& location, const std::string& message) {
+    throw SceneError(location.file, location.path, message);
 }
 
-std::string own_words(const DefError& error) {
+std::string library_words(const DefError& error) {
     const std::string text = error.what();
     // Skip "kind 'NAME': ", or "kind: " if the object has no name.
     const std::string_view ends = text.find(" '") < text.find(": ") ? "': " : ": ";
@@ -60,15 +63,17 @@ std::string own_words(const DefError& error) {
 }
 
 FieldWords field_words(const DefError& error) {
-    const std::string words = own_words(error);
+    const std::string words = library_words(error);
     constexpr const char* kOfPaths = "abcdefghijklmnopqrstuvwxyz_/0123456789EA";
     const auto ends = words.find(": ");
     if (ends == std::string::npos || words.find_first_not_of(kOfPaths) != ends) return {"", words};
     return {words.substr(0, ends), words.substr(ends + 2)};
 }
 
-void refuse_field(const Place& place, const FieldWords& said) {
-    refuse({place.file, said.path.empty() ? place.path : place.path + "/" + said.path}, said.words);
+void throw_field_error(const SourceLocation& location, const FieldWords& said) {
+    throw_error(
+        {location.file, said.path.empty() ? location.path : location.path + "/" + said.path},
+        said.words);
 }
 
 std::string suggestion(std::string_view name, std::span<const std::string> known) {

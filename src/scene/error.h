@@ -15,25 +15,25 @@
 namespace hawser::scene {
 
 /// A position in a file: the file and a JSON pointer into it.
-struct Place {
+struct SourceLocation {
     std::string file;
     std::string path;  ///< JSON pointer; "" is the document.
 
-    [[nodiscard]] Place operator/(std::string_view key) const;
-    [[nodiscard]] Place operator/(std::size_t index) const;
+    [[nodiscard]] SourceLocation operator/(std::string_view key) const;
+    [[nodiscard]] SourceLocation operator/(std::size_t index) const;
 };
 
 /// Return one reference token of a JSON pointer, with its leading slash (RFC 6901, section 3).
 [[nodiscard]] std::string pointer_token(std::string_view key);
 
 /// Throw an error at a place of the document. @throws SceneError always.
-[[noreturn]] void refuse(const Place& place, const std::string& message);
+[[noreturn]] void throw_error(const SourceLocation& location, const std::string& message);
 
 /// Return the reason in an error of the library, "hook 'NAME': loads/0/eyes: why". The result has
 /// no name, because the place in the file identifies the object.
-[[nodiscard]] std::string own_words(const DefError& error);
+[[nodiscard]] std::string library_words(const DefError& error);
 
-/// Parts of own_words() that begin with the path of a field, "loads/0/eyes: why".
+/// Parts of library_words() that begin with the path of a field, "loads/0/eyes: why".
 struct FieldWords {
     std::string path;  ///< Path of the field; empty: the message names none.
     std::string words;
@@ -42,7 +42,7 @@ struct FieldWords {
 
 /// Report an error below the place, at the field in the message of the library. @throws SceneError
 /// always.
-[[noreturn]] void refuse_field(const Place& place, const FieldWords& said);
+[[noreturn]] void throw_field_error(const SourceLocation& location, const FieldWords& said);
 
 /// Return the end of a message about an unknown name. It is `; did you mean "x"?` if a known name
 /// is near. Else it is the list of known names if that is short, else "".

@@ -27,7 +27,7 @@ struct InstanceScope {
 /// Run `work` and add the note to a mistake found in it. The note names the instance. @return the
 /// result of attempt().
 template <class Work>
-bool with_note(Mistakes* mistakes, const std::string& note, const Work& work) {
+bool append_note(Mistakes* mistakes, const std::string& note, const Work& work) {
     if (mistakes != nullptr) {
         const std::string outer = std::exchange(mistakes->note, note);
         const bool done = attempt(mistakes, work);
@@ -50,10 +50,10 @@ class Expander {
         out_.version = document_.root.value("version", 1);
         InstanceScope root;
         root.scope.content = &document_.root;
-        root.scope.place = document_.place;
+        root.scope.location = document_.location;
         add_bodies(std::move(root), 0);
         for (const InstanceScope& item : scopes_) {
-            (void)with_note(out_.mistakes, item.note, [&] {
+            (void)append_note(out_.mistakes, item.note, [&] {
                 expand_winches(out_, item.scope);
                 expand_guides(out_, item.scope);
                 expand_posts(out_, item.scope);
@@ -69,7 +69,7 @@ class Expander {
         }
         // Outputs of the scene itself may name parts of its instances.
         for (const InstanceScope& item : scopes_) {
-            (void)with_note(out_.mistakes, item.note, [&] { expand_outputs(out_, item.scope); });
+            (void)append_note(out_.mistakes, item.note, [&] { expand_outputs(out_, item.scope); });
         }
     }
 
@@ -82,18 +82,18 @@ class Expander {
         // A copy: the list of scopes grows below.
         const Scope scope = scopes_[index].scope;
         const std::string note = scopes_[index].note;
-        (void)with_note(out_.mistakes, note, [&] { expand_bodies(out_, scope); });
+        (void)append_note(out_.mistakes, note, [&] { expand_bodies(out_, scope); });
         if (const auto list = scope.content->find("instances"); list != scope.content->end()) {
             for (std::size_t i = 0; i < list->size(); ++i) {
                 InstanceScope inner;
                 if ((*list)[i].is_null()) {
                     continue;  // Left out: mistakes.h.
                 }
-                (void)with_note(out_.mistakes, note, [&] {
-                    inner = open((*list)[i], scope, depth, scope.place / "instances" / i);
+                (void)append_note(out_.mistakes, note, [&] {
+                    inner = open((*list)[i], scope, depth, scope.location / "instances" / i);
                 });
                 if (!inner.content) {
-                    lose_parts(scope.prefix + (*list)[i]["name"].get<std::string>());
+                    omit_instance(scope.prefix + (*list)[i]["name"].get<std::string>());
                     continue;
                 }
                 open_.push_back((*list)[i]["template"].get<std::string>());
@@ -101,7 +101,7 @@ class Expander {
                 open_.pop_back();
             }
         }
-        (void)with_note(out_.mistakes, note, [&] {
+        (void)append_note(out_.mistakes, note, [&] {
             expand_cranes(out_, scope);
             add_cables(scope);
         });
@@ -118,54 +118,59 @@ class Expander {
                 continue;  // Left out: mistakes.h.
             }
             const bool laid = attempt(out_.mistakes, [&] {
-                expand_cable(out_, scope, scope, cable, document_, scope.place / "cables" / i);
+                expand_cable(out_, scope, scope, cable, document_, scope.location / "cables" / i);
             });
             if (!laid) {
-                lose_parts(scope.prefix + cable["name"].get<std::string>());
+                omit_instance(scope.prefix + cable["name"].get<std::string>());
             }
         }
     }
 
     /// A cable or an instance was left out.
-    void lose_parts(const std::string& name) {
-        for (const Lost what : {Lost::body, Lost::interaction, Lost::cable}) {
-            out_.mistakes->lose(what, name);
+    void omit_instance(const std::string& name) {
+        for (const OmittedPart what :
+             {OmittedPart::body, OmittedPart::interaction, OmittedPart::cable}) {
+            out_.mistakes->record_omitted(what, name);
         }
     }
 
-    InstanceScope open(const Json& instance, const Scope& outer, int depth, const Place& place) {
+    InstanceScope open(const Json& instance, const Scope& outer, int depth,
+                       const SourceLocation& location) {
         const auto& name = instance["template"].get_ref<const std::string&>();
-        const Json& definition = find_template(name, place / "template");
+        const Json& definition = find_template(name, location / "template");
         if (std::find(open_.begin(), open_.end(), name) != open_.end()) {
-            refuse(place / "template",
-                   "the template " + in_quotes(name) + " uses itself, directly or through others");
+            throw_error(location / "template", "the template " + in_quotes(name) +
+                                                   " uses itself, directly or through others");
         }
         if (depth >= kMaxInstanceDepth) {
-            refuse(place, fmt::format("templates are nested more than {} deep", kMaxInstanceDepth));
+            throw_error(location,
+                        fmt::format("templates are nested more than {} deep", kMaxInstanceDepth));
         }
         if (scopes_.size() >= kMaxInstances) {
-            refuse(place, fmt::format("the scene has more than {} instances", kMaxInstances));
+            throw_error(location,
+                        fmt::format("the scene has more than {} instances", kMaxInstances));
         }
         InstanceScope inner;
         Scope& scope = inner.scope;
         scope.prefix = outer.prefix + instance["name"].get<std::string>() + "/";
         if (!prefixes_.insert(scope.prefix).second) {
-            refuse(place / "name",
-                   "the instance " + describe(instance["name"]) + " exists already");
+            throw_error(location / "name",
+                        "the instance " + describe(instance["name"]) + " exists already");
         }
         const auto elsewhere = document_.templates.find(name);
-        scope.place = elsewhere != document_.templates.end() ? elsewhere->second
-                                                             : document_.place / "templates" / name;
+        scope.location = elsewhere != document_.templates.end()
+                             ? elsewhere->second
+                             : document_.location / "templates" / name;
         inner.note = fmt::format(" (in the instance {})",
                                  in_quotes(scope.prefix.substr(0, scope.prefix.size() - 1)));
-        inner.content = std::make_unique<Json>(fill_in(definition, instance, inner, place));
+        inner.content = std::make_unique<Json>(fill_in(definition, instance, inner, location));
         scope.content = inner.content.get();
-        set_frame(scope, instance, outer, place);
-        bind(scope, instance, outer, place);
+        set_frame(scope, instance, outer, location);
+        bind_parameters(scope, instance, outer, location);
         return inner;
     }
 
-    const Json& find_template(const std::string& name, const Place& place) {
+    const Json& find_template(const std::string& name, const SourceLocation& location) {
         std::vector<std::string> known;
         if (const auto all = document_.root.find("templates"); all != document_.root.end()) {
             if (const auto entry = all->find(name); entry != all->end()) {
@@ -175,13 +180,13 @@ class Expander {
                 known.push_back(key);
             }
         }
-        refuse_missing(out_.mistakes, Lost::instance_template, name, place,
+        report_missing(out_.mistakes, OmittedPart::instance_template, name, location,
                        "there is no template " + in_quotes(name) + suggestion(name, known));
     }
 
     /// Return the lists of the template with values for the parameters, checked again.
     Json fill_in(const Json& definition, const Json& instance, const InstanceScope& inner,
-                 const Place& instance_place) {
+                 const SourceLocation& instance_place) {
         Json parameters = definition.value("parameters", Json::object());
         if (const auto given = instance.find("parameters"); given != instance.end()) {
             std::vector<std::string> known;
@@ -189,17 +194,17 @@ class Expander {
                 known.push_back(key);
             }
             for (const auto& [key, value] : given->items()) {
-                const Place at = instance_place / "parameters" / key;
+                const SourceLocation at = instance_place / "parameters" / key;
                 if (!parameters.contains(key)) {
-                    refuse(at, "the template has no parameter " + in_quotes(key) +
-                                   suggestion(key, known));
+                    throw_error(at, "the template has no parameter " + in_quotes(key) +
+                                        suggestion(key, known));
                 }
                 const Json& fallback = parameters[key];
                 const bool same =
                     fallback.is_number() ? value.is_number() : fallback.type() == value.type();
                 if (!same) {
-                    refuse(at, "expected a value like the default " + describe(fallback) +
-                                   ", found " + describe(value));
+                    throw_error(at, "expected a value like the default " + describe(fallback) +
+                                        ", found " + describe(value));
                 }
                 parameters[key] = value;
             }
@@ -210,47 +215,49 @@ class Expander {
     Json filled_lists(const Json& definition, const Json& parameters, const InstanceScope& inner) {
         Json content = Json::object();
         const std::span<const ListFormat> lists = list_formats();
-        const bool filled = with_note(out_.mistakes, inner.note, [&] {
+        const bool filled = append_note(out_.mistakes, inner.note, [&] {
             for (std::size_t i = 0; i < lists.size(); ++i) {
                 const char* key = lists[i].key;
                 if (!definition.contains(key)) continue;
-                const Place at = inner.scope.place / key;
+                const SourceLocation at = inner.scope.location / key;
                 content[key] = substitute(definition[key], parameters, at);
                 check_list(content, key, *format().lists[i], at, inner.scope.prefix, out_.mistakes);
             }
         });
         if (!filled) {
-            lose_parts(inner.scope.prefix.substr(0, inner.scope.prefix.size() - 1));
+            omit_instance(inner.scope.prefix.substr(0, inner.scope.prefix.size() - 1));
         }
         return content;
     }
 
-    void set_frame(Scope& scope, const Json& instance, const Scope& outer, const Place& place) {
+    void set_frame(Scope& scope, const Json& instance, const Scope& outer,
+                   const SourceLocation& location) {
         Frame base = outer.frame;
         if (instance.contains("on")) {
             const BodyId on =
-                resolve_body(out_, outer, instance["on"].get<std::string>(), place / "on");
+                resolve_body(out_, outer, instance["on"].get<std::string>(), location / "on");
             if (out_.body(on).kind == BodyKind::scalar) {
-                refuse(place / "on", "a scalar body has no position");
+                throw_error(location / "on", "a scalar body has no position");
             }
             base = out_.frame_of(on);
         }
         Frame& frame = scope.frame;
         frame.position = base.point(vector_or(instance, "position", Vec3::Zero()));
-        frame.orientation = (base.orientation * orientation_of(instance, place)).normalized();
+        frame.orientation = (base.orientation * orientation_of(instance, location)).normalized();
         frame.velocity = base.velocity_at(frame.position);
         frame.angular_velocity = base.angular_velocity;
     }
 
-    void bind(Scope& scope, const Json& instance, const Scope& outer, const Place& place) {
+    void bind_parameters(Scope& scope, const Json& instance, const Scope& outer,
+                         const SourceLocation& location) {
         const auto names = instance.find("bind");
         if (names == instance.end()) {
             return;
         }
         for (const auto& [local, value] : names->items()) {
-            const Place at = place / "bind" / local;
+            const SourceLocation at = location / "bind" / local;
             if (local == "world") {
-                refuse(at, "the name \"world\" is reserved for the world");
+                throw_error(at, "the name \"world\" is reserved for the world");
             }
             const BodyId id = resolve_body(out_, outer, value.get<std::string>(), at);
             scope.bound.emplace(local, out_.body(id).name);
@@ -273,18 +280,19 @@ void expand(Description& out, const Document& document) {
     if (!attempt(out.mistakes, [&] {
             check_counts(document, out.settings.max_bodies, out.settings.max_interactions);
         })) {
-        for (const Lost what : {Lost::body, Lost::interaction, Lost::cable})
-            out.mistakes->lose_any(what);
+        for (const OmittedPart what :
+             {OmittedPart::body, OmittedPart::interaction, OmittedPart::cable})
+            out.mistakes->record_omitted_unnamed(what);
         return;
     }
     expand_materials(out, document);
     Expander(out, document).run();
-    const bool complete = out.mistakes == nullptr || !out.mistakes->incomplete();
+    const bool complete = out.mistakes == nullptr || !out.mistakes->has_omitted_parts();
     if (complete) {
         out.check_groups();
     }
     // A state and copies are of a whole scene.
-    if (out.mistakes == nullptr || out.mistakes->none()) {
+    if (out.mistakes == nullptr || out.mistakes->is_empty()) {
         (void)attempt(out.mistakes, [&] {
             apply_state(out, document);
             const std::size_t waters = out.waters.size();

@@ -48,14 +48,14 @@ template <class Def>
 
 /// Return the field of a row.
 template <class Def>
-[[nodiscard]] Field field_of(const FieldInfo<Def>& row, ShapePtr shape) {
+[[nodiscard]] Field field_from_row(const FieldInfo<Def>& row, ShapePtr shape) {
     return {row.key, std::move(shape), row.required(), row.fallback, row.unit, row.doc};
 }
 
 /// Append the fields of a table.
 template <class Rows>
 void add_fields(std::vector<Field>& to, const Rows& rows) {
-    for (const auto& row : rows) to.push_back(field_of(row, shape_of_field(row)));
+    for (const auto& row : rows) to.push_back(field_from_row(row, shape_of_field(row)));
 }
 
 }  // namespace hawser::scene

@@ -74,7 +74,8 @@ ShapePtr body_shape() {
          "rigid: 6 degrees of freedom; lump: a point mass, 3; scalar: a drum, 1; fixed: part of "
          "the world; kinematic: moves with its velocity whatever pulls at it."}};
     for (const FieldInfo<BodyDef>& row : kBodyFields) {
-        fields.push_back(field_of(row, row.is(kOwnReader) ? own_shape(row) : shape_of_field(row)));
+        fields.push_back(
+            field_from_row(row, row.is(kOwnReader) ? own_shape(row) : shape_of_field(row)));
         for (Field& other : other_keys(row.key)) fields.push_back(std::move(other));
     }
     fields.push_back({"shapes", list_of("a list of shapes", shape_of_body()), false, "none", "",
@@ -165,6 +166,25 @@ std::vector<Field> common_fields(const ShapePtr& line, const ShapePtr& group) {
             {"templates", map("templates by name", group), false, "", "", "Templates."}};
 }
 
+ShapePtr plot_shape() {
+    return object(
+        "plot", "a plot", "Settings of pictures of the scene.",
+        {{"tensions", list_of("a list of cables", text("a cable name")), false, "", "",
+          "Cables with a curve of tension."},
+         {"motions", list_of("a list of bodies", body_ref()), false, "", "",
+          "Bodies with a curve of motion."},
+         {"view_box", list("six numbers [x, y, z, x, y, z]", number("a number", -1e9, 1e9), 6, 6),
+          false, "", "m", "Lower and upper corner of what is shown."},
+         {"light", word("a light", {"day", "dusk", "night"}), false, "day", "",
+          "Light of the page's pictures; at night ships show their lights."},
+         {"visibility", number("a distance", 50.0, 1e5), false, "clear air", "m",
+          "Distance at which objects vanish in haze or fog, in the page."},
+         {"sun_azimuth_deg", number("an angle", -360.0, 360.0), false, "-42 (south-east)", "deg",
+          "Direction to the sun, from x (east) towards y (north), in the page."},
+         {"sun_elevation_deg", number("an angle", 0.0, 90.0), false, "by the light", "deg",
+          "Height of the sun, or of the moon at night, in the page."}});
+}
+
 /// Return the parts of a scene that no template has.
 std::vector<Field> parts_of_scene(const Format& f) {
     return {{"sea", sea_shape(), false, "air", "", "Water and wind."},
@@ -188,16 +208,7 @@ std::vector<Field> parts_of_scene(const Format& f) {
                     }(),
                     {{"file", "bodies"}}),
              false, "", "", "Start from a stored state."},
-            {"plot",
-             object("plot", "a plot", "Settings of pictures of the scene.",
-                    {{"tensions", list_of("a list of cables", text("a cable name")), false, "", "",
-                      "Cables with a curve of tension."},
-                     {"motions", list_of("a list of bodies", body_ref()), false, "", "",
-                      "Bodies with a curve of motion."},
-                     {"view_box",
-                      list("six numbers [x, y, z, x, y, z]", number("a number", -1e9, 1e9), 6, 6),
-                      false, "", "m", "Lower and upper corner of what is shown."}}),
-             false, "", "", "Pictures."}};
+            {"plot", plot_shape(), false, "", "", "Pictures."}};
 }
 
 ShapePtr scene_file(const Format& f, std::vector<Field> fields) {

@@ -66,7 +66,7 @@ HAWSER_SCENE_SECTIONS(HAWSER_LIST_SHAPE)
 /// Return the shape of the settings of a simulation. See format_settings.cpp.
 [[nodiscard]] ShapePtr settings_shape();
 /// Return the largest value of a setting in a scene if it is less than the limit of a world.
-[[nodiscard]] double most_of(const SettingInfo& setting);
+[[nodiscard]] double largest_scene_value(const SettingInfo& setting);
 
 /// Return the shape of a line type. See format_cables.cpp.
 [[nodiscard]] ShapePtr line_type_shape();
@@ -98,6 +98,6 @@ HAWSER_SCENE_SECTIONS(HAWSER_LIST_SHAPE)
 /// @return true for a parameter whose default is computed from the pose of the bodies in the scene.
 ///        Examples are the distance of two points, the height of a ship, and the coordinate of a
 ///        drum.
-[[nodiscard]] bool taken_from_pose(const KindInfo& kind, std::string_view param);
+[[nodiscard]] bool is_taken_from_pose(const KindInfo& kind, std::string_view param);
 
 }  // namespace hawser::scene

@@ -22,7 +22,7 @@ ShapePtr per_row(const std::string& what, int rows) {
 }
 
 Field parameter_field(const KindInfo& kind, const ParamInfo& param) {
-    const bool from_pose = taken_from_pose(kind, param.name);
+    const bool from_pose = is_taken_from_pose(kind, param.name);
     Field field;
     field.name = param.name;
     field.shape = make::number(fmt::format("a number [{}]", param.unit), param.min, param.max);
@@ -110,7 +110,7 @@ ShapePtr kind_shape(const KindInfo& kind) {
 
 }  // namespace
 
-bool taken_from_pose(const KindInfo& kind, std::string_view param) {
+bool is_taken_from_pose(const KindInfo& kind, std::string_view param) {
     return (kind.length_from_pose && param == "length") ||
            (!param.empty() && param == kind.from_pose);
 }

@@ -24,7 +24,7 @@ ShapePtr shape_of(const SettingInfo& s) {
         case SettingType::boolean:
             return boolean(s.what);
         case SettingType::integer:
-            return integer(s.what, s.min, std::min(s.max, most_of(s)));
+            return integer(s.what, s.min, std::min(s.max, largest_scene_value(s)));
         case SettingType::vector:
             return list(s.what, number("a number", s.min, s.max), 3, 3);
         case SettingType::number:
@@ -33,9 +33,9 @@ ShapePtr shape_of(const SettingInfo& s) {
     return number(s.what, s.min, s.max);
 }
 
-std::string fallback_of(const SettingInfo& s) {
+std::string default_text(const SettingInfo& s) {
     if (s.fallback[0] != 0) return s.fallback;
-    const double value = std::min(s.get(WorldDef{}, 0), most_of(s));
+    const double value = std::min(s.get(WorldDef{}, 0), largest_scene_value(s));
     switch (s.type) {
         case SettingType::word:
             return s.words[static_cast<std::size_t>(value)];
@@ -50,7 +50,7 @@ std::string fallback_of(const SettingInfo& s) {
 
 }  // namespace
 
-double most_of(const SettingInfo& setting) {
+double largest_scene_value(const SettingInfo& setting) {
     const std::string_view name = setting.name;
     return name == "max_bodies"         ? static_cast<double>(kMaxElements)
            : name == "max_interactions" ? 2.0 * static_cast<double>(kMaxElements)
@@ -61,7 +61,7 @@ ShapePtr settings_shape() {
     std::vector<Field> fields;
     for (const SettingInfo& s : setting_infos()) {
         if (!s.in_scenes) continue;
-        fields.push_back({s.name, shape_of(s), false, fallback_of(s), s.unit, s.doc});
+        fields.push_back({s.name, shape_of(s), false, default_text(s), s.unit, s.doc});
         if (std::string_view(s.name) == "step")
             fields.push_back({"duration", positive("a time", 1e7), false, "10", "s",
                               "Simulated time of a run."});

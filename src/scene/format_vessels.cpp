@@ -83,8 +83,8 @@ ShapePtr current_shape() {
         list("an angle [deg] and three coefficients", number("a number", -1e3, 1e3), 4, 4);
     return vessel_part<CurrentLoad>(
         "current_load", "a current load",
-        "Loads by the direction of the inflow: X = 1/2 density V^2 CX L T, Y likewise, "
-        "N = 1/2 density V^2 CN L^2 T.",
+        "Loads by the direction of the inflow: X = 1/2 density V^2 CX L T, "
+        "Y = 1/2 density V^2 CY L T, N = 1/2 density V^2 CN L^2 T.",
         {{"points", list("a list of points", point, 2, 1000), true, "", "deg, 1, 1, 1",
           "Angle, CX, CY, CN; angles ascend from 0 (ahead) to 180, from starboard."}});
 }

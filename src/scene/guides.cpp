@@ -14,18 +14,19 @@
 namespace hawser::scene {
 namespace {
 
-InteractionDef& element_of(Description& out, InteractionId id) {
+InteractionDef& element_def(Description& out, InteractionId id) {
     return out.interactions[static_cast<std::size_t>(id.index)];
 }
 
-Cable& cable_of(Description& out, const Scope& scope, const std::string& name, const Place& place) {
+Cable& find_cable_of_guide(Description& out, const Scope& scope, const std::string& name,
+                           const SourceLocation& location) {
     std::vector<std::string> known;
     for (Cable& cable : out.cables) {
         if (cable.name == scope.prefix + name) return cable;
         if (cable.name.starts_with(scope.prefix))
             known.push_back(cable.name.substr(scope.prefix.size()));
     }
-    refuse_missing(out.mistakes, Lost::cable, scope.prefix + name, place,
+    report_missing(out.mistakes, OmittedPart::cable, scope.prefix + name, location,
                    "there is no cable " + in_quotes(name) + suggestion(name, known));
 }
 
@@ -40,12 +41,13 @@ double separation(const Description& out, const InteractionDef& d, const Vec3& p
 
 /// Return the number of the element that passes nearest, among the elements without a drum or
 /// guide.
-std::size_t nearest(Description& out, const Cable& cable, const GuideDef& def, const Place& place) {
+std::size_t nearest(Description& out, const Cable& cable, const GuideDef& def,
+                    const SourceLocation& location) {
     const Vec3 at = out.world_point(def.body, def.point);
     std::size_t best = cable.stretch.size();
     double least = 1e300, guided = 1e300;
     for (std::size_t k = 0; k < cable.stretch.size(); ++k) {
-        const InteractionDef& d = element_of(out, cable.stretch[k]);
+        const InteractionDef& d = element_def(out, cable.stretch[k]);
         const double far = separation(out, d, at);
         if (kind_info(d.kind).is(kAtGuide)) guided = std::min(guided, far);
         if (kind_info(d.kind).is(kWoundUp) || far >= least) continue;
@@ -53,14 +55,15 @@ std::size_t nearest(Description& out, const Cable& cable, const GuideDef& def, c
         best = k;
     }
     if (best == cable.stretch.size())
-        refuse(place / "cable", "all elements of the cable " + in_quotes(cable.name) +
-                                    " are at drums or guides already; give it more");
+        throw_error(location / "cable", "all elements of the cable " + in_quotes(cable.name) +
+                                            " are at drums or guides already; give it more");
     // Another one would be pulled to it from there.
     constexpr double kSame = 1e-3;
     if (guided < least - kSame)
-        refuse(place / "point", "the cable " + in_quotes(cable.name) +
-                                    " passes it with an element of another guide; two guides need "
-                                    "a node between them: give it more elements");
+        throw_error(location / "point",
+                    "the cable " + in_quotes(cable.name) +
+                        " passes it with an element of another guide; two guides need "
+                        "a node between them: give it more elements");
     return best;
 }
 
@@ -74,11 +77,11 @@ CableSection& section_of(Cable& cable, std::size_t element) {
 
 /// Subtract half of the mass of the element from the node, with its fraction of drag and of weight
 /// in water.
-void lighten(BodyDef& lump, double half, const Place& place) {
+void subtract_half_mass(BodyDef& lump, double half, const SourceLocation& location) {
     if (lump.kind != BodyKind::lump || !(half > 0.0)) return;
     if (!(lump.mass > half * (1.0 + 1e-6)))
-        refuse(place / "cable",
-               "a node next to the guide has no other element; give the cable more elements");
+        throw_error(location / "cable",
+                    "a node next to the guide has no other element; give the cable more elements");
     const double scale = (lump.mass - half) / lump.mass;
     lump.mass -= half;
     lump.linear_damping *= scale;
@@ -86,8 +89,8 @@ void lighten(BodyDef& lump, double half, const Place& place) {
 }
 
 /// Make the guide a neighbour in the bends at the ends of the element.
-void turn_bends(Description& out, const InteractionDef& element, const GuidePlan& plan,
-                double radius) {
+void move_bends_to_guide(Description& out, const InteractionDef& element, const GuidePlan& plan,
+                         double radius) {
     // Point at which each part touches the wheel, as marked by its frame there.
     const auto touches = [&](const InteractionDef& part, std::size_t slot) {
         return Vec3(part.point[slot] + std::abs(radius) * (part.frame[slot] * Vec3::UnitX()));
@@ -107,7 +110,7 @@ void turn_bends(Description& out, const InteractionDef& element, const GuidePlan
 
 /// Add the capsule of a part between a node and the guide.
 void add_part_segment(Description& out, const ShapeDef& whole, const InteractionDef& part,
-                      const char* suffix, int place) {
+                      const char* suffix, int location) {
     const auto is_lump = [&](std::size_t end) {
         return out.body(part.body[end]).kind == BodyKind::lump;
     };
@@ -117,13 +120,14 @@ void add_part_segment(Description& out, const ShapeDef& whole, const Interaction
     def.body = part.body[0];
     def.body_b = part.body[1];
     def.position = part.point[is_lump(0) ? 1 : 0];
-    out.add_shape(std::move(def), place);
+    out.add_shape(std::move(def), location);
 }
 
-GuideDef read_guide(Description& out, const Scope& scope, const Json& json, const Place& place) {
+GuideDef read_guide(Description& out, const Scope& scope, const Json& json,
+                    const SourceLocation& location) {
     GuideDef def;
     def.name = scope.prefix + json["name"].get<std::string>();
-    def.body = resolve_body(out, scope, json["on"].get<std::string>(), place / "on");
+    def.body = resolve_body(out, scope, json["on"].get<std::string>(), location / "on");
     def.point = vector_or(json, "point", def.point);
     def.axis = vector_or(json, "axis", def.axis);
     def.radius = number_or(json, "radius", def.radius);
@@ -138,17 +142,18 @@ GuideDef read_guide(Description& out, const Scope& scope, const Json& json, cons
 }
 
 /// Replace an element by the parts before and behind the guide, with slide and friction.
-void divide(Description& out, Cable& cable, std::size_t k, GuideDef& def, const Place& place) {
-    const InteractionDef element = element_of(out, cable.stretch[k]);
+void divide_element(Description& out, Cable& cable, std::size_t k, GuideDef& def,
+                    const SourceLocation& location) {
+    const InteractionDef element = element_def(out, cable.stretch[k]);
     const double length = element.get("length"), mass = std::max(0.0, element.get("mass"));
     const double density = std::isnan(mass) ? 0.0 : mass / length;
     CableSection& section = section_of(cable, k);
     def.mass_per_length = density;
     if (std::isnan(def.element_length)) def.element_length = density > 0.0 ? length : 0.0;
     if (def.element_length > 0.0 && !(density > 0.0))
-        refuse(place, "elements of the cable " + in_quotes(cable.name) +
-                          " have no mass that could run through; give the cable "
-                          "\"consistent_mass\": true, or the guide \"element\": 0");
+        throw_error(location, "elements of the cable " + in_quotes(cable.name) +
+                                  " have no mass that could run through; give the cable "
+                                  "\"consistent_mass\": true, or the guide \"element\": 0");
     const double chord = (out.world_point(element.body[1], element.point[1]) -
                           out.world_point(element.body[0], element.point[0]))
                              .norm();
@@ -160,7 +165,7 @@ void divide(Description& out, Cable& cable, std::size_t k, GuideDef& def, const 
         return RouteBody{b.position, b.orientation.normalized(), b.kind, b.mass};
     };
     const auto direction = [&](std::size_t i) -> Vec3 {
-        const InteractionDef& d = element_of(out, cable.stretch[i]);
+        const InteractionDef& d = element_def(out, cable.stretch[i]);
         return (out.world_point(d.body[1], d.point[1]) - out.world_point(d.body[0], d.point[0]))
             .normalized();
     };
@@ -170,16 +175,17 @@ void divide(Description& out, Cable& cable, std::size_t k, GuideDef& def, const 
         plan_guide(def, filled, filled.get("EA") * (chord / length - 1.0), body_of, &drawn);
     if (density > 0.0)
         for (const BodyId end : {element.body[0], element.body[1]})
-            lighten(out.bodies[static_cast<std::size_t>(end.index)], 0.5 * mass, place);
-    const int at = out.keep(place);
+            subtract_half_mass(out.bodies[static_cast<std::size_t>(end.index)], 0.5 * mass,
+                               location);
+    const int at = out.store_location(location);
     def.slide = out.add_body(plan.slide, at);
     for (InteractionDef* part : {&plan.before, &plan.behind}) part->body[2] = def.slide;
     const std::optional<ShapeDef> segment = out.remove_segment(element.body[0], element.body[1]);
     if (segment && cable.trim.to_ends)
         for (const InteractionDef* part : {&plan.before, &plan.behind})
             add_part_segment(out, *segment, *part, part == &plan.before ? "" : "/behind", at);
-    turn_bends(out, element, plan, def.radius);
-    element_of(out, cable.stretch[k]) = plan.before;
+    move_bends_to_guide(out, element, plan, def.radius);
+    element_def(out, cable.stretch[k]) = plan.before;
     const InteractionId behind = out.add_interaction(plan.behind, at);
     plan.friction.body[0] = def.slide;
     plan.friction.load[0].interaction = cable.stretch[k];
@@ -199,23 +205,25 @@ void expand_guides(Description& out, const Scope& scope) {
     for (std::size_t i = 0; i < list->size(); ++i) {
         const Json& json = (*list)[i];
         if (json.is_null()) continue;  // Left out: mistakes.h.
-        const Place place = scope.place / "guides" / i;
+        const SourceLocation location = scope.location / "guides" / i;
         (void)attempt(out.mistakes, [&] {
-            GuideDef def = read_guide(out, scope, json, place);
+            GuideDef def = read_guide(out, scope, json, location);
             for (const GuideItem& other : out.guides)
                 if (other.def.name == def.name)
-                    refuse(place / "name", "the guide " + in_quotes(def.name) + " exists already");
-            Cable& cable = cable_of(out, scope, json["cable"].get<std::string>(), place / "cable");
+                    throw_error(location / "name",
+                                "the guide " + in_quotes(def.name) + " exists already");
+            Cable& cable = find_cable_of_guide(out, scope, json["cable"].get<std::string>(),
+                                               location / "cable");
             if (cable.links)
-                refuse(place / "cable",
-                       "a cable of links cannot run over a guide; give it \"as\": \"lumps\"");
+                throw_error(location / "cable",
+                            "a cable of links cannot run over a guide; give it \"as\": \"lumps\"");
             const std::string name = cable.name;
             try {
-                divide(out, cable, nearest(out, cable, def, place), def, place);
+                divide_element(out, cable, nearest(out, cable, def, location), def, location);
             } catch (const DefError& error) {
-                refuse(place, own_words(error));
+                throw_error(location, library_words(error));
             }
-            out.guides.push_back({std::move(def), name, out.keep(place)});
+            out.guides.push_back({std::move(def), name, out.store_location(location)});
         });
     }
 }

@@ -13,11 +13,11 @@ namespace hawser::scene {
 namespace {
 
 void read_mesh(Document& document, Json& hull, const std::filesystem::path& file,
-               const Place& place) {
+               const SourceLocation& location) {
     const auto mesh = hull.find("mesh");
     if (mesh == hull.end() || !mesh->is_string()) return;
     const auto stored = resolve_inside(file.parent_path(), file.parent_path(),
-                                       mesh->get<std::string>(), place / "mesh");
+                                       mesh->get<std::string>(), location / "mesh");
     HullMesh read;
     try {
         read = read_hull(stored.string());
@@ -28,7 +28,7 @@ void read_mesh(Document& document, Json& hull, const std::filesystem::path& file
             close_hull(read, number_or(hull, "deck", top));
         }
     } catch (const DefError& error) {
-        refuse(place / "mesh", error.what());
+        throw_error(location / "mesh", error.what());
     }
     document.files.push_back(stored);
     Json vertices = Json::array(), triangles = Json::array();
@@ -38,7 +38,7 @@ void read_mesh(Document& document, Json& hull, const std::filesystem::path& file
 }
 
 void read_coefficient_file(Document& document, Json& hull, const std::filesystem::path& file,
-                           const Place& place) {
+                           const SourceLocation& location) {
     const auto given = hull.find("coefficients");
     if (given == hull.end()) return;
     const bool named = given->is_object() && given->contains("file");
@@ -46,7 +46,7 @@ void read_coefficient_file(Document& document, Json& hull, const std::filesystem
     const Json& name = named ? (*given)["file"] : *given;
     HydroUnits units;
     if (const auto how = hull.find("negative_damping"); how != hull.end() && how->is_string())
-        units.negative_damping = negative_damping_of(how->get<std::string>());
+        units.negative_damping = negative_damping_from(how->get<std::string>());
     if (named) {
         units.density = number_or(*given, "density", units.density);
         units.gravity = number_or(*given, "gravity", units.gravity);
@@ -54,13 +54,13 @@ void read_coefficient_file(Document& document, Json& hull, const std::filesystem
         units.body = given->value("body_number", 0);
     }
     const auto stored = resolve_inside(file.parent_path(), file.parent_path(),
-                                       name.get<std::string>(), place / "coefficients");
+                                       name.get<std::string>(), location / "coefficients");
     try {
         const WaveCoefficients read = read_coefficients(stored.string(), units);
         document.files.push_back(stored);
         *given = coefficients_json(read);
     } catch (const DefError& error) {
-        refuse(place / "coefficients", error.what());
+        throw_error(location / "coefficients", error.what());
     }
 }
 
@@ -73,9 +73,9 @@ void read_hull_files(Document& document, const std::filesystem::path& file) {
     for (std::size_t i = 0; i < hulls.size(); ++i)
         (void)attempt(document.mistakes, [&] {
             if (!hulls[i].is_object()) return;
-            const Place place = document.place / "sea" / "hulls" / i;
-            read_mesh(document, hulls[i], file, place);
-            read_coefficient_file(document, hulls[i], file, place);
+            const SourceLocation location = document.location / "sea" / "hulls" / i;
+            read_mesh(document, hulls[i], file, location);
+            read_coefficient_file(document, hulls[i], file, location);
         });
 }
 

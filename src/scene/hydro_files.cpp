@@ -20,20 +20,20 @@ WaveCoefficients read_coefficients(const std::string& file, const HydroUnits& un
     const scene::Path path(file);
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(path, error);
-    if (error) scene::refuse_hydro(path, "cannot open it");
+    if (error) scene::throw_hydro_error(path, "cannot open it");
     if (size > scene::kLargestHydroFile)
-        scene::refuse_hydro(path, std::to_string(size) + " bytes; up to " +
-                                      std::to_string(scene::kLargestHydroFile) + " are read");
+        scene::throw_hydro_error(path, std::to_string(size) + " bytes; up to " +
+                                           std::to_string(scene::kLargestHydroFile) + " are read");
     if (!(units.body >= 0 && units.body <= 999))
-        scene::refuse_hydro(path,
-                            "body number " + std::to_string(units.body) + " is outside 0 to 999");
+        scene::throw_hydro_error(
+            path, "body number " + std::to_string(units.body) + " is outside 0 to 999");
     const std::string ending = path.extension().string();
     const bool apart = (ending == ".nc" || ending == ".h5") && !limits.in_process;
     WaveCoefficients out =
-        apart ? scene::read_apart(path, units, limits) : scene::read_here(path, units);
+        apart ? scene::read_in_child(path, units, limits) : scene::read_in_process(path, units);
     out = repaired_damping(out, units.negative_damping);
     if (const std::string fault = coefficients_fault(out); !fault.empty())
-        scene::refuse_hydro(path, fault);
+        scene::throw_hydro_error(path, fault);
     return out;
 }
 
@@ -41,27 +41,27 @@ WaveCoefficients read_coefficients(const std::string& file, const HydroUnits& un
 
 namespace hawser::scene {
 
-void refuse_hydro(const Path& file, const std::string& what) {
+void throw_hydro_error(const Path& file, const std::string& what) {
     throw DefError("coefficients '" + file.string() + "': " + what);
 }
 
-WaveCoefficients read_here(const Path& file, const HydroUnits& units) {
+WaveCoefficients read_in_process(const Path& file, const HydroUnits& units) {
     const std::string ending = file.extension().string();
     if (ending == ".1") return read_wamit(file, units);
     if (ending == ".tec") return read_nemoh_tec(file, units);
     if (ending == ".nc") return read_capytaine(file, units);
     if (ending == ".h5") return read_bemio(file, units);
-    refuse_hydro(file,
-                 "its name ends with none of .1 (WAMIT), .tec (NEMOH), .nc (Capytaine), "
-                 ".h5 (BEMIO)");
+    throw_hydro_error(file,
+                      "its name ends with none of .1 (WAMIT), .tec (NEMOH), .nc (Capytaine), "
+                      ".h5 (BEMIO)");
 }
 
 std::string text_of(const Path& file) {
     std::error_code error;
     if (std::filesystem::file_size(file, error) > kLargestHydroFile || error)
-        refuse_hydro(file, error ? "cannot open it" : "it is too large");
+        throw_hydro_error(file, error ? "cannot open it" : "it is too large");
     std::ifstream in(file, std::ios::binary);
-    if (!in) refuse_hydro(file, "cannot open it");
+    if (!in) throw_hydro_error(file, "cannot open it");
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
@@ -97,20 +97,21 @@ std::vector<NumberLine> number_lines(const Path& file, std::size_t most) {
                 heading = numbers.value.empty() &&
                           std::string("0123456789+-.").find(word[0]) == std::string::npos;
                 if (!heading)
-                    refuse_hydro(file, "line " + std::to_string(line) + ": '" + word +
-                                           "' is no finite number");
+                    throw_hydro_error(file, "line " + std::to_string(line) + ": '" + word +
+                                                "' is no finite number");
                 break;
             }
             if (numbers.value.size() == most)
-                refuse_hydro(file, "line " + std::to_string(line) + ": more than " +
-                                       std::to_string(most) + " numbers");
+                throw_hydro_error(file, "line " + std::to_string(line) + ": more than " +
+                                            std::to_string(most) + " numbers");
             numbers.value.push_back(value);
         }
         if (heading || numbers.value.empty()) continue;
         total += numbers.value.size() + kLine;
         if (total > kMaxHydroNumbers)
-            refuse_hydro(file, "line " + std::to_string(line) + ": more numbers than are read (" +
-                                   std::to_string(kMaxHydroNumbers) + ", a line counts as 8 more)");
+            throw_hydro_error(file,
+                              "line " + std::to_string(line) + ": more numbers than are read (" +
+                                  std::to_string(kMaxHydroNumbers) + ", a line counts as 8 more)");
         out.push_back(std::move(numbers));
     }
     return out;

@@ -29,7 +29,7 @@ class Hdf5File {
     explicit Hdf5File(const Path& path) : path_(path) {
         H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // our messages replace those of the library
         id_ = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-        if (id_ < 0) refuse_hydro(path, "it is no HDF5 file");
+        if (id_ < 0) throw_hydro_error(path, "it is no HDF5 file");
     }
     ~Hdf5File() { H5Fclose(id_); }
     Hdf5File(const Hdf5File&) = delete;
@@ -51,12 +51,12 @@ class Hdf5File {
     }
     /// Return an array of `rank` dimensions; 0: any number of dimensions.
     [[nodiscard]] Array read(const std::string& name, int rank) const {
-        if (!has(name)) refuse_hydro(path_, "data set '" + name + "' is missing");
+        if (!has(name)) throw_hydro_error(path_, "data set '" + name + "' is missing");
         const hid_t set = H5Dopen2(id_, name.c_str(), H5P_DEFAULT);
-        if (set < 0) refuse_hydro(path_, "'" + name + "' is no data set");
+        if (set < 0) throw_hydro_error(path_, "'" + name + "' is no data set");
         const std::string fault = read_set(set, rank, out_);
         H5Dclose(set);
-        if (!fault.empty()) refuse_hydro(path_, "data set '" + name + "' " + fault);
+        if (!fault.empty()) throw_hydro_error(path_, "data set '" + name + "' " + fault);
         return std::move(out_);
     }
 
@@ -135,7 +135,7 @@ class Bemio {
     Hdf5File::Array cube(const std::string& name, std::size_t frequencies) {
         auto m = file_.read(at_ + name, 3);
         if (m.size[0] < 6 || m.size[1] < column() + 6 || m.size[2] != frequencies)
-            refuse_hydro(
+            throw_hydro_error(
                 path_, "data set '" + at_ + name + "': not 6 x 6 x " + std::to_string(frequencies));
         return m;
     }
@@ -151,7 +151,7 @@ class Bemio {
         const auto m = file_.read(at_ + name, 2);
         const std::size_t from = m.size[1] >= column() + 6 ? column() : 0;
         if (m.size[0] < 6 || m.size[1] < 6)
-            refuse_hydro(path_, "data set '" + at_ + name + "': not 6 x 6");
+            throw_hydro_error(path_, "data set '" + at_ + name + "': not 6 x 6");
         Matrix6 to;
         for (std::size_t i = 0; i < 6; ++i)
             for (std::size_t j = 0; j < 6; ++j)
@@ -165,9 +165,9 @@ class Bemio {
         const auto re = file_.read(at_ + name + "re", 3), im = file_.read(at_ + name + "im", 3);
         for (const auto* m : {&re, &im})
             if (m->size[0] < 6 || m->size[1] != out_.heading.size() || m->size[2] != frequencies)
-                refuse_hydro(path_, "data set '" + at_ + name + "': not 6 x " +
-                                        std::to_string(out_.heading.size()) + " x " +
-                                        std::to_string(frequencies));
+                throw_hydro_error(path_, "data set '" + at_ + name + "': not 6 x " +
+                                             std::to_string(out_.heading.size()) + " x " +
+                                             std::to_string(frequencies));
         // BEMIO writes NaN for values that a program did not compute.
         if (std::all_of(re.value.begin(), re.value.end(), [](double x) { return std::isnan(x); }))
             return;
@@ -194,9 +194,9 @@ WaveCoefficients read_bemio(const Path& path, const HydroUnits& units) {
 #else
 
 WaveCoefficients read_bemio(const Path& path, const HydroUnits&) {
-    refuse_hydro(path,
-                 "this hawser was built without HDF5; install libhdf5-dev and build with "
-                 "HAWSER_HDF5=ON");
+    throw_hydro_error(path,
+                      "this hawser was built without HDF5; install libhdf5-dev and build with "
+                      "HAWSER_HDF5=ON");
 }
 
 #endif

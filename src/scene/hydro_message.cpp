@@ -17,26 +17,26 @@ void put_bytes(std::vector<char>& to, const void* from, std::size_t size) {
     const char* const begin = static_cast<const char*>(from);
     to.insert(to.end(), begin, begin + size);
 }
-void put_word(std::vector<char>& to, std::uint64_t word) { put_bytes(to, &word, sizeof word); }
+void append_word(std::vector<char>& to, std::uint64_t word) { put_bytes(to, &word, sizeof word); }
 
 class MessageBytes {
   public:
-    explicit MessageBytes(std::span<const char> bytes) : left_(bytes) {}
-    [[nodiscard]] std::size_t left() const { return left_.size(); }
-    void take(void* to, std::size_t size) {
+    explicit MessageBytes(std::span<const char> bytes) : bytes_left_(bytes) {}
+    [[nodiscard]] std::size_t bytes_left() const { return bytes_left_.size(); }
+    void read_bytes(void* to, std::size_t size) {
         if (size == 0) return;
-        std::memcpy(to, left_.data(), size);
-        left_ = left_.subspan(size);
+        std::memcpy(to, bytes_left_.data(), size);
+        bytes_left_ = bytes_left_.subspan(size);
     }
     [[nodiscard]] std::uint64_t word() {
         std::uint64_t out = 0;
-        if (left_.size() >= sizeof out) take(&out, sizeof out);
+        if (bytes_left_.size() >= sizeof out) read_bytes(&out, sizeof out);
         return out;
     }
-    [[nodiscard]] std::string text() const { return {left_.begin(), left_.end()}; }
+    [[nodiscard]] std::string text() const { return {bytes_left_.begin(), bytes_left_.end()}; }
 
   private:
-    std::span<const char> left_;
+    std::span<const char> bytes_left_;
 };
 
 /// Apply f to each table that a reader may fill.
@@ -63,11 +63,11 @@ std::string printable(std::string text) {
 
 std::vector<char> message_of(const WaveCoefficients& c) {
     std::vector<char> out;
-    put_word(out, kHydroMagic);
-    put_word(out, 1);
-    for_each_table(c, [&](const auto& table) { put_word(out, table.size()); });
-    put_word(out, (c.has_infinite ? kHasInfinite : 0u) | (c.has_zero ? kHasZero : 0u) |
-                      (c.has_stiffness ? kHasStiffness : 0u));
+    append_word(out, kHydroMagic);
+    append_word(out, 1);
+    for_each_table(c, [&](const auto& table) { append_word(out, table.size()); });
+    append_word(out, (c.has_infinite ? kHasInfinite : 0u) | (c.has_zero ? kHasZero : 0u) |
+                         (c.has_stiffness ? kHasStiffness : 0u));
     for (const Matrix6* m : {&c.infinite, &c.zero, &c.stiffness})
         put_bytes(out, m->data(), sizeof(double) * 36);
     for_each_table(c, [&](const auto& table) {
@@ -78,8 +78,8 @@ std::vector<char> message_of(const WaveCoefficients& c) {
 
 std::vector<char> message_of_error(const std::string& text) {
     std::vector<char> out;
-    put_word(out, kHydroMagic);
-    put_word(out, 0);
+    append_word(out, kHydroMagic);
+    append_word(out, 0);
     const std::string shown = printable(text.empty() ? "no reason" : text);
     put_bytes(out, shown.data(), shown.size());
     return out;
@@ -97,7 +97,7 @@ std::optional<HydroMessage> read_message(std::span<const char> bytes) {
         if (out.error.empty()) return std::nullopt;
         return out;
     }
-    if (kind != 1 || in.left() < (kTables + 1) * sizeof(std::uint64_t)) return std::nullopt;
+    if (kind != 1 || in.bytes_left() < (kTables + 1) * sizeof(std::uint64_t)) return std::nullopt;
     std::array<std::uint64_t, kTables> count{};
     for (std::uint64_t& n : count) n = in.word();
     const std::uint64_t flags = in.word();
@@ -111,15 +111,16 @@ std::optional<HydroMessage> read_message(std::span<const char> bytes) {
         fits = fits && n <= kMaxHydroMessage / kEntry;
         if (fits) needed += static_cast<std::size_t>(n) * kEntry;
     });
-    if (!fits || needed != in.left()) return std::nullopt;
+    if (!fits || needed != in.bytes_left()) return std::nullopt;
     c.has_infinite = (flags & kHasInfinite) != 0;
     c.has_zero = (flags & kHasZero) != 0;
     c.has_stiffness = (flags & kHasStiffness) != 0;
-    for (Matrix6* m : {&c.infinite, &c.zero, &c.stiffness}) in.take(m->data(), sizeof(double) * 36);
+    for (Matrix6* m : {&c.infinite, &c.zero, &c.stiffness})
+        in.read_bytes(m->data(), sizeof(double) * 36);
     at = 0;
     for_each_table(c, [&](auto& table) {
         table.resize(static_cast<std::size_t>(count[at++]));
-        in.take(table.data(), table.size() * sizeof(*table.data()));
+        in.read_bytes(table.data(), table.size() * sizeof(*table.data()));
     });
     return out;
 }

@@ -23,19 +23,20 @@ struct Zone {
 };
 
 /// Return the zones of a file. All zones have equal numbers of lines.
-std::vector<Zone> zones_of(const Path& file) {
+std::vector<Zone> read_zones(const Path& file) {
     std::vector<Zone> out;
     std::istringstream lines(text_of(file));
     std::string row;
     for (std::size_t line = 1; std::getline(lines, row); ++line)
         if (row.find("Zone") != std::string::npos || row.find("ZONE") != std::string::npos)
             out.push_back({row, line, {}});
-    if (out.empty()) refuse_hydro(file, "it has no zone");
+    if (out.empty()) throw_hydro_error(file, "it has no zone");
     for (NumberLine& numbers : number_lines(file, 200)) {
         std::size_t z = out.size();
         while (z > 0 && out[z - 1].line > numbers.line) --z;
         if (z == 0)
-            refuse_hydro(file, "line " + std::to_string(numbers.line) + ": numbers before a zone");
+            throw_hydro_error(file,
+                              "line " + std::to_string(numbers.line) + ": numbers before a zone");
         out[z - 1].rows.push_back(std::move(numbers));
     }
     return out;
@@ -44,20 +45,21 @@ std::vector<Zone> zones_of(const Path& file) {
 void check_zone(const Path& file, const Zone& zone, std::size_t columns,
                 const std::vector<double>& frequency) {
     if (zone.rows.size() != frequency.size())
-        refuse_hydro(file, "zone at line " + std::to_string(zone.line) + ": " +
-                               std::to_string(zone.rows.size()) + " lines; the first zone has " +
-                               std::to_string(frequency.size()));
+        throw_hydro_error(file, "zone at line " + std::to_string(zone.line) + ": " +
+                                    std::to_string(zone.rows.size()) +
+                                    " lines; the first zone has " +
+                                    std::to_string(frequency.size()));
     for (std::size_t i = 0; i < zone.rows.size(); ++i) {
         const NumberLine& row = zone.rows[i];
         if (row.value.size() < columns)
-            refuse_hydro(file, "line " + std::to_string(row.line) + ": " +
-                                   std::to_string(row.value.size()) + " numbers; " +
-                                   std::to_string(columns) + " belong here");
+            throw_hydro_error(file, "line " + std::to_string(row.line) + ": " +
+                                        std::to_string(row.value.size()) + " numbers; " +
+                                        std::to_string(columns) + " belong here");
         if (std::abs(row.value[0] - frequency[i]) > 1e-5 * frequency[i])
-            refuse_hydro(file, "line " + std::to_string(row.line) + ": the frequency " +
-                                   fmt::format("{:.6g}", row.value[0]) +
-                                   " rad/s is not that of line " + std::to_string(i + 1) +
-                                   " of the radiation's first zone");
+            throw_hydro_error(file, "line " + std::to_string(row.line) + ": the frequency " +
+                                        fmt::format("{:.6g}", row.value[0]) +
+                                        " rad/s is not that of line " + std::to_string(i + 1) +
+                                        " of the radiation's first zone");
     }
 }
 
@@ -68,19 +70,20 @@ double heading_of_zone(const Path& file, const Zone& zone) {
     if (equals == std::string::npos ||
         !(std::istringstream(zone.title.substr(equals + 1)) >> degrees) ||
         !(std::abs(degrees) <= 360.0))
-        refuse_hydro(file, "line " + std::to_string(zone.line) + ": no 'beta = … deg' in the zone");
+        throw_hydro_error(file,
+                          "line " + std::to_string(zone.line) + ": no 'beta = … deg' in the zone");
     return degrees * kDegreeOfTec;
 }
 
 void read_tec_forces(const Path& file, std::size_t first, WaveCoefficients& out,
                      std::vector<std::complex<double>>& table) {
     if (!std::filesystem::exists(file)) return;
-    const std::vector<Zone> zones = zones_of(file);
+    const std::vector<Zone> zones = read_zones(file);
     std::vector<double> headings;
     for (const Zone& zone : zones) headings.push_back(heading_of_zone(file, zone));
     if (out.heading.empty()) out.heading = headings;
     if (headings != out.heading)
-        refuse_hydro(file, "its directions differ from those of the other files");
+        throw_hydro_error(file, "its directions differ from those of the other files");
     for (std::size_t h = 0; h < zones.size(); ++h) {
         check_zone(file, zones[h], 1 + 2 * (first + 6), out.frequency);
         for (const NumberLine& row : zones[h].rows)
@@ -94,14 +97,14 @@ void read_tec_forces(const Path& file, std::size_t first, WaveCoefficients& out,
 WaveCoefficients read_nemoh_tec(const Path& file, const HydroUnits& units) {
     const Path folder = file.parent_path(), radiation = folder / "RadiationCoefficients.tec";
     if (!std::filesystem::exists(radiation))
-        refuse_hydro(radiation, "cannot open it; NEMOH's files have to be in one folder");
+        throw_hydro_error(radiation, "cannot open it; NEMOH's files have to be in one folder");
     WaveCoefficients out;
-    const std::vector<Zone> zones = zones_of(radiation);
+    const std::vector<Zone> zones = read_zones(radiation);
     for (const NumberLine& row : zones[0].rows) out.frequency.push_back(row.value[0]);
     const auto first = 6 * static_cast<std::size_t>(units.body);
     if (zones.size() < first + 6)
-        refuse_hydro(radiation, std::to_string(zones.size()) + " zones; body " +
-                                    std::to_string(units.body) + " needs all six motions");
+        throw_hydro_error(radiation, std::to_string(zones.size()) + " zones; body " +
+                                         std::to_string(units.body) + " needs all six motions");
     out.added_mass.assign(out.frequency.size(), Matrix6::Zero());
     out.damping = out.added_mass;
     for (std::size_t j = 0; j < 6; ++j) {
@@ -119,10 +122,11 @@ WaveCoefficients read_nemoh_tec(const Path& file, const HydroUnits& units) {
     const Path stiffness = folder / "KH.dat";
     if (units.body != 0 || !std::filesystem::exists(stiffness)) return out;
     const auto rows = number_lines(stiffness, 6);
-    if (rows.size() != 6) refuse_hydro(stiffness, "six lines of six numbers belong here");
+    if (rows.size() != 6) throw_hydro_error(stiffness, "six lines of six numbers belong here");
     for (std::size_t i = 0; i < 6; ++i) {
         if (rows[i].value.size() != 6)
-            refuse_hydro(stiffness, "line " + std::to_string(rows[i].line) + ": not six numbers");
+            throw_hydro_error(stiffness,
+                              "line " + std::to_string(rows[i].line) + ": not six numbers");
         for (std::size_t j = 0; j < 6; ++j)
             out.stiffness(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
                 rows[i].value[j];

@@ -26,7 +26,7 @@ constexpr std::size_t kMaxNetcdf = 20'000'000;
 class NetcdfFile {
   public:
     explicit NetcdfFile(const Path& path) : path_(path) {
-        need(nc_open(path.c_str(), NC_NOWRITE, &id_), "it is no netCDF file");
+        check_netcdf(nc_open(path.c_str(), NC_NOWRITE, &id_), "it is no netCDF file");
     }
     ~NetcdfFile() { nc_close(id_); }
     NetcdfFile(const NetcdfFile&) = delete;
@@ -57,36 +57,37 @@ class NetcdfFile {
     [[nodiscard]] Array read(const char* name) const {
         const std::string what = std::string("variable '") + name + "'";
         int var = 0, axes = 0;
-        need(nc_inq_varid(id_, name, &var), what + " is missing");
-        need(nc_inq_varndims(id_, var, &axes), what);
-        if (axes > 6) refuse_hydro(path_, what + " has more than 6 dimensions");
+        check_netcdf(nc_inq_varid(id_, name, &var), what + " is missing");
+        check_netcdf(nc_inq_varndims(id_, var, &axes), what);
+        if (axes > 6) throw_hydro_error(path_, what + " has more than 6 dimensions");
         std::array<int, 6> of{};
-        need(nc_inq_vardimid(id_, var, of.data()), what);
+        check_netcdf(nc_inq_vardimid(id_, var, of.data()), what);
         Array out;
         std::size_t count = 1;
         for (int d = 0; d < axes; ++d) {
             char text[NC_MAX_NAME + 1] = {};
             std::size_t size = 0;
-            need(nc_inq_dim(id_, of[static_cast<std::size_t>(d)], text, &size), what);
+            check_netcdf(nc_inq_dim(id_, of[static_cast<std::size_t>(d)], text, &size), what);
             if (size == 0 || size > kMaxNetcdf / count)
-                refuse_hydro(path_, what + " has more than " + std::to_string(kMaxNetcdf) +
-                                        " values, or none");
+                throw_hydro_error(path_, what + " has more than " + std::to_string(kMaxNetcdf) +
+                                             " values, or none");
             count *= size;
             out.axis.emplace_back(text);
             out.size.push_back(size);
         }
         nc_type type = NC_CHAR;
-        need(nc_inq_vartype(id_, var, &type), what);
-        if (type == NC_CHAR || type >= NC_STRING) refuse_hydro(path_, what + " has no numbers");
+        check_netcdf(nc_inq_vartype(id_, var, &type), what);
+        if (type == NC_CHAR || type >= NC_STRING)
+            throw_hydro_error(path_, what + " has no numbers");
         out.value.resize(count);
-        need(nc_get_var_double(id_, var, out.value.data()), what + " cannot be read");
+        check_netcdf(nc_get_var_double(id_, var, out.value.data()), what + " cannot be read");
         return out;
     }
 
   private:
-    void need(int status, const std::string& what) const {
+    void check_netcdf(int status, const std::string& what) const {
         if (status != NC_NOERR)
-            refuse_hydro(path_, what + " (" + std::string(nc_strerror(status)) + ")");
+            throw_hydro_error(path_, what + " (" + std::string(nc_strerror(status)) + ")");
     }
     const Path& path_;
     int id_ = 0;
@@ -97,15 +98,16 @@ void need_axis(const Path& file, const NetcdfFile::Array& of, const char* variab
     for (std::size_t d = 0; d < of.axis.size(); ++d)
         if (of.axis[d] == axis) {
             if (of.size[d] == size) return;
-            refuse_hydro(file, std::string("variable '") + variable +
-                                   "': " + std::to_string(of.size[d]) + " along '" + axis + "'; " +
-                                   std::to_string(size) + " belong there");
+            throw_hydro_error(file, std::string("variable '") + variable +
+                                        "': " + std::to_string(of.size[d]) + " along '" + axis +
+                                        "'; " + std::to_string(size) + " belong there");
         }
-    refuse_hydro(file, std::string("variable '") + variable + "' has no dimension '" + axis + "'");
+    throw_hydro_error(file,
+                      std::string("variable '") + variable + "' has no dimension '" + axis + "'");
 }
 
 /// Return the indices of positive finite frequencies in ascending order of ω.
-std::vector<std::size_t> ordinary(const std::vector<double>& omega) {
+std::vector<std::size_t> positive_finite(const std::vector<double>& omega) {
     std::vector<std::size_t> out;
     for (std::size_t i = 0; i < omega.size(); ++i)
         if (omega[i] > 0.0 && std::isfinite(omega[i])) out.push_back(i);
@@ -142,7 +144,7 @@ WaveCoefficients read_capytaine(const Path& path, const HydroUnits& units) {
     const NetcdfFile file(path);
     WaveCoefficients out;
     const std::vector<double> omega = file.read("omega").value;
-    std::vector<std::size_t> order = ordinary(omega);
+    std::vector<std::size_t> order = positive_finite(omega);
     const auto first = static_cast<std::size_t>(6 * units.body);
     const auto a = file.read("added_mass"), b = file.read("radiation_damping");
     for (const auto* m : {&a, &b}) {
@@ -150,9 +152,9 @@ WaveCoefficients read_capytaine(const Path& path, const HydroUnits& units) {
         need_axis(path, *m, name, "omega", omega.size());
         for (std::size_t d = 0; d < m->axis.size(); ++d)
             if (m->axis[d].ends_with("_dof") && m->size[d] < first + 6)
-                refuse_hydro(path, std::string("variable '") + name +
-                                       "': " + std::to_string(m->size[d]) + " motions; body " +
-                                       std::to_string(units.body) + " needs six");
+                throw_hydro_error(path, std::string("variable '") + name +
+                                            "': " + std::to_string(m->size[d]) + " motions; body " +
+                                            std::to_string(units.body) + " needs six");
     }
     const auto matrix = [&](const NetcdfFile::Array& m, std::size_t w) {
         Matrix6 to;
@@ -182,7 +184,8 @@ WaveCoefficients read_capytaine(const Path& path, const HydroUnits& units) {
     if (file.has("hydrostatic_stiffness")) {
         const auto c = file.read("hydrostatic_stiffness");
         for (const std::size_t size : c.size)
-            if (size < first + 6) refuse_hydro(path, "variable 'hydrostatic_stiffness': not 6 x 6");
+            if (size < first + 6)
+                throw_hydro_error(path, "variable 'hydrostatic_stiffness': not 6 x 6");
         for (std::size_t i = 0; i < 6; ++i)
             for (std::size_t j = 0; j < 6; ++j)
                 out.stiffness(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
@@ -195,9 +198,9 @@ WaveCoefficients read_capytaine(const Path& path, const HydroUnits& units) {
 #else
 
 WaveCoefficients read_capytaine(const Path& path, const HydroUnits&) {
-    refuse_hydro(path,
-                 "this hawser was built without netCDF; install libnetcdf-dev and build with "
-                 "HAWSER_NETCDF=ON");
+    throw_hydro_error(path,
+                      "this hawser was built without netCDF; install libnetcdf-dev and build with "
+                      "HAWSER_NETCDF=ON");
 }
 
 #endif

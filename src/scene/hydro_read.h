@@ -19,7 +19,7 @@ inline constexpr std::uintmax_t kLargestHydroFile = 256u << 20u;
 /// Largest number of values that number_lines() reads from a text file.
 inline constexpr std::size_t kMaxHydroNumbers = 20'000'000;
 
-[[noreturn]] void refuse_hydro(const Path& file, const std::string& what);
+[[noreturn]] void throw_hydro_error(const Path& file, const std::string& what);
 
 /// A line of numbers.
 struct NumberLine {
@@ -51,9 +51,9 @@ class Axis {
 [[nodiscard]] WaveCoefficients read_capytaine(const Path& file, const HydroUnits& units);
 [[nodiscard]] WaveCoefficients read_bemio(const Path& file, const HydroUnits& units);
 /// Read a file of any format in this process.
-[[nodiscard]] WaveCoefficients read_here(const Path& file, const HydroUnits& units);
+[[nodiscard]] WaveCoefficients read_in_process(const Path& file, const HydroUnits& units);
 /// Read a file in a reader program.
-[[nodiscard]] WaveCoefficients read_apart(const Path& file, const HydroUnits& units,
-                                          const ReaderLimits& limits);
+[[nodiscard]] WaveCoefficients read_in_child(const Path& file, const HydroUnits& units,
+                                             const ReaderLimits& limits);
 
 }  // namespace hawser::scene

@@ -2,7 +2,8 @@
 /// Read netCDF and HDF5 files in a separate program: forged files crash, block or exhaust
 /// their libraries.
 /// ```
-///     read_apart ─ posix_spawn ─► reader: limits, then library ─ message on descriptor 3 ─► check
+///     read_in_child ─ posix_spawn ─► reader: limits, then library ─ message on descriptor 3 ─►
+///     check
 ///                └ waits `seconds`, then SIGKILL
 /// ```
 /// The reader sets its own limits before it opens the file: processor time, address space, file
@@ -70,7 +71,7 @@ void limit_this_process(double seconds, double memory) {
 
 std::vector<char> reply_to(const char* file, const HydroUnits& units) {
     try {
-        return message_of(read_here(file, units));  // the receiver checks it
+        return message_of(read_in_process(file, units));  // the receiver checks it
     } catch (const std::bad_alloc&) {
         return message_of_error("coefficients '" + std::string(file) +
                                 "': reading it needs more memory than its reader may use; raise "
@@ -119,8 +120,8 @@ std::string seconds_text(double seconds) {
 }
 
 /// Describe the end of a reader that returned no message.
-std::string failure_of(const SpawnResult& run, const std::string& program,
-                       const ReaderLimits& limits) {
+std::string describe_failure(const SpawnResult& run, const std::string& program,
+                             const ReaderLimits& limits) {
     const std::string damaged =
         "; the file is damaged: write it again with the program that made it";
     switch (run.end) {
@@ -145,26 +146,28 @@ std::string failure_of(const SpawnResult& run, const std::string& program,
 
 void check_limits(const Path& file, const ReaderLimits& limits) {
     if (!(limits.seconds >= 0.1 && limits.seconds <= 3600.0))
-        refuse_hydro(file, "the reader's time of " + decimal(limits.seconds) +
-                               " s is outside 0.1 to 3600 s");
+        throw_hydro_error(file, "the reader's time of " + decimal(limits.seconds) +
+                                    " s is outside 0.1 to 3600 s");
     if (limits.memory < kMinReaderMemory)
-        refuse_hydro(file, "the reader's memory of " + std::to_string(limits.memory) +
-                               " bytes is below " + std::to_string(kMinReaderMemory));
+        throw_hydro_error(file, "the reader's memory of " + std::to_string(limits.memory) +
+                                    " bytes is below " + std::to_string(kMinReaderMemory));
 }
 
 }  // namespace
 
-WaveCoefficients read_apart(const Path& file, const HydroUnits& units, const ReaderLimits& limits) {
+WaveCoefficients read_in_child(const Path& file, const HydroUnits& units,
+                               const ReaderLimits& limits) {
     check_limits(file, limits);
     const std::string program = reader_program(limits);
     if (program.empty())
-        refuse_hydro(file,
-                     "there is no reader program; let HAWSER_READER name the program hawser, or "
-                     "call serve_coefficients_reader() first in main()");
+        throw_hydro_error(
+            file,
+            "there is no reader program; let HAWSER_READER name the program hawser, or "
+            "call serve_coefficients_reader() first in main()");
     // An absolute path cannot be a network address or an option.
     std::error_code error;
     const Path whole = std::filesystem::absolute(file, error);
-    if (error) refuse_hydro(file, "its folder does not exist any more");
+    if (error) throw_hydro_error(file, "its folder does not exist any more");
     const SpawnResult run =
         spawn_reader(program,
                      {program, kReaderWord, whole.string(), decimal(units.density),
@@ -172,9 +175,9 @@ WaveCoefficients read_apart(const Path& file, const HydroUnits& units, const Rea
                       decimal(limits.seconds), std::to_string(limits.memory)},
                      limits.seconds, kMaxHydroMessage);
     if (run.end != SpawnEnd::exited || run.code != 0)
-        refuse_hydro(file, failure_of(run, program, limits));
+        throw_hydro_error(file, describe_failure(run, program, limits));
     auto message = read_message(run.output);
-    if (!message) refuse_hydro(file, failure_of(run, program, limits));
+    if (!message) throw_hydro_error(file, describe_failure(run, program, limits));
     if (!message->error.empty()) throw DefError(message->error);
     return std::move(message->value);
 }

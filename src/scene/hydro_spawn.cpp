@@ -99,7 +99,7 @@ bool collect(int from, SpawnClock::time_point deadline, std::size_t most, SpawnR
 }
 
 /// Wait for the child up to the deadline, then kill it. @return its status; -1: unknown.
-int status_of(pid_t child, SpawnClock::time_point deadline, bool kill_now, bool& late) {
+int wait_for_status(pid_t child, SpawnClock::time_point deadline, bool kill_now, bool& late) {
     int status = -1;
     for (bool killed = false;;) {
         if (!killed && (kill_now || SpawnClock::now() >= deadline)) {
@@ -155,7 +155,7 @@ SpawnResult spawn_reader(const std::string& program, const std::vector<std::stri
         out.end = SpawnEnd::too_large;
     }
     bool late = false;
-    const int status = status_of(child, deadline, !whole, late);
+    const int status = wait_for_status(child, deadline, !whole, late);
     if (!whole) return out;
     if (late) {
         out.end = SpawnEnd::too_long;

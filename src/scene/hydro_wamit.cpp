@@ -27,16 +27,17 @@ std::string line_text(const NumberLine& row) { return "line " + std::to_string(r
 int motion_of(const Path& file, const NumberLine& row, std::size_t column, int body) {
     const double value = std::abs(row.value[column]);
     if (!(value >= 1.0 && value <= 6000.0) || value != std::floor(value))
-        refuse_hydro(file, line_text(row) + "mode " + fmt::format("{:.6g}", row.value[column]) +
-                               " is none of 1, 2, …");
+        throw_hydro_error(file, line_text(row) + "mode " +
+                                    fmt::format("{:.6g}", row.value[column]) +
+                                    " is none of 1, 2, …");
     const int mode = static_cast<int>(value) - 1;
     return mode / 6 == body ? mode % 6 : -1;
 }
 
 void need_columns(const Path& file, const NumberLine& row, std::size_t count) {
     if (row.value.size() != count)
-        refuse_hydro(file, line_text(row) + std::to_string(row.value.size()) + " numbers; " +
-                               std::to_string(count) + " belong here");
+        throw_hydro_error(file, line_text(row) + std::to_string(row.value.size()) + " numbers; " +
+                                    std::to_string(count) + " belong here");
 }
 
 int rotations(int i, int j) { return (i > 2 ? 1 : 0) + (j > 2 ? 1 : 0); }
@@ -57,7 +58,7 @@ class Wamit {
         std::string line;
         if (!in || !std::getline(in, line)) return;
         if (!(in >> length_) || !(length_ > 0.0 && length_ < 1e6))
-            refuse_hydro(gdf, "line 2: ULEN is no length");
+            throw_hydro_error(gdf, "line 2: ULEN is no length");
     }
 
     WaveCoefficients read() {
@@ -72,7 +73,7 @@ class Wamit {
 
   private:
     [[nodiscard]] double power(int n) const { return std::pow(length_, n); }
-    [[nodiscard]] Path beside(const char* ending) const {
+    [[nodiscard]] Path file_with_ending(const char* ending) const {
         Path path = file_;
         return path.replace_extension(ending);
     }
@@ -86,7 +87,7 @@ class Wamit {
         frequency_.sort();
         out_.frequency = frequency_.values();
         const std::size_t n = frequency_.size();
-        if (n == 0) refuse_hydro(file_, "it has no line of a period above 0");
+        if (n == 0) throw_hydro_error(file_, "it has no line of a period above 0");
         out_.added_mass.assign(n, Matrix6::Zero());
         out_.damping = out_.added_mass;
         // Count the entries of each pair at each frequency.
@@ -112,24 +113,25 @@ class Wamit {
         for (std::size_t pair = 0; pair < 36; ++pair)
             for (std::size_t w = 0; w < n; ++w)
                 if (given[w * 36 + pair] != given[pair] || given[w * 36 + pair] > 1)
-                    refuse_hydro(file_, "the coefficient of modes " + std::to_string(pair / 6 + 1) +
-                                            " and " + std::to_string(pair % 6 + 1) + " at " +
-                                            fmt::format("{:.6g}", kTurn / frequency_.values()[w]) +
-                                            " s is missing or given twice");
+                    throw_hydro_error(file_,
+                                      "the coefficient of modes " + std::to_string(pair / 6 + 1) +
+                                          " and " + std::to_string(pair % 6 + 1) + " at " +
+                                          fmt::format("{:.6g}", kTurn / frequency_.values()[w]) +
+                                          " s is missing or given twice");
     }
 
-    std::size_t frequency_of(const Path& file, const NumberLine& row) const {
+    std::size_t frequency_index(const Path& file, const NumberLine& row) const {
         const double period = row.value[0];
         const std::size_t w = period > 0.0 ? frequency_.find(kTurn / period) : frequency_.size();
         if (w == frequency_.size())
-            refuse_hydro(file, line_text(row) + "the period " + fmt::format("{:.6g}", period) +
-                                   " s is not in " + file_.filename().string());
+            throw_hydro_error(file, line_text(row) + "the period " + fmt::format("{:.6g}", period) +
+                                        " s is not in " + file_.filename().string());
         return w;
     }
 
     /// Set the directions from the rows of a table. Later tables must have directions of the first
     /// one.
-    void take_headings(const Path& file, const std::vector<NumberLine>& rows) {
+    void store_headings(const Path& file, const std::vector<NumberLine>& rows) {
         Axis found;
         for (const NumberLine& row : rows) found.add(row.value[1] * kDegree);
         found.sort();
@@ -140,14 +142,14 @@ class Wamit {
         }
         for (const double h : found.values())
             if (heading_.find(h) == heading_.size())
-                refuse_hydro(file, "the direction " + fmt::format("{:.6g}", h / kDegree) +
-                                       " degrees is not in the .3 file");
+                throw_hydro_error(file, "the direction " + fmt::format("{:.6g}", h / kDegree) +
+                                            " degrees is not in the .3 file");
     }
 
-    void all_given(const Path& file, const std::vector<int>& given) const {
+    void require_all(const Path& file, const std::vector<int>& given) const {
         for (std::size_t i = 0; i < given.size(); ++i)
             if (given[i] != 1)
-                refuse_hydro(
+                throw_hydro_error(
                     file, "mode " + std::to_string(i % 6 + 1) + " at " +
                               fmt::format("{:.6g}",
                                           kTurn / out_.frequency[i / 6 % out_.frequency.size()]) +
@@ -160,15 +162,15 @@ class Wamit {
     template <class Scale>
     void read_table(const char* ending, std::size_t columns,
                     std::vector<std::complex<double>>& table, const Scale& scale) {
-        const Path file = beside(ending);
+        const Path file = file_with_ending(ending);
         if (!std::filesystem::exists(file)) return;
         const auto rows = number_lines(file, 16);
         for (const NumberLine& row : rows) need_columns(file, row, columns);
-        take_headings(file, rows);
+        store_headings(file, rows);
         table.assign(out_.heading.size() * out_.frequency.size() * 6, 0.0);
         std::vector<int> given(table.size(), 0);
         for (const NumberLine& row : rows) {
-            const std::size_t w = frequency_of(file, row);
+            const std::size_t w = frequency_index(file, row);
             const std::size_t h = heading_.find(row.value[1] * kDegree);
             const int k = motion_of(file, row, 2, body_);
             if (k < 0) continue;
@@ -177,24 +179,24 @@ class Wamit {
             table[at] = scale(k) * std::complex<double>(row.value[5], -row.value[6]);
             ++given[at];
         }
-        all_given(file, given);
+        require_all(file, given);
     }
 
     void read_drift() {
-        Path file = beside(".9");
-        if (!std::filesystem::exists(file)) file = beside(".8");
+        Path file = file_with_ending(".9");
+        if (!std::filesystem::exists(file)) file = file_with_ending(".8");
         if (!std::filesystem::exists(file)) return;
         const bool horizontal = file.extension() == ".8";  // surge, sway and yaw alone
         const auto rows = number_lines(file, 16);
         for (const NumberLine& row : rows) need_columns(file, row, 8);
-        take_headings(file, rows);
+        store_headings(file, rows);
         out_.drift.assign(out_.heading.size() * out_.frequency.size() * 6, 0.0);
         std::vector<int> given(out_.drift.size(), 0);
         for (const NumberLine& row : rows) {
             // Skip rows of two different directions, and moments about body-fixed axes (negative
             // numbers), which repeat components 4 to 6.
             if (row.value[1] != row.value[2] || row.value[3] < 0.0) continue;
-            const std::size_t w = frequency_of(file, row);
+            const std::size_t w = frequency_index(file, row);
             const std::size_t h = heading_.find(row.value[1] * kDegree);
             const int k = motion_of(file, row, 3, body_);
             if (k < 0) continue;
@@ -205,11 +207,11 @@ class Wamit {
         if (horizontal)
             for (std::size_t i = 0; i < given.size(); ++i)
                 if (const std::size_t k = i % 6; k > 1 && k < 5) given[i] = 1;
-        all_given(file, given);
+        require_all(file, given);
     }
 
     void read_stiffness() {
-        const Path file = beside(".hst");
+        const Path file = file_with_ending(".hst");
         if (!std::filesystem::exists(file)) return;
         for (const NumberLine& row : number_lines(file, 16)) {
             need_columns(file, row, 3);

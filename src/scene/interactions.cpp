@@ -46,10 +46,10 @@ Quat with_z_along(const Vec3& direction) {
     return Quat(w, -z.y(), z.x(), 0.0).normalized();
 }
 
-Vec3 world_direction(const Json& value, const Scope& scope, const Place& place) {
+Vec3 world_direction(const Json& value, const Scope& scope, const SourceLocation& location) {
     const Vec3 axis = vector_of(value);
     if (!(axis.norm() > 1e-9)) {
-        refuse(place, "a direction must not be zero");
+        throw_error(location, "a direction must not be zero");
     }
     return scope.frame.direction(axis);
 }
@@ -57,11 +57,11 @@ Vec3 world_direction(const Json& value, const Scope& scope, const Place& place) 
 /// Reads one interaction from JSON to InteractionDef.
 class Reader {
   public:
-    Reader(Description& out, const Scope& scope, const Json& json, Place place)
+    Reader(Description& out, const Scope& scope, const Json& json, SourceLocation location)
         : out_(out),
           scope_(scope),
           json_(json),
-          place_(std::move(place)),
+          location_(std::move(location)),
           kind_(*find_kind(json["kind"].get_ref<const std::string&>())) {}
 
     InteractionDef read() {
@@ -87,11 +87,11 @@ class Reader {
     void read_bodies() {
         const Json& names = json_["bodies"];
         for (std::size_t i = 0; i < names.size(); ++i) {
-            const Place at = place_ / "bodies" / i;
+            const SourceLocation at = location_ / "bodies" / i;
             def_.body[i] = resolve_body(out_, scope_, names[i].get<std::string>(), at);
             for (std::size_t j = 0; j < i; ++j) {
                 if (def_.body[j] == def_.body[i]) {
-                    refuse(at, "the body " + describe(names[i]) + " is named twice");
+                    throw_error(at, "the body " + describe(names[i]) + " is named twice");
                 }
             }
         }
@@ -101,15 +101,15 @@ class Reader {
         const bool at = json_.contains("at");
         const bool points = json_.contains("points");
         if (needs_points(kind_) && !at && !points) {
-            refuse(place_, std::string("a ") + kind_.name +
-                               " needs \"at\" (a world point) or \"points\" (one a body)");
+            throw_error(location_, std::string("a ") + kind_.name +
+                                       " needs \"at\" (a world point) or \"points\" (one a body)");
         }
         for (std::size_t i = 0; i < bodies(); ++i) {
             const BodyDef& body = out_.body(def_.body[i]);
             if (body.kind == BodyKind::scalar) {
                 continue;  // A scalar body has no position.
             }
-            const Place where = at ? place_ / "at" : place_ / "points" / i;
+            const SourceLocation where = at ? location_ / "at" : location_ / "points" / i;
             if (at) {
                 const Vec3 world = scope_.frame.point(vector_of(json_["at"]));
                 def_.point[i] = body.orientation.conjugate() * (world - body.position);
@@ -118,9 +118,10 @@ class Reader {
             }
             if (body.kind == BodyKind::lump) {
                 if (def_.point[i].norm() > kNodeTolerance) {
-                    refuse(where, fmt::format("the point mass {} is {:.6g} m away from this point; "
-                                              "attach it at its position",
-                                              in_quotes(body.name), def_.point[i].norm()));
+                    throw_error(where,
+                                fmt::format("the point mass {} is {:.6g} m away from this point; "
+                                            "attach it at its position",
+                                            in_quotes(body.name), def_.point[i].norm()));
                 }
                 def_.point[i].setZero();
             }
@@ -130,28 +131,29 @@ class Reader {
     void read_frames() {
         if (const auto frames = json_.find("frames"); frames != json_.end()) {
             for (std::size_t i = 0; i < bodies(); ++i) {
-                def_.frame[i] = quaternion_of((*frames)[i], place_ / "frames" / i);
+                def_.frame[i] = quaternion_of((*frames)[i], location_ / "frames" / i);
             }
             return;
         }
         const bool axis = json_.contains("axis");
         const bool axes = json_.contains("axes");
         if (needs_axis(kind_) && !axis && !axes) {
-            refuse(place_, std::string("a ") + kind_.name +
-                               " needs \"axis\" (a world direction), \"axes\" (one a body) or "
-                               "\"frames\"");
+            throw_error(location_,
+                        std::string("a ") + kind_.name +
+                            " needs \"axis\" (a world direction), \"axes\" (one a body) or "
+                            "\"frames\"");
         }
         if (axis && kind_.is(kTwoAxes)) {
-            refuse(place_ / "axis",
-                   "the two axes of a universal joint differ; give \"axes\", one a body");
+            throw_error(location_ / "axis",
+                        "the two axes of a universal joint differ; give \"axes\", one a body");
         }
         for (std::size_t i = 0; i < bodies(); ++i) {
             Quat world = scope_.frame.orientation;
             if (axis) {
-                world = with_z_along(world_direction(json_["axis"], scope_, place_ / "axis"));
+                world = with_z_along(world_direction(json_["axis"], scope_, location_ / "axis"));
             } else if (axes) {
                 world =
-                    with_z_along(world_direction(json_["axes"][i], scope_, place_ / "axes" / i));
+                    with_z_along(world_direction(json_["axes"][i], scope_, location_ / "axes" / i));
             }
             def_.frame[i] = (out_.body(def_.body[i]).orientation.conjugate() * world).normalized();
         }
@@ -174,13 +176,13 @@ class Reader {
             const char* name = kind_.params[p].name;
             if (json_.contains(name)) {
                 def_.params[p] = json_[name].get<double>();
-            } else if (taken_from_pose(kind_, name)) {
+            } else if (is_taken_from_pose(kind_, name)) {
                 def_.params[p] = value_of_pose(name);
             }
         }
         if (json_.contains("min") && json_.contains("max") &&
             json_["min"].get<double>() > json_["max"].get<double>()) {
-            refuse(place_ / "min", "must not be greater than \"max\"");
+            throw_error(location_ / "min", "must not be greater than \"max\"");
         }
     }
 
@@ -193,7 +195,7 @@ class Reader {
             const Json& load = (*list)[i];
             def_.load[i].interaction =
                 resolve_interaction(out_, scope_, load["interaction"].get<std::string>(),
-                                    place_ / "loads" / i / "interaction");
+                                    location_ / "loads" / i / "interaction");
             def_.load[i].factor = load["factor"].get<double>();
         }
     }
@@ -212,7 +214,7 @@ class Reader {
                                   .norm();
         // Least length that the kinds accept.
         if (length < 1e-9) {
-            refuse(place_, "the two points coincide; give \"length\"");
+            throw_error(location_, "the two points coincide; give \"length\"");
         }
         return length;
     }
@@ -222,7 +224,7 @@ class Reader {
     Description& out_;
     const Scope& scope_;
     const Json& json_;
-    Place place_;
+    SourceLocation location_;
     const KindInfo& kind_;
     InteractionDef def_;
 };
@@ -239,13 +241,14 @@ void expand_interactions(Description& out, const Scope& scope) {
         if (json.is_null()) {
             continue;  // Left out: mistakes.h.
         }
-        const Place place = scope.place / "interactions" / i;
+        const SourceLocation location = scope.location / "interactions" / i;
         const bool read = attempt(out.mistakes, [&] {
-            InteractionDef def = Reader(out, scope, json, place).read();
-            out.add_interaction(std::move(def), out.keep(place));
+            InteractionDef def = Reader(out, scope, json, location).read();
+            out.add_interaction(std::move(def), out.store_location(location));
         });
         if (!read && json.contains("name")) {
-            out.mistakes->lose(Lost::interaction, scope.prefix + json["name"].get<std::string>());
+            out.mistakes->record_omitted(OmittedPart::interaction,
+                                         scope.prefix + json["name"].get<std::string>());
         }
     }
 }

@@ -39,7 +39,7 @@ inline constexpr auto kLayoutFields = std::to_array<FieldInfo<LayoutSection>>(
 /// Read "line_type" or "sections": all properties of the sections except the lengths of elements.
 /// @throws SceneError.
 void read_line_types(CableLayout& c, const Json& cable, const Document& document,
-                     const Place& place);
+                     const SourceLocation& location);
 
 /// Read the water coefficients of a line type or a rod, except the diameter. Missing keys keep the
 /// defaults.
@@ -49,10 +49,10 @@ void read_line_water(const Json& json, LineWater& water);
 void measure_elements(CableLayout& c) noexcept;
 
 /// True if a length is a whole number of links, up to the decimals of a file.
-[[nodiscard]] bool of_whole_links(double length, double link) noexcept;
+[[nodiscard]] bool rounded_to_links(double length, double link) noexcept;
 
 /// Check that each element between nodes of a chain has a whole number of links. @throws
 /// SceneError.
-void check_links(const CableLayout& c, const Json& cable, const Place& place);
+void check_links(const CableLayout& c, const Json& cable, const SourceLocation& location);
 
 }  // namespace hawser::scene

@@ -12,7 +12,7 @@ using Type = Shape::Type;
 // Limit of coordinates, velocities and forces; larger ones are mistakes of unit or damage.
 constexpr double kLargestComponent = 1e12;
 
-Shape plain(Type type, std::string what) {
+Shape plain_shape(Type type, std::string what) {
     Shape shape;
     shape.type = type;
     shape.what = std::move(what);
@@ -24,14 +24,14 @@ ShapePtr shared(Shape shape) { return std::make_shared<const Shape>(std::move(sh
 }  // namespace
 
 ShapePtr number(std::string what, double min, double max) {
-    Shape shape = plain(Type::number, std::move(what));
+    Shape shape = plain_shape(Type::number, std::move(what));
     shape.min = min;
     shape.max = max;
     return shared(std::move(shape));
 }
 
 ShapePtr positive(std::string what, double max) {
-    Shape shape = plain(Type::number, std::move(what));
+    Shape shape = plain_shape(Type::number, std::move(what));
     shape.min = 0.0;
     shape.above_min = true;
     shape.max = max;
@@ -39,24 +39,24 @@ ShapePtr positive(std::string what, double max) {
 }
 
 ShapePtr integer(std::string what, double min, double max) {
-    Shape shape = plain(Type::integer, std::move(what));
+    Shape shape = plain_shape(Type::integer, std::move(what));
     shape.min = min;
     shape.max = max;
     return shared(std::move(shape));
 }
 
-ShapePtr boolean(std::string what) { return shared(plain(Type::boolean, std::move(what))); }
-ShapePtr text(std::string what) { return shared(plain(Type::text, std::move(what))); }
-ShapePtr name(std::string what) { return shared(plain(Type::name, std::move(what))); }
+ShapePtr boolean(std::string what) { return shared(plain_shape(Type::boolean, std::move(what))); }
+ShapePtr text(std::string what) { return shared(plain_shape(Type::text, std::move(what))); }
+ShapePtr name(std::string what) { return shared(plain_shape(Type::name, std::move(what))); }
 
 ShapePtr word(std::string what, std::vector<std::string> words) {
-    Shape shape = plain(Type::word, std::move(what));
+    Shape shape = plain_shape(Type::word, std::move(what));
     shape.words = std::move(words);
     return shared(std::move(shape));
 }
 
 ShapePtr list(std::string what, ShapePtr item, std::size_t min_items, std::size_t max_items) {
-    Shape shape = plain(Type::list, std::move(what));
+    Shape shape = plain_shape(Type::list, std::move(what));
     shape.item = std::move(item);
     shape.min_items = min_items;
     shape.max_items = max_items;
@@ -64,7 +64,7 @@ ShapePtr list(std::string what, ShapePtr item, std::size_t min_items, std::size_
 }
 
 ShapePtr vector3(std::string what) {
-    Shape shape = plain(Type::list, std::move(what) + " [x, y, z]");
+    Shape shape = plain_shape(Type::list, std::move(what) + " [x, y, z]");
     shape.id = "vector3";
     shape.item = number("a number", -kLargestComponent, kLargestComponent);
     shape.min_items = shape.max_items = 3;
@@ -72,20 +72,20 @@ ShapePtr vector3(std::string what) {
 }
 
 ShapePtr map(std::string what, ShapePtr item) {
-    Shape shape = plain(Type::map, std::move(what));
+    Shape shape = plain_shape(Type::map, std::move(what));
     shape.item = std::move(item);
     return shared(std::move(shape));
 }
 
 ShapePtr choice(std::string what, std::vector<ShapePtr> options) {
-    Shape shape = plain(Type::choice, std::move(what));
+    Shape shape = plain_shape(Type::choice, std::move(what));
     shape.options = std::move(options);
     return shared(std::move(shape));
 }
 
 ShapePtr object(std::string id, std::string what, std::string doc, std::vector<Field> fields,
                 std::vector<std::vector<std::string>> alternatives) {
-    Shape shape = plain(Type::object, std::move(what));
+    Shape shape = plain_shape(Type::object, std::move(what));
     shape.id = std::move(id);
     shape.doc = std::move(doc);
     shape.fields = std::move(fields);

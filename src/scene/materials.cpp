@@ -9,7 +9,8 @@
 namespace hawser::scene {
 namespace {
 
-MaterialId find_material(const Description& out, const std::string& name, const Place& place) {
+MaterialId find_material(const Description& out, const std::string& name,
+                         const SourceLocation& location) {
     if (name == "default") {
         return MaterialId{0};
     }
@@ -20,34 +21,35 @@ MaterialId find_material(const Description& out, const std::string& name, const 
         }
         known.push_back(out.materials[i].name);
     }
-    refuse_missing(out.mistakes, Lost::material, name, place,
+    report_missing(out.mistakes, OmittedPart::material, name, location,
                    "there is no material " + in_quotes(name) + suggestion(name, known));
 }
 
 /// Call f(name, place) for a word or for each word of a list.
 template <class F>
-void each_name(const Json& names, const Place& place, const F& f) {
+void each_name(const Json& names, const SourceLocation& location, const F& f) {
     if (names.is_string()) {
-        f(names.get<std::string>(), place);
+        f(names.get<std::string>(), location);
         return;
     }
     for (std::size_t i = 0; i < names.size(); ++i) {
-        f(names[i].get<std::string>(), place / i);
+        f(names[i].get<std::string>(), location / i);
     }
 }
 
 using MaterialPairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
-void expand_pair(Description& out, const Json& json, MaterialPairs& seen, const Place& place) {
+void expand_pair(Description& out, const Json& json, MaterialPairs& seen,
+                 const SourceLocation& location) {
     const auto one = [&](std::size_t k) {
-        return find_material(out, json["between"][k].get<std::string>(), place / "between" / k);
+        return find_material(out, json["between"][k].get<std::string>(), location / "between" / k);
     };
     MaterialPairDef pair;
     pair.a = one(0);
     pair.b = one(1);
     const std::pair<std::int32_t, std::int32_t> key = std::minmax(pair.a.index, pair.b.index);
     if (std::find(seen.begin(), seen.end(), key) != seen.end()) {
-        refuse(place, "these two materials have a pair already");
+        throw_error(location, "these two materials have a pair already");
     }
     seen.push_back(key);
     read_fields(pair.values, json, kMaterialFields);
@@ -61,15 +63,17 @@ void expand_materials(Description& out, const Document& document) {
     if (list != document.root.end()) {
         for (const auto& [name, value] : list->items()) {
             const auto elsewhere = document.materials.find(name);
-            const Place place = elsewhere != document.materials.end()
-                                    ? elsewhere->second
-                                    : document.place / "materials" / name;
+            const SourceLocation location = elsewhere != document.materials.end()
+                                                ? elsewhere->second
+                                                : document.location / "materials" / name;
             const bool good = attempt(out.mistakes, [&] {
                 if (!is_valid_name(name)) {
-                    refuse(place, in_quotes(name) + " is not a name: letters, digits and _ . + -");
+                    throw_error(location,
+                                in_quotes(name) + " is not a name: letters, digits and _ . + -");
                 }
                 if (name == "default") {
-                    refuse(place, "the material \"default\" is always there; choose another name");
+                    throw_error(location,
+                                "the material \"default\" is always there; choose another name");
                 }
             });
             if (!good) {
@@ -91,30 +95,32 @@ void expand_materials(Description& out, const Document& document) {
         if (json.is_null()) {
             continue;  // Left out: mistakes.h.
         }
-        const Place place = document.place / "material_pairs" / i;
-        (void)attempt(out.mistakes, [&] { expand_pair(out, json, seen, place); });
+        const SourceLocation location = document.location / "material_pairs" / i;
+        (void)attempt(out.mistakes, [&] { expand_pair(out, json, seen, location); });
     }
 }
 
-void read_surface(ShapeDef& def, Description& out, const Json& json, const Place& place) {
+void read_surface(ShapeDef& def, Description& out, const Json& json,
+                  const SourceLocation& location) {
     if (json.contains("material")) {
-        def.material = find_material(out, json["material"].get<std::string>(), place / "material");
+        def.material =
+            find_material(out, json["material"].get<std::string>(), location / "material");
     }
     if (json.contains("groups")) {
-        def.group = out.groups(json["groups"], place / "groups");
+        def.group = out.groups(json["groups"], location / "groups");
     }
     if (json.contains("touches")) {
-        def.touches = out.touched(json["touches"], place / "touches");
+        def.touches = out.touched(json["touches"], location / "touches");
     }
 }
 
-std::uint32_t Description::groups(const Json& names, const Place& place) {
+std::uint32_t Description::groups(const Json& names, const SourceLocation& location) {
     std::uint32_t bits = 0;
-    each_name(names, place, [&](const std::string& name, const Place& at) {
+    each_name(names, location, [&](const std::string& name, const SourceLocation& at) {
         auto found = std::find(group_names_.begin(), group_names_.end(), name);
         if (found == group_names_.end()) {
             if (group_names_.size() >= kMaxGroups) {
-                refuse(at, "the scene has more than 32 groups, \"default\" included");
+                throw_error(at, "the scene has more than 32 groups, \"default\" included");
             }
             found = group_names_.insert(found, name);
         }
@@ -125,10 +131,10 @@ std::uint32_t Description::groups(const Json& names, const Place& place) {
     return bits;
 }
 
-std::uint32_t Description::touched(const Json& names, const Place& place) {
+std::uint32_t Description::touched(const Json& names, const SourceLocation& location) {
     const std::uint32_t before = named_groups_;
     std::uint32_t bits = 0;
-    each_name(names, place, [&](const std::string& name, const Place& at) {
+    each_name(names, location, [&](const std::string& name, const SourceLocation& at) {
         const std::uint32_t bit = groups(name, at);
         touched_at_.emplace_back(bit, at);
         bits |= bit;
@@ -144,7 +150,7 @@ void Description::check_groups() const {
             known.push_back(group_names_[g]);
         }
     }
-    for (const auto& [bit, place] : touched_at_) {
+    for (const auto& [bit, location] : touched_at_) {
         if (bit == 1U || (named_groups_ & bit) != 0) {
             continue;
         }
@@ -153,8 +159,8 @@ void Description::check_groups() const {
             ++g;
         }
         (void)attempt(mistakes, [&] {
-            refuse(place, "no shape is in the group " + in_quotes(group_names_[g]) +
-                              suggestion(group_names_[g], known));
+            throw_error(location, "no shape is in the group " + in_quotes(group_names_[g]) +
+                                      suggestion(group_names_[g], known));
         });
     }
 }

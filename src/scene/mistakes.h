@@ -17,7 +17,7 @@
 namespace hawser::scene {
 
 /// Kinds of omitted parts that other parts may name.
-enum class Lost { body, interaction, cable, line_type, instance_template, material };
+enum class OmittedPart { body, interaction, cable, line_type, instance_template, material };
 
 /// A part cannot be read because another part was omitted.
 struct Consequence : SceneError {
@@ -30,24 +30,24 @@ class Mistakes {
     static constexpr std::size_t kMaximum = 1000;
 
     [[nodiscard]] const std::vector<SceneError>& list() const { return list_; }
-    [[nodiscard]] bool none() const { return list_.empty(); }
-    void take(const SceneError& error);
+    [[nodiscard]] bool is_empty() const { return list_.empty(); }
+    void add_mistake(const SceneError& error);
 
     /// Record an omitted name. It covers all names that begin with it and a slash (parts of a
     /// cable, an instance).
-    void lose(Lost what, const std::string& name) { lost_.emplace(what, name); }
+    void record_omitted(OmittedPart what, const std::string& name) { omitted_.emplace(what, name); }
     /// Record an omitted part with unknown name.
-    void lose_any(Lost what) { lost_.emplace(what, "*"); }
-    [[nodiscard]] bool is_lost(Lost what, const std::string& name) const;
+    void record_omitted_unnamed(OmittedPart what) { omitted_.emplace(what, "*"); }
+    [[nodiscard]] bool is_omitted(OmittedPart what, const std::string& name) const;
     /// True if shapes, bodies or cables are missing.
-    [[nodiscard]] bool incomplete() const { return !lost_.empty(); }
+    [[nodiscard]] bool has_omitted_parts() const { return !omitted_.empty(); }
 
     std::string note;  ///< End of new messages: " (in the instance …)".
 
   private:
     std::vector<SceneError> list_;
-    std::set<std::string> seen_;
-    std::set<std::pair<Lost, std::string>> lost_;
+    std::set<std::string> seen_messages_;
+    std::set<std::pair<OmittedPart, std::string>> omitted_;
 };
 
 /// Run `work`. Add its mistake to the list, or throw it if there is no list. @return false if a
@@ -64,13 +64,14 @@ bool attempt(Mistakes* mistakes, const Work& work) {
     } catch (const Consequence&) {
         return false;
     } catch (const SceneError& error) {
-        mistakes->take(error);
+        mistakes->add_mistake(error);
         return false;
     }
 }
 
 /// Report a name that does not exist. @throws Consequence if it was omitted, else SceneError.
-[[noreturn]] void refuse_missing(const Mistakes* mistakes, Lost what, const std::string& name,
-                                 const Place& place, const std::string& message);
+[[noreturn]] void report_missing(const Mistakes* mistakes, OmittedPart what,
+                                 const std::string& name, const SourceLocation& location,
+                                 const std::string& message);
 
 }  // namespace hawser::scene

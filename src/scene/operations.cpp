@@ -27,7 +27,7 @@ void set_all(const Operation& operation, World& world) {
     }
 }
 
-const char* end_word(int end) { return end == 0 ? "first" : "last"; }
+const char* end_name(int end) { return end == 0 ? "first" : "last"; }
 
 std::string gear_word(const JoinDef& gear) {
     return gear_words()[static_cast<std::size_t>(gear.gear)] +
@@ -79,13 +79,13 @@ std::string what(const Operation& o) {
         case OperationKind::cut:
             return fmt::format("cut {} at {:.6g} m", o.wire, o.s);
         case OperationKind::detach:
-            return fmt::format("detach the {} end of {}", end_word(o.end), o.wire);
+            return fmt::format("detach the {} end of {}", end_name(o.end), o.wire);
         case OperationKind::attach:
-            return fmt::format("attach the {} end of {} to {} ({})", end_word(o.end), o.wire,
+            return fmt::format("attach the {} end of {} to {} ({})", end_name(o.end), o.wire,
                                o.body, gear_word(o.gear));
         case OperationKind::join:
-            return fmt::format("join the {} end of {} and the {} end of {} ({})", end_word(o.end),
-                               o.wire, end_word(o.other_end), o.other, gear_word(o.gear));
+            return fmt::format("join the {} end of {} and the {} end of {} ({})", end_name(o.end),
+                               o.wire, end_name(o.other_end), o.other, gear_word(o.gear));
         case OperationKind::release:
             return "release " + o.interaction;
     }

@@ -9,7 +9,7 @@ namespace hawser::scene {
 namespace {
 
 const Cable& resolve_cable(const Description& out, const Scope& scope, const std::string& name,
-                           const Place& place) {
+                           const SourceLocation& location) {
     if (const Cable* cable = out.find_cable(scope.prefix + name); cable != nullptr) {
         return *cable;
     }
@@ -19,15 +19,15 @@ const Cable& resolve_cable(const Description& out, const Scope& scope, const std
             known.push_back(cable.name.substr(scope.prefix.size()));
         }
     }
-    refuse_missing(out.mistakes, Lost::cable, scope.prefix + name, place,
+    report_missing(out.mistakes, OmittedPart::cable, scope.prefix + name, location,
                    "there is no cable " + in_quotes(name) + suggestion(name, known));
 }
 
 /// Read the source of an output.
 void read_target(OutputDef& def, Description& out, const Scope& scope, const Json& json,
-                 const Place& place) {
+                 const SourceLocation& location) {
     if (json.contains("body")) {
-        def.body = resolve_body(out, scope, json["body"].get<std::string>(), place / "body");
+        def.body = resolve_body(out, scope, json["body"].get<std::string>(), location / "body");
         def.point = vector_or(json, "point", Vec3::Zero());
     }
     if (json.contains("bodies")) {
@@ -35,7 +35,7 @@ void read_target(OutputDef& def, Description& out, const Scope& scope, const Jso
         Vec3* point[] = {&def.point, &def.point_b};
         for (std::size_t i = 0; i < 2; ++i) {
             *to[i] = resolve_body(out, scope, json["bodies"][i].get<std::string>(),
-                                  place / "bodies" / i);
+                                  location / "bodies" / i);
             if (json.contains("points")) {
                 *point[i] = vector_of(json["points"][i]);
             }
@@ -43,19 +43,19 @@ void read_target(OutputDef& def, Description& out, const Scope& scope, const Jso
     }
     if (json.contains("interaction")) {
         def.interaction = resolve_interaction(out, scope, json["interaction"].get<std::string>(),
-                                              place / "interaction");
+                                              location / "interaction");
     }
     for (std::size_t i = 0; json.contains("interactions") && i < json["interactions"].size(); ++i) {
         def.line.push_back(resolve_interaction(
-            out, scope, json["interactions"][i].get<std::string>(), place / "interactions" / i));
+            out, scope, json["interactions"][i].get<std::string>(), location / "interactions" / i));
     }
 }
 
 /// Read "cable" of a tension or a drum.
 void read_cable(OutputDef& def, const Description& out, const Scope& scope, const Json& json,
-                const Place& place) {
+                const SourceLocation& location) {
     const Cable& cable =
-        resolve_cable(out, scope, json["cable"].get<std::string>(), place / "cable");
+        resolve_cable(out, scope, json["cable"].get<std::string>(), location / "cable");
     if (def.kind == OutputKind::tension) {
         def.line = cable.stretch;
         return;
@@ -67,26 +67,27 @@ void read_cable(OutputDef& def, const Description& out, const Scope& scope, cons
             return;
         }
     }
-    refuse(place / "cable", "the cable " + in_quotes(cable.name) + " has no winch");
+    throw_error(location / "cable", "the cable " + in_quotes(cable.name) + " has no winch");
 }
 
-OutputDef read_output(Description& out, const Scope& scope, const Json& json, const Place& place) {
+OutputDef read_output(Description& out, const Scope& scope, const Json& json,
+                      const SourceLocation& location) {
     OutputDef def;
     def.kind = find_output_kind(json["kind"].get_ref<const std::string&>())->kind;
     def.name = scope.prefix + json["name"].get<std::string>();
     def.component = text_or(json, "component", "");
     def.local = json.value("local", false);
     read_display(def, json);
-    read_target(def, out, scope, json, place);
+    read_target(def, out, scope, json, location);
     if (json.contains("cable")) {
-        read_cable(def, out, scope, json, place);
+        read_cable(def, out, scope, json, location);
     }
     const OutputTarget target = output_kind_info(def.kind).target;
     if (target == OutputTarget::line && def.line.empty()) {
-        refuse(place, "a tension needs \"cable\" or \"interactions\"");
+        throw_error(location, "a tension needs \"cable\" or \"interactions\"");
     }
     if (target == OutputTarget::interaction && !def.interaction.valid()) {
-        refuse(place, "a drum needs \"cable\" or \"interaction\"");
+        throw_error(location, "a drum needs \"cable\" or \"interaction\"");
     }
     return def;
 }
@@ -102,10 +103,10 @@ void expand_outputs(Description& out, const Scope& scope) {
         if ((*list)[i].is_null()) {
             continue;  // Left out: mistakes.h.
         }
-        const Place place = scope.place / "outputs" / i;
+        const SourceLocation location = scope.location / "outputs" / i;
         (void)attempt(out.mistakes, [&] {
-            OutputDef def = read_output(out, scope, (*list)[i], place);
-            out.add_output(std::move(def), out.keep(place));
+            OutputDef def = read_output(out, scope, (*list)[i], location);
+            out.add_output(std::move(def), out.store_location(location));
         });
     }
 }

@@ -7,12 +7,12 @@
 namespace hawser::scene {
 namespace {
 
-[[noreturn]] void refuse_option(const Place& place, const std::string& option,
-                                const std::string& message) {
-    refuse(place, message + " (option " + in_quotes(option) + ")");
+[[noreturn]] void throw_option_error(const SourceLocation& location, const std::string& option,
+                                     const std::string& message) {
+    throw_error(location, message + " (option " + in_quotes(option) + ")");
 }
 
-Json value_of(const std::string& text) {
+Json override_value(const std::string& text) {
     if (Json::accept(text)) {
         return Json::parse(text);
     }
@@ -55,17 +55,17 @@ std::vector<std::string> names_in(const Json& value) {
 
 }  // namespace
 
-void apply_override(Json& root, const std::string& option, const Place& place) {
+void apply_override(Json& root, const std::string& option, const SourceLocation& location) {
     const auto equals = option.find('=');
     if (equals == std::string::npos || equals == 0) {
-        refuse_option(place, option, "expected path=value, such as settings.step=0.01");
+        throw_option_error(location, option, "expected path=value, such as settings.step=0.01");
     }
     if (!is_plain(option)) {
-        refuse_option(place, "", "an option must be written in printable ASCII");
+        throw_option_error(location, "", "an option must be written in printable ASCII");
     }
     std::string rest = option.substr(0, equals);
     Json* here = &root;
-    Place at = place;
+    SourceLocation at = location;
     while (!rest.empty()) {
         // A name may contain dots: use the longest sequence of words that is a name.
         Json* next = nullptr;
@@ -91,7 +91,7 @@ void apply_override(Json& root, const std::string& option, const Place& place) {
             const bool may_add =
                 here->is_null() || (here->is_object() && (here == &root || end == rest.size()));
             if (!may_add) {
-                refuse_option(
+                throw_option_error(
                     at, option,
                     "there is no " + in_quotes(word) + " here" + suggestion(word, names_in(*here)));
             }
@@ -103,7 +103,7 @@ void apply_override(Json& root, const std::string& option, const Place& place) {
         rest = end < rest.size() ? rest.substr(end + 1) : "";
         here = next;
     }
-    *here = value_of(option.substr(equals + 1));
+    *here = override_value(option.substr(equals + 1));
 }
 
 }  // namespace hawser::scene

@@ -49,19 +49,19 @@ ShapePtr pid_shape() {
 }
 
 SectionItem read_pid(const Description& out, const Scope& scope, const Json& json,
-                     const Place& place) {
+                     const SourceLocation& location) {
     PidDef def;
     read_fields(def, json, kPidNumbers);
     def.row = static_cast<int>(number_or(json, "row", 0.0));
-    if (!(def.low < def.high)) refuse(place / "low", "must be less than \"high\"");
-    const std::string measured = interaction_name(out, scope, json, "measured", place);
+    if (!(def.low < def.high)) throw_error(location / "low", "must be less than \"high\"");
+    const std::string measured = interaction_name(out, scope, json, "measured", location);
     const auto& of =
         out.interactions[static_cast<std::size_t>(out.find_interaction(measured).index)];
     const int rows = kind_info(of.kind).rows;
     if (def.row >= rows)
-        refuse(place / "row", fmt::format("a {} has {} row{}", kind_info(of.kind).name, rows,
-                                          rows == 1 ? "" : "s"));
-    const std::string driven = input_name(out, scope, json, "input", place);
+        throw_error(location / "row", fmt::format("a {} has {} row{}", kind_info(of.kind).name,
+                                                  rows, rows == 1 ? "" : "s"));
+    const std::string driven = input_name(out, scope, json, "input", location);
     return {.add = [def, measured, driven](World& world, const std::string& prefix,
                                            const std::string& name) mutable {
         def.name = name;

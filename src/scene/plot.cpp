@@ -11,15 +11,15 @@ void read_plot(Scene& scene, const Description& description, const Document& doc
     if (plot == document.root.end()) {
         return;
     }
-    const Place place = document.place / "plot";
+    const SourceLocation location = document.location / "plot";
     const auto read = [&](const char* key, std::vector<std::string>& names, const auto& exists,
-                          const char* what, Lost lost, const auto& known) {
+                          const char* what, OmittedPart lost, const auto& known) {
         const auto list = plot->find(key);
         for (std::size_t i = 0; list != plot->end() && i < list->size(); ++i) {
             names.push_back((*list)[i].template get<std::string>());
             (void)attempt(description.mistakes, [&] {
                 if (!exists(names.back())) {
-                    refuse_missing(description.mistakes, lost, names.back(), place / key / i,
+                    report_missing(description.mistakes, lost, names.back(), location / key / i,
                                    std::string("there is no ") + what + " " +
                                        in_quotes(names.back()) + suggestion(names.back(), known()));
                 }
@@ -28,7 +28,8 @@ void read_plot(Scene& scene, const Description& description, const Document& doc
     };
     read(
         "tensions", scene.plot_tensions,
-        [&](const std::string& name) { return description.has_cable(name); }, "cable", Lost::cable,
+        [&](const std::string& name) { return description.has_cable(name); }, "cable",
+        OmittedPart::cable,
         [&] {
             std::vector<std::string> known;
             for (const Cable& cable : description.cables) {
@@ -39,7 +40,7 @@ void read_plot(Scene& scene, const Description& description, const Document& doc
     read(
         "motions", scene.plot_motions,
         [&](const std::string& name) { return description.find_body(name).valid(); }, "body",
-        Lost::body,
+        OmittedPart::body,
         [&] {
             std::vector<std::string> known;
             for (const BodyDef& body : description.bodies) {
@@ -54,7 +55,7 @@ void read_plot(Scene& scene, const Description& description, const Document& doc
         }
         (void)attempt(description.mistakes, [&] {
             if (!(scene.plot_view_box[0].array() < scene.plot_view_box[1].array()).all()) {
-                refuse(place / "view_box", "the lower corner must lie below the upper one");
+                throw_error(location / "view_box", "the lower corner must lie below the upper one");
             }
         });
     }

@@ -25,7 +25,7 @@ bool has_edges(const ShapeDef& shape) {
 
 /// Return the named shape, or the only one with edges.
 const ShapeDef& shape_with_edges(const Description& out, BodyId body, const Json& json,
-                                 const Place& place) {
+                                 const SourceLocation& location) {
     const std::string on = out.body(body).name, lead = on + "/";
     const std::string wanted = text_or(json, "shape", "");
     std::vector<const ShapeDef*> there;
@@ -34,8 +34,8 @@ const ShapeDef& shape_with_edges(const Description& out, BodyId body, const Json
         if (shape.body != body) continue;
         if (!wanted.empty() && shape.name == lead + wanted) {
             if (!has_edges(shape))
-                refuse(place / "shape", "a " + std::string(to_string(shape.kind)) +
-                                            " has no edges; name a box, hull or mesh");
+                throw_error(location / "shape", "a " + std::string(to_string(shape.kind)) +
+                                                    " has no edges; name a box, hull or mesh");
             return shape;
         }
         if (!has_edges(shape)) continue;
@@ -43,15 +43,16 @@ const ShapeDef& shape_with_edges(const Description& out, BodyId body, const Json
         if (shape.name.starts_with(lead)) known.push_back(shape.name.substr(lead.size()));
     }
     if (!wanted.empty())
-        refuse(place / "shape", in_quotes(on) + " has no shape " + in_quotes(wanted) +
-                                    " with edges" + suggestion(wanted, known));
+        throw_error(location / "shape", in_quotes(on) + " has no shape " + in_quotes(wanted) +
+                                            " with edges" + suggestion(wanted, known));
     if (there.empty())
-        refuse(place, in_quotes(on) +
-                          " has no shape with edges; give its \"shapes\" a box, hull "
-                          "or mesh");
+        throw_error(location, in_quotes(on) +
+                                  " has no shape with edges; give its \"shapes\" a box, hull "
+                                  "or mesh");
     if (there.size() > 1)
-        refuse(place, in_quotes(on) + " has several shapes with edges; give the \"shape\" by name" +
-                          suggestion("", known));
+        throw_error(location, in_quotes(on) +
+                                  " has several shapes with edges; give the \"shape\" by name" +
+                                  suggestion("", known));
     return *there.front();
 }
 
@@ -61,51 +62,54 @@ std::string words(const Vec3& v) {
 
 /// Return the edge next to two points.
 ShapeEdge edge_near(const std::vector<ShapeEdge>& edges, const Vec3& a, const Vec3& b,
-                    const Place& place) {
-    if (!((b - a).norm() > 0.0)) refuse(place, "give two different points");
-    if (edges.empty()) refuse(place, "the shape has no convex edge");
+                    const SourceLocation& location) {
+    if (!((b - a).norm() > 0.0)) throw_error(location, "give two different points");
+    if (edges.empty()) throw_error(location, "the shape has no convex edge");
     const auto best =
         std::min_element(edges.begin(), edges.end(), [&](const auto& x, const auto& y) {
             return distance_to_edge(x, a, b) < distance_to_edge(y, a, b);
         });
     const double far = distance_to_edge(*best, a, b);
     if (far > kNear * (b - a).norm())
-        refuse(place, fmt::format("no convex edge is within a tenth of their distance; the "
-                                  "nearest, {:.3g} m away, goes from {} to {}",
-                                  far, words(best->from), words(best->to)));
+        throw_error(location, fmt::format("no convex edge is within a tenth of their distance; the "
+                                          "nearest, {:.3g} m away, goes from {} to {}",
+                                          far, words(best->from), words(best->to)));
     return *best;
 }
 
 }  // namespace
 
 std::vector<EdgeAxis> axes_of_edges(const Description& out, BodyId body, const Json& json,
-                                    double radius, const Place& place) {
+                                    double radius, const SourceLocation& location) {
     if (json.contains("near") == json.contains("sharper_than"))
-        refuse(place, "give either two points \"near\" the edge, or \"sharper_than\" for all");
-    const ShapeDef& shape = shape_with_edges(out, body, json, place);
+        throw_error(location,
+                    "give either two points \"near\" the edge, or \"sharper_than\" for all");
+    const ShapeDef& shape = shape_with_edges(out, body, json, location);
     const double least = number_or(json, "sharper_than", kAnyTurn);
     std::vector<ShapeEdge> edges;
     try {
         edges = convex_edges(shape, least);
     } catch (const DefError& error) {
-        refuse(place, error.what());
+        throw_error(location, error.what());
     }
     if (json.contains("near")) {
         const Json& near = json["near"];
-        edges = {edge_near(edges, vector_of(near[0]), vector_of(near[1]), place / "near")};
+        edges = {edge_near(edges, vector_of(near[0]), vector_of(near[1]), location / "near")};
     } else if (edges.empty() || edges.size() > kMaxEdges) {
-        refuse(place / "sharper_than",
-               edges.empty() ? "no convex edge of the shape is so sharp"
-                             : fmt::format("{} edges are so sharp, of at most {}; give a larger "
-                                           "angle, or points \"near\" one",
-                                           edges.size(), kMaxEdges));
+        throw_error(location / "sharper_than",
+                    edges.empty()
+                        ? "no convex edge of the shape is so sharp"
+                        : fmt::format("{} edges are so sharp, of at most {}; give a larger "
+                                      "angle, or points \"near\" one",
+                                      edges.size(), kMaxEdges));
     }
     std::vector<EdgeAxis> axes;
     for (const ShapeEdge& edge : edges) {
         if (radius > edge.most_radius * (1.0 + 1e-9))
-            refuse(place, fmt::format("the shape is thinner than the cylinder at its edge from {} "
-                                      "to {}: its radius there is at most {:.4g} m",
-                                      words(edge.from), words(edge.to), edge.most_radius));
+            throw_error(location,
+                        fmt::format("the shape is thinner than the cylinder at its edge from {} "
+                                    "to {}: its radius there is at most {:.4g} m",
+                                    words(edge.from), words(edge.to), edge.most_radius));
         axes.push_back(axis_in_edge(edge, radius));
     }
     return axes;

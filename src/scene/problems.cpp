@@ -23,14 +23,14 @@ class Finder {
     std::vector<Problem> problems;
 
   private:
-    [[nodiscard]] bool full() const { return problems.size() >= most_; }
-    void wrong(std::string message) {
-        if (!full()) {
+    [[nodiscard]] bool is_full() const { return problems.size() >= most_; }
+    void add_problem(std::string message) {
+        if (!is_full()) {
             problems.push_back({path_, std::move(message)});
         }
     }
     void expected(const Shape& shape, const Json& value) {
-        wrong("expected " + shape.what + ", found " + describe(value));
+        add_problem("expected " + shape.what + ", found " + describe(value));
     }
     /// Run `work` with the path one token longer.
     template <class Work>
@@ -72,11 +72,11 @@ void Finder::number(const Json& value, const Shape& shape) {
     }
     const double number = value.get<double>();
     if (!std::isfinite(number)) {
-        return wrong("expected a finite number, found " + describe(value));
+        return add_problem("expected a finite number, found " + describe(value));
     }
     const bool low = shape.above_min ? number <= shape.min : number < shape.min;
     if (low || number > shape.max) {
-        wrong("must be " + range_text(shape) + ", found " + describe(value));
+        add_problem("must be " + range_text(shape) + ", found " + describe(value));
     }
 }
 
@@ -86,19 +86,19 @@ void Finder::text(const Json& value, const Shape& shape) {
     }
     const auto& text = value.get_ref<const std::string&>();
     if (shape.type == Type::name && !is_valid_name(text)) {
-        return wrong("expected " + shape.what +
-                     " (letters, digits and _ . + -, at most 100, starting with a letter, a "
-                     "digit or _), found " +
-                     describe(value));
+        return add_problem("expected " + shape.what +
+                           " (letters, digits and _ . + -, at most 100, starting with a letter, a "
+                           "digit or _), found " +
+                           describe(value));
     }
     if (text.empty() || text.size() > kMaxText) {
-        return wrong("expected " + shape.what + " of 1 to 4096 bytes, found " +
-                     std::to_string(text.size()) + " bytes");
+        return add_problem("expected " + shape.what + " of 1 to 4096 bytes, found " +
+                           std::to_string(text.size()) + " bytes");
     }
     if (shape.type == Type::word &&
         std::find(shape.words.begin(), shape.words.end(), text) == shape.words.end()) {
-        wrong("expected " + shape.what + ", found " + describe(value) +
-              suggestion(text, shape.words));
+        add_problem("expected " + shape.what + ", found " + describe(value) +
+                    suggestion(text, shape.words));
     }
 }
 
@@ -107,10 +107,10 @@ void Finder::list(const Json& value, const Shape& shape, bool placeholders) {
         return expected(shape, value);
     }
     if (value.size() < shape.min_items || value.size() > shape.max_items) {
-        return wrong("expected " + shape.what + ", found " + std::to_string(value.size()) +
-                     (value.size() == 1 ? " entry" : " entries"));
+        return add_problem("expected " + shape.what + ", found " + std::to_string(value.size()) +
+                           (value.size() == 1 ? " entry" : " entries"));
     }
-    for (std::size_t i = 0; i < value.size() && !full(); ++i) {
+    for (std::size_t i = 0; i < value.size() && !is_full(); ++i) {
         at(fmt::format("/{}", i), [&] { find(value[i], *shape.item, placeholders); });
     }
 }
@@ -123,7 +123,8 @@ void Finder::alternatives(const Json& value, const Shape& shape) {
                 continue;
             }
             if (first != nullptr) {
-                wrong("give either " + in_quotes(*first) + " or " + in_quotes(name) + ", not both");
+                add_problem("give either " + in_quotes(*first) + " or " + in_quotes(name) +
+                            ", not both");
                 break;
             }
             first = &name;
@@ -146,16 +147,16 @@ void Finder::object(const Json& value, const Shape& shape, bool placeholders) {
             for (const Field& f : shape.fields) {
                 known.push_back(f.name);
             }
-            wrong(shape.what + " has no key " + in_quotes(key) + suggestion(key, known));
+            add_problem(shape.what + " has no key " + in_quotes(key) + suggestion(key, known));
         });
-        if (full()) {
+        if (is_full()) {
             return;
         }
     }
     for (const Field& field : shape.fields) {
         if (field.required && !value.contains(field.name)) {
-            wrong(shape.what + " needs the key " + in_quotes(field.name) + " (" +
-                  field.shape->what + ")");
+            add_problem(shape.what + " needs the key " + in_quotes(field.name) + " (" +
+                        field.shape->what + ")");
         }
     }
     alternatives(value, shape);
@@ -168,12 +169,12 @@ void Finder::map(const Json& value, const Shape& shape, bool placeholders) {
     for (const auto& [key, entry] : value.items()) {
         at(pointer_token(key), [&, &key = key, &entry = entry] {
             if (key.empty() || key.size() > kMaxText) {
-                wrong("a key must have 1 to 4096 bytes");
+                add_problem("a key must have 1 to 4096 bytes");
             } else {
                 find(entry, *shape.item, placeholders);
             }
         });
-        if (full()) {
+        if (is_full()) {
             return;
         }
     }
@@ -215,7 +216,7 @@ void Finder::switched(const Json& value, const Shape& shape, bool placeholders) 
     }
     const auto selector = value.find(shape.key);
     if (selector == value.end()) {
-        return wrong(shape.what + " needs the key " + in_quotes(shape.key));
+        return add_problem(shape.what + " needs the key " + in_quotes(shape.key));
     }
     std::vector<std::string> known;
     for (const auto& [name, fields] : shape.cases) {
@@ -227,7 +228,8 @@ void Finder::switched(const Json& value, const Shape& shape, bool placeholders) 
     const std::string hint =
         selector->is_string() ? suggestion(selector->get_ref<const std::string&>(), known) : "";
     at(pointer_token(shape.key), [&] {
-        wrong("there is no " + shape.key + " " + describe(*selector) + " of " + shape.what + hint);
+        add_problem("there is no " + shape.key + " " + describe(*selector) + " of " + shape.what +
+                    hint);
     });
 }
 

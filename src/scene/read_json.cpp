@@ -13,10 +13,9 @@
 namespace hawser::scene {
 namespace {
 
-void refuse_text_of_other_kind(std::string_view text, const std::string& file,
-                               const char* expected) {
-    const std::string other = base::wrong_kind(text, expected, file);
-    if (!other.empty()) refuse({file, ""}, other);
+void check_text_kind(std::string_view text, const std::string& file, const char* expected) {
+    const std::string other = base::file_kind_error(text, expected, file);
+    if (!other.empty()) throw_error({file, ""}, other);
 }
 constexpr std::size_t kMostEntries = 2'000'000;  ///< Largest number of entries of an array.
 constexpr std::size_t kMaxValues = 10'000'000;   ///< Largest number of values of a file.
@@ -27,7 +26,7 @@ class LimitChecker : public nlohmann::json_sax<Json> {
   public:
     LimitChecker(std::string file, const std::set<std::string>& keys, Mistakes* mistakes,
                  std::string_view text, const char* expected)
-        : place_{std::move(file), ""},
+        : location_{std::move(file), ""},
           mistakes_(mistakes),
           text_(text),
           expected_(expected),
@@ -51,20 +50,22 @@ class LimitChecker : public nlohmann::json_sax<Json> {
         if (levels_.size() == 1) unknown_ = keys_.empty() || keys_.contains(name) ? 0 : 1;
         if (!level.keys.insert(name).second) {
             (void)attempt(mistakes_, [&] {
-                refuse(here(), "the key " + in_quotes(name) + " is given twice in this object");
+                throw_error(current_location(),
+                            "the key " + in_quotes(name) + " is given twice in this object");
             });
         }
         return true;
     }
 
     bool parse_error(std::size_t, const std::string&, const Json::exception& error) override {
-        refuse_text_of_other_kind(text_, place_.file, expected_);
+        check_text_kind(text_, location_.file, expected_);
         std::string message = error.what();
         // "[json.exception.parse_error.101] parse error at line 3, column 7: …"
         if (const auto end = message.find("] "); end != std::string::npos) {
             message.erase(0, end + 2);
         }
-        refuse({place_.file, ""}, message + (levels_.empty() ? "" : "; near " + here().path));
+        throw_error({location_.file, ""},
+                    message + (levels_.empty() ? "" : "; near " + current_location().path));
     }
 
   private:
@@ -80,22 +81,25 @@ class LimitChecker : public nlohmann::json_sax<Json> {
         if (levels_.empty()) return true;
         Level& level = levels_.back();
         if (!level.object && level.index >= kMostEntries)
-            refuse(here(), "an array of more than " + std::to_string(kMostEntries) + " entries");
+            throw_error(current_location(),
+                        "an array of more than " + std::to_string(kMostEntries) + " entries");
         ++values_;
         if (values_ > kMaxValues)
-            refuse(here(), "the file has more than " + std::to_string(kMaxValues) + " values");
+            throw_error(current_location(),
+                        "the file has more than " + std::to_string(kMaxValues) + " values");
         if (unknown_ > 0) ++unknown_;
         if (unknown_ > kMaxUnknown)
-            refuse({place_.file, "/" + levels_.front().key},
-                   "there is no key " + in_quotes(levels_.front().key) +
-                       ", and it holds more than " + std::to_string(kMaxUnknown) +
-                       " values; leave it out");
+            throw_error({location_.file, "/" + levels_.front().key},
+                        "there is no key " + in_quotes(levels_.front().key) +
+                            ", and it holds more than " + std::to_string(kMaxUnknown) +
+                            " values; leave it out");
         ++level.index;
         return true;
     }
     bool open(bool object) {
         if (levels_.size() >= kMaxNesting) {
-            refuse(here(), "nested more than " + std::to_string(kMaxNesting) + " levels deep");
+            throw_error(current_location(),
+                        "nested more than " + std::to_string(kMaxNesting) + " levels deep");
         }
         levels_.push_back({.object = object, .index = 0, .key = {}, .keys = {}});
         return true;
@@ -104,19 +108,19 @@ class LimitChecker : public nlohmann::json_sax<Json> {
         levels_.pop_back();
         return next();
     }
-    [[nodiscard]] Place here() const {
-        Place place = place_;
+    [[nodiscard]] SourceLocation current_location() const {
+        SourceLocation location = location_;
         for (const Level& level : levels_) {
             if (!level.object) {
-                place = place / level.index;
+                location = location / level.index;
             } else if (!level.keys.empty()) {
-                place = place / level.key;
+                location = location / level.key;
             }
         }
-        return place;
+        return location;
     }
 
-    Place place_;
+    SourceLocation location_;
     Mistakes* mistakes_;
     std::string_view text_;
     const char* expected_;
@@ -132,68 +136,72 @@ class LimitChecker : public nlohmann::json_sax<Json> {
 Json parse_json(std::string_view text, const std::string& file, const std::set<std::string>& keys,
                 Mistakes* mistakes, const char* expected) {
     if (text.size() > kMaxFileBytes) {
-        refuse({file, ""}, "larger than 64 MiB");
+        throw_error({file, ""}, "larger than 64 MiB");
     }
     // The parser would stop at a NUL byte and ignore the following text.
     if (const auto nul = text.find('\0'); nul != std::string_view::npos) {
-        refuse_text_of_other_kind(text, file, expected);
-        refuse({file, ""}, "a NUL byte at offset " + std::to_string(nul));
+        check_text_kind(text, file, expected);
+        throw_error({file, ""}, "a NUL byte at offset " + std::to_string(nul));
     }
     LimitChecker checker(file, keys, mistakes, text, expected);
     Json::sax_parse(text.begin(), text.end(), &checker);
     return Json::parse(text.begin(), text.end());
 }
 
-void refuse_other_kind(const Json& root, const std::string& file, const char* expected) {
-    if (root.is_object() || root.is_array()) refuse_text_of_other_kind(root.dump(), file, expected);
+void check_document_kind(const Json& root, const std::string& file, const char* expected) {
+    if (root.is_object() || root.is_array()) check_text_kind(root.dump(), file, expected);
 }
 
 Json read_json_file(const std::filesystem::path& file, const std::set<std::string>& keys,
                     Mistakes* mistakes, const char* expected) {
-    const Place place{file.string(), ""};
+    const SourceLocation location{file.string(), ""};
     std::error_code failure;
     // Check before the file is opened: opening a pipe would wait for its writer.
     if (!std::filesystem::is_regular_file(file, failure)) {
-        refuse(place, std::filesystem::exists(file, failure) ? "is no plain file" : "no such file");
+        throw_error(location,
+                    std::filesystem::exists(file, failure) ? "is no plain file" : "no such file");
     }
     const auto size = std::filesystem::file_size(file, failure);
     if (failure) {
-        refuse(place, "cannot be read: " + failure.message());
+        throw_error(location, "cannot be read: " + failure.message());
     }
     if (size > kMaxFileBytes) {
-        refuse(place, "larger than 64 MiB");
+        throw_error(location, "larger than 64 MiB");
     }
     std::ifstream stream(file, std::ios::binary);
     std::string text(static_cast<std::size_t>(size), '\0');
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
     if (!stream) {
-        refuse(place, "cannot be read");
+        throw_error(location, "cannot be read");
     }
-    return parse_json(text, place.file, keys, mistakes, expected);
+    return parse_json(text, location.file, keys, mistakes, expected);
 }
 
 std::filesystem::path resolve_inside(const std::filesystem::path& root,
                                      const std::filesystem::path& base, const std::string& name,
-                                     const Place& place) {
+                                     const SourceLocation& location) {
     const std::filesystem::path given(name);
     if (name.empty() || given.is_absolute()) {
-        refuse(place, "expected a file name relative to this file, found " + in_quotes(name));
+        throw_error(location,
+                    "expected a file name relative to this file, found " + in_quotes(name));
     }
     std::error_code failure;
     const auto real_root = std::filesystem::weakly_canonical(root.empty() ? "." : root, failure);
     const auto file = std::filesystem::weakly_canonical(
         (base.empty() ? std::filesystem::path(".") : base) / given, failure);
     if (failure) {
-        refuse(place, "the file name " + in_quotes(name) + " cannot be used: " + failure.message());
+        throw_error(location,
+                    "the file name " + in_quotes(name) + " cannot be used: " + failure.message());
     }
     const auto inside = file.lexically_relative(real_root);
     if (inside.empty() || *inside.begin() == "..") {
-        refuse(place, "the file " + in_quotes(name) + " lies outside the folder of the scene; " +
-                          "move it into that folder or below");
+        throw_error(location, "the file " + in_quotes(name) +
+                                  " lies outside the folder of the scene; " +
+                                  "move it into that folder or below");
     }
     if (!std::filesystem::is_regular_file(file, failure)) {
-        refuse(place,
-               "there is no file " + in_quotes(name) + " (looked for " + file.string() + ")");
+        throw_error(location,
+                    "there is no file " + in_quotes(name) + " (looked for " + file.string() + ")");
     }
     return (base / given).lexically_normal();
 }

@@ -38,13 +38,14 @@ inline constexpr int kMaxNesting = 64;
                                   const char* expected = "a scene");
 
 /// Reject a document of another kind, such as an exercise. @throws SceneError.
-void refuse_other_kind(const Json& root, const std::string& file, const char* expected);
+void check_document_kind(const Json& root, const std::string& file, const char* expected);
 
-/// Resolve a file name found at `place`, relative to `base`. Reject it if it leaves the folder
+/// Resolve a file name found at `location`, relative to `base`. Reject it if it leaves the folder
 /// `root` (links followed) or does not exist.
 [[nodiscard]] std::filesystem::path resolve_inside(const std::filesystem::path& root,
                                                    const std::filesystem::path& base,
-                                                   const std::string& name, const Place& place);
+                                                   const std::string& name,
+                                                   const SourceLocation& location);
 
 /// Return a short description of a value for messages: `3.5`, `"text"`, `an array of 4`.
 [[nodiscard]] std::string describe(const Json& value);

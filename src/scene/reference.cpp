@@ -22,7 +22,7 @@ std::string cell(std::string text) {
 class Page {
   public:
     void object(const Shape& shape, const std::string& title, const std::string& level) {
-        if (!done_.insert(shape.id).second) {
+        if (!written_types_.insert(shape.id).second) {
             return;
         }
         text_ += fmt::format("\n{} {}\n\n{}\n", level, title, shape.doc);
@@ -89,7 +89,7 @@ class Page {
     void parameters(const KindInfo& kind) {
         text_ += "\n| parameter | unit | default | range | input | |\n|---|---|---|---|---|---|\n";
         for (const ParamInfo& p : kind.params) {
-            const std::string fallback = taken_from_pose(kind, p.name) ? "the initial value"
+            const std::string fallback = is_taken_from_pose(kind, p.name) ? "the initial value"
                                          : p.fallback == p.fallback
                                              ? fmt::format("{:.10g}", p.fallback)
                                              : "required";
@@ -126,7 +126,7 @@ class Page {
         }
     }
 
-    std::set<std::string> done_;
+    std::set<std::string> written_types_;
 };
 
 }  // namespace

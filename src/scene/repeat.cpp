@@ -27,7 +27,7 @@ void rename(std::string& name, const std::string& prefix) {
 
 /// Return the stored state of the copy with this name, which replaces the shifted state of copy 0;
 /// null if there is none.
-const Json* own_state(const Document& document, const std::string& name) {
+const Json* stored_state(const Document& document, const std::string& name) {
     const auto state = document.root.find("state");
     if (state == document.root.end()) {
         return nullptr;
@@ -36,8 +36,8 @@ const Json* own_state(const Document& document, const std::string& name) {
     return entry == (*state)["bodies"].end() ? nullptr : &*entry;
 }
 
-void apply_own_state(BodyDef& def, const Document& document) {
-    const Json* state = own_state(document, def.name);
+void apply_stored_state(BodyDef& def, const Document& document) {
+    const Json* state = stored_state(document, def.name);
     if (state == nullptr || def.kind == BodyKind::fixed) {
         return;
     }
@@ -56,32 +56,32 @@ class Copier {
     Copier(Description& out, const Document& document, const Json& repeat)
         : out_(out),
           document_(document),
-          place_(document.place / "repeat"),
+          location_(document.location / "repeat"),
           repeat_(repeat),
-          offset_(vector_of(repeat["offset"])),
-          base_{out.bodies.size(),        out.interactions.size(), out.inputs.size(),
-                out.outputs.size(),       out.cables.size(),       out.shapes.size(),
-                out.winches.size(),       out.guides.size(),       out.posts.size(),
-                out.deck.stoppers.size(), out.deck.pins.size(),    out.deck.hooks.size(),
-                out.deck.chasers.size(),  out.resolutions.size(),  out.cranes.size(),
-                out.levers.size(),        out.vessels.size(),      out.anchors.size(),
-                out.gauges.size(),        out.sections.size()} {}
+          copy_offset_(vector_of(repeat["offset"])),
+          first_extent_{out.bodies.size(),        out.interactions.size(), out.inputs.size(),
+                        out.outputs.size(),       out.cables.size(),       out.shapes.size(),
+                        out.winches.size(),       out.guides.size(),       out.posts.size(),
+                        out.deck.stoppers.size(), out.deck.pins.size(),    out.deck.hooks.size(),
+                        out.deck.chasers.size(),  out.resolutions.size(),  out.cranes.size(),
+                        out.levers.size(),        out.vessels.size(),      out.anchors.size(),
+                        out.gauges.size(),        out.sections.size()} {}
 
     void run(int copies) {
         const auto check = [&](std::size_t each, std::int64_t most, const char* what) {
             if (static_cast<std::int64_t>(each) * copies > most) {
-                refuse(place_, fmt::format("{} copies of {} {} are more than {}", copies, each,
-                                           what, most));
+                throw_error(location_, fmt::format("{} copies of {} {} are more than {}", copies,
+                                                   each, what, most));
             }
         };
-        check(base_.bodies, out_.settings.max_bodies, "bodies (settings.max_bodies)");
-        check(base_.interactions, out_.settings.max_interactions,
+        check(first_extent_.bodies, out_.settings.max_bodies, "bodies (settings.max_bodies)");
+        check(first_extent_.interactions, out_.settings.max_interactions,
               "interactions (settings.max_interactions)");
-        check(base_.shapes, kMaxElements, "shapes");
-        if (offset_.isZero(0.0) && copies > 1) {
-            refuse(place_ / "offset", "must not be zero");
+        check(first_extent_.shapes, kMaxElements, "shapes");
+        if (copy_offset_.isZero(0.0) && copies > 1) {
+            throw_error(location_ / "offset", "must not be zero");
         }
-        number_ = out_.keep(place_);
+        copy_number_ = out_.store_location(location_);
         for (int copy = 1; copy < copies; ++copy) {
             add_copy(copy);
         }
@@ -94,7 +94,7 @@ class Copier {
   private:
     void add_copy(int copy) {
         const std::string prefix = copy_prefix(copy);
-        const Vec3 shift = copy * offset_;
+        const Vec3 shift = copy * copy_offset_;
         first_ = static_cast<std::int32_t>(out_.interactions.size());
         add_bodies(prefix, shift);
         add_interactions(prefix, shift);
@@ -105,24 +105,24 @@ class Copier {
         add_winches(prefix);
         add_guides(prefix);
         add_posts(prefix);
-        add_gear(out_.deck.stoppers, base_.stoppers, prefix);
-        add_gear(out_.deck.pins, base_.pins, prefix);
-        add_gear(out_.deck.hooks, base_.hooks, prefix);
-        add_gear(out_.deck.chasers, base_.chasers, prefix);
-        add_gear(out_.vessels, base_.vessels, prefix);
+        add_gear(out_.deck.stoppers, first_extent_.stoppers, prefix);
+        add_gear(out_.deck.pins, first_extent_.pins, prefix);
+        add_gear(out_.deck.hooks, first_extent_.hooks, prefix);
+        add_gear(out_.deck.chasers, first_extent_.chasers, prefix);
+        add_gear(out_.vessels, first_extent_.vessels, prefix);
         add_section_items(prefix);
-        add_gear(out_.anchors, base_.anchors, prefix);
-        add_gear(out_.gauges, base_.gauges, prefix);
+        add_gear(out_.anchors, first_extent_.anchors, prefix);
+        add_gear(out_.gauges, first_extent_.gauges, prefix);
         add_resolutions(prefix);
         add_cranes(prefix, shift);
         add_shapes(prefix, shift);
     }
 
     /// Return the counterpart of a body or interaction of copy 0 in this copy.
-    [[nodiscard]] BodyId mapped(BodyId id) const {
+    [[nodiscard]] BodyId counterpart(BodyId id) const {
         return id.valid() ? bodies_[static_cast<std::size_t>(id.index)] : id;
     }
-    [[nodiscard]] InteractionId mapped(InteractionId id) const {
+    [[nodiscard]] InteractionId counterpart(InteractionId id) const {
         return id.valid() ? InteractionId{first_ + id.index} : id;
     }
     [[nodiscard]] bool is_world(BodyId id) const {
@@ -130,8 +130,8 @@ class Copier {
     }
 
     void add_bodies(const std::string& prefix, const Vec3& shift) {
-        bodies_.assign(base_.bodies, BodyId{});
-        for (std::size_t i = 0; i < base_.bodies; ++i) {
+        bodies_.assign(first_extent_.bodies, BodyId{});
+        for (std::size_t i = 0; i < first_extent_.bodies; ++i) {
             const BodyId old{static_cast<std::int32_t>(i)};
             if (is_world(old)) {
                 bodies_[i] = old;
@@ -142,13 +142,13 @@ class Copier {
             if (def.kind != BodyKind::scalar) {
                 def.position += shift;
             }
-            apply_own_state(def, document_);
-            bodies_[i] = out_.add_body(std::move(def), number_);
+            apply_stored_state(def, document_);
+            bodies_[i] = out_.add_body(std::move(def), copy_number_);
         }
     }
 
     void add_interactions(const std::string& prefix, const Vec3& shift) {
-        for (std::size_t i = 0; i < base_.interactions; ++i) {
+        for (std::size_t i = 0; i < first_extent_.interactions; ++i) {
             InteractionDef def = out_.interactions[i];
             rename(def.name, prefix);
             for (std::size_t b = 0; b < def.body.size(); ++b) {
@@ -156,61 +156,61 @@ class Copier {
                 if (is_world(def.body[b])) {
                     def.point[b] += shift;
                 }
-                def.body[b] = mapped(def.body[b]);
+                def.body[b] = counterpart(def.body[b]);
             }
             for (FrictionLoad& load : def.load) {
-                load.interaction = mapped(load.interaction);
+                load.interaction = counterpart(load.interaction);
             }
-            out_.add_interaction(std::move(def), number_);
+            out_.add_interaction(std::move(def), copy_number_);
         }
     }
 
     void add_cables(const std::string& prefix, const Vec3& shift) {
-        for (std::size_t i = 0; i < base_.cables; ++i) {
+        for (std::size_t i = 0; i < first_extent_.cables; ++i) {
             Cable cable = out_.cables[i];
             rename(cable.name, prefix);
             if (is_world(cable.nodes.front())) cable.from_point += shift;
             if (is_world(cable.nodes.back())) cable.to_point += shift;
             for (BodyId& node : cable.nodes) {
-                node = mapped(node);
+                node = counterpart(node);
             }
             for (InteractionId& element : cable.stretch) {
-                element = mapped(element);
+                element = counterpart(element);
             }
-            out_.add_cable(std::move(cable), place_);
+            out_.add_cable(std::move(cable), location_);
         }
     }
 
     void add_winches(const std::string& prefix) {
-        for (std::size_t i = 0; i < base_.winches; ++i) {
+        for (std::size_t i = 0; i < first_extent_.winches; ++i) {
             Winch winch = out_.winches[i];
             rename(winch.def.name, prefix);
             rename(winch.cable, prefix);
-            winch.def.drum = mapped(winch.def.drum);
-            winch.def.chain = mapped(winch.def.chain);
-            winch.def.heave_body = mapped(winch.def.heave_body);
-            winch.place = number_;
+            winch.def.drum = counterpart(winch.def.drum);
+            winch.def.chain = counterpart(winch.def.chain);
+            winch.def.heave_body = counterpart(winch.def.heave_body);
+            winch.location = copy_number_;
             out_.winches.push_back(std::move(winch));
         }
     }
 
     void add_guides(const std::string& prefix) {
-        for (std::size_t i = 0; i < base_.guides; ++i) {
+        for (std::size_t i = 0; i < first_extent_.guides; ++i) {
             GuideItem guide = out_.guides[i];
             rename(guide.def.name, prefix);
             rename(guide.cable, prefix);
-            guide.def.body = mapped(guide.def.body);
-            guide.def.slide = mapped(guide.def.slide);
-            guide.place = number_;
+            guide.def.body = counterpart(guide.def.body);
+            guide.def.slide = counterpart(guide.def.slide);
+            guide.location = copy_number_;
             out_.guides.push_back(std::move(guide));
         }
     }
 
     void add_posts(const std::string& prefix) {
-        for (std::size_t i = 0; i < base_.posts; ++i) {
+        for (std::size_t i = 0; i < first_extent_.posts; ++i) {
             PostItem post = out_.posts[i];
             rename(post.def.name, prefix);
-            post.place = number_;
+            post.location = copy_number_;
             out_.posts.push_back(std::move(post));
         }
     }
@@ -220,18 +220,18 @@ class Copier {
         for (std::size_t i = 0; i < count; ++i) {
             auto item = items[i];
             rename(item.def.name, prefix);
-            item.def.body = mapped(item.def.body);
+            item.def.body = counterpart(item.def.body);
             if constexpr (requires { item.def.loads; })
-                for (CraneLoad& load : item.def.loads) load.body = mapped(load.body);
+                for (CraneLoad& load : item.def.loads) load.body = counterpart(load.body);
             if constexpr (requires { item.cable; }) rename(item.cable, prefix);  // empty: none
-            if constexpr (requires { item.others; })
-                for (std::string& other : item.others) rename(other, prefix);
+            if constexpr (requires { item.other_names; })
+                for (std::string& other : item.other_names) rename(other, prefix);
             items.push_back(std::move(item));
         }
     }
 
     void add_section_items(const std::string& prefix) {
-        for (std::size_t i = 0; i < base_.sections; ++i) {
+        for (std::size_t i = 0; i < first_extent_.sections; ++i) {
             SectionItem item = out_.sections[i];
             item.prefix = prefix;
             out_.sections.push_back(std::move(item));
@@ -239,34 +239,34 @@ class Copier {
     }
 
     void add_resolutions(const std::string& prefix) {
-        for (std::size_t i = 0; i < base_.resolutions; ++i) {
+        for (std::size_t i = 0; i < first_extent_.resolutions; ++i) {
             Resolution one = out_.resolutions[i];
             rename(one.def.name, prefix);
             rename(one.cable, prefix);
-            one.place = number_;
+            one.location = copy_number_;
             out_.resolutions.push_back(std::move(one));
         }
     }
 
     void add_cranes(const std::string& prefix, const Vec3& shift) {
-        for (std::size_t i = 0; i < base_.cranes; ++i) {
+        for (std::size_t i = 0; i < first_extent_.cranes; ++i) {
             Crane crane = out_.cranes[i];
             std::visit(
                 [&](auto& def) {
                     rename(def.name, prefix);
                     if (is_world(def.mount.on)) def.mount.point += shift;
-                    def.mount.on = mapped(def.mount.on);
-                    for (CraneLoad& load : def.loads) load.body = mapped(load.body);
+                    def.mount.on = counterpart(def.mount.on);
+                    for (CraneLoad& load : def.loads) load.body = counterpart(load.body);
                 },
                 crane.def);
-            crane.place = number_;
+            crane.location = copy_number_;
             out_.cranes.push_back(std::move(crane));
         }
     }
 
     void add_shapes(const std::string& prefix, const Vec3& shift) {
-        for (std::size_t i = 0; i < base_.shapes; ++i) {
-            if (is_its_own_copy(out_.shapes[i])) {
+        for (std::size_t i = 0; i < first_extent_.shapes; ++i) {
+            if (serves_all_copies(out_.shapes[i])) {
                 continue;
             }
             ShapeDef def = out_.shapes[i];
@@ -274,34 +274,34 @@ class Copier {
             // point at which a body "world" holds a wire
             if (def.body_b.valid() && (is_world(def.body) || is_world(def.body_b)))
                 def.position += shift;
-            def.body = mapped(def.body);
-            def.body_b = mapped(def.body_b);
-            out_.add_shape(std::move(def), number_);
+            def.body = counterpart(def.body);
+            def.body_b = counterpart(def.body_b);
+            out_.add_shape(std::move(def), copy_number_);
         }
     }
 
     void add_inputs(const std::string& prefix) {
-        for (std::size_t i = 0; i < base_.inputs; ++i) {
+        for (std::size_t i = 0; i < first_extent_.inputs; ++i) {
             InputDef def = out_.inputs[i];
             rename(def.name, prefix);
-            def.interaction = mapped(def.interaction);
-            def.body = mapped(def.body);
-            out_.add_input(std::move(def), number_);
+            def.interaction = counterpart(def.interaction);
+            def.body = counterpart(def.body);
+            out_.add_input(std::move(def), copy_number_);
         }
     }
 
     void add_levers(const std::string& prefix) {
-        for (std::size_t i = 0; i < base_.levers; ++i) {
+        for (std::size_t i = 0; i < first_extent_.levers; ++i) {
             SignalInput input = out_.levers[i].input;
             if (input.signal.starts_with("sea.")) continue;  // Of all copies together.
             rename(input.name, prefix);
             rename(input.signal, prefix);
-            out_.add_lever(std::move(input), number_);
+            out_.add_lever(std::move(input), copy_number_);
         }
     }
 
     void add_outputs(const std::string& prefix, const Vec3& shift) {
-        for (std::size_t i = 0; i < base_.outputs; ++i) {
+        for (std::size_t i = 0; i < first_extent_.outputs; ++i) {
             OutputDef def = out_.outputs[i];
             if (output_kind_info(def.kind).target == OutputTarget::world) {
                 continue;  // Of all copies together.
@@ -312,23 +312,23 @@ class Copier {
                 if (is_world(*body)) {
                     *point += shift;
                 }
-                *body = mapped(*body);
+                *body = counterpart(*body);
             }
-            def.interaction = mapped(def.interaction);
+            def.interaction = counterpart(def.interaction);
             for (InteractionId& element : def.line) {
-                element = mapped(element);
+                element = counterpart(element);
             }
-            out_.add_output(std::move(def), number_);
+            out_.add_output(std::move(def), copy_number_);
         }
     }
 
     /// @return true for a plane of a fixed body that is parallel to the offset: one plane serves
     ///        all copies.
-    [[nodiscard]] bool is_its_own_copy(const ShapeDef& def) const {
+    [[nodiscard]] bool serves_all_copies(const ShapeDef& def) const {
         const BodyDef& body = out_.body(def.body);
         const Vec3 normal = body.orientation * (def.orientation * Vec3::UnitZ());
         return def.kind == ShapeKind::plane && body.kind == BodyKind::fixed &&
-               std::abs(normal.dot(offset_)) <= 1e-9 * offset_.norm();
+               std::abs(normal.dot(copy_offset_)) <= 1e-9 * copy_offset_.norm();
     }
 
     /// Add the cables from copy `copy` to the next.
@@ -341,9 +341,9 @@ class Copier {
         const Scope to = scope_of(copy + 1);
         for (std::size_t i = 0; i < list->size(); ++i) {
             const std::size_t first = out_.bodies.size();
-            expand_cable(out_, from, to, (*list)[i], document_, place_ / "joins" / i);
+            expand_cable(out_, from, to, (*list)[i], document_, location_ / "joins" / i);
             for (std::size_t b = first; b < out_.bodies.size(); ++b) {
-                apply_own_state(out_.bodies[b], document_);
+                apply_stored_state(out_.bodies[b], document_);
             }
         }
     }
@@ -351,17 +351,17 @@ class Copier {
     [[nodiscard]] Scope scope_of(int copy) const {
         Scope scope;
         scope.prefix = copy == 0 ? "" : copy_prefix(copy);
-        scope.frame.position = copy * offset_;
+        scope.frame.position = copy * copy_offset_;
         return scope;
     }
 
     Description& out_;
     const Document& document_;
-    Place place_;
+    SourceLocation location_;
     const Json& repeat_;
-    Vec3 offset_;
-    Extent base_;
-    int number_ = 0;
+    Vec3 copy_offset_;
+    Extent first_extent_;
+    int copy_number_ = 0;
     // Data of the copy that is being added:
     std::vector<BodyId> bodies_{};  ///< By index in copy 0.
     std::int32_t first_ = 0;        ///< Its first interaction.

@@ -45,18 +45,20 @@ constexpr FieldInfo<ResolutionDef> kFields[] = {
      "Number of steps between two checks of the cable.", 1.0, 1e4}};
 
 /// Check the limits. Inconsistent limits are reported at the key that is too small or too large.
-void check_limits(const ResolutionDef& def, const Place& place) {
+void check_limits(const ResolutionDef& def, const SourceLocation& location) {
     if (def.max_length < 2.0 * def.min_length)
-        refuse(place / "max_length",
-               fmt::format("{:.6g} m is below twice \"min_length\", {:.6g} m: the halves of the "
-                           "longest element would be too short",
-                           def.max_length, def.min_length));
+        throw_error(
+            location / "max_length",
+            fmt::format("{:.6g} m is below twice \"min_length\", {:.6g} m: the halves of the "
+                        "longest element would be too short",
+                        def.max_length, def.min_length));
     for (const auto& [key, value] : {std::pair{"contact_length", def.contact_length},
                                      std::pair{"drum_length", def.drum_length}})
         if (value != 0.0 && (value < def.min_length || value > def.max_length))
-            refuse(place / key, fmt::format("{:.6g} m is not within \"min_length\", {:.6g} m, and "
-                                            "\"max_length\", {:.6g} m; 0: no such bound",
-                                            value, def.min_length, def.max_length));
+            throw_error(location / key,
+                        fmt::format("{:.6g} m is not within \"min_length\", {:.6g} m, and "
+                                    "\"max_length\", {:.6g} m; 0: no such bound",
+                                    value, def.min_length, def.max_length));
 }
 
 }  // namespace
@@ -64,23 +66,24 @@ void check_limits(const ResolutionDef& def, const Place& place) {
 std::span<const FieldInfo<ResolutionDef>> resolution_fields() noexcept { return kFields; }
 
 void read_resolution(Description& out, const CableLayout& cable, const Json& json,
-                     const Place& cable_place) {
+                     const SourceLocation& cable_place) {
     const auto given = json.find("resolution");
     if (given == json.end()) return;
-    const Place place = cable_place / "resolution";
-    if (cable.links) refuse(place, "a cable of links has the elements that it has");
+    const SourceLocation location = cable_place / "resolution";
+    if (cable.links) throw_error(location, "a cable of links has the elements that it has");
     if (!cable.consistent_mass)
-        refuse(place, "nodes need mass from elements: the cable needs \"consistent_mass\": true");
+        throw_error(location,
+                    "nodes need mass from elements: the cable needs \"consistent_mass\": true");
     Resolution one;
     one.def.name = cable.name + "/resolution";
     one.cable = cable.name;
     read_fields(one.def, *given, kFields);
-    check_limits(one.def, place);
+    check_limits(one.def, location);
     if (cable.elements + 1 > static_cast<std::size_t>(one.def.max_nodes))
-        refuse(place / "max_nodes",
-               fmt::format("the cable has {} nodes from the start", cable.elements + 1));
+        throw_error(location / "max_nodes",
+                    fmt::format("the cable has {} nodes from the start", cable.elements + 1));
     if (cable.sections.size() == 1) one.def.mass_per_length = cable.first().line.mass_per_length;
-    one.place = out.keep(place);
+    one.location = out.store_location(location);
     out.resolutions.push_back(std::move(one));
 }
 

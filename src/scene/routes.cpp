@@ -11,19 +11,21 @@
 namespace hawser::scene {
 namespace {
 
-RouteEnd read_end(Description& out, const Scope& scope, const Json& json, const Place& place) {
+RouteEnd read_end(Description& out, const Scope& scope, const Json& json,
+                  const SourceLocation& location) {
     RouteEnd end;
-    end.body = resolve_body(out, scope, json["body"].get<std::string>(), place / "body");
+    end.body = resolve_body(out, scope, json["body"].get<std::string>(), location / "body");
     end.point = vector_or(json, "point", end.point);
     if (const auto drum = json.find("drum"); drum != json.end())
-        end.drum = resolve_body(out, scope, drum->get<std::string>(), place / "drum");
+        end.drum = resolve_body(out, scope, drum->get<std::string>(), location / "drum");
     end.radius = number_or(json, "radius", end.radius);
     return end;
 }
 
-RoutePlace read_place(Description& out, const Scope& scope, const Json& json, const Place& place) {
+RoutePlace read_route_place(Description& out, const Scope& scope, const Json& json,
+                            const SourceLocation& location) {
     RoutePlace p;
-    p.body = resolve_body(out, scope, json["body"].get<std::string>(), place / "body");
+    p.body = resolve_body(out, scope, json["body"].get<std::string>(), location / "body");
     p.point = vector_or(json, "point", p.point);
     p.axis = vector_or(json, "axis", p.axis);
     p.radius = number_or(json, "radius", p.radius);
@@ -35,15 +37,16 @@ RoutePlace read_place(Description& out, const Scope& scope, const Json& json, co
     return p;
 }
 
-void read_route(Description& out, const Scope& scope, const Json& json, const Place& place) {
+void read_route(Description& out, const Scope& scope, const Json& json,
+                const SourceLocation& location) {
     RouteDef def;
     def.name = scope.prefix + json["name"].get<std::string>();
     def.EA = json["EA"].get<double>();
-    def.first = read_end(out, scope, json["first"], place / "first");
-    def.last = read_end(out, scope, json["last"], place / "last");
+    def.first = read_end(out, scope, json["first"], location / "first");
+    def.last = read_end(out, scope, json["last"], location / "last");
     const Json& places = json["places"];
     for (std::size_t i = 0; i < places.size(); ++i)
-        def.places.push_back(read_place(out, scope, places[i], place / "places" / i));
+        def.places.push_back(read_route_place(out, scope, places[i], location / "places" / i));
     def.length = number_or(json, "length", def.length);
     def.tension = number_or(json, "tension", def.tension);
     def.breaking_load = number_or(json, "breaking_load", def.breaking_load);
@@ -53,7 +56,7 @@ void read_route(Description& out, const Scope& scope, const Json& json, const Pl
         const BodyDef& b = out.body(id);
         return RouteBody{b.position, b.orientation.normalized(), b.kind, b.mass};
     };
-    const int at = out.keep(place);
+    const int at = out.store_location(location);
     try {
         std::vector<BodyId> slides;
         // Plan all parts before any is added.
@@ -69,7 +72,7 @@ void read_route(Description& out, const Scope& scope, const Json& json, const Pl
             out.add_interaction(std::move(f.def), at);
         }
     } catch (const DefError& error) {
-        refuse(place, own_words(error));
+        throw_error(location, library_words(error));
     }
 }
 
@@ -81,8 +84,8 @@ void expand_routes(Description& out, const Scope& scope) {
     for (std::size_t i = 0; i < list->size(); ++i) {
         const Json& json = (*list)[i];
         if (json.is_null()) continue;  // Left out: mistakes.h.
-        const Place place = scope.place / "routes" / i;
-        (void)attempt(out.mistakes, [&] { read_route(out, scope, json, place); });
+        const SourceLocation location = scope.location / "routes" / i;
+        (void)attempt(out.mistakes, [&] { read_route(out, scope, json, location); });
     }
 }
 

@@ -38,9 +38,9 @@ class Builder {
   public:
     explicit Builder(const Description& description) : description_(description) {}
 
-    World build(const Options& options, const Place& settings_place) {
+    World build(const Options& options, const SourceLocation& settings_place) {
         std::optional<World> world;
-        (void)take(settings_place, [&] { world.emplace(settings_of(options)); });
+        (void)take(settings_place, [&] { world.emplace(settings_with(options)); });
         if (!world) {
             return World();
         }
@@ -55,18 +55,18 @@ class Builder {
         add_resolutions(*world);
         add_cranes(*world);
         if (numbered_) {
-            (void)take(description_.sea_place, [&] { add_sea(*world, description_); });
+            (void)take(description_.sea_location, [&] { add_sea(*world, description_); });
         }
         if (numbered_ && whole_) add_vessels(*world, description_);
         if (numbered_ && whole_) add_anchors(*world, description_);
         for (std::size_t i = 0; i < description_.inputs.size() && numbered_; ++i) {
-            (void)take(description_.input_place(i),
+            (void)take(description_.input_location(i),
                        [&] { world->add_input(description_.inputs[i]); });
         }
         if (numbered_ && whole_) add_sections(*world, description_);
         check_levers(*world);
         for (std::size_t i = 0; i < description_.outputs.size() && numbered_; ++i) {
-            (void)take(description_.output_place(i),
+            (void)take(description_.output_location(i),
                        [&] { world->add_output(output_of(description_, i, *world)); });
         }
         return std::move(*world);
@@ -76,17 +76,17 @@ class Builder {
     /// Run `work` and convert an error of the world to a mistake at this place. @return the result
     /// of attempt().
     template <class Work>
-    bool take(const Place& place, const Work& work) {
+    bool take(const SourceLocation& location, const Work& work) {
         return attempt(description_.mistakes, [&] {
             try {
                 work();
             } catch (const DefError& error) {
-                refuse(place, error.what());
+                throw_error(location, error.what());
             }
         });
     }
 
-    [[nodiscard]] WorldDef settings_of(const Options& options) const {
+    [[nodiscard]] WorldDef settings_with(const Options& options) const {
         WorldDef settings = description_.settings;
         settings.threads = options.threads;
         settings.budget = options.budget;
@@ -103,7 +103,7 @@ class Builder {
     void add_bodies(World& world) {
         for (std::size_t i = 0; i < description_.bodies.size(); ++i) {
             const BodyDef& def = description_.bodies[i];
-            const bool added = take(description_.body_place(i), [&] { world.add_body(def); });
+            const bool added = take(description_.body_location(i), [&] { world.add_body(def); });
             if (!added) {  // add a substitute, so that numbers do not change
                 world.add_body({.name = "", .kind = BodyKind::fixed});
                 whole_ = false;
@@ -118,7 +118,7 @@ class Builder {
                 continue;
             }
             numbered_ &=
-                take(description_.interaction_place(i), [&] { world.add_interaction(def); });
+                take(description_.interaction_location(i), [&] { world.add_interaction(def); });
         }
         numbered_ &= whole_;
     }
@@ -134,7 +134,7 @@ class Builder {
             }
             if (std::isnan(cable.drum_element)) continue;
             const auto drum = static_cast<std::size_t>(cable.stretch.front().index);
-            (void)take(description_.interaction_place(drum) / "winch", [&] {
+            (void)take(description_.interaction_location(drum) / "winch", [&] {
                 world.add(DrumFeedDef{.name = cable.name + "/feed",
                                       .wire = world.wires().find(cable.name),
                                       .element = cable.drum_element,
@@ -143,7 +143,7 @@ class Builder {
         }
         for (std::size_t i = 0; i < description_.winches.size(); ++i) {
             const Winch& winch = description_.winches[i];
-            (void)take(description_.winch_place(i), [&] {
+            (void)take(description_.winch_location(i), [&] {
                 WinchDef def = winch.def;
                 def.wire = world.wires().find(winch.cable);
                 world.add(def);
@@ -165,7 +165,7 @@ class Builder {
     void add_guides(World& world) {
         for (std::size_t i = 0; i < description_.guides.size() && numbered_; ++i) {
             const GuideItem& guide = description_.guides[i];
-            (void)take(description_.guide_place(i), [&] {
+            (void)take(description_.guide_location(i), [&] {
                 GuideDef def = guide.def;
                 def.wire = world.wires().find(guide.cable);
                 world.add(def);
@@ -176,7 +176,7 @@ class Builder {
     /// Add the posts. Their shapes have been added before.
     void add_posts(World& world) {
         for (std::size_t i = 0; i < description_.posts.size() && numbered_ && whole_; ++i) {
-            (void)take(description_.post_place(i), [&] {
+            (void)take(description_.post_location(i), [&] {
                 PostDef def = description_.posts[i].def;
                 def.shape = world.find_shape(def.name);
                 if (def.shape.valid()) world.add(def);  // else the shape was rejected
@@ -196,9 +196,9 @@ class Builder {
                 if (s.input) known.push_back(s.system + "." + s.name);
             if (std::find(known.begin(), known.end(), wanted) != known.end()) continue;
             (void)attempt(description_.mistakes, [&] {
-                refuse(description_.lever_place(i) / "signal",
-                       "there is no signal " + in_quotes(wanted) + " that may be set" +
-                           suggestion(wanted, known));
+                throw_error(description_.lever_location(i) / "signal",
+                            "there is no signal " + in_quotes(wanted) + " that may be set" +
+                                suggestion(wanted, known));
             });
         }
     }
@@ -207,7 +207,7 @@ class Builder {
     void add_resolutions(World& world) {
         for (std::size_t i = 0; i < description_.resolutions.size() && numbered_; ++i) {
             const Resolution& one = description_.resolutions[i];
-            (void)take(description_.resolution_place(i), [&] {
+            (void)take(description_.resolution_location(i), [&] {
                 ResolutionDef def = one.def;
                 def.wire = world.wires().find(one.cable);
                 for (const Winch& winch : description_.winches)
@@ -226,7 +226,7 @@ class Builder {
 
     void add_cranes(World& world) {
         for (std::size_t i = 0; i < description_.cranes.size() && numbered_; ++i) {
-            (void)take(description_.crane_place(i), [&] {
+            (void)take(description_.crane_location(i), [&] {
                 std::visit([&](const auto& def) { start_crane(world, def); },
                            description_.cranes[i].def);
             });
@@ -241,7 +241,7 @@ class Builder {
             world.add_material_pair(pair);
         }
         for (std::size_t i = 0; i < description_.shapes.size() && whole_; ++i) {
-            (void)take(description_.shape_place(i),
+            (void)take(description_.shape_location(i),
                        [&] { world.add_shape(description_.shapes[i]); });
         }
     }
@@ -251,13 +251,14 @@ class Builder {
     bool numbered_ = true;  ///< Interactions have the numbers of the description.
 };
 
-void check_options(const Options& options, const Place& place) {
+void check_options(const Options& options, const SourceLocation& location) {
     if (options.scale < 1 || options.scale > kMaxCopies) {
-        refuse(place, "the scale must be between 1 and " + std::to_string(kMaxCopies) + ", found " +
-                          std::to_string(options.scale));
+        throw_error(location, "the scale must be between 1 and " + std::to_string(kMaxCopies) +
+                                  ", found " + std::to_string(options.scale));
     }
     if (options.threads < 1 || options.threads > kMaxThreads) {
-        refuse(place, "the number of threads must be between 1 and " + std::to_string(kMaxThreads));
+        throw_error(location,
+                    "the number of threads must be between 1 and " + std::to_string(kMaxThreads));
     }
 }
 
@@ -266,8 +267,8 @@ void check_options(const Options& options, const Place& place) {
 ///        thrown.
 std::optional<Scene> make_scene(Json root, const std::filesystem::path& file,
                                 const Options& options, Mistakes* mistakes) {
-    const Place place{file.string(), ""};
-    check_options(options, place);
+    const SourceLocation location{file.string(), ""};
+    check_options(options, location);
     const Document document = make_document(std::move(root), file, options, mistakes);
     if (!document.root.is_object()) {
         return std::nullopt;
@@ -278,14 +279,14 @@ std::optional<Scene> make_scene(Json root, const std::filesystem::path& file,
         return body.kind == BodyKind::fixed || body.kind == BodyKind::kinematic;
     };
     const auto& bodies = description.bodies;
-    if (mistakes == nullptr || !mistakes->incomplete()) {
+    if (mistakes == nullptr || !mistakes->has_omitted_parts()) {
         (void)attempt(mistakes, [&] {
             if (std::all_of(bodies.begin(), bodies.end(), is_at_rest)) {
-                refuse(place, "the scene has no body that moves");
+                throw_error(location, "the scene has no body that moves");
             }
         });
     }
-    if (mistakes != nullptr && !mistakes->none()) {
+    if (mistakes != nullptr && !mistakes->is_empty()) {
         Scene unused;
         read_plot(unused, description, document);
         return std::nullopt;
@@ -300,7 +301,7 @@ std::optional<Scene> make_scene(Json root, const std::filesystem::path& file,
                 .text = std::move(text),
                 .hash = hash,
                 .duration = description.duration,
-                .world = Builder(description).build(options, document.place / "settings"),
+                .world = Builder(description).build(options, document.location / "settings"),
                 .cables = {},
                 .shape_places = description.shape_places(),
                 .signal_inputs = {},
@@ -311,11 +312,11 @@ std::optional<Scene> make_scene(Json root, const std::filesystem::path& file,
     read_plot(scene, description, document);
     scene.cables = std::move(description.cables);
     for (Lever& lever : description.levers) scene.signal_inputs.push_back(std::move(lever.input));
-    if (mistakes == nullptr || mistakes->none()) {
+    if (mistakes == nullptr || mistakes->is_empty()) {
         scene.timeline =
             read_timeline(scene.world, document, loads_by_word(description), scene.signal_inputs);
     }
-    if (mistakes != nullptr && !mistakes->none()) {
+    if (mistakes != nullptr && !mistakes->is_empty()) {
         return std::nullopt;
     }
     return scene;
@@ -330,7 +331,7 @@ std::optional<Scene> try_scene(const Read& read, const std::filesystem::path& fi
     (void)attempt(&mistakes,
                   [&] { scene = make_scene(read(&mistakes), file, options, &mistakes); });
     found = mistakes.list();
-    if (!mistakes.none()) {
+    if (!mistakes.is_empty()) {
         scene.reset();
     }
     return scene;

@@ -16,38 +16,38 @@
 namespace hawser::scene {
 namespace {
 
-double radians(const Json& object, const char* key) {
+double read_degrees(const Json& object, const char* key) {
     return number_or(object, key, 0.0) * std::numbers::pi / 180.0;
 }
 
 /// Read one number for all axes, or three.
-Vec3 axes_of(const Json& object, const char* key) {
+Vec3 one_or_three(const Json& object, const char* key) {
     const auto value = object.find(key);
     if (value == object.end()) return Vec3::Zero();
     return value->is_array() ? vector_of(*value) : Vec3::Constant(value->get<double>());
 }
 
-WaveDef wave_of(const Json& json) {
+WaveDef read_wave(const Json& json) {
     WaveDef wave;
     const std::string kind = json["kind"].get<std::string>();
     wave.kind = kind == "regular"   ? WaveKind::regular
                 : kind == "jonswap" ? WaveKind::jonswap
                                     : WaveKind::pierson_moskowitz;
     read_fields(wave, json, kWaveFields);
-    wave.direction = radians(json, "direction_deg");
-    wave.phase = radians(json, "phase_deg");
+    wave.direction = read_degrees(json, "direction_deg");
+    wave.phase = read_degrees(json, "phase_deg");
     return wave;
 }
 
-WindDef wind_of(const Json& json) {
+WindDef read_wind_def(const Json& json) {
     WindDef wind;
     read_fields(wind, json, kWindFields);
-    wind.direction = radians(json, "direction_deg");
+    wind.direction = read_degrees(json, "direction_deg");
     return wind;
 }
 
 /// Read a rod, except its body.
-WaterRod rod_of(const Json& json) {
+WaterRod read_rod(const Json& json) {
     WaterRod rod;
     rod.from = vector_of(json["from"]);
     rod.to = vector_of(json["to"]);
@@ -61,9 +61,9 @@ WaterRod rod_of(const Json& json) {
 class SeaReader {
   public:
     SeaReader(Description& out, const Document& document, const Json& sea)
-        : out_(out), json_(sea), place_(document.place / "sea"), scope_{} {
+        : out_(out), json_(sea), location_(document.location / "sea"), scope_{} {
         scope_.content = &document.root;
-        scope_.place = document.place;
+        scope_.location = document.location;
         if (const auto repeat = document.root.find("repeat"); repeat != document.root.end())
             copies_ = repeat->value("copies", 1);
     }
@@ -74,11 +74,11 @@ class SeaReader {
         sea.density = number_or(json_, "density", sea.density);
         for (const Json& l : list("level"))
             sea.level.push_back({l["time"].get<double>(), l["level"].get<double>()});
-        for (const Json& w : list("waves")) sea.waves.push_back(wave_of(w));
+        for (const Json& w : list("waves")) sea.waves.push_back(read_wave(w));
         for (const Json& c : list("current"))
             sea.current.push_back({number_or(c, "depth", 0.0), c["speed"].get<double>(),
-                                   radians(c, "direction_deg")});
-        if (json_.contains("wind")) sea.wind = wind_of(json_["wind"]);
+                                   read_degrees(c, "direction_deg")});
+        if (json_.contains("wind")) sea.wind = read_wind_def(json_["wind"]);
         if (json_.contains("gauge"))
             sea.gauge = {json_["gauge"][0].get<double>(), json_["gauge"][1].get<double>()};
         sea.convective = json_.value("convective", false);
@@ -96,9 +96,9 @@ class SeaReader {
     }
 
     /// Return the bodies of this name in all copies.
-    std::vector<BodyId> bodies(const Json& json, const Place& place) {
+    std::vector<BodyId> bodies(const Json& json, const SourceLocation& location) {
         const std::string name = json["body"].get<std::string>();
-        std::vector<BodyId> found{resolve_body(out_, scope_, name, place / "body")};
+        std::vector<BodyId> found{resolve_body(out_, scope_, name, location / "body")};
         for (int copy = 1; copy < copies_; ++copy)
             if (const BodyId id = out_.find_body(std::to_string(copy) + ":" + name); id.valid())
                 found.push_back(id);
@@ -109,18 +109,18 @@ class SeaReader {
         const Json& all = list("bodies");
         for (std::size_t i = 0; i < all.size(); ++i) {
             if (all[i].is_null()) continue;  // Left out: mistakes.h.
-            const Place place = place_ / "bodies" / i;
+            const SourceLocation location = location_ / "bodies" / i;
             (void)attempt(out_.mistakes, [&] {
                 WaterBody body;
-                body.drag_area = axes_of(all[i], "drag_area");
-                body.wind_area = axes_of(all[i], "wind_area");
+                body.drag_area = one_or_three(all[i], "drag_area");
+                body.wind_area = one_or_three(all[i], "wind_area");
                 body.volume = number_or(all[i], "volume", 0.0);
-                body.added_mass = axes_of(all[i], "added_mass");
+                body.added_mass = one_or_three(all[i], "added_mass");
                 body.height = number_or(all[i], "height", 0.0);
-                for (const BodyId id : bodies(all[i], place)) {
+                for (const BodyId id : bodies(all[i], location)) {
                     body.body = id;
                     sea.bodies.push_back(body);
-                    out_.sea_body_place.push_back(place);
+                    out_.sea_body_locations.push_back(location);
                 }
             });
         }
@@ -129,16 +129,16 @@ class SeaReader {
     void read_hulls(SeaDef& sea) {
         const Json& all = list("hulls");
         for (std::size_t i = 0; i < all.size(); ++i) {
-            if (all[i].is_null() || hull_left_out(all[i])) continue;  // Left out: mistakes.h.
-            const Place place = place_ / "hulls" / i;
+            if (all[i].is_null() || hull_is_omitted(all[i])) continue;  // Left out: mistakes.h.
+            const SourceLocation location = location_ / "hulls" / i;
             (void)attempt(out_.mistakes, [&] {
-                WaterHull hull = hull_of(all[i], place);
-                hull.drag_area = axes_of(all[i], "drag_area");
-                hull.wind_area = axes_of(all[i], "wind_area");
-                for (const BodyId id : bodies(all[i], place)) {
+                WaterHull hull = hull_of(all[i], location);
+                hull.drag_area = one_or_three(all[i], "drag_area");
+                hull.wind_area = one_or_three(all[i], "wind_area");
+                for (const BodyId id : bodies(all[i], location)) {
                     hull.body = id;
                     sea.hulls.push_back(hull);
-                    out_.sea_hull_place.push_back(place);
+                    out_.sea_hull_locations.push_back(location);
                 }
             });
         }
@@ -148,13 +148,13 @@ class SeaReader {
         const Json& all = list("rods");
         for (std::size_t i = 0; i < all.size(); ++i) {
             if (all[i].is_null()) continue;  // Left out: mistakes.h.
-            const Place place = place_ / "rods" / i;
+            const SourceLocation location = location_ / "rods" / i;
             (void)attempt(out_.mistakes, [&] {
-                WaterRod rod = rod_of(all[i]);
-                for (const BodyId id : bodies(all[i], place)) {
+                WaterRod rod = read_rod(all[i]);
+                for (const BodyId id : bodies(all[i], location)) {
                     rod.body = id;
                     sea.rods.push_back(rod);
-                    out_.sea_rod_place.push_back(place);
+                    out_.sea_rod_locations.push_back(location);
                 }
             });
         }
@@ -162,7 +162,7 @@ class SeaReader {
 
     Description& out_;
     const Json& json_;
-    Place place_;
+    SourceLocation location_;
     Scope scope_;
     int copies_ = 1;
 };
@@ -181,12 +181,12 @@ void expand_sea(Description& out, const Document& document, std::size_t waters) 
             out.waters.push_back(std::move(water));
         }
     (void)attempt(out.mistakes, [&] {
-        out.sea_place = document.place / "sea";
+        out.sea_location = document.location / "sea";
         out.sea = SeaReader(out, document, *sea).read();
     });
 }
 
-void keep_water(Description& out, const CableWater& water) {
+void store_water(Description& out, const CableWater& water) {
     const bool wet = std::any_of(water.sections.begin(), water.sections.end(),
                                  [](const auto& s) { return s.water.diameter > 0.0; });
     if (wet) out.waters.push_back(water);
@@ -210,7 +210,7 @@ void add_sea(World& world, const Description& from) {
     } catch (const SeaError& error) {
         // "bodies/3/volume" refers to the list in the definition: convert it to the place in the
         // scene.
-        Place at = from.sea_place;
+        SourceLocation at = from.sea_location;
         std::string field = error.field;
         const auto moved = [&](const std::string& list, const auto& place_of, std::size_t count) {
             if (!field.starts_with(list + "/")) return false;
@@ -221,20 +221,21 @@ void add_sea(World& world, const Description& from) {
             field = rest == std::string::npos ? "" : field.substr(rest + 1);
             return true;
         };
-        const auto moved_to = [&](const char* list, const std::vector<Place>& places) {
+        const auto moved_to = [&](const char* list, const std::vector<SourceLocation>& places) {
             return moved(list, [&](std::size_t i) { return places[i]; }, places.size());
         };
-        if (moved("lines", [&](std::size_t i) { return of_line[i]->place; }, of_line.size()))
+        if (moved("lines", [&](std::size_t i) { return of_line[i]->location; }, of_line.size()))
             field.clear();
         else
-            (void)(moved_to("bodies", from.sea_body_place) ||
-                   moved_to("hulls", from.sea_hull_place) || moved_to("rods", from.sea_rod_place));
+            (void)(moved_to("bodies", from.sea_body_locations) ||
+                   moved_to("hulls", from.sea_hull_locations) ||
+                   moved_to("rods", from.sea_rod_locations));
         for (std::size_t begin = 0; begin < field.size();) {
             const std::size_t end = std::min(field.find('/', begin), field.size());
             at = at / field.substr(begin, end - begin);
             begin = end + 1;
         }
-        refuse(at, error.what());
+        throw_error(at, error.what());
     }
 }
 

@@ -13,7 +13,7 @@ namespace {
 struct SectionReader {
     const char* key;
     SectionItem (*read)(const Description& out, const Scope& scope, const Json& json,
-                        const Place& place);
+                        const SourceLocation& location);
 };
 constexpr SectionReader kReaders[] = {
 #define HAWSER_SECTION_ENTRY(key, item, entries, doc) {#key, read_##item},
@@ -30,14 +30,15 @@ void expand_sections(Description& out, const Scope& scope) {
         for (std::size_t i = 0; i < list->size(); ++i) {
             const Json& json = (*list)[i];
             if (json.is_null()) continue;  // Left out: mistakes.h.
-            const Place place = scope.place / section.key / i;
+            const SourceLocation location = scope.location / section.key / i;
             (void)attempt(out.mistakes, [&] {
-                SectionItem item = section.read(out, scope, json, place);
+                SectionItem item = section.read(out, scope, json, location);
                 item.name = scope.prefix + json["name"].get<std::string>();
-                item.place = place;
+                item.location = location;
                 const auto same = [&](const SectionItem& other) { return other.name == item.name; };
                 if (std::any_of(out.sections.begin(), out.sections.end(), same))
-                    refuse(place / "name", "the name " + in_quotes(item.name) + " exists already");
+                    throw_error(location / "name",
+                                "the name " + in_quotes(item.name) + " exists already");
                 out.sections.push_back(std::move(item));
             });
         }
@@ -50,20 +51,20 @@ void add_sections(World& world, const Description& from) {
             try {
                 item.add(world, item.prefix, item.prefix + item.name);
             } catch (const DefError& error) {
-                refuse(item.place, error.what());
+                throw_error(item.location, error.what());
             }
         });
 }
 
 std::string interaction_name(const Description& out, const Scope& scope, const Json& json,
-                             const char* key, const Place& place) {
+                             const char* key, const SourceLocation& location) {
     const InteractionId id =
-        resolve_interaction(out, scope, json[key].get<std::string>(), place / key);
+        resolve_interaction(out, scope, json[key].get<std::string>(), location / key);
     return out.interactions[static_cast<std::size_t>(id.index)].name;
 }
 
 std::string input_name(const Description& out, const Scope& scope, const Json& json,
-                       const char* key, const Place& place) {
+                       const char* key, const SourceLocation& location) {
     const auto& local = json[key].get_ref<const std::string&>();
     std::vector<std::string> known;
     for (const InputDef& def : out.inputs) {
@@ -71,7 +72,7 @@ std::string input_name(const Description& out, const Scope& scope, const Json& j
         if (def.name.starts_with(scope.prefix))
             known.push_back(def.name.substr(scope.prefix.size()));
     }
-    refuse(place / key, "there is no input " + in_quotes(local) + suggestion(local, known));
+    throw_error(location / key, "there is no input " + in_quotes(local) + suggestion(local, known));
 }
 
 }  // namespace hawser::scene

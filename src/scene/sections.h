@@ -32,16 +32,17 @@ void add_sections(World& world, const Description& from);
 
 /// Return the full name of an interaction of the scope. @throws SceneError with the nearest name.
 [[nodiscard]] std::string interaction_name(const Description& out, const Scope& scope,
-                                           const Json& json, const char* key, const Place& place);
+                                           const Json& json, const char* key,
+                                           const SourceLocation& location);
 /// Return the full name of an input of the scope. @throws SceneError with the nearest name.
 [[nodiscard]] std::string input_name(const Description& out, const Scope& scope, const Json& json,
-                                     const char* key, const Place& place);
+                                     const char* key, const SourceLocation& location);
 
 // Readers of entries. Names that an entry refers to are resolved in its scope and checked.
 // @throws SceneError.
 #define HAWSER_SECTION_READER(key, item, entries, doc)                                \
     [[nodiscard]] SectionItem read_##item(const Description& out, const Scope& scope, \
-                                          const Json& json, const Place& place);
+                                          const Json& json, const SourceLocation& location);
 HAWSER_SCENE_SECTIONS(HAWSER_SECTION_READER)
 #undef HAWSER_SECTION_READER
 

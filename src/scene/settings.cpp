@@ -33,7 +33,7 @@ void read_settings(Description& out, const Json& root) {
     for (const SettingInfo& s : setting_infos()) {
         if (!s.in_scenes) continue;
         for (int i = 0; i < (s.type == SettingType::vector ? 3 : 1); ++i) {
-            const double usual = std::min(s.get(def, i), most_of(s));
+            const double usual = std::min(s.get(def, i), largest_scene_value(s));
             s.set(def, i, settings.contains(s.name) ? component(settings[s.name], s, i) : usual);
         }
     }

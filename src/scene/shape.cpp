@@ -7,9 +7,9 @@
 
 namespace hawser::scene {
 
-void check_shape(const Json& value, const Shape& shape, const Place& place) {
+void check_shape(const Json& value, const Shape& shape, const SourceLocation& location) {
     if (const auto problem = find_problem(value, shape)) {
-        refuse({place.file, place.path + problem->path}, problem->message);
+        throw_error({location.file, location.path + problem->path}, problem->message);
     }
 }
 

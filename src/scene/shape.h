@@ -90,7 +90,7 @@ struct Problem {
                                                   bool placeholders = false);
 
 /// Check a value. @throws SceneError with the place of the first mistake.
-void check_shape(const Json& value, const Shape& shape, const Place& place);
+void check_shape(const Json& value, const Shape& shape, const SourceLocation& location);
 
 /// True for letters, digits and `_ . + -`, starting with a letter, digit or `_`, at most 100. (`/`
 /// and `:` are reserved for generated names.)

@@ -18,7 +18,7 @@ Quat to_axis(const std::string& axis) {
                          : turn_between(Vec3::UnitZ(), Vec3::UnitX());
 }
 
-void read_ground(ShapeDef& def, const Json& ground, const Place& place) {
+void read_ground(ShapeDef& def, const Json& ground, const SourceLocation& location) {
     const auto pair = [&](const char* key, double fallback) {
         std::array<double, 2> value{fallback, fallback};
         if (const auto entry = ground.find(key); entry != ground.end()) {
@@ -28,7 +28,7 @@ void read_ground(ShapeDef& def, const Json& ground, const Place& place) {
     };
     const double height = number_or(ground, "height", 0.0);
     if (height != 0.0 && !ground.contains("length")) {
-        refuse(place, "waves need \"length\"");
+        throw_error(location, "waves need \"length\"");
     }
     const auto slope = pair("slope", 0.0);
     const auto length = pair("length", 1.0);
@@ -44,45 +44,46 @@ void read_ground(ShapeDef& def, const Json& ground, const Place& place) {
     }
 }
 
-void read_heightfield(ShapeDef& def, const Json& json, const Place& place) {
+void read_heightfield(ShapeDef& def, const Json& json, const SourceLocation& location) {
     constexpr std::size_t kMostNodes = 1'000'000;
     def.rows = json["rows"].get<int>();
     def.columns = json["columns"].get<int>();
     def.cell = {json["cell"][0].get<double>(), json["cell"][1].get<double>()};
     const auto nodes = static_cast<std::size_t>(def.rows) * static_cast<std::size_t>(def.columns);
     if (nodes > kMostNodes) {
-        refuse(place, fmt::format("{} rows of {} are more than {} nodes", def.rows, def.columns,
-                                  kMostNodes));
+        throw_error(location, fmt::format("{} rows of {} are more than {} nodes", def.rows,
+                                          def.columns, kMostNodes));
     }
     if (json.contains("heights")) {
         const Json& heights = json["heights"];
         if (heights.size() != nodes) {
-            refuse(place / "heights", fmt::format("expected {} heights, {} rows of {}, found {}",
-                                                  nodes, def.rows, def.columns, heights.size()));
+            throw_error(location / "heights",
+                        fmt::format("expected {} heights, {} rows of {}, found {}", nodes, def.rows,
+                                    def.columns, heights.size()));
         }
         def.heights = heights.get<std::vector<double>>();
     } else {
-        read_ground(def, json.value("ground", Json::object()), place / "ground");
+        read_ground(def, json.value("ground", Json::object()), location / "ground");
     }
 }
 
-void read_mesh(ShapeDef& def, const Json& json, const Place& place) {
+void read_mesh(ShapeDef& def, const Json& json, const SourceLocation& location) {
     const Json& list = json["triangles"];
     for (std::size_t t = 0; t < list.size(); ++t) {
         std::array<std::int32_t, 3> corners{};
         for (std::size_t k = 0; k < 3; ++k) {
             corners[k] = list[t][k].get<std::int32_t>();
             if (static_cast<std::size_t>(corners[k]) >= def.vertices.size()) {
-                refuse(place / "triangles" / t / k,
-                       fmt::format("there is no vertex {}; the last one is {}", corners[k],
-                                   def.vertices.size() - 1));
+                throw_error(location / "triangles" / t / k,
+                            fmt::format("there is no vertex {}; the last one is {}", corners[k],
+                                        def.vertices.size() - 1));
             }
         }
         def.triangles.push_back(corners);
     }
 }
 
-ShapeDef read_shape(const Json& json, const Place& place) {
+ShapeDef read_shape(const Json& json, const SourceLocation& location) {
     ShapeDef def;
     const auto& word = json["kind"].get_ref<const std::string&>();
     for (int i = 0; i <= static_cast<int>(ShapeKind::mesh); ++i) {
@@ -91,7 +92,7 @@ ShapeDef read_shape(const Json& json, const Place& place) {
         }
     }
     def.position = vector_or(json, "position", Vec3::Zero());
-    def.orientation = orientation_of(json, place);
+    def.orientation = orientation_of(json, location);
     def.radius = number_or(json, "radius", 0.0);
     def.half_length = 0.5 * number_or(json, "length", 0.0);
     def.half_size = vector_or(json, "half_size", Vec3::Zero());
@@ -101,12 +102,12 @@ ShapeDef read_shape(const Json& json, const Place& place) {
     if (json.contains("normal")) {
         const Vec3 normal = vector_of(json["normal"]);
         if (!(normal.norm() > 1e-9)) {
-            refuse(place / "normal", "a direction must not be zero");
+            throw_error(location / "normal", "a direction must not be zero");
         }
         def.orientation = turn_between(Vec3::UnitZ(), normal);
     }
     if (def.kind == ShapeKind::heightfield) {
-        read_heightfield(def, json, place);
+        read_heightfield(def, json, location);
     }
     if (json.contains("vertices")) {
         for (const Json& vertex : json["vertices"]) {
@@ -114,7 +115,7 @@ ShapeDef read_shape(const Json& json, const Place& place) {
         }
     }
     if (def.kind == ShapeKind::mesh) {
-        read_mesh(def, json, place);
+        read_mesh(def, json, location);
     }
     return def;
 }
@@ -122,27 +123,28 @@ ShapeDef read_shape(const Json& json, const Place& place) {
 bool is_segment(const Json& shape) { return shape["kind"] == "segment"; }
 
 /// Check that a body may be an end of a segment.
-void check_end(const BodyDef& body, const Place& place) {
+void check_end(const BodyDef& body, const SourceLocation& location) {
     if (body.kind != BodyKind::lump && body.kind != BodyKind::fixed) {
-        refuse(place, "a segment connects two point masses, or a point mass and a fixed body; " +
-                          in_quotes(body.name) + " is neither a lump nor fixed");
+        throw_error(location,
+                    "a segment connects two point masses, or a point mass and a fixed body; " +
+                        in_quotes(body.name) + " is neither a lump nor fixed");
     }
 }
 
 ShapeDef read_segment(Description& out, const Scope& scope, BodyId body, const Json& json,
-                      const Place& place) {
-    check_end(out.body(body), place / "kind");
+                      const SourceLocation& location) {
+    check_end(out.body(body), location / "kind");
     ShapeDef def;
     def.kind = ShapeKind::capsule;
     def.body = body;
-    def.body_b = resolve_body(out, scope, json["to"].get<std::string>(), place / "to");
+    def.body_b = resolve_body(out, scope, json["to"].get<std::string>(), location / "to");
     def.radius = json["radius"].get<double>();
-    check_end(out.body(def.body_b), place / "to");
+    check_end(out.body(def.body_b), location / "to");
     if (def.body_b.index == def.body.index) {
-        refuse(place / "to", "a segment needs two different bodies");
+        throw_error(location / "to", "a segment needs two different bodies");
     }
     if (out.body(body).kind == BodyKind::fixed && out.body(def.body_b).kind == BodyKind::fixed) {
-        refuse(place / "to", "one end of a segment must be a lump; both are fixed");
+        throw_error(location / "to", "one end of a segment must be a lump; both are fixed");
     }
     if (json.contains("name")) {
         def.name = out.body(body).name + "/" + json["name"].get<std::string>();
@@ -171,11 +173,11 @@ void expand_segments(Description& out, const Scope& scope) {
             if (!is_segment((*shapes)[i])) {
                 continue;
             }
-            const Place at = scope.place / "bodies" / b / "shapes" / i;
+            const SourceLocation at = scope.location / "bodies" / b / "shapes" / i;
             (void)attempt(out.mistakes, [&] {
                 ShapeDef def = read_segment(out, scope, id, (*shapes)[i], at);
                 read_surface(def, out, (*shapes)[i], at);
-                out.add_shape(std::move(def), out.keep(at));
+                out.add_shape(std::move(def), out.store_location(at));
             });
         }
     }
@@ -184,10 +186,10 @@ void expand_segments(Description& out, const Scope& scope) {
 namespace {
 
 void expand_shape(Description& out, BodyId body, const Json& json, std::set<std::string>& names,
-                  const Place& at) {
+                  const SourceLocation& at) {
     const std::string name = text_or(json, "name", "");
     if (!name.empty() && !names.insert(name).second) {
-        refuse(at / "name", "the body has a shape " + in_quotes(name) + " already");
+        throw_error(at / "name", "the body has a shape " + in_quotes(name) + " already");
     }
     if (is_segment(json)) {
         return;  // The other end may not exist yet: expand_segments().
@@ -198,15 +200,16 @@ void expand_shape(Description& out, BodyId body, const Json& json, std::set<std:
         def.name = out.body(body).name + "/" + name;
     }
     read_surface(def, out, json, at);
-    out.add_shape(std::move(def), out.keep(at));
+    out.add_shape(std::move(def), out.store_location(at));
 }
 
 }  // namespace
 
-void expand_shapes(Description& out, BodyId body, const Json& list, const Place& place) {
+void expand_shapes(Description& out, BodyId body, const Json& list,
+                   const SourceLocation& location) {
     std::set<std::string> names;
     for (std::size_t i = 0; i < list.size(); ++i) {
-        (void)attempt(out.mistakes, [&] { expand_shape(out, body, list[i], names, place / i); });
+        (void)attempt(out.mistakes, [&] { expand_shape(out, body, list[i], names, location / i); });
     }
 }
 

@@ -11,12 +11,12 @@ bool is_moving(BodyKind kind) {
     return kind == BodyKind::rigid || kind == BodyKind::lump || kind == BodyKind::scalar;
 }
 
-void set_state(BodyDef& def, const Json& state, const Place& place) {
+void set_state(BodyDef& def, const Json& state, const SourceLocation& location) {
     def.position = vector_of(state["p"]);
     def.velocity = vector_or(state, "v", Vec3::Zero());
     if (def.kind == BodyKind::rigid || def.kind == BodyKind::kinematic) {
         def.orientation =
-            state.contains("q") ? quaternion_of(state["q"], place / "q") : Quat::Identity();
+            state.contains("q") ? quaternion_of(state["q"], location / "q") : Quat::Identity();
         def.angular_velocity = vector_or(state, "w", Vec3::Zero());
     }
 }
@@ -59,25 +59,26 @@ void apply_state(Description& out, const Document& document) {
     }
     const Json& stored = (*state)["bodies"];
     for (const auto& [name, value] : stored.items()) {
-        const Place place = document.state / name;
+        const SourceLocation location = document.state / name;
         const BodyId id = out.find_body(name);
         if (id.valid()) {
             if (out.body(id).kind != BodyKind::fixed) {
-                set_state(out.bodies[static_cast<std::size_t>(id.index)], value, place);
+                set_state(out.bodies[static_cast<std::size_t>(id.index)], value, location);
             }
         } else if (!belongs_to_copies(name, document.root) && !is_pin(name, out)) {
             std::vector<std::string> known;
             for (const BodyDef& body : out.bodies) {
                 known.push_back(body.name);
             }
-            refuse(place, "the scene has no body " + in_quotes(name) + suggestion(name, known) +
-                              (known.size() > 24 ? "; settle the scene again if it changed" : ""));
+            throw_error(location,
+                        "the scene has no body " + in_quotes(name) + suggestion(name, known) +
+                            (known.size() > 24 ? "; settle the scene again if it changed" : ""));
         }
     }
     for (const BodyDef& body : out.bodies) {
         if (is_moving(body.kind) && !stored.contains(body.name)) {
-            refuse(document.state,
-                   "the state lacks the body " + in_quotes(body.name) + "; settle the scene again");
+            throw_error(document.state, "the state lacks the body " + in_quotes(body.name) +
+                                            "; settle the scene again");
         }
     }
 }

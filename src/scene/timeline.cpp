@@ -22,7 +22,7 @@ int end_of(const Json& json, const char* key, const char* fallback) {
     return text_or(json, key, fallback) == "last" ? 1 : 0;
 }
 
-JoinDef gear_of(const Json& json) {
+JoinDef read_gear(const Json& json) {
     JoinDef def;
     def.name = text_or(json, "name", "");
     const std::string word = text_or(json, "gear", "splice");
@@ -51,60 +51,61 @@ class Reader {
         }
     }
 
-    Operation read(const Json& json, const Place& place) {
+    Operation read(const Json& json, const SourceLocation& location) {
         Operation out;
         out.at = json["at"].get<double>();
         out.description = text_or(json, "description", "");
         if (json.contains("set"))
-            read_set(out, json["set"], place / "set");
+            read_set(out, json["set"], location / "set");
         else if (json.contains("cut"))
-            read_cut(out, json, place);
+            read_cut(out, json, location);
         else if (json.contains("detach"))
-            read_end(out, OperationKind::detach, json["detach"], place / "detach");
+            read_end(out, OperationKind::detach, json["detach"], location / "detach");
         else if (json.contains("attach"))
-            read_attach(out, json["attach"], place / "attach");
+            read_attach(out, json["attach"], location / "attach");
         else if (json.contains("join"))
-            read_join(out, json["join"], place / "join");
+            read_join(out, json["join"], location / "join");
         else if (json.contains("release"))
-            read_release(out, json, place);
+            read_release(out, json, location);
         else
-            refuse(place,
-                   "an operation needs one of the keys \"set\", \"cut\", \"detach\", "
-                   "\"attach\", \"join\" and \"release\"");
+            throw_error(location,
+                        "an operation needs one of the keys \"set\", \"cut\", \"detach\", "
+                        "\"attach\", \"join\" and \"release\"");
         return out;
     }
 
   private:
-    [[nodiscard]] std::string wire(const Json& json, const char* key, const Place& place) const {
+    [[nodiscard]] std::string wire(const Json& json, const char* key,
+                                   const SourceLocation& location) const {
         const std::string name = json[key].get<std::string>();
         if (wires_.contains(name)) return name;
         std::vector<std::string> known;
         for (const auto& [each, length] : wires_) known.push_back(each);
-        refuse(place / key,
-               "there is no wire " + in_quotes(name) + " then" + suggestion(name, known));
+        throw_error(location / key,
+                    "there is no wire " + in_quotes(name) + " then" + suggestion(name, known));
     }
 
     /// Return a number. Words are valid for a winch's mode, and for the load of a crane, given by
     /// the body's name.
     [[nodiscard]] double value_of(const std::string& input, const Json& json,
-                                  const Place& place) const {
+                                  const SourceLocation& location) const {
         if (json.is_number()) return json.get<double>();
         const std::string word = json.get<std::string>();
         if (const auto own = words_.find(input); own != words_.end()) {
             const std::vector<std::string>& known = own->second;
             const auto found = std::find(known.begin(), known.end(), word);
             if (found != known.end()) return static_cast<double>(found - known.begin()) + 1.0;
-            refuse(place, "it has no load " + in_quotes(word) + suggestion(word, known));
+            throw_error(location, "it has no load " + in_quotes(word) + suggestion(word, known));
         }
-        if (!input.ends_with(".mode")) refuse(place, "expected a number, found a text");
+        if (!input.ends_with(".mode")) throw_error(location, "expected a number, found a text");
         const auto modes = winch_modes();
         const auto found = std::find(modes.begin(), modes.end(), word);
         if (found != modes.end()) return static_cast<double>(found - modes.begin());
         const std::vector<std::string> known{modes.begin(), modes.end()};
-        refuse(place, "there is no mode " + in_quotes(word) + suggestion(word, known));
+        throw_error(location, "there is no mode " + in_quotes(word) + suggestion(word, known));
     }
 
-    void read_set(Operation& out, const Json& json, const Place& place) const {
+    void read_set(Operation& out, const Json& json, const SourceLocation& location) const {
         out.kind = OperationKind::set;
         std::vector<std::string> known;
         for (const InputId id : world_.inputs()) known.push_back(world_.input_def(id).name);
@@ -113,9 +114,9 @@ class Reader {
         for (const SignalInput& lever : levers_) known.push_back(lever.name);
         for (const auto& [name, value] : json.items()) {
             if (std::find(known.begin(), known.end(), name) == known.end())
-                refuse(place / name,
-                       "there is no input " + in_quotes(name) + suggestion(name, known));
-            out.set.push_back(by_signal(name, value, place / name));
+                throw_error(location / name,
+                            "there is no input " + in_quotes(name) + suggestion(name, known));
+            out.set.push_back(by_signal(name, value, location / name));
         }
     }
 
@@ -123,37 +124,39 @@ class Reader {
     /// signal and its value.
     [[nodiscard]] std::pair<std::string, double> by_signal(const std::string& name,
                                                            const Json& json,
-                                                           const Place& place) const {
+                                                           const SourceLocation& location) const {
         const auto lever = std::find_if(levers_.begin(), levers_.end(),
                                         [&](const SignalInput& l) { return l.name == name; });
         if (lever == levers_.end()) {
-            const double value = value_of(name, json, place);
+            const double value = value_of(name, json, location);
             for (const SystemSignal& s : world_.system_signals())
-                if (s.system + "." + s.name == name) check_range(value, s.min, s.max, place);
+                if (s.system + "." + s.name == name) check_range(value, s.min, s.max, location);
             return {name, value};
         }
-        const double value = value_of(lever->signal, json, place);
-        check_range(value, lever->min, lever->max, place);
+        const double value = value_of(lever->signal, json, location);
+        check_range(value, lever->min, lever->max, location);
         return {lever->signal, lever->factor * value};
     }
 
     /// Reject a value that a signal would clamp, because it is probably a mistake.
-    static void check_range(double value, double min, double max, const Place& place) {
+    static void check_range(double value, double min, double max, const SourceLocation& location) {
         if (!(value >= min && value <= max))
-            refuse(place, fmt::format("{:.6g} is not within the input's range, {:.6g} to {:.6g}",
-                                      value, min, max));
+            throw_error(location,
+                        fmt::format("{:.6g} is not within the input's range, {:.6g} to {:.6g}",
+                                    value, min, max));
     }
 
-    void read_cut(Operation& out, const Json& json, const Place& place) {
+    void read_cut(Operation& out, const Json& json, const SourceLocation& location) {
         out.kind = OperationKind::cut;
-        out.wire = wire(json, "cut", place);
-        if (!json.contains("s")) refuse(place, "a cut needs the key \"s\", where along the wire");
+        out.wire = wire(json, "cut", location);
+        if (!json.contains("s"))
+            throw_error(location, "a cut needs the key \"s\", where along the wire");
         out.s = json["s"].get<double>();
         Length& length = wires_[out.wire];
         const double stored = length.stored[0] + length.stored[1];
         if (out.s >= length.most)
-            refuse(
-                place / "s",
+            throw_error(
+                location / "s",
                 fmt::format("the wire {} is {:.6g} m long then{}", in_quotes(out.wire), length.most,
                             stored > 0.0 ? ", with all that its winches have stored" : ""));
         // The first piece keeps the drum at the first end, the second piece the drum at the last
@@ -189,27 +192,29 @@ class Reader {
         return base + "/" + std::to_string(k);
     }
 
-    void read_end(Operation& out, OperationKind kind, const Json& json, const Place& place) const {
+    void read_end(Operation& out, OperationKind kind, const Json& json,
+                  const SourceLocation& location) const {
         out.kind = kind;
-        out.wire = wire(json, "wire", place);
+        out.wire = wire(json, "wire", location);
         out.end = end_of(json, "end", "last");
     }
 
-    void take_gear(Operation& out, const Json& json, const Place& place) {
-        out.gear = gear_of(json);
+    void read_join_gear(Operation& out, const Json& json, const SourceLocation& location) {
+        out.gear = read_gear(json);
         if (out.gear.gear == Gear::triplate && !(out.gear.mass > 0.0))
-            refuse(place, "a triplate needs \"mass\"");
+            throw_error(location, "a triplate needs \"mass\"");
         const std::string& name = out.gear.name;
         if (name.empty()) return;
         if (world_.find_interaction(name).valid() ||
             std::find(named_.begin(), named_.end(), name) != named_.end())
-            refuse(place / "name", "the interaction " + in_quotes(name) + " exists already");
+            throw_error(location / "name",
+                        "the interaction " + in_quotes(name) + " exists already");
         named_.push_back(name);
         if (out.gear.gear == Gear::pelican_hook) hooks_.push_back(name);
     }
 
-    void read_attach(Operation& out, const Json& json, const Place& place) {
-        read_end(out, OperationKind::attach, json, place);
+    void read_attach(Operation& out, const Json& json, const SourceLocation& location) {
+        read_end(out, OperationKind::attach, json, location);
         out.body = json["body"].get<std::string>();
         out.point = vector_or(json, "point", Vec3::Zero());
         const BodyId id = world_.find_body(out.body);
@@ -218,25 +223,26 @@ class Reader {
             for (const BodyId each : world_.bodies())
                 if (!world_.body_def(each).name.empty())
                     known.push_back(world_.body_def(each).name);
-            refuse(place / "body",
-                   "there is no body " + in_quotes(out.body) + suggestion(out.body, known));
+            throw_error(location / "body",
+                        "there is no body " + in_quotes(out.body) + suggestion(out.body, known));
         }
         const BodyKind kind = world_.body_def(id).kind;
         if (kind == BodyKind::lump || kind == BodyKind::scalar)
-            refuse(place / "body", "the body " + in_quotes(out.body) +
-                                       " has no orientation: a wire's end is attached to a rigid, "
-                                       "kinematic or fixed one");
-        take_gear(out, json, place);
+            throw_error(location / "body",
+                        "the body " + in_quotes(out.body) +
+                            " has no orientation: a wire's end is attached to a rigid, "
+                            "kinematic or fixed one");
+        read_join_gear(out, json, location);
     }
 
-    void read_join(Operation& out, const Json& json, const Place& place) {
-        read_end(out, OperationKind::join, json, place);
-        out.other = wire(json, "to", place);
+    void read_join(Operation& out, const Json& json, const SourceLocation& location) {
+        read_end(out, OperationKind::join, json, location);
+        out.other = wire(json, "to", location);
         out.other_end = end_of(json, "to_end", "first");
-        take_gear(out, json, place);
+        read_join_gear(out, json, location);
         if (out.gear.gear != Gear::splice) return;
         if (out.other == out.wire)
-            refuse(place / "to", "a splice would close it to a ring; give \"gear\"");
+            throw_error(location / "to", "a splice would close it to a ring; give \"gear\"");
         Length& joined = wires_[out.wire];
         const Length& other = wires_[out.other];
         joined.most += other.most;
@@ -244,12 +250,13 @@ class Reader {
         wires_.erase(out.other);
     }
 
-    void read_release(Operation& out, const Json& json, const Place& place) const {
+    void read_release(Operation& out, const Json& json, const SourceLocation& location) const {
         out.kind = OperationKind::release;
         out.interaction = json["release"].get<std::string>();
         if (std::find(hooks_.begin(), hooks_.end(), out.interaction) == hooks_.end())
-            refuse(place / "release", "there is no pelican hook " + in_quotes(out.interaction) +
-                                          " then" + suggestion(out.interaction, hooks_));
+            throw_error(location / "release", "there is no pelican hook " +
+                                                  in_quotes(out.interaction) + " then" +
+                                                  suggestion(out.interaction, hooks_));
     }
 
     const World& world_;
@@ -271,7 +278,7 @@ std::vector<Operation> read_timeline(const World& world, const Document& documen
                                      const InputWords& words, std::span<const SignalInput> levers) {
     const auto list = document.root.find("timeline");
     if (list == document.root.end()) return {};
-    const Place place = document.place / "timeline";
+    const SourceLocation location = document.location / "timeline";
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < list->size(); ++i)
         if (!(*list)[i].is_null()) order.push_back(i);  // Left out: mistakes.h.
@@ -282,9 +289,9 @@ std::vector<Operation> read_timeline(const World& world, const Document& documen
     std::vector<Operation> out;
     const bool others = !document.operations.file.empty();
     for (const std::size_t i : order) {
-        const Place at = others && i >= document.own_operations
-                             ? document.operations / (i - document.own_operations)
-                             : place / i;
+        const SourceLocation at = others && i >= document.own_operations
+                                      ? document.operations / (i - document.own_operations)
+                                      : location / i;
         (void)attempt(document.mistakes, [&] { out.push_back(reader.read((*list)[i], at)); });
     }
     return out;

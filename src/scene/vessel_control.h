@@ -37,6 +37,6 @@ struct ControlTable {
 [[nodiscard]] VesselControl read_vessel_control(Description& out, const Scope& scope,
                                                 const Json& json, BodyId body,
                                                 const std::vector<PropulsorDef>& propulsors,
-                                                const Place& place);
+                                                const SourceLocation& location);
 
 }  // namespace hawser::scene

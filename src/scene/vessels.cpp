@@ -85,7 +85,7 @@ PropulsorDef read_propulsor(const Json& json) {
 }
 
 RudderDef read_rudder(const Json& json, const std::vector<PropulsorDef>& propulsors,
-                      const Place& place) {
+                      const SourceLocation& location) {
     RudderDef r;
     read_vessel_part(r, json);
     r.name = json.value("name", r.name);
@@ -97,8 +97,8 @@ RudderDef read_rudder(const Json& json, const std::vector<PropulsorDef>& propuls
         if (p.name == r.behind) return r;
         known.push_back(p.name);
     }
-    refuse(place / "behind",
-           "there is no propulsor " + in_quotes(r.behind) + suggestion(r.behind, known));
+    throw_error(location / "behind",
+                "there is no propulsor " + in_quotes(r.behind) + suggestion(r.behind, known));
 }
 
 CurrentLoad read_current(const Json& json) {
@@ -110,7 +110,7 @@ CurrentLoad read_current(const Json& json) {
     return c;
 }
 
-ConsumerDef read_consumer(const Json& json, const PowerDef& power, const Place& place) {
+ConsumerDef read_consumer(const Json& json, const PowerDef& power, const SourceLocation& location) {
     ConsumerDef c;
     read_vessel_part(c, json);
     c.name = json["name"].get<std::string>();
@@ -122,11 +122,11 @@ ConsumerDef read_consumer(const Json& json, const PowerDef& power, const Place& 
         if (b.name == c.board) return c;
         known.push_back(b.name);
     }
-    refuse(place / "board",
-           "there is no switchboard " + in_quotes(c.board) + suggestion(c.board, known));
+    throw_error(location / "board",
+                "there is no switchboard " + in_quotes(c.board) + suggestion(c.board, known));
 }
 
-PowerDef read_power(const Json& json, const Place& place) {
+PowerDef read_power(const Json& json, const SourceLocation& location) {
     PowerDef p;
     read_vessel_part(p, json);
     p.tied = flag_or(json, "tied", false);
@@ -143,7 +143,7 @@ PowerDef read_power(const Json& json, const Place& place) {
     }
     const Json& list = json["consumers"];
     for (std::size_t i = 0; i < list.size(); ++i)
-        p.consumers.push_back(read_consumer(list[i], p, place / "consumers" / i));
+        p.consumers.push_back(read_consumer(list[i], p, location / "consumers" / i));
     return p;
 }
 
@@ -157,17 +157,18 @@ WindLoad read_wind(const Json& json) {
 }
 
 /// Return the coefficients of a published ship for this body.
-VesselDef read_ship(const Json& json, const BodyDef& body, const Place& place) {
+VesselDef read_ship(const Json& json, const BodyDef& body, const SourceLocation& location) {
     const std::string name = json["ship"].get<std::string>();
     PublishedShip ship;
     try {
         ship = published_ship(name, number_or(json, "depth", 1000.0));
     } catch (const DefError& error) {
-        refuse_field(place, field_words(error));
+        throw_field_error(location, field_words(error));
     }
     if (std::abs(body.mass / ship.body.mass - 1.0) > kMassOff)
-        refuse(place / "ship", fmt::format("{} has {:.6g} kg, and the body {} has {:.6g} kg", name,
-                                           ship.body.mass, in_quotes(body.name), body.mass));
+        throw_error(location / "ship",
+                    fmt::format("{} has {:.6g} kg, and the body {} has {:.6g} kg", name,
+                                ship.body.mass, in_quotes(body.name), body.mass));
     return ship.vessel;
 }
 
@@ -199,10 +200,12 @@ void read_hull_parts(VesselDef& def, const Json& json) {
         def.polynomial = read_polynomial(*part);
 }
 
-VesselDef read_vessel(Description& out, const Scope& scope, const Json& json, const Place& place) {
-    const BodyId body = resolve_body(out, scope, json["body"].get<std::string>(), place / "body");
+VesselDef read_vessel(Description& out, const Scope& scope, const Json& json,
+                      const SourceLocation& location) {
+    const BodyId body =
+        resolve_body(out, scope, json["body"].get<std::string>(), location / "body");
     VesselDef def;
-    if (json.contains("ship")) def = read_ship(json, out.body(body), place);
+    if (json.contains("ship")) def = read_ship(json, out.body(body), location);
     def.name = scope.prefix + json["name"].get<std::string>();
     def.body = body;
     read_hull_parts(def, json);
@@ -219,31 +222,34 @@ VesselDef read_vessel(Description& out, const Scope& scope, const Json& json, co
     }
     if (const auto list = json.find("rudders"); list != json.end())
         for (std::size_t i = 0; i < list->size(); ++i)
-            def.rudders.push_back(read_rudder((*list)[i], def.propulsors, place / "rudders" / i));
+            def.rudders.push_back(
+                read_rudder((*list)[i], def.propulsors, location / "rudders" / i));
     if (const auto part = json.find("power"); part != json.end())
-        def.power = read_power(*part, place / "power");
+        def.power = read_power(*part, location / "power");
     def.thruster_losses = flag_or(json, "thruster_losses", false);
     if (const auto part = json.find("control"); part != json.end())
         def.control =
-            read_vessel_control(out, scope, *part, body, def.propulsors, place / "control");
+            read_vessel_control(out, scope, *part, body, def.propulsors, location / "control");
     if (const auto part = json.find("dp_capability"); part != json.end())
-        def.dp_capability = read_dp_ship(*part, place / "dp_capability");
+        def.dp_capability = read_dp_ship(*part, location / "dp_capability");
     return def;
 }
 
 /// Reject a vessel at its place. The library gives the number of a term; the message gives its
 /// name.
-[[noreturn]] void refuse_vessel(const Place& place, const VesselDef& def, const DefError& error) {
+[[noreturn]] void throw_vessel_error(const SourceLocation& location, const VesselDef& def,
+                                     const DefError& error) {
     FieldWords said = field_words(error);
     constexpr std::string_view kTerms = "polynomial/terms/";
     if (said.path.starts_with(kTerms)) {
         constexpr const char* kAxes[] = {"x", "y", "k", "n"};
         const HullTerm& t = def.polynomial.terms[std::stoul(said.path.substr(kTerms.size()))];
-        refuse(place / "polynomial" / kAxes[static_cast<std::size_t>(t.axis)] / t.of, said.words);
+        throw_error(location / "polynomial" / kAxes[static_cast<std::size_t>(t.axis)] / t.of,
+                    said.words);
     }
     for (const char* angle : {"most_angle", "rate", "stall", "turn_rate"})
         if (said.path.ends_with(std::string("/") + angle)) said.path += "_deg";
-    refuse_field(place, said);
+    throw_field_error(location, said);
 }
 
 }  // namespace
@@ -254,13 +260,14 @@ void expand_vessels(Description& out, const Scope& scope) {
     for (std::size_t i = 0; i < list->size(); ++i) {
         const Json& json = (*list)[i];
         if (json.is_null()) continue;  // Left out: mistakes.h.
-        const Place place = scope.place / "vessels" / i;
+        const SourceLocation location = scope.location / "vessels" / i;
         (void)attempt(out.mistakes, [&] {
-            VesselDef def = read_vessel(out, scope, json, place);
+            VesselDef def = read_vessel(out, scope, json, location);
             for (const auto& other : out.vessels)
                 if (other.def.name == def.name)
-                    refuse(place / "name", "the name " + in_quotes(def.name) + " exists already");
-            out.vessels.push_back({std::move(def), place});
+                    throw_error(location / "name",
+                                "the name " + in_quotes(def.name) + " exists already");
+            out.vessels.push_back({std::move(def), location});
         });
     }
 }
@@ -271,7 +278,7 @@ void add_vessels(World& world, const Description& from) {
             try {
                 world.add(item.def);
             } catch (const DefError& error) {
-                refuse_vessel(item.place, item.def, error);
+                throw_vessel_error(item.location, item.def, error);
             }
         });
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kOneDegree = std::numbers::pi / 180.0;
 
-HullMesh mesh_of(const Json& json, const Json& hull) {
+HullMesh read_mesh_of_hull(const Json& json, const Json& hull) {
     HullMesh mesh;
     if (json.contains("box")) {
         std::vector<int> n{1, 1, 1};
@@ -30,7 +30,7 @@ HullMesh mesh_of(const Json& json, const Json& hull) {
     return mesh;
 }
 
-void six_of(const Json& object, const char* key, std::array<double, 6>& out) {
+void read_six(const Json& object, const char* key, std::array<double, 6>& out) {
     if (const auto value = object.find(key); value != object.end())
         for (std::size_t i = 0; i < 6; ++i) out[i] = (*value)[i].get<double>();
 }
@@ -42,14 +42,15 @@ const Json& list_in(const Json& json, const char* key) {
 }
 
 /// Read one number for each frequency.
-std::vector<double> values_of(const Json& entry, const char* key, std::size_t count,
-                              const Place& place) {
+std::vector<double> read_frequency_values(const Json& entry, const char* key, std::size_t count,
+                                          const SourceLocation& location) {
     std::vector<double> out(count, 0.0);
     const auto found = entry.find(key);
     if (found == entry.end()) return out;
     if (found->size() != count)
-        refuse(place / key, std::to_string(found->size()) + " values; give one for each of the " +
-                                std::to_string(count) + " frequencies");
+        throw_error(location / key, std::to_string(found->size()) +
+                                        " values; give one for each of the " +
+                                        std::to_string(count) + " frequencies");
     for (std::size_t i = 0; i < count; ++i) out[i] = (*found)[i].get<double>();
     return out;
 }
@@ -58,17 +59,17 @@ std::vector<double> values_of(const Json& entry, const char* key, std::size_t co
 class Pairs {
   public:
     template <class F>
-    void each(const Json& list, const Place& place, F&& put) {
+    void each(const Json& list, const SourceLocation& location, F&& put) {
         bool given[36] = {};
         for (std::size_t n = 0; n < list.size(); ++n) {
             const int i = motion(list[n]["of"][0]), j = motion(list[n]["of"][1]);
-            if (given[6 * i + j]) refuse(place / n / "of", "this pair is there twice");
+            if (given[6 * i + j]) throw_error(location / n / "of", "this pair is there twice");
             given[6 * i + j] = true;
         }
         for (std::size_t n = 0; n < list.size(); ++n) {
             const int i = motion(list[n]["of"][0]), j = motion(list[n]["of"][1]);
-            put(list[n], place / n, i, j);
-            if (i != j && !given[6 * j + i]) put(list[n], place / n, j, i);
+            put(list[n], location / n, i, j);
+            if (i != j && !given[6 * j + i]) put(list[n], location / n, j, i);
         }
     }
 
@@ -76,35 +77,35 @@ class Pairs {
     static int motion(const Json& json) { return json.get<int>() - 1; }
 };
 
-void read_forces(const Json& json, const char* key, const WaveCoefficients& c, const Place& place,
-                 std::vector<std::complex<double>>& table) {
+void read_forces(const Json& json, const char* key, const WaveCoefficients& c,
+                 const SourceLocation& location, std::vector<std::complex<double>>& table) {
     const Json& all = list_in(json, key);
     if (all.empty()) return;
     table.assign(c.heading.size() * c.frequency.size() * 6, 0.0);
     for (std::size_t n = 0; n < all.size(); ++n) {
-        const Place at = place / key / n;
+        const SourceLocation at = location / key / n;
         const auto head = all[n]["heading"].get<std::size_t>();
         if (head >= c.heading.size())
-            refuse(at / "heading",
-                   "there are " + std::to_string(c.heading.size()) + " directions in headings_deg");
-        const auto re = values_of(all[n], "re", c.frequency.size(), at);
-        const auto im = values_of(all[n], "im", c.frequency.size(), at);
+            throw_error(at / "heading", "there are " + std::to_string(c.heading.size()) +
+                                            " directions in headings_deg");
+        const auto re = read_frequency_values(all[n], "re", c.frequency.size(), at);
+        const auto im = read_frequency_values(all[n], "im", c.frequency.size(), at);
         for (std::size_t w = 0; w < re.size(); ++w)
             table[c.index(head, w, all[n]["of"].get<int>() - 1)] = {re[w], im[w]};
     }
 }
 
-WaveCoefficients coefficients_of(const Json& json, const Place& place) {
+WaveCoefficients read_hull_coefficients(const Json& json, const SourceLocation& location) {
     WaveCoefficients c;
     for (const Json& w : json["frequencies"]) c.frequency.push_back(w.get<double>());
     const std::size_t count = c.frequency.size();
     if (const Json& radiation = list_in(json, "radiation"); !radiation.empty()) {
         c.added_mass.assign(count, Matrix6::Zero());
         c.damping = c.added_mass;
-        Pairs().each(radiation, place / "radiation",
-                     [&](const Json& entry, const Place& at, int i, int j) {
-                         const auto a = values_of(entry, "added_mass", count, at);
-                         const auto b = values_of(entry, "damping", count, at);
+        Pairs().each(radiation, location / "radiation",
+                     [&](const Json& entry, const SourceLocation& at, int i, int j) {
+                         const auto a = read_frequency_values(entry, "added_mass", count, at);
+                         const auto b = read_frequency_values(entry, "damping", count, at);
                          for (std::size_t w = 0; w < count; ++w) {
                              c.added_mass[w](i, j) = a[w];
                              c.damping[w](i, j) = b[w];
@@ -117,37 +118,38 @@ WaveCoefficients coefficients_of(const Json& json, const Place& place) {
     }
     for (const Json& h : list_in(json, "headings_deg"))
         c.heading.push_back(h.get<double>() * kOneDegree);
-    read_forces(json, "excitation", c, place, c.excitation);
-    read_forces(json, "scattering", c, place, c.scattering);
+    read_forces(json, "excitation", c, location, c.excitation);
+    read_forces(json, "scattering", c, location, c.scattering);
     if (const Json& drift = list_in(json, "drift_forces"); !drift.empty()) {
         c.drift.assign(c.heading.size() * count * 6, 0.0);
         for (std::size_t n = 0; n < drift.size(); ++n) {
-            const Place at = place / "drift_forces" / n;
+            const SourceLocation at = location / "drift_forces" / n;
             const auto head = drift[n]["heading"].get<std::size_t>();
             if (head >= c.heading.size())
-                refuse(at / "heading", "there are " + std::to_string(c.heading.size()) +
-                                           " directions in headings_deg");
-            const auto values = values_of(drift[n], "values", count, at);
+                throw_error(at / "heading", "there are " + std::to_string(c.heading.size()) +
+                                                " directions in headings_deg");
+            const auto values = read_frequency_values(drift[n], "values", count, at);
             for (std::size_t w = 0; w < count; ++w)
                 c.drift[c.index(head, w, drift[n]["of"].get<int>() - 1)] = values[w];
         }
     }
     const Json& stiffness = list_in(json, "stiffness");
     c.has_stiffness = !stiffness.empty();
-    Pairs().each(stiffness, place / "stiffness",
-                 [&](const Json& entry, const Place&, int i, int j) {
+    Pairs().each(stiffness, location / "stiffness",
+                 [&](const Json& entry, const SourceLocation&, int i, int j) {
                      c.stiffness(i, j) = entry["value"].get<double>();
                  });
     return c;
 }
 
-void read_strips(const Json& json, const Place& place, WaterHull& hull) {
+void read_strips(const Json& json, const SourceLocation& location, WaterHull& hull) {
     const Json& all = list_in(json, "strips");
     for (std::size_t n = 0; n < all.size(); ++n) {
         if (all[n].is_null()) continue;
         const Vec3 from = vector_of(all[n]["from"]), to = vector_of(all[n]["to"]);
         Vec3 axis = vector_or(all[n], "axis", Vec3(0, 1, 0));
-        if (!(axis.norm() > 0.0)) refuse(place / "strips" / n / "axis", "it has no direction");
+        if (!(axis.norm() > 0.0))
+            throw_error(location / "strips" / n / "axis", "it has no direction");
         axis.normalize();
         const int count = all[n].value("count", 10);
         const double area = all[n]["drag_area"].get<double>() / count;
@@ -184,13 +186,13 @@ Json drift_json(const WaveCoefficients& c) {
 
 }  // namespace
 
-NegativeDamping negative_damping_of(const std::string& word) noexcept {
+NegativeDamping negative_damping_from(const std::string& word) noexcept {
     return word == "truncate" ? NegativeDamping::truncate
            : word == "fit"    ? NegativeDamping::fit
                               : NegativeDamping::refuse;
 }
 
-bool hull_left_out(const Json& json) {
+bool hull_is_omitted(const Json& json) {
     for (const char* key : {"mesh", "coefficients"})
         if (const auto at = json.find(key);
             at != json.end() && (at->is_string() || at->is_null() || at->contains("file")))
@@ -198,30 +200,32 @@ bool hull_left_out(const Json& json) {
     return false;
 }
 
-WaterHull hull_of(const Json& json, const Place& place) {
+WaterHull hull_of(const Json& json, const SourceLocation& location) {
     WaterHull hull;
     if (json.contains("mesh")) {
-        hull.mesh = mesh_of(json["mesh"], json);
+        hull.mesh = read_mesh_of_hull(json["mesh"], json);
         if (const std::string fault = hull_fault(hull.mesh); !fault.empty())
-            refuse(place / "mesh", fault);
+            throw_error(location / "mesh", fault);
     } else if (!json.contains("linear")) {
-        refuse(place, "a hull needs \"mesh\", or \"linear\" with coefficients");
+        throw_error(location, "a hull needs \"mesh\", or \"linear\" with coefficients");
     }
     hull.wave_pressure = json.value("wave_pressure", !json.contains("linear"));
-    six_of(json, "added_mass", hull.added_mass);
-    six_of(json, "damping", hull.damping);
+    read_six(json, "added_mass", hull.added_mass);
+    read_six(json, "damping", hull.damping);
     hull.design_draught = number_or(json, "design_draught", hull.design_draught);
-    read_strips(json, place, hull);
+    read_strips(json, location, hull);
     if (json.contains("coefficients")) {
-        WaveCoefficients c = coefficients_of(json["coefficients"], place / "coefficients");
+        WaveCoefficients c =
+            read_hull_coefficients(json["coefficients"], location / "coefficients");
         c.reference = vector_or(json, "reference", Vec3::Zero());
         try {
-            c = repaired_damping(c, negative_damping_of(json.value("negative_damping", "refuse")));
+            c = repaired_damping(c,
+                                 negative_damping_from(json.value("negative_damping", "refuse")));
         } catch (const DefError& error) {
-            refuse(place / "negative_damping", error.what());
+            throw_error(location / "negative_damping", error.what());
         }
         if (const std::string fault = coefficients_fault(c); !fault.empty())
-            refuse(place / "coefficients", fault);
+            throw_error(location / "coefficients", fault);
         hull.coefficients = std::make_shared<const WaveCoefficients>(std::move(c));
     }
     const std::string kind = json.value("radiation", "convolution");

@@ -97,15 +97,15 @@ constexpr FieldInfo<GypsyDef> kGypsyNumbers[] = {
     {"wrap", &GypsyDef::wrap, "rad", "pi", "Angle of the wheel that the chain covers.", 0.0, 7.0}};
 
 /// Return the cable of a winch in this scope.
-const Cable& cable_of(const Description& out, const Scope& scope, const Json& json,
-                      const Place& place) {
+const Cable& find_cable_of_winch(const Description& out, const Scope& scope, const Json& json,
+                                 const SourceLocation& location) {
     const std::string name = json["cable"].get<std::string>();
     if (const Cable* cable = out.find_cable(scope.prefix + name); cable != nullptr) return *cable;
     std::vector<std::string> known;
     for (const Cable& cable : out.cables)
         if (cable.name.starts_with(scope.prefix))
             known.push_back(cable.name.substr(scope.prefix.size()));
-    refuse_missing(out.mistakes, Lost::cable, scope.prefix + name, place / "cable",
+    report_missing(out.mistakes, OmittedPart::cable, scope.prefix + name, location / "cable",
                    "there is no cable " + in_quotes(name) + suggestion(name, known));
 }
 
@@ -124,7 +124,8 @@ const CableSection& section_at(const Cable& cable, int end) {
 
 /// Set the masses of elements, which move as straight pieces and distribute mass to nodes. The
 /// winch carries the mass of the element at its drum (WinchDef::element).
-void give_mass(Description& out, const Cable& cable, const WinchDef& winch, const Place& place) {
+void set_element_masses(Description& out, const Cable& cable, const WinchDef& winch,
+                        const SourceLocation& location) {
     const auto element = [&](InteractionId id) -> InteractionDef& {
         return out.interactions[static_cast<std::size_t>(id.index)];
     };
@@ -141,27 +142,29 @@ void give_mass(Description& out, const Cable& cable, const WinchDef& winch, cons
     const double line = section_at(cable, winch.end).mass_per_length;
     const double mass = lump.mass - 0.5 * line * at_drum.get("length");
     if (!(mass > 1e-6 * lump.mass))
-        refuse(place / "cable", "both ends of the cable " + in_quotes(cable.name) +
-                                    " are wound up: give it at least three elements");
+        throw_error(location / "cable", "both ends of the cable " + in_quotes(cable.name) +
+                                            " are wound up: give it at least three elements");
     const double scale = mass / lump.mass;
     lump.mass = mass;
     lump.linear_damping *= scale;
     lump.force *= scale;
 }
 
-void read_wheel(WinchDef& def, const Cable& cable, const Json& json, const Place& place) {
+void read_wheel(WinchDef& def, const Cable& cable, const Json& json,
+                const SourceLocation& location) {
     const auto gypsy = json.find("gypsy");
     if (gypsy == json.end()) {
         for (const char* key : {"core_radius", "width"})
             if (!json.contains(key))
-                refuse(place, std::string("a winch needs the key \"") + key +
-                                  "\" (of its drum), or \"gypsy\" (a wheel for chain)");
+                throw_error(location, std::string("a winch needs the key \"") + key +
+                                          "\" (of its drum), or \"gypsy\" (a wheel for chain)");
         return;
     }
     if (section_at(cable, def.end).EI > 0.0)
-        refuse(place / "cable", "the cable " + in_quotes(cable.name) +
-                                    " has \"EI\" in its line type, but a gypsy takes chain, "
-                                    "which does not resist bending");
+        throw_error(location / "cable",
+                    "the cable " + in_quotes(cable.name) +
+                        " has \"EI\" in its line type, but a gypsy takes chain, "
+                        "which does not resist bending");
     def.gypsy.pockets = (*gypsy)["pockets"].get<int>();
     read_fields(def.gypsy, *gypsy, kGypsyNumbers);
 }
@@ -174,32 +177,35 @@ BodyId add_wheel(Description& out, Winch& winch) {
         BodyDef body{.name = def.name + what, .kind = BodyKind::scalar};
         body.mass = mass;
         body.gravity = false;
-        return out.add_body(std::move(body), winch.place);
+        return out.add_body(std::move(body), winch.location);
     };
     def.drum = add("/drum", drum_mass(def));
     if (def.gypsy.pockets == 0) return def.drum;
     return def.chain = add("/chain", gypsy_chain_inertia(def));
 }
 
-void read_winch(Description& out, const Scope& scope, const Json& json, const Place& place) {
+void read_winch(Description& out, const Scope& scope, const Json& json,
+                const SourceLocation& location) {
     Winch winch;
     WinchDef& def = winch.def;
     def.name = scope.prefix + json["name"].get<std::string>();
-    const Cable& cable = cable_of(out, scope, json, place);
+    const Cable& cable = find_cable_of_winch(out, scope, json, location);
     winch.cable = cable.name;
     if (cable.links)
-        refuse(place / "cable", "a cable of links cannot be wound up; give it \"as\": \"lumps\"");
+        throw_error(location / "cable",
+                    "a cable of links cannot be wound up; give it \"as\": \"lumps\"");
     def.end = text_or(json, "end", "from") == "to" ? 1 : 0;
     const CableSection& section = section_at(cable, def.end);
     def.wire_diameter = section.diameter;
     def.mass_per_length = section.mass_per_length;
     read_fields(def, json, kNumbers);
     if (!(def.wire_diameter > 0.0))
-        refuse(place, "a winch needs \"wire_diameter\": its cable's line type has no diameter");
-    read_wheel(def, cable, json, place);
+        throw_error(location,
+                    "a winch needs \"wire_diameter\": its cable's line type has no diameter");
+    read_wheel(def, cable, json, location);
     if (const auto at = json.find("heave_point"); at != json.end()) {
         def.heave_body = resolve_body(out, scope, (*at)["body"].get<std::string>(),
-                                      place / "heave_point" / "body");
+                                      location / "heave_point" / "body");
         def.heave_point = vector_of((*at)["point"]);
     }
     const std::string mode = text_or(json, "mode", "brake");
@@ -209,27 +215,29 @@ void read_winch(Description& out, const Scope& scope, const Json& json, const Pl
     const InteractionId element = def.end == 0 ? cable.stretch.front() : cable.stretch.back();
     InteractionDef& d = out.interactions[static_cast<std::size_t>(element.index)];
     if (kind_info(d.kind).is(kWoundUp))
-        refuse(place / (json.contains("end") ? "end" : "cable"),
-               "this end of the cable " + in_quotes(cable.name) +
-                   " is on a drum already; an end can have one winch only");
+        throw_error(location / (json.contains("end") ? "end" : "cable"),
+                    "this end of the cable " + in_quotes(cable.name) +
+                        " is on a drum already; an end can have one winch only");
     if (cable.stretch.size() == 1 && def.end == 1 && !(def.element == 0.0))
-        refuse(place / "end",
-               "a cable of one element is wound up from its first end; change its ends, give it "
-               "two elements, or the winch \"element\": 0");
+        throw_error(
+            location / "end",
+            "a cable of one element is wound up from its first end; change its ends, give it "
+            "two elements, or the winch \"element\": 0");
     if (std::isnan(def.element)) def.element = d.get("length");
-    if (section.link > 0.0 && def.element > 0.0 && !of_whole_links(def.element, section.link))
-        refuse(place / "element", "chain is paid out by whole links; give a multiple of " +
-                                      std::to_string(section.link) +
-                                      " m, the \"link\" of its line type");
+    if (section.link > 0.0 && def.element > 0.0 && !rounded_to_links(def.element, section.link))
+        throw_error(location / "element", "chain is paid out by whole links; give a multiple of " +
+                                              std::to_string(section.link) +
+                                              " m, the \"link\" of its line type");
     for (const Resolution& fine : out.resolutions)
         if (fine.cable == winch.cable && json.contains("element") &&
             def.element > fine.def.max_length)
-            refuse(place / "element",
-                   fmt::format("{:.6g} m is above \"max_length\" of the resolution of its cable, "
-                               "{:.6g} m: elements that it pays out would be divided at once",
-                               def.element, fine.def.max_length));
-    if (def.element > 0.0) give_mass(out, cable, def, place);
-    winch.place = out.keep(place);
+            throw_error(
+                location / "element",
+                fmt::format("{:.6g} m is above \"max_length\" of the resolution of its cable, "
+                            "{:.6g} m: elements that it pays out would be divided at once",
+                            def.element, fine.def.max_length));
+    if (def.element > 0.0) set_element_masses(out, cable, def, location);
+    winch.location = out.store_location(location);
     const BodyId wound = add_wheel(out, winch);
     const InteractionDef stretch = d;
     d.kind = InteractionKind::WinchStretch;
@@ -256,13 +264,13 @@ void expand_winches(Description& out, const Scope& scope) {
     for (std::size_t i = 0; i < list->size(); ++i) {
         const Json& json = (*list)[i];
         if (json.is_null()) continue;  // Left out: mistakes.h.
-        const Place place = scope.place / "winches" / i;
+        const SourceLocation location = scope.location / "winches" / i;
         (void)attempt(out.mistakes, [&] {
             for (const Winch& other : out.winches)
                 if (other.def.name == scope.prefix + json["name"].get<std::string>())
-                    refuse(place / "name",
-                           "the winch " + in_quotes(other.def.name) + " exists already");
-            read_winch(out, scope, json, place);
+                    throw_error(location / "name",
+                                "the winch " + in_quotes(other.def.name) + " exists already");
+            read_winch(out, scope, json, location);
         });
     }
 }

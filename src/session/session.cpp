@@ -29,10 +29,10 @@ struct Session::Impl {
     struct Output {
         std::unique_ptr<Writer> to;
         std::int64_t every = 1, begun = 0, written = 0;  ///< Numbers of steps.
-        [[nodiscard]] bool due(const World& world) const {
+        [[nodiscard]] bool is_due(const World& world) const {
             return to && (world.step_count() - begun) % every == 0;
         }
-        [[nodiscard]] bool behind(const World& world) const {
+        [[nodiscard]] bool is_behind(const World& world) const {
             return to && world.step_count() != written;
         }
     };
@@ -61,11 +61,12 @@ struct Session::Impl {
     Status last = Status::ok;
     double step_cpu = 0.0;  ///< CPU time of the stepping thread in the last step [s].
 
-    explicit Impl(scene::Scene given) : scene(std::move(given)), info(record::info_of(scene)) {}
+    explicit Impl(scene::Scene given)
+        : scene(std::move(given)), info(record::make_scene_info(scene)) {}
     [[nodiscard]] World& world() noexcept { return scene.world; }
 
     /// Apply the values of the control file until now.
-    void take_controls() {
+    void apply_controls() {
         constexpr double kSlack = 1e-6;  // Times are multiples of the step up to rounding.
         World& w = world();
         const double now = w.time() + kSlack * w.settings().step;
@@ -95,9 +96,9 @@ struct Session::Impl {
     /// Apply the last value of each input before the start of a run that begins later, unless the
     /// timeline has set it since. Apply only that one, because the state may already contain it,
     /// and earlier values would wake sleeping bodies.
-    void go_on_with_controls() {
+    void apply_earlier_controls() {
         if (world().step_count() == 0) return;
-        const double done = session::last_done(world());
+        const double done = session::operations_done_until(world());
         while (next_control < control.size() && control[next_control].time <= done) ++next_control;
         for (std::size_t i = 0; i < next_control; ++i) {
             const record::ControlChange& change = control[i];
@@ -147,8 +148,8 @@ struct Session::Impl {
             recording.to->add_loads(world());
             for (const Event& event : events) recording.to->add_event(world(), event);
         }
-        if (recording.due(world())) add_frame();
-        if (table.due(world())) add_row();
+        if (recording.is_due(world())) add_frame();
+        if (table.is_due(world())) add_row();
     }
 };
 
@@ -169,7 +170,7 @@ scene::Scene scene_of(const SessionDef& def) {
                              : scene::load_file(def.scene, def.options);
 }
 
-scene::Scene scene_around(World world) {
+scene::Scene scene_from_world(World world) {
     scene::Scene scene;
     scene.world = std::move(world);
     return scene;
@@ -203,7 +204,7 @@ void check_every(std::int32_t every) {
 Session::Session(const SessionDef& def) : Session(scene_of(def), def) {}
 
 Session::Session(World world, const SessionDef& def)
-    : Session(scene_around(std::move(world)), def) {}
+    : Session(scene_from_world(std::move(world)), def) {}
 
 Session::Session(scene::Scene scene, const SessionDef& def)
     : impl_(std::make_unique<Impl>(std::move(scene))) {
@@ -226,7 +227,7 @@ Session::Session(scene::Scene scene, const SessionDef& def)
         names.insert(names.end(), impl_->signals.begin(), impl_->signals.end());
         impl_->control = record::read_control(def.control, names,
                                               session::control_ranges(impl_->scene, impl_->places));
-        impl_->go_on_with_controls();
+        impl_->apply_earlier_controls();
     }
     if (!def.record.empty()) record(def.record, def.every);
     if (!def.csv.empty()) write_csv(def.csv, def.every);
@@ -246,7 +247,7 @@ World& Session::world() noexcept { return impl_->scene.world; }
 double Session::time() const noexcept { return impl_->scene.world.time(); }
 std::span<const Event> Session::events() const noexcept { return impl_->events; }
 std::span<const scene::Operation> Session::operations() const noexcept {
-    return impl_->timeline.done(impl_->scene.timeline);
+    return impl_->timeline.performed(impl_->scene.timeline);
 }
 const std::string& Session::objection() const noexcept { return impl_->objection; }
 std::span<const std::string> Session::differences() const noexcept { return impl_->differences; }
@@ -270,7 +271,7 @@ void Session::restore(const Structure& made_of, std::span<const std::byte> state
     impl_->notes.clear();
     impl_->timeline.skip(impl_->scene.timeline, world);
     // Values before the step that led to this state were in force in it.
-    const double last = session::last_done(world);
+    const double last = session::operations_done_until(world);
     const auto& control = impl_->control;
     const auto next = std::find_if(control.begin(), control.end(), [&](const auto& change) {
         return world.step_count() == 0 || change.time > last;
@@ -347,9 +348,9 @@ void Session::save(const std::filesystem::path& file) const {
 Status Session::step() {
     World& world = impl_->world();
     impl_->last = Status::bad_edit;  // should that throw
-    impl_->timeline.take(impl_->scene.timeline, world);
+    impl_->timeline.perform_due(impl_->scene.timeline, world);
     if (impl_->recording.to) impl_->notes.operations(world, *impl_->recording.to, operations());
-    impl_->take_controls();
+    impl_->apply_controls();
     if (impl_->listener) impl_->listener->flush();
     for (Observer* observer : impl_->observers) observer->before_step(world);
     const std::int64_t step = world.step_count();
@@ -378,8 +379,8 @@ record::Ending Session::finish(bool interrupted) {
               world.verdict().grade == Grade::wrong))
         ending = record::Ending::failed;
     if (impl_->listener) impl_->listener->flush();
-    if (impl_->recording.behind(world)) impl_->add_frame();
-    if (impl_->table.behind(world)) impl_->add_row();
+    if (impl_->recording.is_behind(world)) impl_->add_frame();
+    if (impl_->table.is_behind(world)) impl_->add_row();
     if (impl_->recording.to) impl_->recording.to->finish(world, ending);
     if (impl_->table.to) impl_->table.to->finish();
     impl_->listener.reset();

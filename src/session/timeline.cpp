@@ -14,7 +14,7 @@ constexpr double kSlack = 1e-6;  ///< Times are multiples of the step up to roun
 
 }  // namespace
 
-double last_done(const World& world) noexcept {
+double operations_done_until(const World& world) noexcept {
     return world.time() - (1.0 - kSlack) * world.settings().step;
 }
 
@@ -29,13 +29,13 @@ bool Timeline::sets(std::span<const scene::Operation> all, const std::string& na
 }
 
 void Timeline::skip(std::span<const scene::Operation> all, const World& world) noexcept {
-    const double last = last_done(world);
+    const double last = operations_done_until(world);
     next_ = 0;
     while (world.step_count() > 0 && next_ < all.size() && all[next_].at <= last) ++next_;
     begun_ = next_;
 }
 
-void Timeline::take(std::span<const scene::Operation> all, World& world) {
+void Timeline::perform_due(std::span<const scene::Operation> all, World& world) {
     const double now = world.time() + kSlack * world.settings().step;
     begun_ = next_;
     for (; next_ < all.size() && all[next_].at <= now; ++next_) {

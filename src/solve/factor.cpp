@@ -64,7 +64,7 @@ void keep_factored(const context::Model& model, std::vector<double>& factored) n
 /// Return true if wrong pivots fail a factorisation. Those that sliding contacts may cause do not
 /// (factor/unsymmetric.h).
 bool fails(const factor::Numeric& numeric, int wrong) noexcept {
-    return wrong > 0 && numeric.wrong_nodes().empty();
+    return wrong > 0 && numeric.nodes_with_wrong_pivots().empty();
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ void find_joints(context::Model& model, context::JointWork& joints) {
     context::Completion& c = model.completion;
     const model::Interactions& in = model.interactions;
     c.joints.clear();
-    c.places.clear();
+    c.joint_slots.clear();
     c.rigid.clear();
     c.looped.clear();
     joints.edges.clear();
@@ -72,7 +72,7 @@ void find_joints(context::Model& model, context::JointWork& joints) {
         mark_secants(model.interactions, id, joint && compliant);
         if (!joint) continue;
         c.joints.push_back(id);
-        c.places.push_back(
+        c.joint_slots.push_back(
             {in.row_begin[at(id)],
              in.arms[at(id)] != 0 ? in.jac_begin[at(id)] + model::kArmsVibration : -1,
              std::min<std::int32_t>(in.rows[at(id)], 3)});
@@ -117,11 +117,11 @@ void choose_completed(context::Model& model, const context::State& state,
                 const bool chosen = allowed && c.coarse_next[at(k)] == 0 && in.parted[at(id)] == 0;
                 std::uint8_t completed = 0;
                 if (chosen)
-                    completed = in.row_flags[at(c.places[at(k)].row)] & model::kRowSecant
+                    completed = in.row_flags[at(c.joint_slots[at(k)].row)] & model::kRowSecant
                                     ? assembly::kCompliant
                                     : assembly::kRigid;
                 in.completed[at(id)] = completed;
-                mark_record(in, c.places[at(k)], chosen);
+                mark_record(in, c.joint_slots[at(k)], chosen);
             }
         });
     find_turning(model);

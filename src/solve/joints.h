@@ -30,7 +30,7 @@ inline constexpr double kResolvedVibration = 1.5;
                                               const double* lambdas) noexcept {
     const context::Completion& c = model.completion;
     const double rate = model.def.step * model.interactions.vibration[at(c.joints[at(k)])];
-    return rate * rate * squared_impulse(c.places[at(k)], lambdas);
+    return rate * rate * squared_impulse(c.joint_slots[at(k)], lambdas);
 }
 
 /// Find the joints of a system that has just been analysed.

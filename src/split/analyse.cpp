@@ -13,7 +13,7 @@
 namespace hawser::split {
 
 void analyse(context::StepContext& ctx, const factor::AnalysisState* state) {
-    place_ghosts(ctx.model);
+    copy_ghost_poses(ctx.model);
     solve::begin_analysis(ctx.model, ctx.state);
     open_cuts(ctx.model);
     analyse_clique(ctx.model);
@@ -30,11 +30,11 @@ void relink(context::StepContext& ctx) {
     solve::count_analysis(ctx.model, ctx.work.stats);
 }
 
-Status ask_for_cuts(context::StepContext& ctx, std::uint64_t interfaces) noexcept {
+Status request_cuts(context::StepContext& ctx, std::uint64_t interfaces) noexcept {
     if (interfaces == ctx.model.cuts.asked) return Status::ok;
     const context::StageTimer timer(ctx, Stage::analyse);
     return context::guarded(ctx, [&] {
-        state::keep_state(ctx, context::Undo::Depth::system);
+        state::save_state(ctx, context::Undo::Depth::system);
         ctx.model.cuts.asked = interfaces;
         if (!ctx.model.cuts.list.empty() && open_cuts(ctx.model)) analyse(ctx);
     });

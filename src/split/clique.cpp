@@ -15,7 +15,7 @@
 namespace hawser::split {
 namespace {
 
-WorldDef serial(WorldDef def) {
+WorldDef single_threaded(WorldDef def) {
     def.threads = 1;
     def.coupling = Coupling::exact;
     def.budget = def.budget_work = 0.0;
@@ -24,7 +24,7 @@ WorldDef serial(WorldDef def) {
 
 /// Return the definition of a body of the clique. A member has its dynamics; another body is fixed
 /// and has a prescribed velocity in each step.
-BodyDef definition(const model::Bodies& b, std::int32_t body, bool member) {
+BodyDef clique_body_def(const model::Bodies& b, std::int32_t body, bool member) {
     const auto i = at(body);
     BodyDef def;
     def.kind = member ? b.kind[i] : BodyKind::fixed;
@@ -136,7 +136,7 @@ void copy_loads(Clique& c, const assembly::LoadStore& world) noexcept {
 }  // namespace
 
 void make_clique(context::Model& model) {
-    auto clique = std::make_shared<Clique>(serial(model.def));
+    auto clique = std::make_shared<Clique>(single_threaded(model.def));
     const model::Interactions& in = model.interactions;
     const std::vector<std::uint8_t> member = choose_members(model);
     std::vector<std::int32_t>& local = clique->local;
@@ -153,7 +153,7 @@ void make_clique(context::Model& model) {
             const std::int32_t body = def.body[b].index;
             if (local[at(body)] < 0) {
                 local[at(body)] = clique->ctx.model.bodies.add(
-                    definition(model.bodies, body, member[at(body)] != 0));
+                    clique_body_def(model.bodies, body, member[at(body)] != 0));
                 clique->body.push_back(body);
                 clique->member.push_back(member[at(body)]);
             }

@@ -17,7 +17,7 @@ namespace hawser::split {
 namespace {
 
 /// Set the impulses of the original to the mean of its sides.
-void take_mean(model::Interactions& in, const context::Cut& cut) noexcept {
+void average_sides(model::Interactions& in, const context::Cut& cut) noexcept {
     double active = 0.0;
     for (int r = 0; r < in.rows[at(cut.id)]; ++r) {
         double sum = 0.0;
@@ -32,7 +32,7 @@ void take_mean(model::Interactions& in, const context::Cut& cut) noexcept {
 
 /// Copy multipliers and active flags to the copies of a cut that is not in force, in case it comes
 /// into force.
-void follow(model::Interactions& in, const context::Cut& cut) noexcept {
+void follow_original(model::Interactions& in, const context::Cut& cut) noexcept {
     for (std::int32_t i = cut.first; i < cut.first + cut.sides; ++i) {
         in.active[at(i)] = in.active[at(cut.id)];
         std::copy_n(&in.lambda[at(in.row_begin[at(cut.id)])], in.rows[at(cut.id)],
@@ -77,7 +77,7 @@ void add_geometric(const assembly::View& v, std::int32_t id, double* sum) noexce
 
 /// Return the norm of the sum of impulses that the sides exert on the bodies, linear parts: Gᵀ(λ of
 /// the side − mean) and geometric stiffness.
-double defect_of(context::Model& model, const context::Cut& cut) noexcept {
+double impulse_imbalance(context::Model& model, const context::Cut& cut) noexcept {
     const assembly::View v = context::row_view(model);
     const model::Interactions& in = model.interactions;
     const double* mean = &in.lambda[at(in.row_begin[at(cut.id)])];
@@ -96,7 +96,7 @@ double defect_of(context::Model& model, const context::Cut& cut) noexcept {
 }
 
 /// Return max |G v₊ + Σλ − c|, with the Σ of the interaction when it is not cut.
-double residual_of(context::Model& model, const context::Cut& cut) noexcept {
+double largest_cut_residual(context::Model& model, const context::Cut& cut) noexcept {
     const assembly::View v = context::row_view(model);
     if (v.active[cut.id] == 0.0 || v.parted[cut.id]) return 0.0;
     const double h = v.h;
@@ -141,13 +141,13 @@ void finish_cuts(context::StepContext& ctx) noexcept {
     double defect = residual_momentum(ctx.model, v);
     for (context::Cut& cut : ctx.model.cuts.list) {
         if (!cut.open) {
-            follow(ctx.model.interactions, cut);
+            follow_original(ctx.model.interactions, cut);
             cut.defect = cut.residual = 0.0;
             continue;
         }
-        take_mean(ctx.model.interactions, cut);
-        cut.defect = defect_of(ctx.model, cut);
-        cut.residual = residual_of(ctx.model, cut);
+        average_sides(ctx.model.interactions, cut);
+        cut.defect = impulse_imbalance(ctx.model, cut);
+        cut.residual = largest_cut_residual(ctx.model, cut);
         ctx.state.ledger.damped += solve::cut_losses(ctx.model, cut.id);
         defect += cut.defect;
         ctx.work.stats.cut_residual = std::max(ctx.work.stats.cut_residual, cut.residual);
@@ -160,7 +160,7 @@ void finish_cuts(context::StepContext& ctx) noexcept {
 }
 
 void follow_cuts(context::Model& model) noexcept {
-    for (const context::Cut& cut : model.cuts.list) follow(model.interactions, cut);
+    for (const context::Cut& cut : model.cuts.list) follow_original(model.interactions, cut);
 }
 
 void part_all(context::Model& model, std::int32_t id) noexcept {

@@ -19,7 +19,7 @@ namespace hawser::split {
 namespace {
 
 /// Return the groups of the moving bodies in the order of the slots, without duplicates.
-std::vector<std::int32_t> sides_of(const context::Model& model, std::int32_t id) {
+std::vector<std::int32_t> groups_of_interaction(const context::Model& model, std::int32_t id) {
     std::vector<std::int32_t> sides;
     for (const std::int32_t b : context::bodies_of(model.interactions, id)) {
         if (model.bodies.dof(b) == 0) continue;
@@ -40,7 +40,8 @@ std::map<GroupPair, int> number_interfaces(context::Model& model,
                                            const std::vector<std::int32_t>& wanted) {
     std::map<GroupPair, int> number;
     for (const std::int32_t id : wanted)
-        if (model.cuts.coupling[at(id)] == Coupling::deadline) number[pair_of(sides_of(model, id))];
+        if (model.cuts.coupling[at(id)] == Coupling::deadline)
+            number[pair_of(groups_of_interaction(model, id))];
     int next = 0;
     for (auto& each : number) each.second = std::min(next++, 63);
     model.cuts.interfaces = std::min(next, 64);
@@ -140,7 +141,7 @@ void make_cuts(context::Model& model) {
     std::vector<std::int32_t> wanted;
     for (std::int32_t id = 0; id < count; ++id)
         if (cuts.coupling[at(id)] != Coupling::exact && can_cut(model, id) &&
-            sides_of(model, id).size() > 1)
+            groups_of_interaction(model, id).size() > 1)
             wanted.push_back(id);
     if (wanted.empty()) return;
     cuts.bodies = bodies;
@@ -148,7 +149,7 @@ void make_cuts(context::Model& model) {
     std::unordered_map<std::int32_t, std::int32_t> ghost;
     const auto interface = number_interfaces(model, wanted);
     for (const std::int32_t id : wanted) {
-        const std::vector<std::int32_t> sides = sides_of(model, id);
+        const std::vector<std::int32_t> sides = groups_of_interaction(model, id);
         cuts.list.push_back(
             {id, model.interactions.count(), static_cast<std::int32_t>(sides.size()), true});
         if (cuts.coupling[at(id)] == Coupling::deadline)

@@ -36,10 +36,10 @@ std::vector<double> interface_weights(context::Model& model) {
 
 /// Return the work of the matrix if the given interfaces are cut [flops].
 double analysed_work(context::StepContext& ctx, std::uint64_t interfaces) {
-    state::keep_state(ctx, context::Undo::Depth::system);
+    state::save_state(ctx, context::Undo::Depth::system);
     assembly::System beside;
     beside.max_bytes = ctx.model.def.max_memory;
-    leave_out(ctx.model, interfaces, beside);
+    remove_cut_interactions(ctx.model, interfaces, beside);
     beside.contacts = ctx.model.system.contacts;
     // a copy, because the analysis chooses the forms of rows
     model::Interactions rows = ctx.model.interactions;

@@ -15,7 +15,7 @@ namespace hawser::split {
 namespace {
 
 /// Return the work of the step's solver.
-budget::Load load_of(const context::StepContext& ctx) noexcept {
+budget::Load solver_load(const context::StepContext& ctx) noexcept {
     const double rows = ctx.model.interactions.row_count + ctx.model.bodies.dofs +
                         12.0 * static_cast<double>(ctx.state.contacts.awake);
     return {rows, budget::matrix_work(static_cast<double>(ctx.work.stats.factor_flops),
@@ -50,9 +50,9 @@ Status prepare_levels(context::StepContext& ctx) noexcept {
 Status choose_cuts(context::StepContext& ctx) noexcept {
     std::uint64_t cuts = ctx.state.imposed.cuts;
     if (may_cut(ctx.model, ctx.state))
-        cuts = ctx.work.limits.cut_levels.choose(ctx.work.limits.deadline, load_of(ctx),
+        cuts = ctx.work.limits.cut_levels.choose(ctx.work.limits.deadline, solver_load(ctx),
                                                  kAim * ctx.model.def.budget, ctx.model.cuts.asked);
-    const Status status = ask_for_cuts(ctx, cuts);
+    const Status status = request_cuts(ctx, cuts);
     ctx.work.stats.degradation.cuts = cuts;
     return status;
 }
@@ -75,8 +75,8 @@ void begin_budget(context::StepContext& ctx) noexcept {
     if (!ctx.work.limits.budget.needs_time()) return;
     ctx.work.limits.laps.start = ctx.work.limits.laps.first = ctx.work.limits.laps.last =
         ctx.stopwatch->seconds();
-    const budget::Load load = load_of(ctx);
-    if (ctx.work.limits.deadline.knows()) {
+    const budget::Load load = solver_load(ctx);
+    if (ctx.work.limits.deadline.has_samples()) {
         // The time since the start of the step is measured; the remaining time is predicted.
         const double left = limits.seconds - ctx.work.limits.laps.start +
                             ctx.work.limits.deadline.predict_start(load);
@@ -92,7 +92,7 @@ void begin_budget(context::StepContext& ctx) noexcept {
 namespace {
 
 /// Return the used fraction of the budget, at least kCut if the step was cut; 0: no budget.
-double demand_of(const context::StepContext& ctx) noexcept {
+double budget_fraction_used(const context::StepContext& ctx) noexcept {
     const WorldDef& def = ctx.model.def;
     const StepStats& s = ctx.work.stats;
     double demand = 0.0;
@@ -113,21 +113,21 @@ void end_budget(context::StepContext& ctx) noexcept {
         s.plans + s.repairs > ctx.work.limits.analyses ||
         (ctx.work.limits.cut_levels.known() && !ctx.work.limits.knew_levels);
     s.compliant = open_interfaces(ctx.model);
-    ctx.work.limits.budget.finished(s.solver_cpu_seconds);
+    ctx.work.limits.budget.record_end_of_solve(s.solver_cpu_seconds);
     if (ctx.work.limits.budget.needs_time()) {
         ctx.work.limits.laps.end = s.solver_cpu_seconds;
-        ctx.work.limits.deadline.learn(load_of(ctx), ctx.work.limits.laps);
+        ctx.work.limits.deadline.add_sample(solver_load(ctx), ctx.work.limits.laps);
     }
     if (s.cut) {
         s.degraded_by = ctx.work.limits.budget.cause();
         s.foreseen_seconds = ctx.work.limits.budget.foreseen();
-        ctx.work.limits.deadline.refused();
+        ctx.work.limits.deadline.record_refusal();
     } else if (s.degradation.iterations > 0 || s.compliant != 0 || s.degradation.wires > 0) {
         s.degraded_by = ctx.state.imposed.any() ? DegradedBy::order : DegradedBy::prediction;
     }
-    if (const double demand = demand_of(ctx);
+    if (const double demand = budget_fraction_used(ctx);
         demand > 0.0 && !ctx.work.limits.laps.analysed && !ctx.state.imposed.any())
-        ctx.work.limits.coarsening.learn(demand);
+        ctx.work.limits.coarsening.add_sample(demand);
     ctx.work.limits.budget.end();  // a trial step is not limited
 }
 

@@ -24,7 +24,7 @@ std::int32_t root(std::vector<std::int32_t>& part, std::int32_t b) {
 }
 
 /// Unite the parts of the moving bodies in the list.
-void join(context::Model& model, std::span<const std::int32_t> bodies) {
+void unite_parts(context::Model& model, std::span<const std::int32_t> bodies) {
     std::int32_t first = -1;
     for (const std::int32_t b : bodies) {
         if (model.bodies.dof(b) == 0) continue;
@@ -65,27 +65,27 @@ bool open_cuts(context::Model& model) {
         if (cut != cuts.list.end() && cut->id == id)
             ++cut;
         else
-            join(model, context::bodies_of(model.interactions, id));
+            unite_parts(model, context::bodies_of(model.interactions, id));
     }
     for (std::size_t k = 0; k < cuts.of.size(); ++k) {
         std::vector<std::int32_t> own;
         for (const std::int32_t b : context::bodies_of(
                  model.interactions, cuts.interactions + static_cast<std::int32_t>(k)))
             if (b < cuts.bodies) own.push_back(b);
-        join(model, own);
+        unite_parts(model, own);
     }
     for (const assembly::Contacts::Link& l : system.contacts.links)
-        join(model, std::array<std::int32_t, 2>{l.first, l.second});
+        unite_parts(model, std::array<std::int32_t, 2>{l.first, l.second});
     for (context::Cut& c : cuts.list) {
         c.open = cuts.coupling[at(c.id)] != Coupling::deadline || (cuts.asked >> c.interface & 1U);
-        if (!c.open) join(model, context::bodies_of(model.interactions, c.id));
+        if (!c.open) unite_parts(model, context::bodies_of(model.interactions, c.id));
     }
     for (bool again = true; again;) {
         again = false;
         for (context::Cut& c : cuts.list) {
             if (!c.open || !holds_otherwise(model, c)) continue;
             c.open = false;
-            join(model, context::bodies_of(model.interactions, c.id));
+            unite_parts(model, context::bodies_of(model.interactions, c.id));
             again = true;
         }
     }
@@ -109,7 +109,8 @@ std::uint64_t open_interfaces(const context::Model& model) noexcept {
     return interfaces;
 }
 
-void leave_out(context::Model& model, std::uint64_t interfaces, assembly::System& beside) {
+void remove_cut_interactions(context::Model& model, std::uint64_t interfaces,
+                             assembly::System& beside) {
     const std::uint64_t asked = std::exchange(model.cuts.asked, interfaces);
     (void)open_cuts(model);
     beside.left_out = model.system.left_out;

@@ -13,7 +13,7 @@ namespace hawser::split {
 namespace {
 
 /// Copy v_k of the original of a ghost body to six entries.
-void velocity_of(const model::Bodies& b, std::int32_t body, double* out) noexcept {
+void copy_original_velocity(const model::Bodies& b, std::int32_t body, double* out) noexcept {
     std::fill_n(out, 6, 0.0);
     std::copy_n(&b.v[at(b.dof_begin[at(body)])], b.dof(body), out);
 }
@@ -92,7 +92,7 @@ void predict_by_forces(context::Model& model, const context::State& state) noexc
 
 }  // namespace
 
-void place_ghosts(context::Model& model) noexcept {
+void copy_ghost_poses(context::Model& model) noexcept {
     model::Bodies& b = model.bodies;
     for (const context::GhostBody& ghost : model.cuts.ghosts) {
         const auto to = at(ghost.body), from = at(ghost.of);
@@ -107,10 +107,10 @@ void predict(context::Model& model, const context::State& state) noexcept {
     model::Bodies& b = model.bodies;
     for (const std::int32_t body : b.driven)
         std::copy_n(&b.v_fixed[6 * at(body)], 6, &b.v_before[6 * at(body)]);
-    place_ghosts(model);
+    copy_ghost_poses(model);
     for (const context::GhostBody& ghost : model.cuts.ghosts) {
         double* v = &b.v_fixed[6 * at(ghost.body)];
-        velocity_of(b, ghost.of, v);
+        copy_original_velocity(b, ghost.of, v);
         std::copy_n(v, 6, &b.v_before[6 * at(ghost.body)]);
     }
     for (const context::Cut& cut : model.cuts.list)
@@ -120,7 +120,7 @@ void predict(context::Model& model, const context::State& state) noexcept {
     if (model.def.predictor == Predictor::clique) (void)solve_clique(model, state);
 }
 
-void keep_touch(context::Model& model, std::vector<double>& room) noexcept {
+void sum_contact_impulses(context::Model& model, std::vector<double>& room) noexcept {
     if (model.cuts.list.empty()) return;
     const assembly::Contacts& c = model.system.contacts;
     for (std::size_t k = 0; k < c.count(); ++k) std::copy_n(c.cones[k].lambda, 3, &room[3 * k]);

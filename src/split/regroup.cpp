@@ -53,7 +53,7 @@ void evaluate_all(context::Model& model) {
 }
 
 /// Mark the interactions that must stay whole: those coupled exactly and those that cannot be cut.
-void keep_exact(const context::Model& model, assembly::PartGraph& graph) {
+void mark_uncuttable(const context::Model& model, assembly::PartGraph& graph) {
     for (std::int32_t i = 0; i < context::interaction_count(model); ++i) {
         if (graph.edge_weight[at(i)] == graph::kNeverCut) continue;
         const std::vector<Coupling>& coupling = model.cuts.coupling;
@@ -85,10 +85,10 @@ std::int32_t part_by_hand(const context::Model& model, std::int32_t body) noexce
 }
 
 /// Read the graph to be partitioned, with the groups from the user.
-void read_own_graph(context::Model& model, bool weigh) {
+void read_user_graph(context::Model& model, bool weigh) {
     context::Regroup& r = model.regroup;
     read_graph(model, r.graph);
-    keep_exact(model, r.graph);
+    mark_uncuttable(model, r.graph);
     if (weigh) weigh_graph(model, r.graph);
     number_groups(model);
     r.graph.group.clear();
@@ -109,9 +109,9 @@ void make_groups(context::Model& model, const context::State& state) {
     if (!r.stale && r.parts.part.size() == at(context::body_count(model)) &&
         r.interactions == context::interaction_count(model))
         return;
-    read_own_graph(model, false);
+    read_user_graph(model, false);
     r.next = r.parts;
-    (void)r.splitter.follow(r.graph.view(), {model.def.parts}, r.next);
+    (void)r.splitter.split_from_previous(r.graph.view(), {model.def.parts}, r.next);
     std::swap(r.parts, r.next);
     (void)assign_groups(model);
     r.made = r.seen = state.step;
@@ -128,7 +128,7 @@ bool due(const context::Model& model, const context::State& state) noexcept {
 }
 
 /// Run the part of prepare() that depends on groups.
-void cut_anew(context::StepContext& ctx) {
+void remake_cuts(context::StepContext& ctx) {
     make_cuts(ctx.model);
     ctx.model.cuts.asked = 0;  // interfaces have new indices
     ctx.work.limits.cut_levels.set({});
@@ -155,8 +155,8 @@ void weigh_graph(context::Model& model, assembly::PartGraph& graph) {
         if (c.open) cut.push_back(c.id);
     graph.weigh(model.bodies, model.interactions, cut, model.def);
     // Contacts of the last step are part of the state.
-    for (std::size_t k = 0; k < model.collider.kept_awake(); ++k)
-        for (const std::int32_t s : model.collider.kept()[k].shape)
+    for (std::size_t k = 0; k < model.collider.last_awake_count(); ++k)
+        for (const std::int32_t s : model.collider.last_contacts()[k].shape)
             for (const std::int32_t b : model.collider.shapes()[at(s)].body)
                 if (b >= 0) graph.touch(b);
 }
@@ -185,20 +185,20 @@ Status regroup(context::StepContext& ctx) noexcept {
     context::Regroup& r = ctx.model.regroup;
     const context::StageTimer timer(ctx, Stage::graph);
     return context::guarded(ctx, [&] {
-        state::keep_state(ctx, context::Undo::Depth::system);
-        read_own_graph(ctx.model, true);
+        state::save_state(ctx, context::Undo::Depth::system);
+        read_user_graph(ctx.model, true);
         r.next = r.parts;
         const graph::PartitionOptions options{ctx.model.def.parts};
         if (ctx.state.step - r.made == context::Regroup::kSettle)
             r.splitter.split(r.graph.view(), options, r.next);
         else
-            (void)r.splitter.follow(r.graph.view(), options, r.next);
+            (void)r.splitter.split_from_previous(r.graph.view(), options, r.next);
         r.seen = ctx.state.step;
         std::swap(r.parts, r.next);
         const std::int64_t moved = assign_groups(ctx.model);
         if (moved == 0) return;
-        state::keep_state(ctx, context::Undo::Depth::model);
-        cut_anew(ctx);
+        state::save_state(ctx, context::Undo::Depth::model);
+        remake_cuts(ctx);
         ++ctx.work.stats.regroupings;
         ctx.work.stats.regrouped_bodies += moved;
     });

@@ -8,8 +8,9 @@
 ///     preparation   may_split, split_model      ghost bodies and copies (cuts.h)
 ///     graph         regroup                     automatic groups follow the state
 ///     analyse       analyse, relink             cuts in force; then the system
-///     assemble      place_ghosts, predict       poses and velocities of ghost bodies
-///                   keep_touch                  contacts of the last step, for predictors
+///     assemble      copy_ghost_poses, predict       poses and velocities of ghost bodies
+///                   sum_contact_impulses                  contacts of the last step, for
+///                   predictors
 ///     integrate     finish_cuts                 one multiplier for readers; errors of cuts
 ///                   part_all                    a line breaks with all its copies
 /// ```
@@ -54,7 +55,7 @@ void analyse(context::StepContext& ctx, const factor::AnalysisState* state = nul
 void relink(context::StepContext& ctx);
 
 /// Copy the poses of bodies to their ghost bodies.
-void place_ghosts(context::Model& model) noexcept;
+void copy_ghost_poses(context::Model& model) noexcept;
 
 /// Set poses and velocities of ghost bodies before rows are assembled. The velocities come from the
 /// predictor of the world (WorldDef::predictor).
@@ -62,7 +63,7 @@ void predict(context::Model& model, const context::State& state) noexcept;
 
 /// Sum the contact impulses of the last step by body, for predictors. Does nothing without cuts.
 /// @param room  Buffer of three values for each triple of contacts and resistances.
-void keep_touch(context::Model& model, std::vector<double>& room) noexcept;
+void sum_contact_impulses(context::Model& model, std::vector<double>& room) noexcept;
 
 /// Compute the multipliers for readers, which are the means of the sides, and the errors of the
 /// cuts. Call after the solve, before bodies move.
@@ -74,14 +75,15 @@ void part_all(context::Model& model, std::int32_t id) noexcept;
 // Requests of deadlines (budget).
 
 /// Bring the given interfaces into force (Degradation::cuts), and analyse if that changes a cut.
-[[nodiscard]] Status ask_for_cuts(context::StepContext& ctx, std::uint64_t interfaces) noexcept;
+[[nodiscard]] Status request_cuts(context::StepContext& ctx, std::uint64_t interfaces) noexcept;
 
 /// Return the interfaces that have a cut of Coupling::deadline in force.
 [[nodiscard]] std::uint64_t open_interfaces(const context::Model& model) noexcept;
 
 /// Leave out of a second system the interactions that would be cut if the given interfaces were
 /// requested. The cuts of the world are restored afterwards.
-void leave_out(context::Model& model, std::uint64_t interfaces, assembly::System& beside);
+void remove_cut_interactions(context::Model& model, std::uint64_t interfaces,
+                             assembly::System& beside);
 
 // Functions for the world and its saved states.
 

@@ -14,7 +14,7 @@ void ModelUndo::keep(const context::StepContext& ctx) {
     interactions_ = m.interactions;
     m.collider.keep(collider_);
     m.system.keep(system_);
-    left_out_ = m.system.left_out;
+    omitted_ = m.system.left_out;
     sides_ = m.system.sides;
     memory_ = m.system.contacts.memory;
     resistances_ = m.system.contacts.resistances.memory;
@@ -51,9 +51,9 @@ void ModelUndo::go_back(context::StepContext& ctx) noexcept {
     context::State& s = ctx.state;
     std::swap(m.bodies, bodies_);
     std::swap(m.interactions, interactions_);
-    m.collider.go_back(collider_);
+    m.collider.restore_shapes(collider_);
     m.system.go_back(system_);
-    m.system.left_out.swap(left_out_);
+    m.system.left_out.swap(omitted_);
     m.system.sides.swap(sides_);
     m.system.contacts.memory.swap(memory_);
     m.system.contacts.resistances.memory.swap(resistances_);

@@ -33,7 +33,7 @@ class ModelUndo {
     model::Interactions interactions_;
     collide::Collider::Kept collider_;
     assembly::System::Kept system_;
-    std::vector<std::int32_t> left_out_;
+    std::vector<std::int32_t> omitted_;
     std::vector<assembly::Sides> sides_;
     base::Array<assembly::ContactMemory> memory_;
     base::Array<assembly::ResistanceMemory> resistances_;

@@ -5,7 +5,7 @@
 
 namespace hawser::state {
 
-void remember(context::StepContext& ctx) noexcept {
+void save_solved_state(context::StepContext& ctx) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     std::copy(in.lambda.begin(), in.lambda.end(), ctx.work.before.lambda.begin());
     std::copy(in.repeats.begin(), in.repeats.end(), ctx.work.before.repeats.begin());
@@ -16,7 +16,7 @@ void remember(context::StepContext& ctx) noexcept {
             in.active[static_cast<std::size_t>(ctx.model.system.bounded[i])];
 }
 
-void recall(context::StepContext& ctx) noexcept {
+void restore_solved_state(context::StepContext& ctx) noexcept {
     model::Interactions& in = ctx.model.interactions;
     std::copy(ctx.work.before.lambda.begin(), ctx.work.before.lambda.end(), in.lambda.begin());
     std::copy(ctx.work.before.repeats.begin(), ctx.work.before.repeats.end(), in.repeats.begin());

@@ -10,8 +10,8 @@ namespace hawser::state {
 /// Save or restore the part of the state that a solve overwrites: λ and the active flags of rows.
 /// The multipliers λ are saved bit by bit, because h times the stored force would differ in its
 /// last bit.
-void remember(context::StepContext& ctx) noexcept;
+void save_solved_state(context::StepContext& ctx) noexcept;
 
-void recall(context::StepContext& ctx) noexcept;
+void restore_solved_state(context::StepContext& ctx) noexcept;
 
 }  // namespace hawser::state

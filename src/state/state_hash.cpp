@@ -43,7 +43,7 @@ std::uint64_t state_hash(const context::Model& model, const context::State& stat
         hash = base::fnv1a(&model.wires.energy_allowance[k], sizeof(double), hash);
         hash = base::fnv1a(&model.wires.flag_steps[k], sizeof(std::int32_t), hash);
     }
-    add(model.collider.kept());
+    add(model.collider.last_contacts());
     add(model.bodies.asleep);
     add(model.bodies.quiet);
     return base::fnv1a(&state.step, sizeof state.step, hash);

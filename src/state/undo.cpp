@@ -35,7 +35,7 @@ void write(const context::Undo::Scalars& from, context::StepContext& c) noexcept
     c.state.monitor.state = from.monitor;
 }
 
-void keep_system(context::StepContext& ctx) {
+void save_system(context::StepContext& ctx) {
     context::Undo& u = ctx.work.undo;
     reserve_undo(ctx.model, ctx.work.undo);
     ctx.model.system.keep(u.system);
@@ -49,8 +49,8 @@ void keep_system(context::StepContext& ctx) {
     u.coupling = ctx.model.cuts.coupling;
     u.parts = ctx.model.regroup.parts;
     if (ctx.state.changed != context::Changed::nothing) u.wires = ctx.model.wires;
-    keep_links(ctx.model, ctx.work.undo);
-    keep_motion(ctx);
+    save_link_steps(ctx.model, ctx.work.undo);
+    save_motion(ctx);
     u.repair = ctx.state.repair;
     u.changed = ctx.state.changed;
     u.asleep_count = ctx.work.stats.asleep;
@@ -63,7 +63,7 @@ void keep_system(context::StepContext& ctx) {
     u.grouped_interactions = ctx.model.regroup.interactions;
 }
 
-void go_back_system(context::StepContext& ctx) noexcept {
+void restore_system(context::StepContext& ctx) noexcept {
     context::Undo& u = ctx.work.undo;
     ctx.model.system.go_back(u.system);
     ctx.state.analysed_x.swap(u.analysed_x);
@@ -88,10 +88,10 @@ void go_back_system(context::StepContext& ctx) noexcept {
         u.repair == context::PendingRepair::nothing ? context::PendingRepair::rebuild : u.repair;
 }
 
-void go_back_all(context::StepContext& ctx) noexcept {
+void restore_all(context::StepContext& ctx) noexcept {
     context::Undo& u = ctx.work.undo;
-    ctx.model.collider.kept().swap(u.kept);
-    ctx.model.collider.kept_awake() = u.kept_awake;
+    ctx.model.collider.last_contacts().swap(u.kept);
+    ctx.model.collider.last_awake_count() = u.kept_awake;
     ctx.model.system.contacts.memory.swap(u.memory);
     ctx.model.system.contacts.resistances.memory.swap(u.resistances);
     std::swap(ctx.state.contacts, u.contacts);
@@ -115,7 +115,7 @@ void reserve_undo(const context::Model& model, context::Undo& undo) {
     u.recoil.reserve(model.wires.recoil.size());
 }
 
-void keep_motion(context::StepContext& ctx) noexcept {
+void save_motion(context::StepContext& ctx) noexcept {
     context::Undo& u = ctx.work.undo;
     if (u.moved) return;
     put(ctx.model.bodies.v, u.v);
@@ -131,17 +131,17 @@ void keep_motion(context::StepContext& ctx) noexcept {
     u.moved = true;
 }
 
-void keep_links(const context::Model& model, context::Undo& undo) {
+void save_link_steps(const context::Model& model, context::Undo& undo) {
     context::Undo& u = undo;
     if (u.linked) return;
     u.link_used = model.system.contacts.link_used;
     u.linked = true;
 }
 
-void keep_state(context::StepContext& ctx, context::Undo::Depth depth) {
+void save_state(context::StepContext& ctx, context::Undo::Depth depth) {
     context::Undo& u = ctx.work.undo;
     if (u.depth < 0) {
-        keep_system(ctx);
+        save_system(ctx);
         u.depth = 0;
     }
     if (static_cast<int>(depth) <= u.depth) return;
@@ -149,19 +149,19 @@ void keep_state(context::StepContext& ctx, context::Undo::Depth depth) {
     u.interactions = ctx.model.interactions;
     u.all_cuts = ctx.model.cuts;
     if (depth == context::Undo::Depth::all) {
-        u.kept = ctx.model.collider.kept();
+        u.kept = ctx.model.collider.last_contacts();
         u.memory = ctx.model.system.contacts.memory;
         u.resistances = ctx.model.system.contacts.resistances.memory;
         u.contacts = ctx.state.contacts;
         u.contact_impulse = ctx.state.contact_impulse;
         u.contact_sliding = ctx.state.contact_sliding;
-        u.kept_awake = ctx.model.collider.kept_awake();
+        u.kept_awake = ctx.model.collider.last_awake_count();
         u.contact_count = ctx.work.stats.contacts;
     }
     u.depth = static_cast<int>(depth);
 }
 
-void restore_kept(context::StepContext& ctx) noexcept {
+void restore_saved_values(context::StepContext& ctx) noexcept {
     context::Undo& u = ctx.work.undo;
     if (u.depth >= static_cast<int>(context::Undo::Depth::model)) {
         std::swap(ctx.model.bodies, u.bodies);
@@ -169,11 +169,11 @@ void restore_kept(context::StepContext& ctx) noexcept {
         std::swap(ctx.model.cuts, u.all_cuts);
     }
     if (u.depth >= 0) {
-        go_back_system(ctx);
+        restore_system(ctx);
         ctx.model.bodies.asleep.swap(u.asleep);
         ctx.model.bodies.quiet.swap(u.quiet);
     }
-    if (u.depth >= static_cast<int>(context::Undo::Depth::all)) go_back_all(ctx);
+    if (u.depth >= static_cast<int>(context::Undo::Depth::all)) restore_all(ctx);
     if (u.linked) ctx.model.system.contacts.link_used.swap(u.link_used);
     if (u.moved) {
         put(u.v, ctx.model.bodies.v);
@@ -188,10 +188,10 @@ void restore_kept(context::StepContext& ctx) noexcept {
         context::update_wire_flags(ctx.model);
         write(u.scalars, ctx);
     }
-    drop_kept(ctx.work.undo);
+    discard_saved(ctx.work.undo);
 }
 
-void drop_kept(context::Undo& undo) noexcept {
+void discard_saved(context::Undo& undo) noexcept {
     context::Undo& u = undo;
     u.moved = u.linked = false;
     // Copies of the whole model are rare and large, so their memory is freed.

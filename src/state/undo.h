@@ -25,15 +25,15 @@ namespace hawser::state {
 void reserve_undo(const context::Model& model, context::Undo& undo);
 /// Save the motion. Call before v, λ or spin_change change outside stage integrate; later calls in
 /// a step do nothing.
-void keep_motion(context::StepContext& ctx) noexcept;
+void save_motion(context::StepContext& ctx) noexcept;
 /// Save the step in which each link was used last. @throws std::bad_alloc if the number of links
 /// has grown.
-void keep_links(const context::Model& model, context::Undo& undo);
+void save_link_steps(const context::Model& model, context::Undo& undo);
 /// Save the state before the system changes. @throws std::bad_alloc; nothing has changed then.
-void keep_state(context::StepContext& ctx, context::Undo::Depth depth);
+void save_state(context::StepContext& ctx, context::Undo::Depth depth);
 /// Restore all values that were saved first.
-void restore_kept(context::StepContext& ctx) noexcept;
+void restore_saved_values(context::StepContext& ctx) noexcept;
 /// Discard the saved values after a successful step.
-void drop_kept(context::Undo& undo) noexcept;
+void discard_saved(context::Undo& undo) noexcept;
 
 }  // namespace hawser::state

@@ -178,9 +178,9 @@ void close_joints(context::StepContext& ctx) noexcept {
     const double before = height(ctx.model);
     double* const gaps = ctx.work.joints.closing.data();
     monitor::read_spring_gaps(ctx.model, ctx.state, gaps);
-    ctx.pool.shield(true);  // poses have begun to move
+    ctx.pool.block_stop(true);  // poses have begun to move
     if (!(close_with_factor(ctx.model, ctx.work, ctx.pool, v, gap) <= kOpen)) close_again(ctx, v);
-    ctx.pool.shield(false);
+    ctx.pool.block_stop(false);
     monitors.closed = height(ctx.model) - before;
     monitors.closed_elastic = monitor::held_by_closing(ctx.model, ctx.state, gaps);
 }

@@ -79,7 +79,7 @@ Status assemble_and_solve(context::StepContext& ctx) noexcept {
 Status solve_linearised(context::StepContext& ctx) noexcept {
     ctx.model.completion.banned = true;
     ++ctx.work.stats.completion_failures;
-    state::recall(ctx);
+    state::restore_solved_state(ctx);
     return assemble_and_solve(ctx);
 }
 
@@ -101,7 +101,7 @@ bool has_outgrown(context::Model& model, std::int32_t k, bool iterated) noexcept
         return true;
     }
     constexpr double kGrown = 1.5;
-    const context::JointSlot& joint = c.places[at(k)];
+    const context::JointSlot& joint = c.joint_slots[at(k)];
     return !(solve::squared_impulse(joint, in.lambda.data()) <=
                  kGrown * kGrown * solve::squared_impulse(joint, c.lambda_with.data()) ||
              solve::squared_vibration(model, k, in.lambda.data()) <=
@@ -127,12 +127,12 @@ Status solve_with_new_forces(context::StepContext& ctx) noexcept {
     for (std::size_t k = 0; k < c.joints.size(); ++k) {
         const std::int32_t id = c.joints[k];
         const bool larger = in.vibration[at(id)] > 0.0 &&
-                            solve::squared_impulse(c.places[k], in.lambda.data()) >
-                                solve::squared_impulse(c.places[k], c.lambda_with.data());
+                            solve::squared_impulse(c.joint_slots[k], in.lambda.data()) >
+                                solve::squared_impulse(c.joint_slots[k], c.lambda_with.data());
         const auto row = in.row_begin[at(id)];
         if (larger) std::copy_n(&in.lambda[at(row)], in.rows[at(id)], &c.lambda_with[at(row)]);
     }
-    state::recall(ctx);
+    state::restore_solved_state(ctx);
     ++ctx.work.stats.restiffened;
     for (const std::int32_t id : c.joints)
         std::copy_n(&c.lambda_with[at(in.row_begin[at(id)])], in.rows[at(id)],
@@ -158,7 +158,8 @@ Status settle_free(context::StepContext& ctx) noexcept {
 Status settle_touching(context::StepContext& ctx) noexcept {
     constexpr int kMaximum = 4;
     Status status = contact::settle_newton(ctx);
-    for (int i = 0; i < kMaximum && status == Status::ok && contact::rows_ask(ctx); ++i) {
+    for (int i = 0; i < kMaximum && status == Status::ok && contact::rows_request_switch(ctx);
+         ++i) {
         status = contact::settle_rows(ctx);
         if (status != Status::ok) break;
         (void)iterate_joints(ctx);

@@ -88,7 +88,7 @@ Status start_contacts(context::StepContext& ctx, Phase phase) noexcept {
     Contacts& c = ctx.model.system.contacts;
     const collide::ContactSet& set = ctx.state.contacts;
     Status status = context::guarded(ctx, [&] {
-        state::keep_links(ctx.model, ctx.work.undo);
+        state::save_link_steps(ctx.model, ctx.work.undo);
         reserve_more(ctx);
         context::over(ctx.pool, static_cast<std::int32_t>(set.awake),
                       [&](std::int32_t a, std::int32_t b) {
@@ -101,9 +101,9 @@ Status start_contacts(context::StepContext& ctx, Phase phase) noexcept {
         make_resistances(ctx);
         if (!c.connect(ctx.state.step)) {
             const context::StageTimer again(ctx, Stage::analyse);
-            state::keep_state(ctx, context::Undo::Depth::system);
+            state::save_state(ctx, context::Undo::Depth::system);
             c.relink(ctx.state.step);
-            // keep_links() of a later step must not allocate.
+            // save_link_steps() of a later step must not allocate.
             ctx.work.undo.link_used.reserve(c.link_used.capacity());
             split::relink(ctx);
             if (!c.connect(ctx.state.step)) throw std::bad_alloc();
@@ -130,7 +130,7 @@ Status start_contacts(context::StepContext& ctx, Phase phase) noexcept {
         speed = std::copy_n(a.u, 3, speed);
         if (phase == Phase::stagger) ask_for_acceleration(a);
     }
-    split::keep_touch(ctx.model, ctx.work.newton.x);
+    split::sum_contact_impulses(ctx.model, ctx.work.newton.x);
     if (phase == Phase::impact) return Status::ok;
     if (c.count() > 0) methods::begin_contacts(ctx.model, ctx.work, ctx.pool);
     solve::update_contacts(ctx.model, ctx.pool, nullptr);

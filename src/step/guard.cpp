@@ -78,7 +78,7 @@ void replace(context::Model& model) noexcept {
 Status solve_again(context::StepContext& ctx) noexcept {
     ++ctx.work.stats.wire_repeats;
     // Few contacts change with the rejected wire: its solution is closer than the last step's.
-    const bool warm = contact::keep_solution(ctx.model, ctx.work);
+    const bool warm = contact::save_contact_solution(ctx.model, ctx.work);
     solve::release_wires(ctx.model);
     restore_start(ctx.model, ctx.work.before, warm);
     replace(ctx.model);
@@ -86,7 +86,7 @@ Status solve_again(context::StepContext& ctx) noexcept {
     Status status = Status::ok;
     if (ctx.model.collider.count() > 0) status = start_contacts(ctx, Phase::regular);
     if (status == Status::ok) {
-        if (warm) contact::begin_newton_again(ctx);
+        if (warm) contact::restart_newton(ctx);
         // Stiffness and right-hand side belong to the start of the step, as in the first solve: a
         // line that became slack in the rejected solution still has the stiffness of its tension.
         if (warm) exchange_states(ctx.model, ctx.work.before);

@@ -126,7 +126,7 @@ Status impact(context::StepContext& ctx, bool& found) noexcept {
         return Status::ok;
     }
     ++ctx.work.stats.impacts;
-    state::keep_motion(ctx);
+    state::save_motion(ctx);
     const View v = context::view(ctx);
     const auto moving = [&](const double* of) {
         return assembly::kinetic_energy(ctx.model.bodies, of) +
@@ -148,7 +148,7 @@ Status impact(context::StepContext& ctx, bool& found) noexcept {
             std::copy_n(v.v_new, v.dof_count, v.v);
         }
         // Lines and multipliers continue from the last step.
-        state::recall(ctx);
+        state::restore_solved_state(ctx);
         if (good) break;
     }
     ctx.work.stats.flips_left = 0;  // the solve of the step itself follows

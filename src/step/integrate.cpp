@@ -44,7 +44,8 @@ void report_switches(context::StepContext& ctx, const View& v) noexcept {
         if (now == ctx.work.before.active[i] || v.parted[id]) continue;
         if (v.flags[id] & (model::kMotor | model::kFriction)) continue;
         const std::int32_t row = v.row_begin[id];
-        id = context::speaker(ctx.model, id);  // one event for all sides of a cut interaction
+        id = context::reporting_interaction(ctx.model,
+                                            id);  // one event for all sides of a cut interaction
         if (id < 0) continue;
         if (v.flags[id] & model::kRange) {
             if (now != 0.0) context::push_event(ctx, EventKind::range, id, v.g[row]);
@@ -83,9 +84,9 @@ void integrate(context::StepContext& ctx) noexcept {
     context::over(ctx.pool, ctx.model.interactions.row_count, [&](std::int32_t a, std::int32_t b) {
         for (std::int32_t r = a; r < b; ++r) v.force_of_row[r] = per_h * v.lambda[r];
     });
-    if (ctx.work.newton.switch_late)
+    if (ctx.work.newton.switch_after_step)
         (void)solve::switch_bounds(ctx.model, ctx.work, ctx.model.contact_floor, solve::kAnyRows);
-    ctx.work.newton.switch_late = false;
+    ctx.work.newton.switch_after_step = false;
     break_lines(ctx, v);
     report_switches(ctx, v);
     // Events come first, because this renews rows. Anchors and winches then follow the poses.

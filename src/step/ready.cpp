@@ -39,7 +39,7 @@ void repair(context::StepContext& ctx) {
 
 void make_ready(context::StepContext& ctx) {
     if (ctx.state.changed != context::Changed::nothing) {
-        state::keep_state(ctx, split::may_split(ctx.model) ? context::Undo::Depth::model
+        state::save_state(ctx, split::may_split(ctx.model) ? context::Undo::Depth::model
                                                            : context::Undo::Depth::system);
         prepare(ctx);
         ctx.state.repair = context::PendingRepair::nothing;
@@ -52,12 +52,12 @@ Transaction::Transaction(context::StepContext& ctx) noexcept
     : ctx_(ctx), done_(ctx.work.undo.holds()) {}
 
 Transaction::~Transaction() {
-    if (!done_) state::restore_kept(ctx_);
+    if (!done_) state::restore_saved_values(ctx_);
 }
 
 void Transaction::done() noexcept {
     if (!done_) {
-        state::drop_kept(ctx_.work.undo);
+        state::discard_saved(ctx_.work.undo);
         ctx_.state.edits.clear();
     }
     done_ = true;

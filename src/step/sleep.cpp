@@ -172,7 +172,7 @@ Status wake_disturbed(context::StepContext& ctx) noexcept {
     if (ctx.work.stats.asleep == 0) return Status::ok;
     if (disturbed(ctx.model, ctx.state)) {
         const Status status = context::guarded(ctx, [&] {
-            state::keep_state(ctx, context::Undo::Depth::system);
+            state::save_state(ctx, context::Undo::Depth::system);
             if (wake_islands(ctx)) reanalyse(ctx);
         });
         if (status != Status::ok) return status;

@@ -52,7 +52,7 @@ void violations_at(context::Model& model, runtime::Pool& pool, double t, std::ve
         const double* v = &b.v_fixed[6 * at(body)];
         b.drift(body, v, v + 3, t);
     }
-    split::place_ghosts(model);
+    split::copy_ghost_poses(model);
     solve::evaluate_rows(model, pool);
     std::copy(model.interactions.g.begin(), model.interactions.g.end(), g.begin());
     b.x = x;
@@ -169,8 +169,8 @@ Status stagger(context::StepContext& ctx) noexcept {
         ctx.state.started = true;
         return Status::ok;
     }
-    state::keep_motion(ctx);
-    state::remember(ctx);
+    state::save_motion(ctx);
+    state::save_solved_state(ctx);
     const Status status = try_stagger(ctx);
     ctx.state.started = status == Status::ok;
     return status;

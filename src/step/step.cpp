@@ -33,15 +33,15 @@ using Clock = std::chrono::steady_clock;
 
 /// Run stage 2: find contacts at the present poses.
 Status find_contacts(context::StepContext& ctx) noexcept {
-    const std::int64_t growths = ctx.model.collider.growths();
+    const std::int64_t growths = ctx.model.collider.growth_count();
     const bool found = ctx.model.collider.collide(ctx.model.bodies, ctx.model.def.step,
                                                   ctx.state.contacts, ctx.pool);
-    ctx.work.stats.growths += ctx.model.collider.growths() - growths;
+    ctx.work.stats.growths += ctx.model.collider.growth_count() - growths;
     ctx.work.stats.contacts = static_cast<std::int32_t>(ctx.state.contacts.contacts.size());
     if (ctx.pool.stopping()) return Status::cancelled;
     if (found) return Status::ok;
     if (!ctx.model.collider.finite()) return Status::not_finite;
-    ctx.work.stats.bound_met = ctx.model.collider.over();
+    ctx.work.stats.bound_met = ctx.model.collider.limit_reached();
     return ctx.work.stats.bound_met.bound == Bound::none ? Status::out_of_memory
                                                          : Status::over_bound;
 }
@@ -60,7 +60,7 @@ Status start_moving(context::StepContext& ctx) noexcept {
 Status start_world(context::StepContext& ctx) noexcept {
     // The trial steps need the loads of systems.
     if (const Status acted = prestep(ctx); acted != Status::ok) return acted;
-    state::keep_motion(ctx);
+    state::save_motion(ctx);
     ctx.state.loads.added = added_energy(ctx.model, ctx.state, ctx.pool, ctx.model.bodies.v.data());
     monitor::begin_monitors(ctx);
     Status status = Status::ok;
@@ -128,7 +128,7 @@ Status graph(context::StepContext& ctx) noexcept {
 /// contact of bodies. Afterwards contacts are rows and impacts are done.
 Status analyse_step(context::StepContext& ctx) noexcept {
     if (const Status status = split::choose_cuts(ctx); status != Status::ok) return status;
-    state::remember(ctx);
+    state::save_solved_state(ctx);
     return ctx.model.collider.count() > 0 ? start_moving(ctx) : Status::ok;
 }
 
@@ -156,7 +156,7 @@ void finish(context::StepContext& ctx) noexcept {
     context::timed(ctx, Stage::integrate, integrate);
     ctx.state.imposed = {};
     if (ctx.model.collider.count() > 0) ctx.model.collider.keep();
-    state::drop_kept(ctx.work.undo);
+    state::discard_saved(ctx.work.undo);
     ctx.state.edits.clear();
     accept_systems(ctx);
     fall_asleep(ctx);
@@ -193,8 +193,8 @@ Status take_step(context::StepContext& ctx) noexcept {
 
 /// Restore the last good state after a failed step.
 void go_back(context::StepContext& ctx) noexcept {
-    if (ctx.work.before.remembered && !ctx.work.undo.moved) state::recall(ctx);
-    state::restore_kept(ctx);
+    if (ctx.work.before.remembered && !ctx.work.undo.moved) state::restore_solved_state(ctx);
+    state::restore_saved_values(ctx);
     take_back_systems(ctx);
     // Report a NaN residual as the largest number, because readers compare and print it.
     StepStats& s = ctx.work.stats;
@@ -219,7 +219,7 @@ Status step(context::StepContext& ctx) noexcept {
         // After cancellation any other status is a consequence of the missing work.
         if (ctx.pool.stopping()) status = Status::cancelled;
     }
-    if (status == Status::cancelled) ctx.pool.go_on();
+    if (status == Status::cancelled) ctx.pool.clear_stop();
     return ctx.work.stats.status = status;
 }
 

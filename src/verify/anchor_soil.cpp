@@ -23,7 +23,7 @@ double line_bearing(const AnchorClay& c, double z) {
 }
 
 /// Integrate the trajectory by the rule of the midpoint.
-SoilAt dive(const AnchorDef& def, double drag) {
+SoilAt integrate_trajectory(const AnchorDef& def, double drag) {
     const AnchorClay& c = def.clay;
     const auto pull = [&](double z) {
         const double t = c.bearing * c.fluke_area * (c.strength + c.gradient * z);
@@ -42,7 +42,7 @@ SoilAt dive(const AnchorDef& def, double drag) {
 }
 
 SoilAt soil_at(const AnchorDef& def, double drag) {
-    if (def.law == AnchorLaw::trajectory) return dive(def, drag);
+    if (def.law == AnchorLaw::trajectory) return integrate_trajectory(def, drag);
     const double left = std::exp(-drag / def.drag_length);
     return {def.uhc * (1.0 - (1.0 - def.first) * left), def.full_depth * (1.0 - left)};
 }

@@ -45,12 +45,12 @@ Mat3 cross_matrix(const Vec3& a) {
 }
 
 Verifier::Verifier(const World& world, Checks checks)
-    : step_(world.settings().step), checks_(checks), states_(world), sea_(world) {
+    : step_(world.settings().step), checks_(checks), state_verifier_(world), sea_(world) {
     // Worlds without groups or with an unused budget may split later.
     if (world.settings().coupling != Coupling::exact)
         throw DefError(
             "--verify checks momentum, which a split does not keep; use --coupling exact");
-    follow(world);
+    update_tables(world);
     result_.covered_bodies = result_.moving_bodies;
 }
 
@@ -63,14 +63,14 @@ void Verifier::begin_at(const World& world) {
     if (before.steps > 0) result_ = before;
 }
 
-bool Verifier::knows(const World& world) const {
+bool Verifier::covers(const World& world) const {
     const auto same = [](const auto& a, const auto& b) {
         return std::equal(a.begin(), a.end(), b.begin(), b.end());
     };
     return same(bodies_, world.bodies()) && same(interactions_, world.interactions());
 }
 
-void Verifier::follow(const World& world) {
+void Verifier::update_tables(const World& world) {
     const std::vector<BodyId> before = bodies_;
     bodies_.assign(world.bodies().begin(), world.bodies().end());
     interactions_.assign(world.interactions().begin(), world.interactions().end());
@@ -81,7 +81,7 @@ void Verifier::follow(const World& world) {
     pose_.resize(bodies);
     twist_.resize(bodies);
     earlier_.resize(bodies);
-    left_.resize(bodies);
+    velocity_after_.resize(bodies);
     unsure_.resize(bodies);
     slept_.resize(bodies);
     moving_.clear();
@@ -93,7 +93,8 @@ void Verifier::follow(const World& world) {
         if (!std::binary_search(before.begin(), before.end(), id)) {
             change_[slot(id.index)].setZero();
             twist_[slot(id.index)] = world.velocity(id);
-            left_[slot(id.index)].linear.setConstant(std::numeric_limits<double>::quiet_NaN());
+            velocity_after_[slot(id.index)].linear.setConstant(
+                std::numeric_limits<double>::quiet_NaN());
         }
         const BodyDef& def = world.body_def(id);
         if (def.kind == BodyKind::fixed || def.kind == BodyKind::kinematic) continue;
@@ -109,24 +110,24 @@ void Verifier::follow(const World& world) {
         for (const FrictionLoad& load : def.load) loads_ = loads_ || load.interaction.valid();
         loads_ = loads_ || (kind_info(def.kind).is(kMotorKind) && def.get("power") < 1e30);
     }
-    floor_ = 1e-6 * step_ * 9.81 * (least < kNone ? least : least_of_all);
+    rounding_floor_ = 1e-6 * step_ * 9.81 * (least < kNone ? least : least_of_all);
     scalar_floor_ = 1e-6 * step_ * 9.81 * least_of_all;
     momentum_floor_ = 1e-6 * step_ * 9.81 * std::sqrt(mass);
     last_.resize(slot(world.interaction_count()));
     intact_.resize(last_.size());
-    alert_.resize(last_.size());
+    damped_before_.resize(last_.size());
     result_.moving_bodies = static_cast<std::int32_t>(moving_.size());
 }
 
 void Verifier::before_step(const World& world) {
-    if (!knows(world)) follow(world);
+    if (!covers(world)) update_tables(world);
     earlier_ = twist_;
     for (const BodyId id : bodies_) {
         const std::size_t b = slot(id.index);
         pose_[b] = world.pose(id);
         twist_[b] = world.velocity(id);
         // The extrapolation is not 2 v − v₋ after an edit of the velocity, or for a new body.
-        const Twist &now = twist_[b], &left = left_[b];
+        const Twist &now = twist_[b], &left = velocity_after_[b];
         if (now.linear != left.linear || now.angular != left.angular) {
             const Twist ahead = world.predicted_velocity(id);
             earlier_[b] = {2.0 * now.linear - ahead.linear, 2.0 * now.angular - ahead.angular};
@@ -140,22 +141,22 @@ void Verifier::before_step(const World& world) {
         const auto force = world.force(id);
         last_[slot(id.index)].assign(force.begin(), force.end());
         intact_[slot(id.index)] = world.intact(id);
-        alert_[slot(id.index)] = world.wires().damped_steps(id);
+        damped_before_[slot(id.index)] = world.wires().damped_steps(id);
     }
     unsure_.assign(unsure_.size(), false);
     turning_.assign(unsure_.size(), false);
     impulse_ = 0.0;
-    wrong_law_.clear();
-    if (checks_.states) states_.before_step(world);
+    law_error_.clear();
+    if (checks_.states) state_verifier_.before_step(world);
     if (checks_.sea) sea_.before_step(world);
 }
 
 std::string Verifier::after_step(const World& world) {
-    if (!knows(world)) {
-        follow(world);
-        std::string edits = checks_.states ? states_.restart(world) : std::string{};
-        result_.states = states_.result();
-        seen_ = 1;  // the change of spin is known from the next step on
+    if (!covers(world)) {
+        update_tables(world);
+        std::string edits = checks_.states ? state_verifier_.restart(world) : std::string{};
+        result_.states = state_verifier_.result();
+        checked_steps_ = 1;  // the change of spin is known from the next step on
         impacts_ = world.stats().impacts;
         return world.settings().on_diverged == OnDiverged::stop ? edits : std::string{};
     }
@@ -171,10 +172,10 @@ std::string Verifier::after_step(const World& world) {
     add_interactions(world);
     add_loads(world);
     const double momentum = momentum_residual(world);
-    for (const BodyId id : bodies_) left_[slot(id.index)] = world.velocity(id);
+    for (const BodyId id : bodies_) velocity_after_[slot(id.index)] = world.velocity(id);
     const double sea = checks_.sea ? sea_.after_step(world, pose_, twist_) : 0.0;
-    std::string state = checks_.states ? states_.after_step(world) : std::string{};
-    result_.states = states_.result();
+    std::string state = checks_.states ? state_verifier_.after_step(world) : std::string{};
+    result_.states = state_verifier_.result();
     ++result_.steps;
     result_.difference = std::max(result_.difference, difference);
     result_.momentum = std::max(result_.momentum, momentum);
@@ -185,7 +186,7 @@ std::string Verifier::after_step(const World& world) {
     const bool unsolved = stats.natural_map > world.settings().contact_tolerance ||
                           stats.flips_left > 0 || stats.momentum_residual > kNotStrict;
     if (!checks_.strict && (unsolved || stats.cut)) return {};
-    if (!wrong_law_.empty()) return wrong_law_;
+    if (!law_error_.empty()) return law_error_;
     if (std::string fault = anchor_fault(world); !fault.empty()) return fault;
     // Comparisons are written so that NaN fails.
     if (!(difference <= rounding + 1e-6 * stats.natural_map))
@@ -199,11 +200,11 @@ std::string Verifier::after_step(const World& world) {
     // Bounds of friction are followed until their part of the natural map is small enough; rows
     // that still switch are reported as such.
     if (!stats.cut && stats.flips_left == 0 && !(excess <= stats.natural_map + rounding))
-        return fmt::format("{} by {:.3e}, relative", beyond_bound(world), excess);
+        return fmt::format("{} by {:.3e}, relative", describe_worst_bound(world), excess);
     if (!(momentum <= rounding))
-        return fmt::format(
-            "momentum is off by {:.3e}, relative, most of it that of {}", momentum,
-            called("body", world.body_def(worst_momentum_).name, worst_momentum_.index));
+        return fmt::format("momentum is off by {:.3e}, relative, most of it that of {}", momentum,
+                           object_label("body", world.body_def(worst_momentum_body_).name,
+                                        worst_momentum_body_.index));
     if (!(sea <= sea_.limit()))
         return fmt::format("loads of the sea are off by {:.3e}, relative", sea);
     if (world.settings().on_diverged == OnDiverged::stop) return state;
@@ -215,7 +216,8 @@ double Verifier::step_map(const World& world) {
     within_rounding_ = 0.0;
     for (const ContactView& contact : world.contacts())
         if (!contact.asleep)
-            map = std::max({map, natural_map(world, contact), turn_map(world, contact)});
+            map =
+                std::max({map, natural_map(world, contact), rotation_natural_map(world, contact)});
     return map;
 }
 
@@ -270,13 +272,13 @@ double Verifier::natural_map(const World& world, const ContactView& contact) {
     // step.
     constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
     const double rounding = kRounding * rho * (terms + contact.target.norm()),
-                 over = std::max({lambda.norm(), q.norm(), floor_});
+                 over = std::max({lambda.norm(), q.norm(), rounding_floor_});
     if (error.norm() > rounding) return error.norm() / over;
     within_rounding_ = std::max(within_rounding_, rounding / over);
     return 0.0;
 }
 
-double Verifier::turn_map(const World& world, const ContactView& contact) {
+double Verifier::rotation_natural_map(const World& world, const ContactView& contact) {
     if (contact.rolling == 0.0 && contact.torsional == 0.0) return 0.0;
     const Vec3 &n = contact.normal, lambda = step_ * contact.moment;
     Vec3 u = Vec3::Zero();
@@ -309,7 +311,7 @@ double Verifier::turn_map(const World& world, const ContactView& contact) {
     if (error == 0.0) return 0.0;
     const Vec3 q = rho * rows(u - contact.turn_target - mobility * lambda);
     return error / std::max({rows(lambda).norm(), q.norm(),
-                             floor_ * std::max(contact.rolling, contact.torsional)});
+                             rounding_floor_ * std::max(contact.rolling, contact.torsional)});
 }
 
 }  // namespace hawser::verify

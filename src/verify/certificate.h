@@ -39,7 +39,8 @@ namespace hawser::verify {
 [[nodiscard]] Mat3 cross_matrix(const Vec3& a);
 
 /// Return the label of a body or an interaction in a message: its name, or `what` and its index.
-[[nodiscard]] std::string called(const char* what, const std::string& name, std::int32_t index);
+[[nodiscard]] std::string object_label(const char* what, const std::string& name,
+                                       std::int32_t index);
 
 struct Verification {
     std::int64_t steps = 0;
@@ -91,17 +92,18 @@ class Verifier : public Observer {
     void check_law(const World& world, const ContactView& contact, double mobility, double speed,
                    double speeds);
     /// Return the natural map of the resistance to rolling and spinning.
-    [[nodiscard]] double turn_map(const World& world, const ContactView& contact);
+    [[nodiscard]] double rotation_natural_map(const World& world, const ContactView& contact);
     /// Return the largest natural map of the contacts.
     [[nodiscard]] double step_map(const World& world);
     /// Check the bounds of rows. @return the largest excess; 0: within the tolerance.
     [[nodiscard]] double bound_excess(const World& world);
     /// Describe the row with the largest excess: its name, its force, its bound.
-    [[nodiscard]] std::string beyond_bound(const World& world) const;
+    [[nodiscard]] std::string describe_worst_bound(const World& world) const;
     void add_interactions(const World& world);
-    /// True if the tables contain the present bodies and interactions. follow() updates the tables.
-    [[nodiscard]] bool knows(const World& world) const;
-    void follow(const World& world);
+    /// True if the tables contain the present bodies and interactions. update_tables() updates the
+    /// tables.
+    [[nodiscard]] bool covers(const World& world) const;
+    void update_tables(const World& world);
     /// Add the loads of systems.
     void add_loads(const World& world);
     /// True if the body sleeps during the whole step.
@@ -111,9 +113,11 @@ class Verifier : public Observer {
 
     std::vector<Pose> pose_;
     std::vector<Twist> twist_,
-        earlier_;              ///< Velocities before this step, and before the last one …
-    std::vector<Twist> left_;  ///< … and after the last step; NaN: the body was added since.
-    std::vector<int> alert_;  ///< WorldWires::damped_steps() before the step, for each interaction.
+        earlier_;  ///< Velocities before this step, and before the last one …
+    std::vector<Twist>
+        velocity_after_;  ///< … and after the last step; NaN: the body was added since.
+    std::vector<int>
+        damped_before_;  ///< WorldWires::damped_steps() before the step, for each interaction.
     std::vector<BodyId> bodies_, moving_;
     std::vector<InteractionId> interactions_;
     std::vector<std::vector<double>> last_;  ///< Forces of each interaction's rows before the step.
@@ -130,24 +134,24 @@ class Verifier : public Observer {
     std::vector<double> rounded_;         ///< Rounding of the impulses of loads on each body [N s].
     bool loads_ = false;                  ///< True if friction in joints depends on other forces.
     double within_rounding_ = 0.0;        ///< Largest natural map that counts as rounding.
-    double impulse_ = 0.0;       ///< Σ of the squares of these impulses in the norm of M⁻¹.
-    std::string wrong_law_;      ///< Description of the first contact with a wrong law in the step.
-    std::int64_t impacts_ = 0;   ///< Number of impacts up to the last step.
-    int seen_ = 0;               ///< Number of steps whose momentum was computed.
-    std::int32_t left_out_ = 0;  ///< Largest number of omitted moving bodies over all steps.
+    double impulse_ = 0.0;      ///< Σ of the squares of these impulses in the norm of M⁻¹.
+    std::string law_error_;     ///< Description of the first contact with a wrong law in the step.
+    std::int64_t impacts_ = 0;  ///< Number of impacts up to the last step.
+    int checked_steps_ = 0;     ///< Number of steps whose momentum was computed.
+    std::int32_t omitted_bodies_ = 0;  ///< Largest number of omitted moving bodies over all steps.
     double unsolved_ = 0.0;  ///< Time for which the natural map has been above the tolerance [s].
-    double step_ = 0.0, floor_ = 0.0, momentum_floor_ = 0.0;
+    double step_ = 0.0, rounding_floor_ = 0.0, momentum_floor_ = 0.0;
     double scalar_floor_ = 0.0;  ///< Floor of rows on scalar bodies.
     Checks checks_;
-    StateVerifier states_;
+    StateVerifier state_verifier_;
     SeaVerifier sea_;
     /// Row with the largest excess over its bound.
     struct Bound {
         InteractionId row{};
         double force = 0.0, bound = 0.0;  ///< Force and bound [N or N m].
-    } worst_bound_;
-    BodyId worst_momentum_{};  ///< Body with the largest part of the step's residual.
-    std::string objection_;    ///< Result of the last step.
+    } worst_excess_;
+    BodyId worst_momentum_body_{};  ///< Body with the largest part of the step's residual.
+    std::string objection_;         ///< Result of the last step.
     Verification result_;
 };
 

@@ -10,13 +10,13 @@
 
 namespace hawser::verify {
 
-std::string called(const char* what, const std::string& name, std::int32_t index) {
+std::string object_label(const char* what, const std::string& name, std::int32_t index) {
     return name.empty() ? fmt::format("{} {}", what, index) : fmt::format("\"{}\"", name);
 }
 
 double Verifier::bound_excess(const World& world) {
     double excess = 0.0;
-    worst_bound_ = {};
+    worst_excess_ = {};
     for (const InteractionId id : interactions_) {
         const ForceRange range = force_range(world, id, pose_);
         if (!range.bounded) continue;
@@ -27,24 +27,24 @@ double Verifier::bound_excess(const World& world) {
         const bool scalar = std::any_of(def.body.begin(), def.body.end(), [&](BodyId b) {
             return b.valid() && world.body_def(b).kind == BodyKind::scalar;
         });
-        const double floor = scalar ? std::min(floor_, scalar_floor_) : floor_;
+        const double floor = scalar ? std::min(rounding_floor_, scalar_floor_) : rounding_floor_;
         const double beyond = step_ * std::abs(force - bound) - floor;
         if (beyond <= 0.0) continue;
         const double fraction = beyond / std::max(step_ * std::abs(bound), floor);
         if (fraction <= excess) continue;
         excess = fraction;
-        worst_bound_ = {.row = id, .force = force, .bound = bound};
+        worst_excess_ = {.row = id, .force = force, .bound = bound};
         if (std::isnan(fraction)) break;  // NaN: no larger excess is possible.
     }
     return excess;
 }
 
-std::string Verifier::beyond_bound(const World& world) const {
-    const InteractionDef& def = world.interaction_def(worst_bound_.row);
+std::string Verifier::describe_worst_bound(const World& world) const {
+    const InteractionDef& def = world.interaction_def(worst_excess_.row);
     const char* unit = kind_info(def.kind).row_units[0] == 'm' ? "N" : "N m";
     return fmt::format("{} gives {:.6g} {}, beyond its bound of {:.6g} {}",
-                       called("interaction", def.name, worst_bound_.row.index), worst_bound_.force,
-                       unit, worst_bound_.bound, unit);
+                       object_label("interaction", def.name, worst_excess_.row.index),
+                       worst_excess_.force, unit, worst_excess_.bound, unit);
 }
 
 }  // namespace hawser::verify

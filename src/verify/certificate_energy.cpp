@@ -36,10 +36,10 @@ double energy_of_spring(const World& world, InteractionId id) {
 }
 
 /// Displacement [m] and rotation [rad] of a body from one pose to another.
-struct Way {
-    Vec3 moved, turned;
+struct Displacement {
+    Vec3 moved_by, turned_by;
 };
-Way way_between(const Pose& from, const Pose& to) {
+Displacement displacement_between(const Pose& from, const Pose& to) {
     const Eigen::AngleAxisd turn(to.orientation * from.orientation.conjugate());
     return {to.position - from.position, turn.angle() * turn.axis()};
 }
@@ -83,7 +83,7 @@ double StateVerifier::elastic(const World& world) const {
     return sum;
 }
 
-void StateVerifier::take_edits(const World& world) {
+void StateVerifier::count_edit_energy(const World& world) {
     const auto same = [](const auto& a, const auto& b) {
         return std::equal(a.begin(), a.end(), b.begin(), b.end());
     };
@@ -95,12 +95,12 @@ void StateVerifier::take_edits(const World& world) {
     for (const BodyId id : moving_) {
         if (world.alive(id)) continue;
         const std::size_t b = place_of(id.index);
-        const Way way = way_between(pose_[b], arrived_[b]);
-        work_ += 0.5 * (force_[b].dot(way.moved) + torque_[b].dot(way.turned));
+        const Displacement way = displacement_between(pose_[b], arrived_[b]);
+        work_ += 0.5 * (force_[b].dot(way.moved_by) + torque_[b].dot(way.turned_by));
     }
     const std::vector<BodyId> bodies = bodies_;
     const std::vector<InteractionId> interactions = interactions_;
-    follow(world);
+    update_tables(world);
     const double h = world.settings().step;
     for (const BodyId id : bodies_) {
         if (std::binary_search(bodies.begin(), bodies.end(), id)) continue;
@@ -162,19 +162,20 @@ void StateVerifier::add_sources(const World& world) {
         }
 }
 
-void StateVerifier::add_others(const World& world) {
-    other_before_ = other_;
+void StateVerifier::add_springs_and_drag(const World& world) {
+    other_force_before_ = other_force_;
     other_torque_before_ = other_torque_;
     for (const BodyId id : moving_) {
         const std::size_t b = place_of(id.index);
         const BodyDef& def = world.body_def(id);
         const Twist v = world.velocity(id);
-        const Quat& turned = pose_[b].orientation;
+        const Quat& turned_by = pose_[b].orientation;
         const auto along_axes = [&](const Vec3& c, const Vec3& a, const Vec3& z) -> Vec3 {
-            return turned * Vec3(-c.cwiseProduct(turned.conjugate() * Vec3(0.5 * (a + z))));
+            return turned_by * Vec3(-c.cwiseProduct(turned_by.conjugate() * Vec3(0.5 * (a + z))));
         };
         const double h = world.settings().step;
-        other_[b] = along_axes(def.linear_damping, twist_[b].linear, v.linear) + impulse_[b] / h;
+        other_force_[b] =
+            along_axes(def.linear_damping, twist_[b].linear, v.linear) + impulse_[b] / h;
         other_torque_[b] =
             along_axes(def.angular_damping, twist_[b].angular, v.angular) + turn_impulse_[b] / h;
     }
@@ -184,7 +185,7 @@ void StateVerifier::add_others(const World& world) {
         const Wrenches w = row_wrenches(world, id, pose_, world.force(id));
         for (int k = 0; k < kind_info(def.kind).bodies; ++k) {
             const std::size_t b = place_of(def.body[place_of(k)].index);
-            other_[b] += w.on[place_of(k)].force;
+            other_force_[b] += w.on[place_of(k)].force;
             other_torque_[b] += w.on[place_of(k)].torque;
             if (is_elastic_line(def.kind))
                 line_work_ +=
@@ -198,14 +199,15 @@ std::string StateVerifier::check_loss(const World& world, double kinetic_now) {
     const double h = world.settings().step, forgotten = std::min(1.0, h / limit::kMemory);
     if (loss_ends_) return {};
     line_work_ -= forgotten * line_work_;
-    add_others(world);
+    add_springs_and_drag(world);
     if (steps_ > 0)
         for (const BodyId id : moving_) {
             const std::size_t b = place_of(id.index);
-            const Way way = way_between(pose_before_[b], arrived_[b]);
-            other_work_ += 0.5 * (other_[b] + other_before_[b]).dot(way.moved);
+            const Displacement way = displacement_between(pose_before_[b], arrived_[b]);
+            other_work_ += 0.5 * (other_force_[b] + other_force_before_[b]).dot(way.moved_by);
             if (world.body_def(id).kind == BodyKind::rigid)
-                other_work_ += 0.5 * (other_torque_[b] + other_torque_before_[b]).dot(way.turned);
+                other_work_ +=
+                    0.5 * (other_torque_[b] + other_torque_before_[b]).dot(way.turned_by);
         }
     const double energy = 0.5 * (kinetic_ + kinetic_now) + gravity_;
     double left = energy - work_ - other_work_;
@@ -254,7 +256,7 @@ std::string StateVerifier::check_loss(const World& world, double kinetic_now) {
 std::string StateVerifier::check_edits(const World& world) {
     const double forgotten = std::min(1.0, world.settings().step / limit::kMemory);
     exchanged_ += std::abs(kinetic(world) - kinetic_) - forgotten * exchanged_;
-    edited_ += stretch_.change(world, pose_);
+    edited_ += edited_stretch_.elastic_change(world, pose_);
     min_edited_ = std::min(edited_, min_edited_ + forgotten * (edited_ - min_edited_));
     const double rise = edited_ - min_edited_, scale = kinetic_ + exchanged_;
     if (rise <= limit::kNothing * (kinetic_ + std::abs(potential_))) return {};
@@ -273,10 +275,10 @@ std::string StateVerifier::check_energy(const World& world) {
     if (steps_ > 0) {
         for (const BodyId id : moving_) {
             const std::size_t b = place_of(id.index);
-            const Way way = way_between(pose_before_[b], arrived_[b]);
-            work_ += 0.5 * (force_[b] + force_before_[b]).dot(way.moved);
+            const Displacement way = displacement_between(pose_before_[b], arrived_[b]);
+            work_ += 0.5 * (force_[b] + force_before_[b]).dot(way.moved_by);
             if (world.body_def(id).kind == BodyKind::rigid)
-                work_ += 0.5 * (torque_[b] + torque_before_[b]).dot(way.turned);
+                work_ += 0.5 * (torque_[b] + torque_before_[b]).dot(way.turned_by);
         }
     }
     const double left = energy - work_, forgotten = std::min(1.0, h / limit::kMemory);

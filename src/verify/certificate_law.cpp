@@ -17,7 +17,7 @@ struct Law {
     double damping_time;                       // Damping time [s]
 };
 
-Law law_of(const MaterialDef& m, double h) {
+Law material_law(const MaterialDef& m, double h) {
     const double damping = std::isnan(m.damping_time) ? 2.0 * h : m.damping_time;
     return {
         m.friction, m.rolling, m.torsional, 1.0 / m.stiffness, 1.0 / (m.stiffness * m.tangential),
@@ -33,8 +33,8 @@ Law law_between(const World& world, ShapeId one, ShapeId other) {
     };
     const MaterialId a = material(one), b = material(other);
     const double h = world.settings().step;
-    Law law = law_of(world.material_def(a), h);
-    const Law second = law_of(world.material_def(b), h);
+    Law law = material_law(world.material_def(a), h);
+    const Law second = material_law(world.material_def(b), h);
     law.friction = std::sqrt(law.friction * second.friction);
     law.rolling = std::sqrt(law.rolling * second.rolling);
     law.torsional = std::sqrt(law.torsional * second.torsional);
@@ -43,11 +43,11 @@ Law law_between(const World& world, ShapeId one, ShapeId other) {
     law.damping_time = std::max(law.damping_time, second.damping_time);
     for (const MaterialPairDef& pair : world.material_pairs())
         if ((pair.a == a && pair.b == b) || (pair.a == b && pair.b == a))
-            law = law_of(pair.values, h);
+            law = material_law(pair.values, h);
     return law;
 }
 
-bool differ(double ours, double theirs, double scale) {
+bool differs_from_law(double ours, double theirs, double scale) {
     // The tolerance covers another order of a few products and sums.
     return !(std::abs(ours - theirs) <= 1e-9 * scale);
 }
@@ -56,11 +56,11 @@ bool differ(double ours, double theirs, double scale) {
 
 void Verifier::check_law(const World& world, const ContactView& contact, double mobility,
                          double speed, double speeds) {
-    if (!wrong_law_.empty()) return;
+    if (!law_error_.empty()) return;
     const Law law = law_between(world, contact.shape[0], contact.shape[1]);
     const double h = step_, upsilon = 1.0 / (1.0 + 4.0 * law.damping_time / h);
     const auto wrong = [&](const char* what, double ours, double theirs) {
-        wrong_law_ = fmt::format(
+        law_error_ = fmt::format(
             "a contact between shapes {} and {} has a {} of {:.9g}, by its materials {:.9g}",
             contact.shape[0].index, contact.shape[1].index, what, theirs, ours);
     };
@@ -69,15 +69,17 @@ void Verifier::check_law(const World& world, const ContactView& contact, double 
         return std::max(4.0 * compliance * upsilon / (h * h), 1e-10 * mobility);
     };
     const double sn = softness(law.compliance), st = softness(law.tangential_compliance);
-    if (differ(law.friction, contact.friction, law.friction))
+    if (differs_from_law(law.friction, contact.friction, law.friction))
         return wrong("friction", law.friction, contact.friction);
-    if (differ(sn, contact.softness[0], sn)) return wrong("softness", sn, contact.softness[0]);
-    if (differ(st, contact.softness[1], st))
+    if (differs_from_law(sn, contact.softness[0], sn))
+        return wrong("softness", sn, contact.softness[0]);
+    if (differs_from_law(st, contact.softness[1], st))
         return wrong("tangential softness", st, contact.softness[1]);
     // Bodies without relative rotation have no resistance to it.
-    if (contact.rolling != 0.0 && differ(law.rolling, contact.rolling, law.rolling))
+    if (contact.rolling != 0.0 && differs_from_law(law.rolling, contact.rolling, law.rolling))
         return wrong("rolling length", law.rolling, contact.rolling);
-    if (contact.torsional != 0.0 && differ(law.torsional, contact.torsional, law.torsional))
+    if (contact.torsional != 0.0 &&
+        differs_from_law(law.torsional, contact.torsional, law.torsional))
         return wrong("torsional length", law.torsional, contact.torsional);
     // A World does not show velocities before its first step, and between the stages of a step with
     // an impact.
@@ -87,7 +89,7 @@ void Verifier::check_law(const World& world, const ContactView& contact, double 
                               : upsilon * (std::max(0.0, speed) - 4.0 * contact.gap / h);
     const double said = contact.target.dot(contact.normal);
     // The speed is a weighted sum of the velocities of a segment's ends, whose terms may cancel.
-    if (differ(target, said, std::abs(target) + speeds + contact.target.norm()))
+    if (differs_from_law(target, said, std::abs(target) + speeds + contact.target.norm()))
         wrong("target velocity", target, said);
 }
 

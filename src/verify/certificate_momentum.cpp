@@ -47,7 +47,7 @@ double late_fraction(double z) {
 
 // Return the applied force and torque, including inputs. @param turn  Orientation of the body at
 // the start of the step; forces in its own frame rotate with it.
-Twist applied(const World& world, BodyId body, const Quat& turn) {
+Twist applied_wrench(const World& world, BodyId body, const Quat& turn) {
     const BodyDef& def = world.body_def(body);
     Twist f;
     f.linear = def.force;
@@ -68,13 +68,13 @@ bool has_force(const World& world, InteractionId id) {
 }
 
 /// Sum of the squares of all bodies, and the body with the largest.
-struct Shares {
-    double sum = 0.0, most = 0.0;
+struct ResidualParts {
+    double sum = 0.0, largest_part = 0.0;
     BodyId worst{};
     void add(BodyId body, double square) {
         sum += square;
-        if (square > most) {
-            most = square;
+        if (square > largest_part) {
+            largest_part = square;
             worst = body;
         }
     }
@@ -101,7 +101,7 @@ void Verifier::add_interactions(const World& world) {
         // end.
         const bool held = intact_[i] && (world.intact(id) || has_force(world, id));
         // For an interaction from an edit, the wire's alert is known only after the step.
-        const int alert = std::max(alert_[i], world.wires().damped_steps(id));
+        const int alert = std::max(damped_before_[i], world.wires().damped_steps(id));
         const Wrenches other =
             held ? stiffness_wrenches(world, id, pose_, twist_, earlier_, last_[i], alert)
                  : Wrenches{};
@@ -113,9 +113,9 @@ void Verifier::add_interactions(const World& world) {
             const Vec3 linear = step_ * f.force + g.force, turn = step_ * f.torque + g.torque;
             linear_[b] += linear;
             angular_[b] += turn;
-            if (checks_.states) states_.add_stiffness(id, on, g);
+            if (checks_.states) state_verifier_.add_stiffness(id, on, g);
             if (world.solver().completed(id)) turning_[b] = true;
-            if (!rows.known || !other.known) unsure_[b] = true;
+            if (!rows.is_known || !other.is_known) unsure_[b] = true;
             const BodyDef& body = world.body_def(on);
             if (body.kind == BodyKind::fixed || body.kind == BodyKind::kinematic) continue;
             impulse_ += linear.squaredNorm() / body.mass +
@@ -158,7 +158,7 @@ Vec3 Verifier::spin_impulse(std::size_t body, const Mat3& inertia, const Twist& 
 
 double Verifier::momentum_residual(const World& world) {
     const double h = step_;
-    Shares residual;
+    ResidualParts residual;
     double impulse = impulse_;
     double momentum = 0.0;
     std::int32_t covered = 0;
@@ -171,7 +171,8 @@ double Verifier::momentum_residual(const World& world) {
         const BodyDef& def = world.body_def(id);
         const bool turns = def.kind == BodyKind::rigid, scalar = def.kind == BodyKind::scalar;
         const Quat turn = turns ? pose_[b].orientation : Quat::Identity();
-        const Twist now = step_velocity(world, id, pose_[b]), force = applied(world, id, turn);
+        const Twist now = step_velocity(world, id, pose_[b]),
+                    force = applied_wrench(world, id, turn);
         // Impulse of drag d on velocities before and after the step; each axis of the body has its
         // own mobility.
         const auto drag = [&](const Vec3& d, const Vec3& mobility, const Vec3& old,
@@ -184,13 +185,13 @@ double Verifier::momentum_residual(const World& world) {
             }
             return -h * (turn * sum);
         };
-        const Vec3 lightness = Vec3::Constant(1.0 / def.mass);
+        const Vec3 inverse_mass = Vec3::Constant(1.0 / def.mass);
         const Twist& old = twist_[b];
         const Vec3 weight =
             def.gravity && !scalar ? Vec3(def.mass * world.settings().gravity) : Vec3::Zero();
         const Vec3 given = h * (force.linear + weight);
         Vec3 p = def.mass * (now.linear - twist_[b].linear) - given -
-                 drag(def.linear_damping, lightness, old.linear, now.linear) - linear_[b];
+                 drag(def.linear_damping, inverse_mass, old.linear, now.linear) - linear_[b];
         if (scalar) p = Vec3(p.x(), 0.0, 0.0);
         if (const double size = p.norm(); size > 0.0) p *= std::max(0.0, 1.0 - rounded_[b] / size);
         // Compute it also for omitted bodies, because it stores the change of angular velocity.
@@ -199,7 +200,7 @@ double Verifier::momentum_residual(const World& world) {
             // Forces that this code does not compute: the account of lost energy counts them as
             // acting.
             if (checks_.states)
-                states_.add_impulse(id, {p, spin - h * force.angular - angular_[b]});
+                state_verifier_.add_impulse(id, {p, spin - h * force.angular - angular_[b]});
             continue;
         }
         ++covered;
@@ -220,19 +221,19 @@ double Verifier::momentum_residual(const World& world) {
         momentum += w.dot(def.inertia * w);
     }
     // An impact stage changes velocities within the step: restart.
-    if (world.stats().impacts != impacts_) seen_ = 0;
+    if (world.stats().impacts != impacts_) checked_steps_ = 0;
     impacts_ = world.stats().impacts;
     // Velocities before a world's first step belong to another time. The change of angular velocity
     // is therefore known from the second step on and used in the third.
-    if (++seen_ <= 2) return 0.0;
+    if (++checked_steps_ <= 2) return 0.0;
     if (world.stats().wire_repeats > 0)
         ++result_.rejected_steps;
     else
-        left_out_ = std::max(left_out_, result_.moving_bodies - covered);
-    result_.covered_bodies = std::max(0, result_.moving_bodies - left_out_);
+        omitted_bodies_ = std::max(omitted_bodies_, result_.moving_bodies - covered);
+    result_.covered_bodies = std::max(0, result_.moving_bodies - omitted_bodies_);
     // A body without load has a small impulse, below the rounding of its momentum. Count 1e-4 of
     // the momentum as impulse, so that kRoundOff is 1e-13 of it.
-    worst_momentum_ = residual.worst;
+    worst_momentum_body_ = residual.worst;
     return std::sqrt(residual.sum) /
            std::max({std::sqrt(impulse), momentum_floor_, 1e-4 * std::sqrt(momentum)});
 }

@@ -22,7 +22,7 @@ struct Opening {
     JointGap gap;
     double part = 0.0;
 };
-Opening opening(const World& world, InteractionId id, const std::vector<Pose>& pose) {
+Opening joint_opening(const World& world, InteractionId id, const std::vector<Pose>& pose) {
     Opening out{joint_gap(world, id, pose)};
     if (!out.gap.rigid) return out;
     const double size = joint_size(world, id);
@@ -33,9 +33,9 @@ Opening opening(const World& world, InteractionId id, const std::vector<Pose>& p
 
 }  // namespace
 
-StateVerifier::StateVerifier(const World& world) { follow(world); }
+StateVerifier::StateVerifier(const World& world) { update_tables(world); }
 
-void StateVerifier::follow(const World& world) {
+void StateVerifier::update_tables(const World& world) {
     bodies_.assign(world.bodies().begin(), world.bodies().end());
     interactions_.assign(world.interactions().begin(), world.interactions().end());
     moving_.clear();
@@ -49,13 +49,13 @@ void StateVerifier::follow(const World& world) {
         if (const InteractionId of = world.input_def(id).interaction; of.valid())
             driven_[number(of.index)] = true;
     role_.assign(number(world.interaction_count()), Role::source);
-    for (const InteractionId id : interactions_) role_[number(id.index)] = role_of(world, id);
+    for (const InteractionId id : interactions_) role_[number(id.index)] = energy_role(world, id);
     const std::size_t bodies = number(world.body_count());
     for (std::vector<Pose>* v : {&pose_, &pose_before_, &arrived_}) v->resize(bodies);
     twist_.resize(bodies);
     for (std::vector<Vec3>* v :
-         {&force_, &torque_, &force_before_, &torque_before_, &other_, &other_torque_,
-          &other_before_, &other_torque_before_, &impulse_, &turn_impulse_})
+         {&force_, &torque_, &force_before_, &torque_before_, &other_force_, &other_torque_,
+          &other_force_before_, &other_torque_before_, &impulse_, &turn_impulse_})
         v->resize(bodies, Vec3::Zero());
 }
 
@@ -68,7 +68,7 @@ void StateVerifier::add_impulse(BodyId body, const Wrench& impulse) {
     turn_impulse_[number(body.index)] += impulse.torque;
 }
 
-StateVerifier::Role StateVerifier::role_of(const World& world, InteractionId id) const {
+StateVerifier::Role StateVerifier::energy_role(const World& world, InteractionId id) const {
     using enum InteractionKind;
     const InteractionDef& def = world.interaction_def(id);
     for (int b = 0; b < kind_info(def.kind).bodies; ++b)
@@ -100,9 +100,9 @@ StateVerifier::Role StateVerifier::role_of(const World& world, InteractionId id)
 
 void StateVerifier::before_step(const World& world) {
     if (steps_ > 0)
-        take_edits(world);
+        count_edit_energy(world);
     else
-        follow(world);  // edits before the first step do not change a state
+        update_tables(world);  // edits before the first step do not change a state
     pose_before_ = pose_;
     for (const BodyId id : world.bodies()) {
         pose_[number(id.index)] = world.pose(id);
@@ -123,7 +123,7 @@ void StateVerifier::before_step(const World& world) {
     }
     impacts_ = world.stats().impacts;
     kinetic_ = kinetic_now;
-    stretch_.before_step(world);
+    edited_stretch_.before_step(world);
 }
 
 /// Add the initial opening of new joints to their allowance, as at the start of a run.
@@ -132,16 +132,16 @@ void StateVerifier::excuse_joints(const World& world, const std::vector<Interact
     for (const BodyId id : bodies_) now[number(id.index)] = world.pose(id);
     for (const InteractionId id : interactions_)
         if (!std::binary_search(known.begin(), known.end(), id))
-            excused_ = std::max(excused_, opening(world, id, now).part * limit::kOpen.wrong /
+            excused_ = std::max(excused_, joint_opening(world, id, now).part * limit::kOpen.wrong /
                                               limit::kOpen.doubtful);
 }
 
 std::string StateVerifier::restart(const World& world) {
-    follow(world);
+    update_tables(world);
     std::string wrong = check_edits(world);
-    for (std::vector<Vec3>* v : {&force_, &torque_, &other_, &other_torque_})
+    for (std::vector<Vec3>* v : {&force_, &torque_, &other_force_, &other_torque_})
         std::fill(v->begin(), v->end(), Vec3::Zero());
-    off_before_ = {};
+    previous_deviations_ = {};
     steps_ = 0;
     return wrong;
 }
@@ -154,7 +154,7 @@ std::string StateVerifier::check_joints(const World& world) {
         worst = 0.0;
         for (const InteractionId id : interactions_) {
             if (role_[number(id.index)] != Role::joint) continue;
-            const Opening open = opening(world, id, pose);
+            const Opening open = joint_opening(world, id, pose);
             if (open.part <= worst) continue;
             worst = open.part;
             where = id;
@@ -181,7 +181,7 @@ std::string StateVerifier::check_joints(const World& world) {
 /// the step and the contribution of its damper at that speed are allowed. An element that was slack
 /// at the start of the step pulls only for the state at the end. It is treated as if it had been
 /// just taut.
-double StateVerifier::off_law(const World& world, InteractionId id) const {
+double StateVerifier::law_deviation(const World& world, InteractionId id) const {
     const InteractionDef& def = world.interaction_def(id);
     const double tension = -world.force(id)[0];
     if (!(tension > 0.0)) return 0.0;
@@ -202,13 +202,13 @@ std::string StateVerifier::check_lines(const World& world) {
     for (const InteractionId id : interactions_) {
         if (world.interaction_def(id).kind != InteractionKind::Stretch || !world.intact(id))
             continue;
-        const double off = off_law(world, id);
+        const double off = law_deviation(world, id);
         if (off <= worst) continue;
         worst = off;
         where = id;
     }
-    const double lasting = std::min({worst, off_before_[0], off_before_[1]});
-    off_before_ = {worst, off_before_[0]};
+    const double lasting = std::min({worst, previous_deviations_[0], previous_deviations_[1]});
+    previous_deviations_ = {worst, previous_deviations_[0]};
     result_.cable = std::max(result_.cable, lasting / limit::kCable.wrong);
     if (lasting <= limit::kCable.wrong) return {};
     const Attached at(world, where, pose_);
@@ -240,7 +240,7 @@ std::string StateVerifier::after_step(const World& world) {
     if (wrong.empty()) wrong = std::move(other);
     if (wrong.empty()) wrong = check_lines(world);
     if (wrong.empty()) wrong = check_turns(world);
-    other = lasting_.after_step(world, now_);
+    other = lasting_faults_.after_step(world, now_);
     if (wrong.empty()) wrong = std::move(other);
     arrived_ = now_;
     gravity_after_ = gravity(world);

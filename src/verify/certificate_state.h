@@ -60,12 +60,12 @@ class StateVerifier {
 
   private:
     enum class Role : std::uint8_t { joint, spring, source };
-    [[nodiscard]] Role role_of(const World& world, InteractionId id) const;
+    [[nodiscard]] Role energy_role(const World& world, InteractionId id) const;
     /// Update the tables of bodies and interactions.
-    void follow(const World& world);
+    void update_tables(const World& world);
     /// Count the energy of edits since the last step (additions, removals, moves) as supplied
     /// energy.
-    void take_edits(const World& world);
+    void count_edit_energy(const World& world);
     /// Add the initial opening of new joints to their allowance. @param known  Interactions that
     /// existed before.
     void excuse_joints(const World& world, const std::vector<InteractionId>& known);
@@ -73,13 +73,13 @@ class StateVerifier {
     [[nodiscard]] double gravity(const World& world) const;
     [[nodiscard]] double elastic(const World& world) const;
     /// Add springs and drag, which `lost` counts in addition to sources.
-    void add_others(const World& world);
+    void add_springs_and_drag(const World& world);
     [[nodiscard]] std::string check_loss(const World& world, double kinetic_now);
     void add_sources(const World& world);
     [[nodiscard]] std::string check_energy(const World& world);
     [[nodiscard]] std::string check_edits(const World& world);
     [[nodiscard]] std::string check_joints(const World& world);
-    [[nodiscard]] double off_law(const World& world, InteractionId id) const;
+    [[nodiscard]] double law_deviation(const World& world, InteractionId id) const;
     [[nodiscard]] std::string check_lines(const World& world);
     [[nodiscard]] std::string check_turns(const World& world);
 
@@ -94,9 +94,9 @@ class StateVerifier {
     std::vector<Twist> twist_;          ///< Velocities before the step.
     std::vector<Vec3> force_, torque_;  ///< Forces of sources in the step, for each body.
     std::vector<Vec3> force_before_, torque_before_;
-    std::vector<Vec3> other_,
+    std::vector<Vec3> other_force_,
         other_torque_;  ///< Forces of springs and drag in the step, for each body …
-    std::vector<Vec3> other_before_, other_torque_before_;  ///< … and in the previous step.
+    std::vector<Vec3> other_force_before_, other_torque_before_;  ///< … and in the previous step.
     std::vector<Vec3> impulse_, turn_impulse_;    ///< Impulses of add_impulse() in the step.
     double gravity_ = 0.0, gravity_after_ = 0.0;  ///< Like potential_.
     double other_work_ =
@@ -114,15 +114,15 @@ class StateVerifier {
     double potential_ = 0.0,
            kinetic_ = 0.0;          ///< Energies at the start of the step; of the previous one.
     double potential_after_ = 0.0;  ///< Potential energy at the end of the last step.
-    double energy_ = 0.0, swing_ = 0.0;    ///< Before [J].
-    double work_ = 0.0, exchanged_ = 0.0;  ///< Work, and exchanged energy [J].
-    double mean_ = 0.0, least_ = 0.0;      ///< Mean and minimum of energy minus work [J].
-    LastingFaults lasting_;
-    EditedStretch stretch_;
+    double energy_ = 0.0, vibration_energy_ = 0.0;  ///< Before [J].
+    double work_ = 0.0, exchanged_ = 0.0;           ///< Work, and exchanged energy [J].
+    double mean_ = 0.0, least_ = 0.0;               ///< Mean and minimum of energy minus work [J].
+    LastingFaults lasting_faults_;
+    EditedStretch edited_stretch_;
     double edited_ = 0.0, min_edited_ = 0.0;  ///< Stretch added by edits, and its minimum [J].
     double excused_ = 0.0;                    ///< Opening of joints at the start.
     std::array<double, 2>
-        off_before_{};  ///< Deviations of the worst elements in the two previous steps.
+        previous_deviations_{};  ///< Deviations of the worst elements in the two previous steps.
     std::int64_t steps_ = 0;
     StateFigures result_;
 };

@@ -27,7 +27,7 @@ bool holds(const World& world, const ShapeDef& def, BodyId body) {
 }
 
 /// Return the element along a segment; invalid: there is none.
-InteractionId element_along(const World& world, const ShapeDef& def) {
+InteractionId element_of_segment(const World& world, const ShapeDef& def) {
     for (const InteractionId id : world.interactions()) {
         const InteractionDef& d = world.interaction_def(id);
         if (kind_info(d.kind).is(kWireElement) && d.body[0] == def.body && d.body[1] == def.body_b)
@@ -53,7 +53,7 @@ ContactSide contact_side(const World& world, ShapeId shape, const Vec3& on_axis,
     for (int k = 0; k < 2; ++k)
         if (holds(world, def, side.body[k])) held = k;
     if (held >= 0) {
-        const InteractionId element = element_along(world, def);
+        const InteractionId element = element_of_segment(world, def);
         const Pose& by = pose_of(pose, side.body[held]);
         end[held] = element.valid() ? line_ends(Attached(world, element, pose)).at[held]
                                     : Vec3(by.position + by.orientation * def.position);

@@ -34,12 +34,16 @@ Deviation operator*(double s, const Deviation& d) {
 class Linearised {
   public:
     explicit Linearised(const World& world)
-        : world_(world), base_(world.twin()), moved_(world.twin()), h_(world.settings().step) {
+        : world_(world),
+          unperturbed_(world.twin()),
+          perturbed_(world.twin()),
+          h_(world.settings().step) {
         for (const BodyId id : world.bodies())
             if (moves(world, id)) bodies_.push_back(id);
         // Linearise one step with the present groups.
-        for (World* w : {&base_, &moved_}) w->splits().follow_groups(world.settings().parts, 0);
-        ok_ = base_.step() == Status::ok;
+        for (World* w : {&unperturbed_, &perturbed_})
+            w->splits().follow_groups(world.settings().parts, 0);
+        is_ok_ = unperturbed_.step() == Status::ok;
     }
 
     [[nodiscard]] std::size_t size() const { return bodies_.size(); }
@@ -47,9 +51,9 @@ class Linearised {
     /// Replace d by its image under the linearised step. @return ‖change of velocities‖,
     /// mass-weighted; −1: the step failed.
     double apply(std::vector<Deviation>& d) {
-        moved_.state().copy_from(world_);
-        for (std::size_t i = 0; i < bodies_.size(); ++i) displace(bodies_[i], kSmall * d[i]);
-        if (!ok_ || moved_.step() != Status::ok) return -1.0;
+        perturbed_.state().copy_from(world_);
+        for (std::size_t i = 0; i < bodies_.size(); ++i) apply_deviation(bodies_[i], kSmall * d[i]);
+        if (!is_ok_ || perturbed_.step() != Status::ok) return -1.0;
         double sum = 0.0;
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
             const Deviation next = (1.0 / kSmall) * difference(bodies_[i]);
@@ -74,22 +78,22 @@ class Linearised {
     static constexpr double kSmall =
         1e-5;  ///< Scale of the differences [m/s]: far above rounding, far below motions.
 
-    void displace(BodyId body, const Deviation& d) {
-        Pose pose = moved_.pose(body);
+    void apply_deviation(BodyId body, const Deviation& d) {
+        Pose pose = perturbed_.pose(body);
         pose.position += d.x;
-        if (moved_.body_def(body).kind == BodyKind::rigid && d.turn.norm() > 0.0)
+        if (perturbed_.body_def(body).kind == BodyKind::rigid && d.turn.norm() > 0.0)
             pose.orientation =
                 Quat(Eigen::AngleAxisd(d.turn.norm(), d.turn.normalized())) * pose.orientation;
-        moved_.set_pose(body, pose);
-        Twist twist = moved_.velocity(body);
+        perturbed_.set_pose(body, pose);
+        Twist twist = perturbed_.velocity(body);
         twist.linear += d.v;
         twist.angular += d.w;
-        moved_.set_velocity(body, twist);
+        perturbed_.set_velocity(body, twist);
     }
 
     [[nodiscard]] Deviation difference(BodyId body) const {
-        const Pose a = base_.pose(body), b = moved_.pose(body);
-        const Twist va = base_.velocity(body), vb = moved_.velocity(body);
+        const Pose a = unperturbed_.pose(body), b = perturbed_.pose(body);
+        const Twist va = unperturbed_.velocity(body), vb = perturbed_.velocity(body);
         Quat turn = b.orientation * a.orientation.conjugate();
         if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();
         return {b.position - a.position, 2.0 * turn.vec(), vb.linear - va.linear,
@@ -97,9 +101,9 @@ class Linearised {
     }
 
     const World& world_;
-    World base_, moved_;
+    World unperturbed_, perturbed_;
     double h_;
-    bool ok_ = false;
+    bool is_ok_ = false;
     std::vector<BodyId> bodies_;
 };
 
@@ -118,7 +122,7 @@ const char* to_string(Predictor predictor) noexcept {
                                             : "hold";
 }
 
-CouplingObserver::CouplingObserver(const World& world) : exact_(world.twin(Coupling::exact)) {
+CouplingObserver::CouplingObserver(const World& world) : exact_world_(world.twin(Coupling::exact)) {
     figures_.coupling = world.settings().coupling;
     figures_.predictor = world.settings().predictor;
     read_velocities(world, now_);
@@ -128,12 +132,13 @@ void CouplingObserver::before_step(const World& world) {
     const auto same = [](const auto& a, const auto& b) {
         return std::equal(a.begin(), a.end(), b.begin(), b.end());
     };
-    if (same(world.bodies(), exact_.bodies()) &&
-        same(world.interactions(), exact_.interactions()) &&
-        same(world.shapes(), exact_.shapes()) && same(world.inputs(), exact_.inputs())) {
-        exact_.state().copy_from(world);
+    if (same(world.bodies(), exact_world_.bodies()) &&
+        same(world.interactions(), exact_world_.interactions()) &&
+        same(world.shapes(), exact_world_.shapes()) &&
+        same(world.inputs(), exact_world_.inputs())) {
+        exact_world_.state().copy_from(world);
     } else {
-        exact_ = world.twin(Coupling::exact);
+        exact_world_ = world.twin(Coupling::exact);
         figures_.steps = 0;  // new objects have no previous velocity
     }
     before_.swap(now_);
@@ -147,13 +152,13 @@ void CouplingObserver::after_step(const World& world) {
     figures_.residual_max = std::max(figures_.residual_max, stats.cut_residual);
     figures_.defect_max = std::max(figures_.defect_max, stats.momentum_defect);
     defect_squares_ += stats.momentum_defect * stats.momentum_defect;
-    if (exact_.step() != Status::ok) return;
+    if (exact_world_.step() != Status::ok) return;
     const double per_h2 = 1.0 / (world.settings().step * world.settings().step);
     // The first step has no previous velocity.
     for (const BodyId id : world.bodies()) {
         if (figures_.steps == 1 || !moves(world, id)) continue;
         const auto i = static_cast<std::size_t>(id.index);
-        const Vec3 v = world.velocity(id).linear, e = exact_.velocity(id).linear;
+        const Vec3 v = world.velocity(id).linear, e = exact_world_.velocity(id).linear;
         const Vec3 last = 2.0 * now_[i] - before_[i];
         figures_.jerk_max = std::max(figures_.jerk_max, per_h2 * (v - last).norm());
         figures_.jerk_exact_max = std::max(figures_.jerk_exact_max, per_h2 * (e - last).norm());
@@ -162,7 +167,7 @@ void CouplingObserver::after_step(const World& world) {
     }
     for (const CutView& cut : world.splits().cuts()) {
         const char* units = kind_info(world.interaction_def(cut.interaction).kind).row_units;
-        const auto f = world.force(cut.interaction), e = exact_.force(cut.interaction);
+        const auto f = world.force(cut.interaction), e = exact_world_.force(cut.interaction);
         for (std::size_t r = 0; r < f.size() && units[r] == 'm'; ++r) {
             const double error = std::fabs(f[r] - e[r]);
             error_squares_ += error * error;

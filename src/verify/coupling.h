@@ -45,7 +45,7 @@ class CouplingObserver : public Observer {
     [[nodiscard]] CouplingFigures result(const World& world, bool radius = true) const;
 
   private:
-    World exact_;
+    World exact_world_;
     CouplingFigures figures_;
     std::vector<Vec3> now_, before_;  ///< v and v₋ by body.
     double defect_squares_ = 0.0, error_squares_ = 0.0, force_squares_ = 0.0, error_max_ = 0.0;

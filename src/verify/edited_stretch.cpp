@@ -25,7 +25,7 @@ void each_element(const World& world, F&& f) {
 /// Return the rest length of an element [m]. @param pose  Function (body) -> its pose.
 /// @param driven  True if an input may set a parameter of the element.
 template <class P>
-double rest_at(const World& world, InteractionId id, bool driven, P&& pose) {
+double rest_length_at(const World& world, InteractionId id, bool driven, P&& pose) {
     const InteractionDef& def = world.interaction_def(id);
     // parameter() searches all inputs.
     const auto value = [&](const char* name) {
@@ -47,14 +47,14 @@ std::vector<InteractionId> driven_by_inputs(const World& world) {
 }
 
 /// Return ½ g² EA/l₀ [J]. A line that only pulls stores nothing if it is shorter than l₀.
-double held(const InteractionDef& def, double gap, double rest) {
+double stretch_energy(const InteractionDef& def, double gap, double rest) {
     if (gap < 0.0 && def.get("tension_only") != 0.0) return 0.0;
     return rest > 0.0 ? 0.5 * gap * gap * def.get("EA") / rest : 0.0;
 }
 
 /// Return by how much an element gets longer from one state to another [m].
-double growth(const World& world, InteractionId id, std::span<const Pose> from,
-              std::span<const Pose> to) {
+double elongation(const World& world, InteractionId id, std::span<const Pose> from,
+                  std::span<const Pose> to) {
     const Attached first(world, id, from), second(world, id, to);
     const LineEnds was = line_ends(first), is = line_ends(second);
     double sum = (is.at[1] - is.at[0]).norm() - (was.at[1] - was.at[0]).norm();
@@ -77,7 +77,7 @@ std::vector<Pose> present_poses(const World& world, std::span<const Pose> known)
 
 }  // namespace
 
-double EditedStretch::energy_now(const World& world) {
+double EditedStretch::elastic_energy(const World& world) {
     double sum = 0.0;
     const std::vector<InteractionId> driven = driven_by_inputs(world);
     const auto present = [&](BodyId body) { return world.pose(body); };
@@ -85,12 +85,12 @@ double EditedStretch::energy_now(const World& world) {
         const double gap = world.violation(id)[0];
         if (gap < 0.0 && def.get("tension_only") != 0.0) return;
         const bool sets = std::binary_search(driven.begin(), driven.end(), id);
-        sum += held(def, gap, rest_at(world, id, sets, present));
+        sum += stretch_energy(def, gap, rest_length_at(world, id, sets, present));
     });
     return sum;
 }
 
-double EditedStretch::change(const World& world, std::span<const Pose> pose) const {
+double EditedStretch::elastic_change(const World& world, std::span<const Pose> pose) const {
     std::vector<Pose> before(pose.begin(), pose.end());
     before.resize(at_index(world.body_count()));
     const std::vector<Pose> now = present_poses(world, before);
@@ -106,11 +106,11 @@ double EditedStretch::change(const World& world, std::span<const Pose> pose) con
         const auto of = [](const std::vector<Pose>& all) {
             return [&all](BodyId body) -> const Pose& { return all[at_index(body.index)]; };
         };
-        const double rest_then = rest_at(world, id, true, of(before)),
-                     rest_now = rest_at(world, id, true, of(now));
+        const double rest_then = rest_length_at(world, id, true, of(before)),
+                     rest_now = rest_length_at(world, id, true, of(now));
         const double gap =
-            world.violation(id)[0] - growth(world, id, before, now) + (rest_now - rest_then);
-        sum += held(def, gap, rest_then);
+            world.violation(id)[0] - elongation(world, id, before, now) + (rest_now - rest_then);
+        sum += stretch_energy(def, gap, rest_then);
     });
     return sum - before_;
 }

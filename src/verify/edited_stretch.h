@@ -24,13 +24,13 @@ namespace hawser::verify {
 class EditedStretch {
   public:
     /// Measure the wires before a step.
-    void before_step(const World& world) { before_ = energy_now(world); }
+    void before_step(const World& world) { before_ = elastic_energy(world); }
     /// Return ΔV of a step that edited wires [J]. @param pose  Poses of all bodies before the step,
     /// by index; of nodes and slides they are computed.
-    [[nodiscard]] double change(const World& world, std::span<const Pose> pose) const;
+    [[nodiscard]] double elastic_change(const World& world, std::span<const Pose> pose) const;
 
   private:
-    [[nodiscard]] static double energy_now(const World& world);
+    [[nodiscard]] static double elastic_energy(const World& world);
     double before_ = 0.0;  ///< Σ V before the step [J].
 };
 

@@ -31,7 +31,7 @@ class Forces : public Attached {
         w.torque += (where - center(slot)).cross(force);
     }
     /// Add a force on body 1 and its reaction on body 0.
-    void pull(const Vec3& force, const Vec3& on_0, const Vec3& on_1) {
+    void add_force_pair(const Vec3& force, const Vec3& on_0, const Vec3& on_1) {
         push(0, -force, on_0);
         push(1, force, on_1);
     }
@@ -41,22 +41,26 @@ class Forces : public Attached {
         result.on[1].torque += torque;
     }
     /// Add rows 0-2: both bodies at their own points, which coincide up to the violation.
-    void joined(std::span<const double> f) { pull(Vec3(f[0], f[1], f[2]), point(0), point(1)); }
+    void add_coincidence(std::span<const double> f) {
+        add_force_pair(Vec3(f[0], f[1], f[2]), point(0), point(1));
+    }
     /// Add a force along an axis of body 0, at the point of body 1 for both bodies.
-    void slide(int axis_of_0, double f) { pull(f * axis(0, axis_of_0), point(1), point(1)); }
+    void add_axis_force(int axis_of_0, double f) {
+        add_force_pair(f * axis(0, axis_of_0), point(1), point(1));
+    }
     /// Add the row p·q = 0 of an axis of each body: the torque that increases the angle between p
     /// and q.
-    void square(int axis_of_0, int axis_of_1, double f) {
+    void add_perpendicularity(int axis_of_0, int axis_of_1, double f) {
         turn(f * axis(1, axis_of_1).cross(axis(0, axis_of_0)));
     }
     /// Add a torque about the mean of both z axes, scaled so that the rotation of each frame about
     /// its own axis counts fully.
-    void twist(double f) {
+    void add_relative_torque(double f) {
         const Vec3 a = axis(0, 2), b = axis(1, 2);
         turn(f / (1.0 + a.dot(b)) * (a + b));
     }
     /// Add wheels on a carrier, slot 0: in the ratio of their teeth, each about its own axis.
-    void gear(double f) {
+    void add_gear(double f) {
         const Vec3 a = axis(0, 2);
         for (int k = 1; k <= 2; ++k) {
             const Vec3 b = axis(k, 2);
@@ -66,33 +70,35 @@ class Forces : public Attached {
             result.on[place(k)].torque += torque;
         }
     }
-    void scalar(int slot, double f) { result.on[place(slot)].force.x() += f; }
-    void clutch(double f) {
-        scalar(0, -f);
-        scalar(1, f);
+    void add_scalar_force(int slot, double f) { result.on[place(slot)].force.x() += f; }
+    void add_clutch(double f) {
+        add_scalar_force(0, -f);
+        add_scalar_force(1, f);
     }
     void line(double f) {
         const Vec3 from = point(0), to = point(1), d = to - from;
         const double length = d.norm();
-        pull(f * (length > 1e-12 ? Vec3(d / length) : Vec3(Vec3::UnitX())), from, to);
+        add_force_pair(f * (length > 1e-12 ? Vec3(d / length) : Vec3(Vec3::UnitX())), from, to);
     }
     void span(double f);
     bool piece_of_line(std::span<const double> f);
-    void bend(std::span<const double> f);
+    void add_bend(std::span<const double> f);
     void hydrostatic(std::span<const double> f);
 };
 
 void Forces::span(double f) {
     const LineEnds ends = line_ends(*this);
-    pull(f * ends.along, ends.at[0], ends.at[1]);
-    if (def().kind == InteractionKind::EndSpan) return scalar(2, -f * def().get("radius"));
-    for (int k = 0; k < 2; ++k) scalar(2 + k, -f * def().get(k == 0 ? "slide_0" : "slide_1"));
+    add_force_pair(f * ends.along, ends.at[0], ends.at[1]);
+    if (def().kind == InteractionKind::EndSpan)
+        return add_scalar_force(2, -f * def().get("radius"));
+    for (int k = 0; k < 2; ++k)
+        add_scalar_force(2 + k, -f * def().get(k == 0 ? "slide_0" : "slide_1"));
 }
 
 // Rows lie along n₁ and n₂ = t × n₁, perpendicular to the mean tangent t. To find n₁, use the world
 // axis with the largest angle to t, minus its component along t. The energy of the moment N = Σ f n
 // is N·(e₂ − e₁), whose gradients are the nodes' forces.
-void Forces::bend(std::span<const double> f) {
+void Forces::add_bend(std::span<const double> f) {
     if (f[0] == 0.0 && f[1] == 0.0) return;
     const Vec3 p[3] = {point(0), point(1), point(2)};
     const Vec3 d1 = p[1] - p[0], d2 = p[2] - p[1];
@@ -111,16 +117,16 @@ void Forces::bend(std::span<const double> f) {
     const auto terms = [&](int k) { return std::abs(e1[k]) + std::abs(e2[k]); };
     const double noise = 1e-12 * (exact ? terms(least) + terms(next) : 1.0);
     if (size(next) - size(least) < noise || (e1 + e2).norm() < 1e-6) {
-        result.known = false;
+        result.is_known = false;
         return;
     }
     const Vec3 n1 = (Vec3::Unit(least) - t[least] * t).normalized();
     const Vec3 moment = f[0] * n1 + f[1] * t.cross(n1);
-    const auto square = [&](const Vec3& e, double length) -> Vec3 {
+    const auto orthogonal = [&](const Vec3& e, double length) -> Vec3 {
         const double along = length > shortest ? moment.dot(e) : 0.0;
         return (moment - along * e) / length;
     };
-    const Vec3 first = square(e1, l1), last = square(e2, l2);
+    const Vec3 first = orthogonal(e1, l1), last = orthogonal(e2, l2);
     push(0, first, p[0]);
     push(1, -first - last, p[1]);
     push(2, last, p[2]);
@@ -140,7 +146,7 @@ void Forces::hydrostatic(std::span<const double> f) {
 bool Forces::piece_of_line(std::span<const double> f) {
     switch (def().kind) {
         case InteractionKind::WinchStretch:
-            if (pays_out(def(), center(2).x())) scalar(2, -f[0] * def().get("radius"));
+            if (pays_out(def(), center(2).x())) add_scalar_force(2, -f[0] * def().get("radius"));
             [[fallthrough]];
         case InteractionKind::Distance:
         case InteractionKind::Stretch:
@@ -152,15 +158,15 @@ bool Forces::piece_of_line(std::span<const double> f) {
             break;
         case InteractionKind::BodySpan:
             for (int k = 0; k < 2; ++k)
-                scalar(k, -f[0] * def().get(k == 0 ? "slide_0" : "slide_1"));
+                add_scalar_force(k, -f[0] * def().get(k == 0 ? "slide_0" : "slide_1"));
             break;
         case InteractionKind::Bend:
-            bend(f);
+            add_bend(f);
             break;
         default:
             return false;
     }
-    return result.known;
+    return result.is_known;
 }
 
 }  // namespace
@@ -204,33 +210,33 @@ Wrenches row_wrenches(const World& world, InteractionId id, std::span<const Pose
     Forces on(world, id, pose);
     switch (on.def().kind) {
         case InteractionKind::Ball:
-            on.joined(f);
+            on.add_coincidence(f);
             break;
         case InteractionKind::Lock:
-            on.square(0, 1, f[5]);
+            on.add_perpendicularity(0, 1, f[5]);
             [[fallthrough]];
         case InteractionKind::Hinge:
-            on.joined(f);
-            on.square(0, 2, f[3]);
-            on.square(1, 2, f[4]);
+            on.add_coincidence(f);
+            on.add_perpendicularity(0, 2, f[3]);
+            on.add_perpendicularity(1, 2, f[4]);
             break;
         case InteractionKind::Universal:
-            on.joined(f);
-            on.square(2, 2, f[3]);
+            on.add_coincidence(f);
+            on.add_perpendicularity(2, 2, f[3]);
             break;
         case InteractionKind::Prismatic:
-            on.square(0, 1, f[4]);
+            on.add_perpendicularity(0, 1, f[4]);
             [[fallthrough]];
         case InteractionKind::Cylindrical:
-            on.slide(0, f[0]);
-            on.slide(1, f[1]);
-            on.square(0, 2, f[2]);
-            on.square(1, 2, f[3]);
+            on.add_axis_force(0, f[0]);
+            on.add_axis_force(1, f[1]);
+            on.add_perpendicularity(0, 2, f[2]);
+            on.add_perpendicularity(1, 2, f[3]);
             break;
         case InteractionKind::HingeRange:
         case InteractionKind::HingeFriction:
         case InteractionKind::Twist:
-            on.twist(f[0]);
+            on.add_relative_torque(f[0]);
             break;
         case InteractionKind::HingeMotor:
             on.turn(f[0] * on.axis(0, 2));
@@ -238,25 +244,25 @@ Wrenches row_wrenches(const World& world, InteractionId id, std::span<const Pose
         case InteractionKind::SlideMotor:
         case InteractionKind::SlideRange:
         case InteractionKind::SlideFriction:
-            on.slide(2, f[0]);
+            on.add_axis_force(2, f[0]);
             break;
         case InteractionKind::Hold:
         case InteractionKind::ScalarMotor:
         case InteractionKind::ScalarFriction:
         case InteractionKind::LineFriction:
-            on.scalar(0, f[0]);
+            on.add_scalar_force(0, f[0]);
             break;
         case InteractionKind::ScalarClutch:
-            on.clutch(f[0]);
+            on.add_clutch(f[0]);
             break;
         case InteractionKind::Gear:
-            on.gear(f[0]);
+            on.add_gear(f[0]);
             break;
         case InteractionKind::Hydrostatic:
             on.hydrostatic(f);
             break;
         default:
-            on.result.known = on.piece_of_line(f);
+            on.result.is_known = on.piece_of_line(f);
     }
     return on.result;
 }

@@ -26,7 +26,7 @@ struct Wrenches {
         on{};  ///< Wrenches in the order of the interaction's bodies.
     /// False if the kind is not covered, or if rounding decides on the directions of the rows. The
     /// latter is a bend of a line whose two smallest direction cosines are equal.
-    bool known = true;
+    bool is_known = true;
 };
 
 /// Return the wrenches that forces of the rows exert on the bodies. @param force  By row [N or N

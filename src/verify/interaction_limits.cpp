@@ -34,14 +34,14 @@ Mat3 arm_stiffness(const Vec3& force, const Vec3& arm) {
 }
 
 // Return |r|/I, with the mean moment of inertia I about the axes across the arm r.
-double swing(const BodyDef& body, const Vec3& arm) {
+double angular_mobility(const BodyDef& body, const Vec3& arm) {
     if (arm.norm() == 0.0) return 0.0;
     const Vec3 u = arm.normalized();
     return 2.0 * arm.norm() / (body.inertia.trace() - u.dot(body.inertia * u));
 }
 
 // Return the transverse mobility of the lighter end of a line [1/kg].
-double lightness(const Attached& on, const World& world) {
+double transverse_mobility(const Attached& on, const World& world) {
     double most = 0.0;
     const bool rigid = on.kind(0) == BodyKind::rigid && on.kind(1) == BodyKind::rigid;
     for (std::size_t b = 0; b < 2; ++b) {
@@ -50,7 +50,7 @@ double lightness(const Attached& on, const World& world) {
         if (kind == BodyKind::fixed || kind == BodyKind::kinematic) continue;
         double end = 1.0 / body.mass;
         if (rigid)
-            end += on.def().point[b].norm() * swing(body, on.def().point[b]);
+            end += on.def().point[b].norm() * angular_mobility(body, on.def().point[b]);
         else if (kind == BodyKind::rigid)
             end += on.def().point[b].squaredNorm() * Mat3(body.inertia.inverse()).trace();
         most = std::max(most, end);
@@ -60,22 +60,22 @@ double lightness(const Attached& on, const World& world) {
 
 // Return the reduction factor of the stiffness of a line between rotating bodies without nodes. It
 // applies if the transverse vibration is resolved.
-double resolved(const Attached& on, double s) {
+double vibration_reduction(const Attached& on, double s) {
     return on.is_point(0) || on.is_point(1) || s >= 0.25 ? 1.0 : 16.0 * s * s;
 }
 
 // Add the transverse stiffness of a line under tension. It acts on the changes of velocity. It also
 // acts on the differences from the extrapolation of the last two steps (docs/theory/wires.md).
 // `held`: fraction of the stiffness in the step.
-void add_across(const World& world, const Attached& on, std::span<const Twist> before,
-                std::span<const Twist> earlier, double tension, bool calm, double held,
-                Wrenches& out) {
+void add_transverse_stiffness(const World& world, const Attached& on, std::span<const Twist> before,
+                              std::span<const Twist> earlier, double tension, bool calm,
+                              double held, Wrenches& out) {
     const double h = world.settings().step;
     const LineEnds ends = line_ends(on);
     const Vec3 between = ends.at[1] - ends.at[0], u = between.normalized();
     const double full = held * h * h * world.settings().geometric_stiffness * tension /
                         std::max(between.norm(), 1e-9);
-    const double s = full * lightness(on, world), fade = resolved(on, s),
+    const double s = full * transverse_mobility(on, world), fade = vibration_reduction(on, s),
                  // Between two rigid bodies the trapezoidal rule applies at any frequency.
         p = s > 0.25 && (on.is_point(0) || on.is_point(1) || on.kind(0) != BodyKind::rigid ||
                          on.kind(1) != BodyKind::rigid)
@@ -111,7 +111,8 @@ double completed_fraction(const Attached& on, const World& world, double force) 
     for (std::size_t b = 0; b < 2; ++b) {
         const BodyDef& body = world.body_def(on.def().body[b]);
         const BodyKind kind = on.kind(static_cast<int>(b));
-        if (kind == BodyKind::rigid) rate = std::max(rate, swing(body, on.def().point[b]));
+        if (kind == BodyKind::rigid)
+            rate = std::max(rate, angular_mobility(body, on.def().point[b]));
         if (kind == BodyKind::lump && on.def().kind == InteractionKind::Distance)
             rate = std::max(rate, 1.0 / (on.def().get("length") * body.mass));
     }
@@ -206,8 +207,8 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
     Wrenches out;
     if (!(is_line(kind) || is_joint(kind)) || settings.nonsmooth == Nonsmooth::pgs) return out;
     // A World does not show the replacement terms of a flagged wire that would have gained energy.
-    out.known = world.wires().damped_steps(id) <
-                std::lround(std::ceil(std::max(20.0, 1.0 / settings.step)));
+    out.is_known = world.wires().damped_steps(id) <
+                   std::lround(std::ceil(std::max(20.0, 1.0 / settings.step)));
     const double h = settings.step, scale = 0.25 * h * h * settings.geometric_stiffness;
     const LineEnds ends = is_line(kind) ? line_ends(on) : LineEnds{{on.point(0), on.point(1)}, {}};
     const Vec3 between = ends.at[1] - ends.at[0];
@@ -229,17 +230,19 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
         is_joint(kind) && on.kind(0) == BodyKind::rigid && on.kind(1) == BodyKind::rigid;
     for (int b = 0; damped && b < 2; ++b) {
         const auto slot = static_cast<std::size_t>(b);
-        const double rate = swing(world.body_def(on.def().body[slot]), on.def().point[slot]);
+        const double rate =
+            angular_mobility(world.body_def(on.def().body[slot]), on.def().point[slot]);
         swings = std::max(swings, h * h * pull.norm() * rate);
     }
     if (swings > 4.0) fast = (swings - 4.0) / (swings + 4.0);
     constexpr double kMaxVibrations = 2.5e9;  // beyond, the terms stop growing with the force
     const double bound = std::min(1.0, kMaxVibrations / swings);
     const double fraction =
-        completed       ? held
-        : is_line(kind) ? resolved(on, 4.0 * scale * pull.norm() / std::max(between.norm(), 1e-9) *
-                                           lightness(on, world))
-                        : 1.0;
+        completed ? held
+        : is_line(kind)
+            ? vibration_reduction(on, 4.0 * scale * pull.norm() / std::max(between.norm(), 1e-9) *
+                                          transverse_mobility(on, world))
+            : 1.0;
     Vec3 arm[2], turned[2], spin[2];  // changes of velocity; (1 − u) ω + (1 + u) ω₊
     for (int b = 0; b < 2; ++b) {
         const BodyId body = on.def().body[static_cast<std::size_t>(b)];
@@ -255,7 +258,7 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
                 (arm_stiffness(b == 0 ? Vec3(-pull) : pull, arm[b]) * turned[b]);
     }
     if (is_line(kind)) {
-        add_across(world, on, before, earlier, -last[0], alert > 0, held, out);
+        add_transverse_stiffness(world, on, before, earlier, -last[0], alert > 0, held, out);
     } else if (damped && !completed) {
         const double damping = settings.rotation_damping * h * h * pull.norm() *
                                std::min(arm[0].norm(), arm[1].norm()) *

@@ -11,7 +11,7 @@ namespace hawser::verify {
 
 namespace {
 
-double turn_between_axes(const Vec3& a, const Vec3& b) {
+double angle_between_axes(const Vec3& a, const Vec3& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
@@ -34,7 +34,7 @@ JointGap joint_gap(const World& world, InteractionId id, std::span<const Pose> p
     const Vec3 p = at.axis(0, 2), q = at.axis(1, 2);
     if (def.kind == Prismatic || def.kind == Cylindrical)
         gap.separation = (separation - separation.dot(p) * p).norm();
-    if (def.kind == Hinge || def.kind == Cylindrical) gap.turned = turn_between_axes(p, q);
+    if (def.kind == Hinge || def.kind == Cylindrical) gap.turned = angle_between_axes(p, q);
     if (def.kind == Prismatic || def.kind == Lock)
         gap.turned = at.frame(0).angularDistance(at.frame(1));
     if (def.kind == Universal) gap.turned = std::abs(std::asin(std::clamp(p.dot(q), -1.0, 1.0)));

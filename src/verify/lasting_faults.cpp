@@ -29,7 +29,7 @@ double coordinate(const World& world, InteractionId id, std::span<const Pose> po
 
 /// Return the thickness of a shape [m]. An object that is deeper emerges on the other side.
 /// Infinite for shapes other than spheres, boxes and cylinders.
-double thickness(const ShapeDef& s) {
+double shape_thickness(const ShapeDef& s) {
     if (s.body_b.valid()) return HUGE_VAL;
     switch (s.kind) {
         case ShapeKind::sphere:
@@ -68,11 +68,11 @@ std::string LastingFaults::check_ranges(const World& world, std::span<const Pose
         by = beyond;
         where = id;
     }
-    beyond_ = where.valid() ? beyond_ + 1 : 0;
-    if (beyond_ <= kMaxSteps) return {};
+    steps_beyond_ = where.valid() ? steps_beyond_ + 1 : 0;
+    if (steps_beyond_ <= kMaxSteps) return {};
     return fmt::format(
         "'{}' has been beyond its range for {} steps, now by {:.4g} {}",
-        record::interaction_label(world, where), beyond_, by,
+        record::interaction_label(world, where), steps_beyond_, by,
         world.interaction_def(where).kind == InteractionKind::HingeRange ? "rad" : "m");
 }
 
@@ -82,8 +82,8 @@ std::string LastingFaults::check_depths(const World& world) {
     const auto contacts = world.contacts();
     for (const ContactView& c : contacts) {
         if (c.asleep) continue;
-        const double deep = -c.gap / std::min(thickness(world.shape_def(c.shape[0])),
-                                              thickness(world.shape_def(c.shape[1])));
+        const double deep = -c.gap / std::min(shape_thickness(world.shape_def(c.shape[0])),
+                                              shape_thickness(world.shape_def(c.shape[1])));
         if (deep <= worst) continue;
         worst = deep;
         where = &c;

@@ -23,8 +23,8 @@ class LastingFaults {
   private:
     std::string check_ranges(const World& world, std::span<const Pose> pose);
     std::string check_depths(const World& world);
-    int beyond_ = 0;  ///< Consecutive steps with a violated range.
-    int deep_ = 0;    ///< Consecutive steps with a deep overlap.
+    int steps_beyond_ = 0;  ///< Consecutive steps with a violated range.
+    int deep_ = 0;          ///< Consecutive steps with a deep overlap.
 };
 
 }  // namespace hawser::verify

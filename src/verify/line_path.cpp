@@ -23,7 +23,7 @@ bool has_ends(const World& world, InteractionId id) {
 // other's circle or nearly so. The ends are then placed as if the difference of the signed radii
 // were 0.999 of the distance of the centres.
 // @return true in this case.
-bool drawn_in(const Attached& on, const double* radius, LineEnds& out) {
+bool ends_without_tangent(const Attached& on, const double* radius, LineEnds& out) {
     const bool first = radius[0] != 0.0, both = first && radius[1] != 0.0;
     if (!first && radius[1] == 0.0) return false;
     const Vec3 n = on.axis(first ? 0 : 1, 2), d = out.at[1] - out.at[0], flat = d - d.dot(n) * n;
@@ -48,7 +48,7 @@ LineEnds line_ends(const Attached& on) {
     const double radius[2] = {wheel_at(on.def(), 0), wheel_at(on.def(), 1)};
     const Vec3 centre[2] = {on.point(0), on.point(1)};
     LineEnds out{{centre[0], centre[1]}, Vec3::UnitX()};
-    if (drawn_in(on, radius, out)) return out;
+    if (ends_without_tangent(on, radius, out)) return out;
     for (int i = 0; i < 200; ++i) {
         const Vec3 d = out.at[1] - out.at[0];
         if (d.norm() < 1e-12) {

@@ -14,7 +14,7 @@ namespace {
 using Matrix = base::MatUpTo6;
 using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
 
-Matrix full(std::span<const double> triangle, int n) {
+Matrix full_matrix(std::span<const double> triangle, int n) {
     Matrix m(n, n);
     for (int i = 0; i < n; ++i)
         for (int j = 0; j <= i; ++j) {
@@ -30,7 +30,7 @@ Vector motion(const Twist& t, int n) {
     return v;
 }
 
-Matrix mass_of(const BodyDef& def, const Pose& pose, int n) {
+Matrix mass_matrix(const BodyDef& def, const Pose& pose, int n) {
     Matrix m = Matrix::Identity(n, n) * def.mass;
     if (n < 6) return m;
     const Mat3 r = pose.orientation.toRotationMatrix();
@@ -53,8 +53,9 @@ std::vector<LoadImpulse> load_impulses(const World& world, const std::vector<Pos
     for (const LoadView& load : world.loads()) {
         const auto b = static_cast<std::size_t>(load.body.index);
         const int n = static_cast<int>(load.force.size());
-        const Matrix a = full(load.mass, n), d = full(load.damping, n), k = full(load.stiffness, n);
-        const Matrix whole = mass_of(world.body_def(load.body), pose[b], n) + a;
+        const Matrix a = full_matrix(load.mass, n), d = full_matrix(load.damping, n),
+                     k = full_matrix(load.stiffness, n);
+        const Matrix whole = mass_matrix(world.body_def(load.body), pose[b], n) + a;
         const Matrix fast = h * d + 0.25 * h * h * k;
         const double late =
             d.isZero(0.0) ? 0.5 : late_fraction_of_load(base::solve_cholesky(whole, fast).trace());

@@ -35,27 +35,27 @@ SampledVerifier::SampledVerifier(const World& world, std::int64_t last) : last_(
         world.settings().on_diverged != OnDiverged::stop)
         return;
     verifier_.emplace(world, Checks{.strict = false, .sea = false, .states = false});
-    begun_ = world.step_count() - kEverySteps;
+    interval_begin_ = world.step_count() - kEverySteps;
 }
 
 void SampledVerifier::before_step(const World& world) {
     if (!verifier_) return;
-    if (left_ == 0) {
-        const std::int64_t since = world.step_count() - begun_;
+    if (steps_left_ == 0) {
+        const std::int64_t since = world.step_count() - interval_begin_;
         const bool ends = world.step_count() == last_ - kWindow;
-        if (since < kEverySteps && !ends && !(happened_ && since >= kAfterEvents)) return;
+        if (since < kEverySteps && !ends && !(events_happened_ && since >= kAfterEvents)) return;
         verifier_->begin_at(world);
-        begun_ = world.step_count();
-        left_ = kWindow;
-        happened_ = false;
+        interval_begin_ = world.step_count();
+        steps_left_ = kWindow;
+        events_happened_ = false;
     }
     verifier_->before_step(world);
 }
 
 void SampledVerifier::after_step(const World& world, std::span<const Event> events) {
-    happened_ = happened_ || std::any_of(events.begin(), events.end(), opens_window);
-    if (left_ == 0 || !verifier_) return;
-    --left_;
+    events_happened_ = events_happened_ || std::any_of(events.begin(), events.end(), opens_window);
+    if (steps_left_ == 0 || !verifier_) return;
+    --steps_left_;
     ++steps_;
     objection_ = verifier_->after_step(world);
 }

@@ -28,9 +28,9 @@ class SampledVerifier : public Observer {
 
   private:
     std::optional<Verifier> verifier_;  ///< Empty if groups of bodies may be split.
-    std::int64_t last_ = 0, begun_ = 0, steps_ = 0;
-    int left_ = 0;  ///< Remaining steps of the present interval.
-    bool happened_ = false;
+    std::int64_t last_ = 0, interval_begin_ = 0, steps_ = 0;
+    int steps_left_ = 0;  ///< Remaining steps of the present interval.
+    bool events_happened_ = false;
     std::string objection_;
 };
 

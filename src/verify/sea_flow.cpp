@@ -16,8 +16,8 @@ double fraction_below(double surface, double middle, double high) {
 }
 
 /// Return the projected area along an axis, for fractions of cells.
-double projected(const std::vector<HullCell>& cells, const std::vector<double>& fraction,
-                 int axis) {
+double projected_area(const std::vector<HullCell>& cells, const std::vector<double>& fraction,
+                      int axis) {
     std::map<std::pair<int, int>, std::pair<double, double>> rows;  // extent, width
     const auto a = static_cast<std::size_t>((axis + 1) % 3);
     const auto b = static_cast<std::size_t>((axis + 2) % 3);
@@ -68,9 +68,9 @@ SeaVerifier::Flow SeaVerifier::flow_over(const WaterHull& def, const Pose& pose)
         middle += weight.back() * x;
     }
     for (int k = 0; k < 3 && !cells.empty() && !def.linear.on; ++k) {
-        const double w = projected(cells, wet_then, k), d = projected(cells, dry_then, k);
-        out.wet_fraction[k] = w > 0.0 ? projected(cells, wet, k) / w : 1.0;
-        out.dry_fraction[k] = d > 0.0 ? projected(cells, dry, k) / d : 0.0;
+        const double w = projected_area(cells, wet_then, k), d = projected_area(cells, dry_then, k);
+        out.wet_fraction[k] = w > 0.0 ? projected_area(cells, wet, k) / w : 1.0;
+        out.dry_fraction[k] = d > 0.0 ? projected_area(cells, dry, k) / d : 0.0;
     }
     if (!(all > 0.0)) {
         add_water(water(pose.position), pose.position, 1.0, out.velocity, out.rate);

@@ -15,19 +15,19 @@ struct Spot {
     double depth, pressure;
 };
 
-Spot between(const Spot& a, const Spot& b, double t) {
+Spot crossing_point(const Spot& a, const Spot& b, double t) {
     return {a.x + t * (b.x - a.x), a.depth + t * (b.depth - a.depth),
             a.pressure + t * (b.pressure - a.pressure)};
 }
 
 /// Return the part of a triangle under the surface, corner by corner.
-std::vector<Spot> wet_part(const Spot (&corner)[3]) {
+std::vector<Spot> wet_polygon(const Spot (&corner)[3]) {
     std::vector<Spot> out;
     for (int k = 0; k < 3; ++k) {
         const Spot &a = corner[k], &b = corner[(k + 1) % 3];
         if (a.depth > 0.0) out.push_back(a);
         if ((a.depth > 0.0) == (b.depth > 0.0)) continue;
-        Spot cut = between(a, b, a.depth / (a.depth - b.depth));
+        Spot cut = crossing_point(a, b, a.depth / (a.depth - b.depth));
         cut.depth = cut.pressure = 0.0;
         out.push_back(cut);
     }
@@ -57,7 +57,7 @@ void SeaVerifier::add_hull(const WaterHull& def, const Pose& pose, const Twist& 
                                 spots[static_cast<std::size_t>(t[1])],
                                 spots[static_cast<std::size_t>(t[2])]};
         whole += corner[0].x.dot(corner[1].x.cross(corner[2].x)) / 6.0;
-        const std::vector<Spot> part = wet_part(corner);
+        const std::vector<Spot> part = wet_polygon(corner);
         for (std::size_t k = 2; k < part.size(); ++k) {
             const Spot &a = part[0], &b = part[k - 1], &c = part[k];
             const Vec3 area = 0.5 * (b.x - a.x).cross(c.x - a.x);

@@ -36,12 +36,12 @@ SeaVerifier::SeaVerifier(const World& world) : def_(find_sea(world)) {
             if (std::isnan(w.volume)) w.volume = std::numbers::pi / 4 * w.diameter * w.diameter;
             const bool last = k + 1 == line.sections.size();
             for (int n = 0; e < elements.size() && (last || n < line.sections[k].elements); ++n)
-                known_.emplace_back(elements[e++], &w);
+                line_water_.emplace_back(elements[e++], &w);
         }
         if (!line.free_first) ends_.push_back(nodes.front());
         if (!line.free_last) ends_.push_back(nodes.back());
     }
-    std::sort(known_.begin(), known_.end(),
+    std::sort(line_water_.begin(), line_water_.end(),
               [](const auto& a, const auto& b) { return a.first < b.first; });
 }
 
@@ -58,9 +58,9 @@ void SeaVerifier::before_step(const World& world) {
                .wind_direction = world.system_signal("sea.wind_direction"),
                .level = world.system_signal("sea.level")};
     step_ = world.settings().step;
-    past_.resize(def_->hulls.size());
-    for (std::size_t i = 0; i < past_.size(); ++i)
-        if (def_->hulls[i].coefficients) begin_past(world, i);
+    history_.resize(def_->hulls.size());
+    for (std::size_t i = 0; i < history_.size(); ++i)
+        if (def_->hulls[i].coefficients) start_history(world, i);
 }
 
 double SeaVerifier::limit() const noexcept {
@@ -131,13 +131,14 @@ SeaVerifier::Water SeaVerifier::water(const Vec3& x) const {
 
 Vec3 SeaVerifier::wind(double z) const { return sea_->wind(air_, z); }
 
-const LineWater* SeaVerifier::sort_of(const World& world, WireId wire, std::size_t element) const {
+const LineWater* SeaVerifier::water_of_element(const World& world, WireId wire,
+                                               std::size_t element) const {
     const auto elements = world.wires().elements(wire);
     const auto own = [&](std::size_t i) -> const LineWater* {
         const auto at =
-            std::lower_bound(known_.begin(), known_.end(), elements[i],
+            std::lower_bound(line_water_.begin(), line_water_.end(), elements[i],
                              [](const auto& a, const InteractionId& id) { return a.first < id; });
-        return at != known_.end() && at->first == elements[i] ? at->second : nullptr;
+        return at != line_water_.end() && at->first == elements[i] ? at->second : nullptr;
     };
     for (std::size_t i = element + 1; i-- > 0;)
         if (const LineWater* w = own(i); w != nullptr) return w;
@@ -151,7 +152,7 @@ void SeaVerifier::add_half(const World& world, WireId wire, std::size_t element,
                            const std::vector<Twist>& before) {
     const auto nodes = world.wires().nodes(wire);
     const InteractionId id = world.wires().elements(wire)[element];
-    const LineWater* w = world.alive(id) ? sort_of(world, wire, element) : nullptr;
+    const LineWater* w = world.alive(id) ? water_of_element(world, wire, element) : nullptr;
     if (w == nullptr) return;
     const BodyId own = nodes[element + (last ? 1 : 0)], other = nodes[element + (last ? 0 : 1)];
     const auto place = [&](BodyId b) -> Vec3 {
@@ -173,7 +174,7 @@ void SeaVerifier::add_half(const World& world, WireId wire, std::size_t element,
     // A broken element hangs like the node's other element.
     const std::size_t next = last ? element + 1 : element - 1;  // −1: beyond the end, too
     if (line.isZero(0.0) && next < world.wires().elements(wire).size() &&
-        sort_of(world, wire, next) != nullptr &&
+        water_of_element(world, wire, next) != nullptr &&
         intact_[numbered(world.wires().elements(wire)[next].index)])
         t = (place(nodes[last ? next + 1 : next]) - x).normalized();
     const Mat3 tt = outer(t), across = Mat3::Identity() - tt;
@@ -205,7 +206,7 @@ void SeaVerifier::add_lines(const World& world, const std::vector<Pose>& pose,
             bool wet = false;
             for (std::size_t e = i > 0 ? i - 1 : 0; e < std::min(i + 1, nodes.size() - 1); ++e)
                 wet = wet || (world.alive(world.wires().elements(wire)[e]) &&
-                              sort_of(world, wire, e) != nullptr);
+                              water_of_element(world, wire, e) != nullptr);
             if (!wet) continue;
             const Vec3 x = pose[numbered(nodes[i].index)].position;
             Water at = water(x);
@@ -272,7 +273,7 @@ double SeaVerifier::after_step(const World& world, const std::vector<Pose>& pose
         const WaterHull& h = def_->hulls[i];
         const std::size_t body = numbered(h.body.index);
         add_hull(h, pose[body], before[body]);
-        if (h.coefficients) add_coefficients(h, past_[i], pose[body], before[body]);
+        if (h.coefficients) add_coefficients(h, history_[i], pose[body], before[body]);
     }
     for (const WaterRod& rod : def_->rods)
         add_rod(rod, pose[numbered(rod.body.index)], before[numbered(rod.body.index)]);
@@ -280,10 +281,11 @@ double SeaVerifier::after_step(const World& world, const std::vector<Pose>& pose
     for (const LoadView& view : sea_loads(world)) {
         Load& mine = load_[numbered(view.body.index)];
         const auto n = static_cast<int>(view.force.size());
-        const auto compare = [&](std::span<const double> theirs, const auto& entry, double size) {
+        const auto compare = [&](std::span<const double> world_values, const auto& entry,
+                                 double size) {
             double most = 0.0;
-            for (int i = 0; i < static_cast<int>(theirs.size()); ++i)
-                most = std::max(most, std::abs(theirs[numbered(i)] - entry(i)));
+            for (int i = 0; i < static_cast<int>(world_values.size()); ++i)
+                most = std::max(most, std::abs(world_values[numbered(i)] - entry(i)));
             if (!(most <= 1e-14 * size)) worst = std::max(worst, most / size);
         };
         const double speed = before[numbered(view.body.index)].linear.norm();
@@ -293,9 +295,9 @@ double SeaVerifier::after_step(const World& world, const std::vector<Pose>& pose
             view.force, [&](int i) { return mine.force[i]; },
             mine.force.norm() + mine.damping.norm() * speed + m * gravity_);
         struct Part {
-            std::span<const double> theirs;
+            std::span<const double> world_values;
             const Mat6& own;
-            double floor;
+            double rounding_floor;
         };
         for (const Part& part :
              {Part{view.mass, mine.mass, m}, Part{view.damping, mine.damping, m / h},
@@ -304,8 +306,8 @@ double SeaVerifier::after_step(const World& world, const std::vector<Pose>& pose
             for (int i = 0; i < n; ++i)
                 for (int j = 0; j <= i; ++j) triangle_of_own.push_back(part.own(i, j));
             compare(
-                part.theirs, [&](int i) { return triangle_of_own[numbered(i)]; },
-                part.own.norm() + part.floor);
+                part.world_values, [&](int i) { return triangle_of_own[numbered(i)]; },
+                part.own.norm() + part.rounding_floor);
         }
         mine.wet = false;
     }

@@ -19,7 +19,7 @@ class SeaVerifier {
   public:
     explicit SeaVerifier(const World& world);
     /// Restart after another state was restored: memories of hulls begin with those of the library.
-    void restart() noexcept { past_.clear(); }
+    void restart() noexcept { history_.clear(); }
     /// Read inputs and time of the next step.
     void before_step(const World& world);
     /// Compare the loads of a step.
@@ -48,8 +48,8 @@ class SeaVerifier {
     [[nodiscard]] double surface(double x, double y) const;
     [[nodiscard]] Water water(const Vec3& x) const;
     [[nodiscard]] Vec3 wind(double z) const;
-    [[nodiscard]] const LineWater* sort_of(const World& world, WireId wire,
-                                           std::size_t element) const;
+    [[nodiscard]] const LineWater* water_of_element(const World& world, WireId wire,
+                                                    std::size_t element) const;
     void add_lines(const World& world, const std::vector<Pose>& pose,
                    const std::vector<Twist>& before);
     /// Add the half of an element next to a node. @param at  Water at the node.
@@ -75,12 +75,12 @@ class SeaVerifier {
         std::vector<Vec6> velocity;     ///< ν̄, newest first.
         Eigen::VectorXd states;         ///< States of a state space.
         Eigen::MatrixXd step_on, b, c;  ///< e^{Ah}, B, C.
-        Vec6 last = Vec6::Zero(), ahead = Vec6::Zero();
-        bool begun = false, slow_begun = false;
+        Vec6 last = Vec6::Zero(), predicted = Vec6::Zero();
+        bool is_begun = false, slow_begun = false;
         std::array<std::array<double, 3>, 4> lag{};
         double until = 0.0;  ///< End time [s].
     };
-    void begin_past(const World& world, std::size_t hull);
+    void start_history(const World& world, std::size_t hull);
     void add_coefficients(const WaterHull& def, Past& past, const Pose& pose, const Twist& twist);
     void add_memory(const WaterHull& def, Past& past, const Mat3& axes, const Twist& twist,
                     Load& out);
@@ -103,7 +103,8 @@ class SeaVerifier {
     std::vector<Wave> waves_;
     std::unique_ptr<const Sea> sea_;
     double gravity_ = 9.81;
-    std::vector<std::pair<InteractionId, const LineWater*>> known_;  ///< As defined, ascending.
+    std::vector<std::pair<InteractionId, const LineWater*>>
+        line_water_;  ///< As defined, ascending.
     std::vector<LineWater> volumes_;
     std::vector<BodyId> ends_;  ///< Bodies that hold lines.
     SeaInputs inputs_{};
@@ -111,7 +112,7 @@ class SeaVerifier {
     std::vector<bool> intact_;  ///< By interaction, at the start of the step.
     SeaMoment air_{};
     std::vector<Load> load_;
-    std::vector<Past> past_;  ///< By hull.
+    std::vector<Past> history_;  ///< By hull.
     double step_ = 0.0;
     std::vector<double> mass_;  ///< By body [kg].
 };

@@ -34,7 +34,7 @@ M6 damping_at(const WaveCoefficients& c, double omega) {
 }
 
 /// Return the frequencies between which B is linear.
-std::vector<double> ends_of(const WaveCoefficients& c) {
+std::vector<double> frequency_breaks(const WaveCoefficients& c) {
     std::vector<double> out{0.0};
     out.insert(out.end(), c.frequency.begin(), c.frequency.end());
     for (int i = 1; i <= 12; ++i) out.push_back(c.frequency.back() * std::pow(4.0, i / 12.0));
@@ -43,13 +43,14 @@ std::vector<double> ends_of(const WaveCoefficients& c) {
 }
 
 /// Return K at m h, m = 0 … count − 1, with about five Gauss points per radian.
-std::vector<M6> kernel_of(const WaveCoefficients& c, double h, std::size_t count, double memory) {
+std::vector<M6> retardation_kernel(const WaveCoefficients& c, double h, std::size_t count,
+                                   double memory) {
     constexpr double kAt[] = {-0.9061798459386640, -0.5384693101056831, 0.0, 0.5384693101056831,
                               0.9061798459386640};
     constexpr double kWeight[] = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889,
                                   0.4786286704993665, 0.2369268850561891};
     std::vector<M6> out(count, M6::Zero());
-    const std::vector<double> ends = ends_of(c);
+    const std::vector<double> ends = frequency_breaks(c);
     const double longest = h * static_cast<double>(count);
     for (std::size_t i = 1; i < ends.size(); ++i) {
         const double wide = ends[i] - ends[i - 1];
@@ -72,7 +73,7 @@ std::vector<M6> kernel_of(const WaveCoefficients& c, double h, std::size_t count
 }
 
 /// Return e^{A h} by the series of A h/1024, squared ten times.
-Eigen::MatrixXd grown(const Eigen::MatrixXd& a, double h) {
+Eigen::MatrixXd matrix_exponential(const Eigen::MatrixXd& a, double h) {
     const Eigen::MatrixXd x = a * h / 1024.0;
     Eigen::MatrixXd term = Eigen::MatrixXd::Identity(a.rows(), a.cols()), sum = term;
     for (int n = 1; n < 12; ++n) {
@@ -85,27 +86,27 @@ Eigen::MatrixXd grown(const Eigen::MatrixXd& a, double h) {
 
 }  // namespace
 
-void SeaVerifier::begin_past(const World& world, std::size_t hull) {
-    Past& past = past_[hull];
+void SeaVerifier::start_history(const World& world, std::size_t hull) {
+    Past& past = history_[hull];
     const WaterHull& def = def_->hulls[hull];
     const bool goes_on = past.until != 0.0 && std::abs(past.until - time_) < 1e-9;
     past.until = time_ + step_;
     if (goes_on) return;
     past.at_start = hull_memory(world, hull);
     const HullMemory& m = past.at_start;
-    past.begun = m.begun;
+    past.is_begun = m.begun;
     past.slow_begun = world.time() > 0.0;
     past.lag = {m.lag[0], m.lag[1], m.lag[2], m.lag[3]};
     past.last = Eigen::Map<const V6>(m.last.data());
     past.velocity.clear();
     for (const auto& v : m.past) past.velocity.emplace_back(Eigen::Map<const V6>(v.data()));
     if (m.kind == RadiationKind::convolution && past.kernel.size() != m.past.size() + 1)
-        past.kernel = kernel_of(*def.coefficients, m.step, m.past.size() + 1, def.memory);
+        past.kernel = retardation_kernel(*def.coefficients, m.step, m.past.size() + 1, def.memory);
     if (m.kind != RadiationKind::state_space) return;
     using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     const auto n = static_cast<Eigen::Index>(m.states.size());
     past.states = Eigen::Map<const Eigen::VectorXd>(m.states.data(), n);
-    past.step_on = grown(Eigen::Map<const Rows>(m.a.data(), n, n), m.step);
+    past.step_on = matrix_exponential(Eigen::Map<const Rows>(m.a.data(), n, n), m.step);
     past.b = Eigen::Map<const Rows>(m.b.data(), n, 6);
     past.c = Eigen::Map<const Rows>(m.c.data(), 6, n);
 }
@@ -118,10 +119,10 @@ void SeaVerifier::add_memory(const WaterHull& def, Past& past, const Mat3& axes,
     V6 v;
     v << axes.transpose() * twist.linear, axes.transpose() * twist.angular;
     v = to_reference * v;
-    past.ahead = past.begun ? V6(v + 0.5 * (v - past.last)) : v;
+    past.predicted = past.is_begun ? V6(v + 0.5 * (v - past.last)) : v;
     M6 first = M6::Zero();
     V6 force = V6::Zero();
-    if (past.begun && kind != RadiationKind::none) {
+    if (past.is_begun && kind != RadiationKind::none) {
         const V6 mean = 0.5 * (past.last + v);
         if (kind == RadiationKind::convolution) {
             past.velocity.insert(past.velocity.begin(), mean);
@@ -131,7 +132,7 @@ void SeaVerifier::add_memory(const WaterHull& def, Past& past, const Mat3& axes,
         }
     }
     past.last = v;
-    past.begun = true;
+    past.is_begun = true;
     if (kind == RadiationKind::none) return;
     if (kind == RadiationKind::convolution) {
         first = past.kernel[0];
@@ -141,7 +142,7 @@ void SeaVerifier::add_memory(const WaterHull& def, Past& past, const Mat3& axes,
         first = past.at_start.first;  // the fit's value without its negative part
         force = -past.c * past.states;
     }
-    const M6 turn = blocks(axes);
+    const M6 turn = block_diagonal(axes);
     const M6 damping = 0.5 * step_ * first + past.at_start.added;
     out.damping += turn * to_reference.transpose() * damping * to_reference * turn.transpose();
     out.force += turn * to_reference.transpose() * force;
@@ -156,7 +157,7 @@ Mat3 SeaVerifier::frame_of(const WaterHull& def, Past& past, const Pose& pose) c
     std::array<double, 3> to{pose.position.x() + arm.x(), pose.position.y() + arm.y(),
                              heading_about_z(pose)};
     if (!past.slow_begun) past.lag.fill(to);
-    to[2] = past.lag[0][2] + less_turns(to[2] - past.lag[0][2]);
+    to[2] = past.lag[0][2] + wrap_angle(to[2] - past.lag[0][2]);
     const double fraction = def.slow_time > 0.0 ? 1.0 - std::exp(-step_ / def.slow_time) : 1.0;
     for (auto& lag : past.lag) {
         for (std::size_t k = 0; k < 3; ++k) lag[k] = (1.0 - fraction) * lag[k] + fraction * to[k];
@@ -178,7 +179,7 @@ void SeaVerifier::add_coefficients(const WaterHull& def, Past& past, const Pose&
             Eigen::AngleAxisd(heading_about_z(pose), Vec3(0, 0, 1)).toRotationMatrix();
         add_statics(def, pose, waves ? axes : level, out);
     }
-    const M6 turn = blocks(axes), t = motions_at(c.reference);
+    const M6 turn = block_diagonal(axes), t = motions_at(c.reference);
     M6 a = M6::Zero();
     if (def.radiation == RadiationKind::constant) {
         const double omega = 2.0 * kHalfTurn / def.constant_period;
@@ -210,7 +211,7 @@ void SeaVerifier::add_coefficients(const WaterHull& def, Past& past, const Pose&
     Vec3 flow = Vec3::Zero();
     flow = sea_->current(air_, std::min(pose.position.z(), level_));
     // Velocity at the centre of mass, along axes of the world.
-    V6 v = turn * base::inverse(motions_at(c.reference)) * past.ahead;
+    V6 v = turn * base::inverse(motions_at(c.reference)) * past.predicted;
     v.head<3>() -= flow;
     const Vec3 spin = v.tail<3>();
     const V6 p = mass * v;

@@ -14,15 +14,15 @@ namespace {
 /// surface cuts the rod, otherwise a secant.
 struct Lift {
     M6 cut = M6::Zero(), whole = M6::Zero();
-    double deepest = 0.0, couple = 0.0;
-    bool crossed = false;
+    double deepest = 0.0, righting_couple = 0.0;
+    bool crosses_surface = false;
 
     void put(M6& stiffness) const {
-        if (crossed)
+        if (crosses_surface)
             stiffness += cut;
         else if (deepest > 0.0)
             stiffness += whole / deepest;
-        for (int k = 3; k < 5; ++k) stiffness(k, k) += std::max(couple, 0.0);
+        for (int k = 3; k < 5; ++k) stiffness(k, k) += std::max(righting_couple, 0.0);
     }
 };
 
@@ -68,10 +68,10 @@ void SeaVerifier::add_rod(const WaterRod& def, const Pose& pose, const Twist& tw
         out.damping += at_point.transpose() * drag * at_point;
         const double weight = rho * volume * length * gravity_;
         const Mat3 rise = up * up.transpose();
-        lift.couple += mass * gravity_ * arm.z();
+        lift.righting_couple += mass * gravity_ * arm.z();
         lift.deepest = std::max(lift.deepest, depth);
         if (wet < 1.0) {
-            lift.crossed = true;
+            lift.crosses_surface = true;
             lift.cut += at_point.transpose() * (weight / (2.0 * half) * rise) * at_point;
         } else {
             lift.whole += at_point.transpose() * (weight * rise) * at_point;

@@ -14,11 +14,11 @@ using M6 = Eigen::Matrix<double, 6, 6>;
 using V6 = Eigen::Matrix<double, 6, 1>;
 inline constexpr double kHalfTurn = std::numbers::pi;
 
-inline double less_turns(double angle) { return std::remainder(angle, 2.0 * kHalfTurn); }
+inline double wrap_angle(double angle) { return std::remainder(angle, 2.0 * kHalfTurn); }
 
 inline double heading_about_z(const Pose& pose) {
-    const Vec3 ahead = pose.orientation * Vec3(1, 0, 0);
-    return std::atan2(ahead.y(), ahead.x());
+    const Vec3 forward = pose.orientation * Vec3(1, 0, 0);
+    return std::atan2(forward.y(), forward.x());
 }
 
 /// Return the velocity at a point for each of the six motions.
@@ -32,7 +32,7 @@ inline M6 motions_at(const Vec3& point) {
     return out;
 }
 
-inline M6 blocks(const Mat3& axes) {
+inline M6 block_diagonal(const Mat3& axes) {
     M6 out = M6::Zero();
     out.block<3, 3>(0, 0) = out.block<3, 3>(3, 3) = axes;
     return out;

@@ -12,8 +12,8 @@ namespace hawser::verify {
 namespace {
 
 template <class T>
-T between_frequencies(const WaveCoefficients& c, const std::vector<T>& table, std::size_t head,
-                      int k, double omega, double above) {
+T interpolate_frequency(const WaveCoefficients& c, const std::vector<T>& table, std::size_t head,
+                        int k, double omega, double above) {
     const auto& w = c.frequency;
     const auto entry = [&](std::size_t i) {
         return table[(head * w.size() + i) * 6 + std::size_t(k)];
@@ -32,7 +32,7 @@ T in_direction(const WaveCoefficients& c, const std::vector<T>& table, int k, do
                double direction, double above) {
     const auto& heads = c.heading;
     const auto value = [&](std::size_t i) {
-        return between_frequencies(c, table, i, k, omega, above);
+        return interpolate_frequency(c, table, i, k, omega, above);
     };
     const auto inside = [&](double d) {
         if (d <= heads.front()) return value(0);
@@ -42,7 +42,7 @@ T in_direction(const WaveCoefficients& c, const std::vector<T>& table, int k, do
                        (d - heads[i - 1]) / (heads[i] - heads[i - 1]) * (value(i) - value(i - 1));
         return value(heads.size() - 1);
     };
-    const double d = less_turns(direction), whole = 2.0 * kHalfTurn;
+    const double d = wrap_angle(direction), whole = 2.0 * kHalfTurn;
     for (const double turned : {d, d + whole, d - whole})
         if (turned >= heads.front() && turned <= heads.back()) return inside(turned);
     const bool half = heads.size() > 1 && std::abs(heads.front()) < 1e-3 &&
@@ -129,7 +129,7 @@ void SeaVerifier::add_statics(const WaterHull& def, const Pose& pose, const Mat3
     V6 x = V6::Zero();
     const Mat3 odd = 0.5 * (tilt - tilt.transpose());
     x << 0, 0, pose.position.z() - level_ - def.linear.height, odd(2, 1), odd(0, 2), 0;
-    const M6 turn = blocks(level);
+    const M6 turn = block_diagonal(level);
     out.force -= turn * k * x;
     out.force[2] += std::isnan(def.linear.weight)
                         ? mass_[static_cast<std::size_t>(def.body.index)] * gravity_

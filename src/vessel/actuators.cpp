@@ -37,16 +37,16 @@ bool follow(double& now, double target, double rate, double lag, double step) no
     const double error = target - now, side = error < 0.0 ? -1.0 : 1.0;
     const double knee = rate * lag;  // From here on the first-order rate is below the limit.
     double left = std::abs(error), time = step;
-    bool limited = false;
+    bool is_limited = false;
     if (left > knee) {
         const double moved = std::min(left - knee, rate * step);
-        limited = left - knee > rate * step;
+        is_limited = left - knee > rate * step;
         left -= moved;
         time -= rate > 0.0 ? moved / rate : step;
     }
     if (lag > 0.0) left *= std::exp(-std::max(0.0, time) / lag);
     now = target - side * left;
-    return limited;
+    return is_limited;
 }
 
 double wrapped(double angle) noexcept { return std::remainder(angle, kTwoPi); }
@@ -81,7 +81,7 @@ PropellerForce Propulsor::open(const PropulsorState& s, const Flow& flow,
     along = (1.0 - def_.wake) * (x * std::cos(a) + y * std::sin(a));
     if (def_.kind == PropulsorKind::tunnel) along = 0.0;
     PropellerForce out;
-    if (screw()) {
+    if (is_screw()) {
         const double pitch = def_.propeller.pitch * (def_.controllable ? s.pitch : 1.0);
         out = propeller_force(def_.propeller, pitch, s.rps, along, flow.density);
     } else {
@@ -90,13 +90,13 @@ PropellerForce Propulsor::open(const PropulsorState& s, const Flow& flow,
     }
     if (def_.kind == PropulsorKind::tunnel && def_.lost_at > 0.0)
         out.thrust *= std::max(0.0, 1.0 - std::abs(flow.u()) / def_.lost_at);
-    out.thrust *= s.kept;
-    out.torque *= s.kept_torque;
+    out.thrust *= s.thrust_fraction;
+    out.torque *= s.torque_fraction;
     return out;
 }
 
 double Propulsor::max_thrust(double density) const noexcept {
-    if (!screw()) return def_.thrust;
+    if (!is_screw()) return def_.thrust;
     return propeller_force(def_.propeller, def_.propeller.pitch, def_.most_rps, 0.0, density)
         .thrust;
 }
@@ -114,18 +114,18 @@ Wrench Propulsor::force(const PropulsorState& s, const Flow& flow) const noexcep
     return push(s, open(s, flow, along).thrust);
 }
 
-Failure failure_of(double input) noexcept {
+Failure failure_from_input(double input) noexcept {
     return static_cast<Failure>(std::clamp(static_cast<int>(std::lround(input)), 0, 3));
 }
 
-double Propulsor::ordered(const PropulsorState& s) const noexcept {
-    switch (failure_of(s.failed)) {
+double Propulsor::effective_order(const PropulsorState& s) const noexcept {
+    switch (failure_from_input(s.failed)) {
         case Failure::none:
             break;
         case Failure::stopped:
             return 0.0;
         case Failure::kept:
-            return screw() && def_.shaft_inertia > 0.0 ? s.rps / def_.most_rps : s.level;
+            return is_screw() && def_.shaft_inertia > 0.0 ? s.rps / def_.most_rps : s.level;
         case Failure::full:
             return 1.0;
     }
@@ -138,7 +138,7 @@ double Propulsor::turning(const PropulsorState& s) const noexcept {
 
 Propulsor::Shaft Propulsor::shaft(const PropulsorState& s, const Flow& flow) const noexcept {
     Shaft out;
-    out.target = ordered(s) * def_.most_rps;
+    out.target = effective_order(s) * def_.most_rps;
     const double inertia = kTwoPi * def_.shaft_inertia;
     double along = 0.0;
     out.load = open(s, flow, along).torque;
@@ -146,18 +146,18 @@ Propulsor::Shaft Propulsor::shaft(const PropulsorState& s, const Flow& flow) con
     const double d = 1e-4 * def_.most_rps;
     more.rps = s.rps + d;
     out.slope = std::max(0.0, (open(more, flow, along).torque - out.load) / d);
-    out.wanted = out.load + inertia * (out.target - s.rps) / def_.response;
-    if (failure_of(s.failed) == Failure::stopped) return out;
+    out.unlimited_torque = out.load + inertia * (out.target - s.rps) / def_.response;
+    if (failure_from_input(s.failed) == Failure::stopped) return out;
     double most = def_.most_torque > 0.0 ? def_.most_torque : 1e300;
     if (def_.most_power > 0.0)
         most = std::min(most, def_.most_power / std::max(kTwoPi * std::abs(s.rps), 1e-6));
-    out.motor = std::clamp(out.wanted, -most, most);
+    out.motor = std::clamp(out.unlimited_torque, -most, most);
     return out;
 }
 
 double Propulsor::demand(const PropulsorState& s, const Flow& flow, double rated) const noexcept {
-    const double order = ordered(s);
-    if (!screw()) return rated * std::abs(order * order * order);
+    const double order = effective_order(s);
+    if (!is_screw()) return rated * std::abs(order * order * order);
     if (!(def_.shaft_inertia > 0.0)) {
         PropulsorState at = s;
         at.rps = order * def_.most_rps;
@@ -175,15 +175,15 @@ void Propulsor::turn_shaft(PropulsorState& s, const Flow& flow, double step, dou
     const Shaft at = shaft(s, flow);
     const double inertia = kTwoPi * def_.shaft_inertia;
     double motor = at.motor;
-    const bool stopped = failure_of(s.failed) == Failure::stopped;
-    const bool limited = motor != at.wanted && !stopped;
+    const bool stopped = failure_from_input(s.failed) == Failure::stopped;
+    const bool is_limited = motor != at.unlimited_torque && !stopped;
     if (motor * s.rps >= 0.0) {
         const double most = granted / (kTwoPi * turning(s));
         motor = std::clamp(motor, -most, most);
     }
     const double before = s.rps;
     double next = before + step * (motor - at.load) / (inertia + step * at.slope);
-    if (motor == at.wanted) {
+    if (motor == at.unlimited_torque) {
         // Without a limit the response is exactly first order.
         next = at.target - (at.target - before) * std::exp(-step / def_.response);
         // Mean torque of the motor in the step.
@@ -191,21 +191,21 @@ void Propulsor::turn_shaft(PropulsorState& s, const Flow& flow, double step, dou
     }
     s.rps = next;
     s.power = std::numbers::pi * (before + next) * motor;
-    if (limited && s.power_limited == 0) power = {true, s.power};
-    s.power_limited = limited ? 1 : 0;
+    if (is_limited && s.power_limited == 0) power = {true, s.power};
+    s.power_limited = is_limited ? 1 : 0;
 }
 
 void Propulsor::turn(PropulsorState& s, double step, Limit& turn) const noexcept {
     double target = s.angle_order;
     if (!(def_.most_angle > 0.0)) target = s.angle + wrapped(s.angle_order - s.angle);
-    const bool limited = follow(s.angle, target, def_.turn_rate, 0.0, step);
+    const bool is_limited = follow(s.angle, target, def_.turn_rate, 0.0, step);
     if (!(def_.most_angle > 0.0)) s.angle = wrapped(s.angle);
-    if (limited && s.turning_limited == 0) turn = {true, def_.turn_rate};
-    s.turning_limited = limited ? 1 : 0;
+    if (is_limited && s.turning_limited == 0) turn = {true, def_.turn_rate};
+    s.turning_limited = is_limited ? 1 : 0;
 }
 
 void Propulsor::turn_vector(PropulsorState& s, double order, double step) const noexcept {
-    const double angle = failure_of(s.failed) == Failure::none ? s.angle_order : s.angle;
+    const double angle = failure_from_input(s.failed) == Failure::none ? s.angle_order : s.angle;
     double x = s.level * std::cos(s.angle), y = s.level * std::sin(s.angle);
     const double to_x = order * std::cos(angle) - x, to_y = order * std::sin(angle) - y;
     const double way = std::hypot(to_x, to_y);
@@ -224,18 +224,19 @@ void Propulsor::advance(PropulsorState& s, const Flow& flow, double step, double
     const PropellerForce water = open(s, flow, along);
     s.thrust = water.thrust;
     s.torque = water.torque;
-    const Failure failure = failure_of(s.failed);
-    if (screw() && def_.controllable && failure != Failure::stopped && failure != Failure::kept) {
+    const Failure failure = failure_from_input(s.failed);
+    if (is_screw() && def_.controllable && failure != Failure::stopped &&
+        failure != Failure::kept) {
         const double rate = def_.pitch_time > 0.0 ? 1.0 / def_.pitch_time : 1e30;
-        const bool limited =
+        const bool is_limited =
             follow(s.pitch, failure == Failure::full ? 1.0 : s.pitch_order, rate, 0.0, step);
-        if (limited && s.pitch_limited == 0) turning = {true, rate};
-        s.pitch_limited = limited ? 1 : 0;
+        if (is_limited && s.pitch_limited == 0) turning = {true, rate};
+        s.pitch_limited = is_limited ? 1 : 0;
     }
-    if (screw() && def_.shaft_inertia > 0.0) {
+    if (is_screw() && def_.shaft_inertia > 0.0) {
         turn_shaft(s, flow, step, granted, power);
     } else {
-        double target = ordered(s);
+        double target = effective_order(s);
         // Power grows with the cube of the order.
         if (granted < demanded) target *= std::cbrt(granted / demanded);
         if (def_.kind == PropulsorKind::cycloidal) {
@@ -243,7 +244,7 @@ void Propulsor::advance(PropulsorState& s, const Flow& flow, double step, double
             return;
         }
         (void)follow(s.level, target, def_.ramp > 0.0 ? 1.0 / def_.ramp : 1e30, 0.0, step);
-        if (screw()) {
+        if (is_screw()) {
             s.rps = s.level * def_.most_rps;
             s.power = kTwoPi * s.rps * open(s, flow, along).torque;
         }
@@ -279,13 +280,13 @@ Wrench Rudder::force(const RudderState& s, const Flow& flow, double thrust,
 
 void Rudder::advance(RudderState& s, double step, Limit& rate) const noexcept {
     double target = std::clamp(s.order, -def_.most_angle, def_.most_angle);
-    const Failure failure = failure_of(s.failed);
+    const Failure failure = failure_from_input(s.failed);
     if (failure == Failure::stopped) target = s.angle;
     if (failure == Failure::kept) target = def_.most_angle;
     if (failure == Failure::full) target = -def_.most_angle;
-    const bool limited = follow(s.angle, target, def_.rate, 0.0, step);
-    if (limited && s.limited == 0) rate = {true, def_.rate};
-    s.limited = limited ? 1 : 0;
+    const bool is_limited = follow(s.angle, target, def_.rate, 0.0, step);
+    if (is_limited && s.is_limited == 0) rate = {true, def_.rate};
+    s.is_limited = is_limited ? 1 : 0;
 }
 
 }  // namespace vessel

@@ -15,7 +15,7 @@ namespace hawser::vessel {
 
 /// Limit that an actuator met in a step.
 struct Limit {
-    bool met = false;
+    bool is_met = false;
     double value = 0.0;
 };
 
@@ -37,15 +37,16 @@ struct PropulsorState {
     std::int32_t turning_limited = 0, power_limited = 0;  ///< Limits in the last step.
     double failed = 0.0;                                  ///< Input, a Failure.
     std::int32_t failed_last = 0;                         ///< Failure in the last step.
-    double kept = 1.0, kept_torque = 1.0;  ///< Thrust and torque over their values without losses.
-    double loss = 0.0;                     ///< Output: 1 − kept.
-    double torque = 0.0;                   ///< Output: torque of the water on the shaft [N m].
-    std::int32_t pitch_limited = 0;        ///< The pitch was at its rate in the last step.
+    double thrust_fraction = 1.0,
+           torque_fraction = 1.0;    ///< Thrust and torque over their values without losses.
+    double loss = 0.0;               ///< Output: 1 − thrust_fraction.
+    double torque = 0.0;             ///< Output: torque of the water on the shaft [N m].
+    std::int32_t pitch_limited = 0;  ///< The pitch was at its rate in the last step.
 };
 
 /// Failure modes of the inputs NAME_failed.
 enum class Failure : std::uint8_t { none, stopped, kept, full };
-[[nodiscard]] Failure failure_of(double input) noexcept;
+[[nodiscard]] Failure failure_from_input(double input) noexcept;
 
 /// Propulsor of a vessel, at a point relative to O in the marine frame.
 class Propulsor {
@@ -72,19 +73,19 @@ class Propulsor {
     [[nodiscard]] const Vec3& at() const noexcept { return at_; }
     /// Return the diameter of the race; 0 if unknown [m].
     [[nodiscard]] double diameter() const noexcept {
-        return screw() ? def_.propeller.diameter : def_.diameter;
+        return is_screw() ? def_.propeller.diameter : def_.diameter;
     }
     /// Return its thrust at full order, at rest and without losses [N].
     [[nodiscard]] double max_thrust(double density) const noexcept;
     [[nodiscard]] const PropulsorDef& def() const noexcept { return def_; }
-    [[nodiscard]] bool screw() const noexcept { return def_.propeller.diameter > 0.0; }
+    [[nodiscard]] bool is_screw() const noexcept { return def_.propeller.diameter > 0.0; }
 
   private:
     /// Motor and water at the beginning of a step.
     struct Shaft {
-        double target = 0.0;               ///< Ordered n [1/s].
-        double load = 0.0, slope = 0.0;    ///< Torque of the water Q and ∂Q/∂n.
-        double wanted = 0.0, motor = 0.0;  ///< Torque without limits, within its own.
+        double target = 0.0;                         ///< Ordered n [1/s].
+        double load = 0.0, slope = 0.0;              ///< Torque of the water Q and ∂Q/∂n.
+        double unlimited_torque = 0.0, motor = 0.0;  ///< Torque without limits, within its own.
     };
     [[nodiscard]] Shaft shaft(const PropulsorState& s, const Flow& flow) const noexcept;
     /// Return the revolutions n at which a granted power limits the torque [1/s].
@@ -94,7 +95,7 @@ class Propulsor {
     void turn(PropulsorState& s, double step, Limit& turn) const noexcept;
     void turn_vector(PropulsorState& s, double order, double step) const noexcept;
     /// Return the order in force: the input, or the order of a failure or a power limit.
-    [[nodiscard]] double ordered(const PropulsorState& s) const noexcept;
+    [[nodiscard]] double effective_order(const PropulsorState& s) const noexcept;
     PropulsorDef def_;
     Vec3 at_;  ///< Marine frame.
 };
@@ -102,7 +103,7 @@ class Propulsor {
 struct RudderState {
     double order = 0.0;  ///< Input [rad].
     double angle = 0.0;  ///< [rad].
-    std::int32_t limited = 0;
+    std::int32_t is_limited = 0;
     double failed = 0.0;           ///< Input, a Failure.
     std::int32_t failed_last = 0;  ///< Failure in the last step.
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vessel/allocation.h"
 
-#include <Eigen/SVD>
+#include "base/dense.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ Allocation::Allocation(std::vector<AllocatedThruster> thrusters)
     std::size_t constraints = 0;
     for (const AllocatedThruster& t : thrusters_) {
         first_.push_back(variables_);
-        variables_ += t.turns ? 2 : 1;
+        variables_ += t.is_azimuth ? 2 : 1;
         sum += std::max(t.ahead, t.astern);
         arm = std::max({arm, std::abs(t.x), std::abs(t.y)});
         constraints += kSides + 4;
@@ -36,11 +36,11 @@ Allocation::Allocation(std::vector<AllocatedThruster> thrusters)
     force_ = std::max(sum, 1.0);
     moment_ = force_ * arm;
     forces_.assign(2 * thrusters_.size(), 0.0);
-    trial_.assign(thrusters_.size(), -1);
+    trial_sectors_.assign(thrusters_.size(), -1);
     effect_.setZero(3, variables_);
     for (std::size_t i = 0; i < thrusters_.size(); ++i) {
         const AllocatedThruster& t = thrusters_[i];
-        if (t.turns) {
+        if (t.is_azimuth) {
             effect_.col(first_[i]) = lever(i, 1.0, 0.0);
             effect_.col(first_[i] + 1) = lever(i, 0.0, 1.0);
         } else {
@@ -65,15 +65,15 @@ double Allocation::scaled_norm(const Vec3& tau) const noexcept {
     return Vec3(tau[0] / force_, tau[1] / force_, tau[2] / moment_).norm();
 }
 
-int Allocation::sector_of(std::size_t i, double x, double y, double available) const noexcept {
+int Allocation::sector_index(std::size_t i, double x, double y, double available) const noexcept {
     const AllocatedThruster& t = thrusters_[i];
     if (std::hypot(x, y) <= kNoForce * t.ahead) return 0;
     const double angle = std::atan2(y, x);
     for (std::size_t k = 0; k < t.sectors.size(); ++k) {
         const ThrustSector& s = t.sectors[k];
         const double off = std::remainder(angle - s.from - 0.5 * s.width, 2.0 * kAllocationPi);
-        const double most = available * (s.reversed ? t.astern : t.ahead);
-        if (std::abs(off) <= 0.5 * s.width + 1e-9 && std::hypot(x, y) <= most * (1.0 + 1e-9))
+        const double thrust_max = available * (s.reversed ? t.astern : t.ahead);
+        if (std::abs(off) <= 0.5 * s.width + 1e-9 && std::hypot(x, y) <= thrust_max * (1.0 + 1e-9))
             return static_cast<int>(k);
     }
     return -1;
@@ -84,7 +84,7 @@ int Allocation::sector_of(std::size_t i, double x, double y, double available) c
 void Allocation::add_limits(std::size_t i, double available, std::int32_t sector) noexcept {
     const AllocatedThruster& t = thrusters_[i];
     const std::int32_t v = first_[i];
-    if (!t.turns) {
+    if (!t.is_azimuth) {
         program_.add({v, -1, 1.0, 0.0, available * t.ahead / force_});
         program_.add({v, -1, -1.0, 0.0, available * t.astern / force_});
         return;
@@ -130,7 +130,7 @@ double Allocation::program(const Vec3& tau, const double* available,
         const double unit = force_ / std::max({t.ahead, t.astern, 1e-9 * force_});
         const double cost = t.cost * unit * unit;
         h(first_[i], first_[i]) += cost;
-        if (t.turns) h(first_[i] + 1, first_[i] + 1) += cost;
+        if (t.is_azimuth) h(first_[i] + 1, first_[i] + 1) += cost;
         add_limits(i, available != nullptr ? available[i] : 1.0, sectors[i]);
     }
     if (!program_.solve()) return std::numeric_limits<double>::infinity();
@@ -139,8 +139,8 @@ double Allocation::program(const Vec3& tau, const double* available,
     for (std::size_t i = 0; i < thrusters_.size(); ++i) {
         const AllocatedThruster& t = thrusters_[i];
         const double a = force_ * x[first_[i]];
-        forces_[2 * i] = t.turns ? a : a * std::cos(t.axis);
-        forces_[2 * i + 1] = t.turns ? force_ * x[first_[i] + 1] : a * std::sin(t.axis);
+        forces_[2 * i] = t.is_azimuth ? a : a * std::cos(t.axis);
+        forces_[2 * i + 1] = t.is_azimuth ? force_ * x[first_[i] + 1] : a * std::sin(t.axis);
         total_[0] += forces_[2 * i];
         total_[1] += forces_[2 * i + 1];
         total_[2] += t.x * forces_[2 * i + 1] - t.y * forces_[2 * i];
@@ -155,45 +155,46 @@ double Allocation::program(const Vec3& tau, const double* available,
 
 void Allocation::allocate(const Vec3& tau, const double* available,
                           std::int32_t* sectors) noexcept {
-    for (std::int32_t& s : trial_) s = -1;
-    (void)program(tau, available, trial_.data());
-    bool solved = true;  // The forces are those of `trial_`.
+    for (std::int32_t& s : trial_sectors_) s = -1;
+    (void)program(tau, available, trial_sectors_.data());
+    bool solved = true;  // The forces are those of `trial_sectors_`.
     for (std::size_t i = 0; i < thrusters_.size(); ++i) {
         const AllocatedThruster& t = thrusters_[i];
         if (t.sectors.empty()) continue;
         const double fraction = available != nullptr ? available[i] : 1.0;
         const bool stopped = fraction <= 0.0;
-        const int inside = sector_of(i, forces_[2 * i], forces_[2 * i + 1], fraction);
+        const int inside = sector_index(i, forces_[2 * i], forces_[2 * i + 1], fraction);
         if (stopped ||
             (inside >= 0 && std::hypot(forces_[2 * i], forces_[2 * i + 1]) > kNoForce * t.ahead)) {
             if (!stopped) {
-                trial_[i] = inside;
+                trial_sectors_[i] = inside;
                 solved = false;
             }
             continue;
         }
         const std::int32_t present = sectors[i];
-        double least = std::numeric_limits<double>::infinity();
+        double least_cost = std::numeric_limits<double>::infinity();
         std::int32_t best = -1;
         const auto count = static_cast<std::int32_t>(t.sectors.size());
         for (std::int32_t k = 0; k < count; ++k) {
-            trial_[i] = k;
-            double cost = program(tau, available, trial_.data());
+            trial_sectors_[i] = k;
+            double cost = program(tau, available, trial_sectors_.data());
             if (k == present) cost *= kKeepSector;
-            if (cost < least) {
-                least = cost;
+            if (cost < least_cost) {
+                least_cost = cost;
                 best = k;
             }
         }
-        trial_[i] = best;
-        (void)program(tau, available, trial_.data());
+        trial_sectors_[i] = best;
+        (void)program(tau, available, trial_sectors_.data());
         solved = true;
     }
-    if (!solved) (void)program(tau, available, trial_.data());
-    for (std::size_t i = 0; i < thrusters_.size(); ++i) sectors[i] = trial_[i];
+    if (!solved) (void)program(tau, available, trial_sectors_.data());
+    for (std::size_t i = 0; i < thrusters_.size(); ++i) sectors[i] = trial_sectors_[i];
 }
 
-void Allocation::reach(const Vec3& tau, const ThrusterNow* now, double* thrusts) noexcept {
+void Allocation::thrust_at_fixed_angles(const Vec3& tau, const ThrusterNow* now,
+                                        double* thrusts) noexcept {
     const int count = static_cast<int>(thrusters_.size());
     program_.begin(count);
     const Vec3 target(tau[0] / force_, tau[1] / force_, tau[2] / moment_);
@@ -213,40 +214,41 @@ void Allocation::reach(const Vec3& tau, const ThrusterNow* now, double* thrusts)
         g[i] = -a.dot(Vec3(weight.cwiseProduct(target)));
         const double unit = force_ / std::max({t.ahead, t.astern, 1e-9 * force_});
         h(i, i) += t.cost * unit * unit;
-        program_.add({i, -1, 1.0, 0.0, now[at].most / force_});
-        program_.add({i, -1, -1.0, 0.0, -now[at].least / force_});
+        program_.add({i, -1, 1.0, 0.0, now[at].thrust_max / force_});
+        program_.add({i, -1, -1.0, 0.0, -now[at].thrust_min / force_});
     }
     const bool solved = program_.solve();
     total_.setZero();
     for (std::size_t i = 0; i < thrusters_.size(); ++i) {
         const double wanted =
             solved ? force_ * program_.solution()[static_cast<Eigen::Index>(i)] : 0.0;
-        thrusts[i] = std::clamp(wanted, now[i].least, now[i].most);
+        thrusts[i] = std::clamp(wanted, now[i].thrust_min, now[i].thrust_max);
         const double fx = thrusts[i] * std::cos(now[i].angle);
         const double fy = thrusts[i] * std::sin(now[i].angle);
         total_ += Vec3(fx, fy, thrusters_[i].x * fy - thrusters_[i].y * fx);
     }
 }
 
-Vec3 Allocation::largest() const noexcept {
+Vec3 Allocation::largest_axis_forces() const noexcept {
     Vec3 out = Vec3::Zero();
     for (const AllocatedThruster& t : thrusters_) {
         const double c = std::abs(std::cos(t.axis)), s = std::abs(std::sin(t.axis));
-        out[0] += t.ahead * (t.turns ? 1.0 : c);
-        out[1] += t.ahead * (t.turns ? 1.0 : s);
-        out[2] += t.ahead * (t.turns ? std::hypot(t.x, t.y)
-                                     : std::abs(t.x * std::sin(t.axis) - t.y * std::cos(t.axis)));
+        out[0] += t.ahead * (t.is_azimuth ? 1.0 : c);
+        out[1] += t.ahead * (t.is_azimuth ? 1.0 : s);
+        out[2] +=
+            t.ahead * (t.is_azimuth ? std::hypot(t.x, t.y)
+                                    : std::abs(t.x * std::sin(t.axis) - t.y * std::cos(t.axis)));
     }
     return out;
 }
 
-int Allocation::authority() const {
+int Allocation::independent_axes() const {
     if (variables_ == 0) return 0;
     const Eigen::Matrix3d square = force_ * force_ * Eigen::Matrix3d(effect_ * effect_.transpose());
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(square);
+    const Vec3 eigenvalues = base::symmetric_eigenvalues(square);
     int rank = 0;
     for (int i = 0; i < 3; ++i)
-        if (svd.singularValues()[i] > 1e-8 * svd.singularValues()[0]) ++rank;
+        if (eigenvalues[i] > 1e-8 * eigenvalues[2]) ++rank;
     return rank;
 }
 

@@ -38,7 +38,7 @@ struct ThrustSector {
 };
 
 struct AllocatedThruster {
-    bool turns = false;
+    bool is_azimuth = false;
     double x = 0.0, y = 0.0;              ///< Marine frame, from O [m].
     double axis = 0.0;                    ///< Direction of ahead thrust of a fixed thruster [rad].
     double ahead = 0.0, astern = 0.0;     ///< Capacities ≥ 0 [N].
@@ -48,8 +48,8 @@ struct AllocatedThruster {
 
 /// Present state of a thruster and its limits in a step.
 struct ThrusterNow {
-    double angle = 0.0;              ///< Direction of positive thrust [rad].
-    double least = 0.0, most = 0.0;  ///< Thrust [N].
+    double angle = 0.0;                         ///< Direction of positive thrust [rad].
+    double thrust_min = 0.0, thrust_max = 0.0;  ///< Thrust [N].
 };
 
 class Allocation {
@@ -65,16 +65,16 @@ class Allocation {
     /// Force of a thruster after allocate(), marine frame [N].
     [[nodiscard]] double x(std::size_t i) const noexcept { return forces_[2 * i]; }
     [[nodiscard]] double y(std::size_t i) const noexcept { return forces_[2 * i + 1]; }
-    /// Return Σ B_i f_i after allocate() or reach().
+    /// Return Σ B_i f_i after allocate() or thrust_at_fixed_angles().
     [[nodiscard]] const Vec3& total() const noexcept { return total_; }
 
     /// Compute thrusts at fixed angles within their limits. @param thrusts  Output [N].
-    void reach(const Vec3& tau, const ThrusterNow* now, double* thrusts) noexcept;
+    void thrust_at_fixed_angles(const Vec3& tau, const ThrusterNow* now, double* thrusts) noexcept;
 
     /// Return the largest force of each axis alone, regardless of the others [N, N, N m].
-    [[nodiscard]] Vec3 largest() const noexcept;
+    [[nodiscard]] Vec3 largest_axis_forces() const noexcept;
     /// Return the number of axes that thrusters can control independently, 0 to 3.
-    [[nodiscard]] int authority() const;
+    [[nodiscard]] int independent_axes() const;
     /// Return |S τ| with the scales of the cost.
     [[nodiscard]] double scaled_norm(const Vec3& tau) const noexcept;
     [[nodiscard]] const std::vector<AllocatedThruster>& thrusters() const noexcept {
@@ -85,7 +85,8 @@ class Allocation {
     [[nodiscard]] double program(const Vec3& tau, const double* available,
                                  const std::int32_t* sectors) noexcept;
     void add_limits(std::size_t i, double available, std::int32_t sector) noexcept;
-    [[nodiscard]] int sector_of(std::size_t i, double x, double y, double available) const noexcept;
+    [[nodiscard]] int sector_index(std::size_t i, double x, double y,
+                                   double available) const noexcept;
     [[nodiscard]] Vec3 lever(std::size_t i, double x, double y) const noexcept;
     void set_cost(const Vec3& tau, int variables) noexcept;
 
@@ -94,7 +95,7 @@ class Allocation {
     std::vector<AllocatedThruster> thrusters_;
     std::vector<std::int32_t> first_;  ///< First variable of each thruster.
     std::vector<double> forces_;
-    std::vector<std::int32_t> trial_;
+    std::vector<std::int32_t> trial_sectors_;
     Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, QuadraticProgram::kMaximum> effect_;
     QuadraticProgram program_;
     double force_ = 1.0, moment_ = 1.0;  ///< Scales.

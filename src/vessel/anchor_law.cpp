@@ -128,14 +128,14 @@ double AnchorCapacity::depth(double drag) const noexcept {
            z1 * t * t * (3.0 - 2.0 * t) - m1 * t * t * rest;
 }
 
-double AnchorCapacity::strength(double drag) const noexcept {
+double AnchorCapacity::strength_at(double drag) const noexcept {
     if (!depth_.empty()) return pull_at(depth(drag));
     return def_.uhc * (def_.first - (1.0 - def_.first) * std::expm1(-drag / def_.drag_length));
 }
 
 double AnchorCapacity::line_factor(double drag, double angle) const noexcept {
     const AnchorClay& c = def_.clay;
-    const double pull = strength(drag) * anchor_uplift(angle);
+    const double pull = strength_at(drag) * anchor_uplift(angle);
     if (!(c.chain_friction > 0.0) || !(pull > 0.0)) return 1.0;
     const double at_anchor = std::sqrt(angle * angle + 2.0 * bearing_above(depth(drag)) / pull);
     const double curve = std::min(at_anchor, 0.5 * std::numbers::pi) - angle;
@@ -144,7 +144,7 @@ double AnchorCapacity::line_factor(double drag, double angle) const noexcept {
 
 double AnchorCapacity::capacity(double drag, double angle) const noexcept {
     const double theta = std::max(angle, 0.0);
-    const double soil = strength(drag) * anchor_uplift(theta) * line_factor(drag, theta);
+    const double soil = strength_at(drag) * anchor_uplift(theta) * line_factor(drag, theta);
     return std::max(soil, def_.friction * def_.weight);
 }
 

@@ -16,7 +16,7 @@ class AnchorCapacity {
     explicit AnchorCapacity(const AnchorDef& def);
 
     /// Return the strength at a drag distance: UHC g(x), or T of the trajectory [N].
-    [[nodiscard]] double strength(double drag) const noexcept;
+    [[nodiscard]] double strength_at(double drag) const noexcept;
     /// Return the depth of the point below the seabed [m].
     [[nodiscard]] double depth(double drag) const noexcept;
     /// Return the reduction of the capacity by the angle of the line, in the soil [1].

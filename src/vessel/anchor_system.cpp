@@ -45,7 +45,7 @@ bool pull_of_lines(const World& world, BodyId body, WireId only, Vec3& pull) noe
 
 AnchorBounds first_bounds(const AnchorDef& def, bool carried, bool grounded) {
     const AnchorCapacity law(def);
-    const double strength = law.strength(def.drag), drags = def.friction * def.weight;
+    const double strength = law.strength_at(def.drag), drags = def.friction * def.weight;
     if (def.set)
         return {law.capacity(def.drag, 0.0), std::max(def.breakout * strength, 2.0 * def.weight),
                 std::max(strength, drags) * def.fluke_length};
@@ -58,33 +58,34 @@ AnchorSystem::AnchorSystem(AnchorDef def, const AnchorRows& rows)
       law_(def_),
       rows_(rows),
       drag_(def_.drag),
-      drag_before_(def_.drag),
+      previous_drag_(def_.drag),
       set_(def_.set ? 1 : 0),
-      grounded_(set_) {
+      on_ground_(set_) {
     const AnchorBounds first = first_bounds(def_, rows_.carried, rows_.grounded);
     bound_[0] = bound_[1] = first.level;
     bound_[2] = first.up;
     turn_bound_ = first.turn;
-    set_shown_ = set_;
+    set_output_ = set_;
     depth_ = set_ != 0 ? law_.depth(drag_) : 0.0;
     capacity_ = set_ != 0 ? law_.capacity(drag_, 0.0) : def_.friction * def_.weight;
-    breakout_ = set_ != 0 ? def_.breakout * law_.strength(drag_) : 0.0;
+    breakout_ = set_ != 0 ? def_.breakout * law_.strength_at(drag_) : 0.0;
 }
 
 void AnchorSystem::visit_state(StateVisitor& v) {
-    for (double* x : {&drag_, &drag_before_, &scraped_, &turn_bound_, &capacity_, &tension_,
-                      &angle_, &set_shown_, &depth_, &breakout_, &used_})
+    for (double* x : {&drag_, &previous_drag_, &scraped_, &turn_bound_, &capacity_, &tension_,
+                      &angle_, &set_output_, &depth_, &breakout_, &utilisation_})
         v.visit(*x);
     for (double* x : {last_, speed_, bound_, pull_}) v.visit(std::span<double>(x, 3));
-    for (std::int32_t* x : {&set_, &begun_, &dragging_, &grounded_, &still_}) v.visit(*x);
+    for (std::int32_t* x : {&set_, &begun_, &dragging_, &on_ground_, &still_steps_}) v.visit(*x);
 }
 
 void AnchorSystem::check_state(const World& world, StateRules& rules) const {
     static_cast<void>(world);
-    for (const std::int32_t x : {set_, begun_, dragging_, grounded_})
+    for (const std::int32_t x : {set_, begun_, dragging_, on_ground_})
         rules.flag(x, "a condition of the anchor is no flag");
-    rules.require(still_ >= 0 && still_ < 2'000'000'000, "the steps of rest are out of range");
-    for (const double x : {drag_, drag_before_, scraped_})
+    rules.require(still_steps_ >= 0 && still_steps_ < 2'000'000'000,
+                  "the steps of rest are out of range");
+    for (const double x : {drag_, previous_drag_, scraped_})
         rules.range(x, 0.0, 1e7, "the drag of the anchor is out of range");
     for (const double x : bound_)
         rules.range(x, 0.0, 1e30, "a bound of the anchor is out of range");
@@ -96,10 +97,10 @@ void AnchorSystem::signals(SignalTable& table) {
     table.output("capacity", "N", capacity_);
     table.output("tension", "N", tension_);
     table.output("line_angle", "rad", angle_);
-    table.output("set", "1", set_shown_);
+    table.output("set", "1", set_output_);
     table.output("depth", "m", depth_);
     table.output("breakout", "N", breakout_);
-    table.output("utilisation", "1", used_);
+    table.output("utilisation", "1", utilisation_);
 }
 
 void AnchorSystem::holds(HoldTable& table) const {
@@ -113,19 +114,19 @@ void AnchorSystem::holds(HoldTable& table) const {
 }
 
 AnchorView AnchorSystem::view() const {
-    AnchorView out{.def = def_, .drag = drag_, .set = set_ != 0, .grounded = grounded_ != 0};
+    AnchorView out{.def = def_, .drag = drag_, .set = set_ != 0, .grounded = on_ground_ != 0};
     for (std::size_t i = 0; i < 3; ++i) {
         out.slide[i] = rows_.slide[i];
         out.turn[i] = rows_.turn[i];
         out.bound[i] = bound_[i];
         out.pull[static_cast<Eigen::Index>(i)] = pull_[i];
     }
-    out.drag_before = drag_before_;
+    out.drag_before = previous_drag_;
     return out;
 }
 
 /// Read the forces and motion of the last step.
-void AnchorSystem::feel(const Prestep& now) noexcept {
+void AnchorSystem::read_last_step(const Prestep& now) noexcept {
     const World& world = now.world;
     const Vec3 at = world.world_point(def_.body, def_.point);
     const Vec3 v = world.velocity(def_.body).linear;
@@ -154,21 +155,21 @@ void AnchorSystem::feel(const Prestep& now) noexcept {
     begun_ = 1;
     tension_ = pull.norm();
     angle_ = tension_ > 0.0 ? std::atan2(pull.z(), pull.head<2>().norm()) : 0.0;
-    grounded_ = set_ != 0 || at.z() - def_.seabed <= def_.touch ? 1 : 0;
+    on_ground_ = set_ != 0 || at.z() - def_.seabed <= def_.touch ? 1 : 0;
 }
 
 /// Update the drag distance while the rows slide. A free anchor becomes set.
 void AnchorSystem::follow_drag(Prestep& now) noexcept {
-    const bool slides = slides_ && grounded_ != 0;
+    const bool slides = slides_ && on_ground_ != 0;
     if (set_ != 0) {
         if (slides) drag_ += moved_;
         if (slides && dragging_ == 0) now.tell(EventKind::render, def_.body, tension_);
-        still_ = slides ? 0 : std::min(still_ + 1, kMaxSteps);
-        dragging_ = slides || (dragging_ != 0 && still_ * now.step < kRests) ? 1 : 0;
+        still_steps_ = slides ? 0 : std::min(still_steps_ + 1, kMaxSteps);
+        dragging_ = slides || (dragging_ != 0 && still_steps_ * now.step < kRests) ? 1 : 0;
         return;
     }
     dragging_ = 0;
-    if (grounded_ == 0) scraped_ = 0.0;
+    if (on_ground_ == 0) scraped_ = 0.0;
     if (slides) scraped_ += moved_;
     if (!slides || scraped_ < def_.set_after || !(angle_ <= anchor_steepest())) return;
     set_ = 1;
@@ -179,26 +180,27 @@ void AnchorSystem::follow_drag(Prestep& now) noexcept {
 void AnchorSystem::break_out(Prestep& now) noexcept {
     if (set_ == 0) return;
     const bool steep = angle_ > anchor_steepest() && tension_ > def_.friction * def_.weight;
-    if (!steep && !lifts_ && lift_ < def_.breakout * law_.strength(drag_)) return;
+    if (!steep && !lifts_ && lift_ < def_.breakout * law_.strength_at(drag_)) return;
     now.tell(EventKind::detach, def_.body, std::max(tension_, lift_));
     set_ = dragging_ = 0;
     drag_ = scraped_ = 0.0;
 }
 
-void AnchorSystem::give(Prestep& now, InputId input, double& last, double value) const noexcept {
+void AnchorSystem::set_if_changed(Prestep& now, InputId input, double& last,
+                                  double value) const noexcept {
     if (value != last) now.set_input(input, value);
     last = value;
 }
 
 void AnchorSystem::set_bounds(Prestep& now) noexcept {
     const double drags = def_.friction * def_.weight;
-    const bool set = set_ != 0, grounded = grounded_ != 0;
+    const bool set = set_ != 0, grounded = on_ground_ != 0;
     // A slack line may have any angle; its force needs no capacity.
     const double angle = tension_ > drags ? angle_ : 0.0;
     depth_ = set ? law_.depth(drag_) : 0.0;
-    breakout_ = set ? def_.breakout * law_.strength(drag_) : 0.0;
+    breakout_ = set ? def_.breakout * law_.strength_at(drag_) : 0.0;
     capacity_ = set ? law_.capacity(drag_, angle) : (grounded ? drags : 0.0);
-    used_ = capacity_ > 0.0 ? tension_ / capacity_ : 0.0;
+    utilisation_ = capacity_ > 0.0 ? tension_ / capacity_ : 0.0;
     const double level = capacity_ * std::cos(std::clamp(angle, 0.0, anchor_steepest()));
     const double across = std::hypot(pull_[0], pull_[1]);
     for (std::size_t i = 0; i < 2; ++i) {
@@ -206,25 +208,25 @@ void AnchorSystem::set_bounds(Prestep& now) noexcept {
         const double bound = across <= level
                                  ? std::sqrt(std::max(level * level - across * across + p * p, 0.0))
                                  : level * p / across;
-        give(now, rows_.slide_bound[i], bound_[i], bound);
+        set_if_changed(now, rows_.slide_bound[i], bound_[i], bound);
     }
     // Without contacts, the soil carries the weight minus the lift.
     const double bears = rows_.carried || !grounded ? 0.0 : std::max(def_.weight - lift_, 0.0);
-    give(now, rows_.slide_bound[2], bound_[2],
-         set ? std::max(breakout_, 2.0 * def_.weight) : bears);
-    const double turn = set ? std::max(law_.strength(drag_), drags) * def_.fluke_length : 0.0;
+    set_if_changed(now, rows_.slide_bound[2], bound_[2],
+                   set ? std::max(breakout_, 2.0 * def_.weight) : bears);
+    const double turn = set ? std::max(law_.strength_at(drag_), drags) * def_.fluke_length : 0.0;
     if (turn != turn_bound_)
         for (const InputId id : rows_.turn_bound) now.set_input(id, turn);
     turn_bound_ = turn;
 }
 
 void AnchorSystem::prestep(Prestep& now, Loads&) noexcept {
-    feel(now);
+    read_last_step(now);
     follow_drag(now);
     break_out(now);
-    drag_before_ = drag_;
+    previous_drag_ = drag_;
     set_bounds(now);
-    set_shown_ = set_;
+    set_output_ = set_;
 }
 
 }  // namespace hawser::vessel

@@ -55,19 +55,19 @@ class AnchorSystem final : public System {
     [[nodiscard]] AnchorView view() const;
 
   private:
-    void feel(const Prestep& now) noexcept;
+    void read_last_step(const Prestep& now) noexcept;
     void follow_drag(Prestep& now) noexcept;
     void break_out(Prestep& now) noexcept;
     void set_bounds(Prestep& now) noexcept;
-    void give(Prestep& now, InputId input, double& last, double value) const noexcept;
+    void set_if_changed(Prestep& now, InputId input, double& last, double value) const noexcept;
 
     AnchorDef def_;
     AnchorCapacity law_;
     AnchorRows rows_;
     // State.
-    double drag_, drag_before_ = 0.0, scraped_ = 0.0;
-    std::int32_t set_, begun_ = 0, dragging_ = 0, grounded_ = 0;
-    std::int32_t still_ =
+    double drag_, previous_drag_ = 0.0, scraped_ = 0.0;
+    std::int32_t set_, begun_ = 0, dragging_ = 0, on_ground_ = 0;
+    std::int32_t still_steps_ =
         0;  ///< Number of steps since the anchor last slid, limited to the steps of kRests.
     double last_[3] = {};      ///< Position of the point in the last step [m].
     double speed_[3] = {};     ///< Velocity of the body in the last step but one [m/s].
@@ -75,8 +75,8 @@ class AnchorSystem final : public System {
     double turn_bound_ = 0.0;  ///< Bound of the rotation rows [N m].
     double pull_[3] = {};      ///< Force of the lines; without lines, the force on the anchor [N].
     // Outputs.
-    double capacity_ = 0.0, tension_ = 0.0, angle_ = 0.0, set_shown_ = 0.0, depth_ = 0.0;
-    double breakout_ = 0.0, used_ = 0.0;
+    double capacity_ = 0.0, tension_ = 0.0, angle_ = 0.0, set_output_ = 0.0, depth_ = 0.0;
+    double breakout_ = 0.0, utilisation_ = 0.0;
     // Derived values at the beginning of a step.
     double lift_ = 0.0;                    ///< Vertical force on the anchor without its weight [N].
     double moved_ = 0.0;                   ///< Horizontal distance in the last step [m].

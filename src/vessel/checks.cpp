@@ -4,8 +4,7 @@
 #include <hawser/sea.h>
 #include <hawser/world.h>
 
-#include <Eigen/Eigenvalues>
-
+#include "base/dense.h"
 #include "base/number.h"
 #include "vessel/control_lines.h"
 #include "vessel/power.h"
@@ -58,10 +57,7 @@ void check_matrices(const VesselFields& f, const World& world, const VesselDef& 
         if (!matrix->allFinite() || matrix->cwiseAbs().maxCoeff() > kHeavy)
             f.fail(field, "give finite numbers up to 1e18");
     const auto least = [](const Matrix6& m) {
-        return Eigen::SelfAdjointEigenSolver<Matrix6>(0.5 * (m + m.transpose()),
-                                                      Eigen::EigenvaluesOnly)
-            .eigenvalues()
-            .minCoeff();
+        return base::symmetric_eigenvalues(Matrix6(0.5 * (m + m.transpose()))).minCoeff();
     };
     const BodyDef& body = world.body_def(def.body);
     if (!(least(rigid_mass(body.mass, body.inertia, def.origin) + def.added_mass) > 0.0))

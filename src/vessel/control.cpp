@@ -34,7 +34,7 @@ bool finite(const Vec3& v) noexcept {
 
 }  // namespace
 
-const char* Control::refusal(ControlMode mode) const noexcept {
+const char* Control::reason_against(ControlMode mode) const noexcept {
     const bool rudder = !def_.rudders.empty() || def_.mmg.diameter > 0.0 ||
                         def_.son_nomoto.diameter > 0.0 || !def_.polynomial.terms.empty();
     const bool yaw = largest_[2] > 0.0;
@@ -59,7 +59,7 @@ const char* Control::refusal(ControlMode mode) const noexcept {
 }
 
 double Control::heading_error() const noexcept {
-    return wrapped(observer_.low().place[2] - desired_[2]);
+    return wrapped(observer_.low_frequency_motion().planar_position[2] - desired_[2]);
 }
 
 bool Control::steers_by_rudder(const ControlSense& sense) const noexcept {
@@ -72,33 +72,33 @@ bool Control::steers_by_rudder(const ControlSense& sense) const noexcept {
 /// Set the orders to the present position and heading, except those set in this step.
 void Control::engage(ControlMode mode, const ControlSense& sense,
                      const ControlledActuators& act) noexcept {
-    const Vec3 here = observer_.low().place;
-    if (x_order_ == seen_[0]) x_order_ = here[0];
-    if (y_order_ == seen_[1]) y_order_ = -here[1];
-    if (heading_order_ == seen_[2]) heading_order_ = here[2];
-    desired_ = here;
+    const Vec3 position = observer_.low_frequency_motion().planar_position;
+    if (x_order_ == last_orders_[0]) x_order_ = position[0];
+    if (y_order_ == last_orders_[1]) y_order_ = -position[1];
+    if (heading_order_ == last_orders_[2]) heading_order_ = position[2];
+    desired_ = position;
     sum_.setZero();
     steer_sum_ = 0.0;
     speed_sum_ = act.rps_order;
     arrived_ = 1;
     if (mode == ControlMode::follow)
-        offset_ = Vec3(here[0] - sense.target[0], -here[1] - sense.target[1], 0.0);
+        offset_ = Vec3(position[0] - sense.target[0], -position[1] - sense.target[1], 0.0);
 }
 
 void Control::choose_mode(Prestep& now, const ControlSense& sense,
                           const ControlledActuators& act) noexcept {
     const double wanted = std::round(mode_input_);
-    if (wanted == mode_now_) {
-        mode_input_ = mode_now_;
+    if (wanted == active_mode_) {
+        mode_input_ = active_mode_;
         return;
     }
     const auto mode = static_cast<ControlMode>(static_cast<int>(wanted));
-    if (wanted != mode_input_ || *refusal(mode) != '\0') {
+    if (wanted != mode_input_ || *reason_against(mode) != '\0') {
         now.tell(EventKind::mode_refused, def_.body, mode_input_);
-        mode_input_ = mode_now_;
+        mode_input_ = active_mode_;
         return;
     }
-    mode_now_ = wanted;
+    active_mode_ = wanted;
     engage(mode, sense, act);
     // Discard the orders of the previous mode.
     if (mode == ControlMode::off)
@@ -112,14 +112,14 @@ void Control::follow_orders(const ControlSense& sense, double h) noexcept {
         y_order_ = sense.target[1] + offset_[1];
     }
     const Vec3 order(x_order_, -y_order_, heading_order_);
-    Vec3 moved = order - Vec3(seen_[0], -seen_[1], seen_[2]);
+    Vec3 moved = order - Vec3(last_orders_[0], -last_orders_[1], last_orders_[2]);
     if (mode() == ControlMode::follow) moved[0] = moved[1] = 0.0;
     if (moved.cwiseAbs().maxCoeff() > 1e-9) arrived_ = 0;
     const double share = fraction_of(h, def_.control.filter);
     const bool follows = mode() == ControlMode::follow;
     for (int i = 0; i < 2; ++i) desired_[i] += (follows ? 1.0 : share) * (order[i] - desired_[i]);
     desired_[2] = wrapped(desired_[2] + share * wrapped(order[2] - desired_[2]));
-    seen_ = Vec3(x_order_, y_order_, heading_order_);
+    last_orders_ = Vec3(x_order_, y_order_, heading_order_);
 }
 
 /// Return the force of the PI control of the speed through the water. The integral is a force.
@@ -133,7 +133,7 @@ Vec3 Control::speed_demand(const ControlSense& sense, double h) noexcept {
 
 Vec3 Control::demand(const ControlSense& sense, double h) noexcept {
     Vec3 stick(stick_x_ * largest_[0], stick_y_ * largest_[1], stick_n_ * largest_[2]);
-    const Planar& low = observer_.low();
+    const Planar& low = observer_.low_frequency_motion();
     Vec3 tau = Vec3::Zero();
     error_.setZero();
     switch (mode()) {
@@ -154,16 +154,16 @@ Vec3 Control::demand(const ControlSense& sense, double h) noexcept {
         case ControlMode::follow:
             break;
     }
-    Vec3 separation = low.place - desired_;
+    Vec3 separation = low.planar_position - desired_;
     separation[2] = heading_error();
-    error_ = to_ship(separation, low.place[2]);
+    error_ = to_ship(separation, low.planar_position[2]);
     Vec3 motion = low.motion;
     if (mode() == ControlMode::follow) {
         const Vec3 carried(sense.target_motion[0], -sense.target_motion[1], 0.0);
-        motion -= to_ship(carried, low.place[2]);
+        motion -= to_ship(carried, low.planar_position[2]);
     }
     tau = -proportional_.cwiseProduct(error_) - derivative_.cwiseProduct(motion) -
-          integral_.cwiseProduct(to_ship(sum_, low.place[2]));
+          integral_.cwiseProduct(to_ship(sum_, low.planar_position[2]));
     return tau - feed_;
 }
 
@@ -180,7 +180,7 @@ void Control::integrate(const Vec3& tau, double h) noexcept {
         sum_[2] += h * adding[2];
         return;
     }
-    sum_ += h * to_earth(adding, observer_.low().place[2]);
+    sum_ += h * to_earth(adding, observer_.low_frequency_motion().planar_position[2]);
 }
 
 /// Set the rudder by heading and turn rate, and the revolutions of a coefficient set by speed.
@@ -192,12 +192,13 @@ void Control::steer(const ControlSense& sense, ControlledActuators act, double h
     }
     if (mode() != ControlMode::heading) return;
     if (speed_order_ > 0.0 && def_.steering.rps > 0.0) {
-        const double most =
+        const double max_rps =
             def_.steering.most_rps > 0.0 ? def_.steering.most_rps : 2.0 * def_.steering.rps;
         const double error = speed_order_ - sense.surge, gain = 0.2 * def_.steering.rps;
         const double wanted = speed_sum_ + gain * error;
-        if (std::abs(wanted) < most || wanted * error < 0.0) speed_sum_ += h * gain * error / 60.0;
-        act.rps_order = std::clamp(wanted, -most, most);
+        if (std::abs(wanted) < max_rps || wanted * error < 0.0)
+            speed_sum_ += h * gain * error / 60.0;
+        act.rps_order = std::clamp(wanted, -max_rps, max_rps);
     }
     if (!steers_by_rudder(sense)) {
         act.rudder_order = 0.0;
@@ -206,11 +207,12 @@ void Control::steer(const ControlSense& sense, ControlledActuators act, double h
     }
     const double time = length_ / std::max(sense.surge, kRudderSpeed);
     const double error = -heading_error();
-    const double wanted = error - kSteerDerivative * time * observer_.low().motion[2] + steer_sum_;
-    const double most = def_.steering.most_angle;
-    if (std::abs(wanted) < most || wanted * error < 0.0)
+    const double wanted =
+        error - kSteerDerivative * time * observer_.low_frequency_motion().motion[2] + steer_sum_;
+    const double max_angle = def_.steering.most_angle;
+    if (std::abs(wanted) < max_angle || wanted * error < 0.0)
         steer_sum_ += h * error / (kSteerIntegral * time);
-    act.rudder_order = std::clamp(wanted, -most, most);
+    act.rudder_order = std::clamp(wanted, -max_angle, max_angle);
     for (std::size_t i = 0; i < act.rudders.size(); ++i)
         act.rudders[i].order =
             std::clamp(wanted, -def_.rudders[i].most_angle, def_.rudders[i].most_angle);
@@ -224,11 +226,11 @@ void Control::find_available(const ControlledActuators& act, double h) noexcept 
         const PropulsorState& s = act.propulsors[i];
         available_[i] = 1.0;
         if (!powered_.empty()) {
-            const double offered = std::cbrt(act.bus.offered(i, full_));
+            const double offered = std::cbrt(act.bus.available_fraction(i, full_));
             powered_[i] = std::min(offered * offered, powered_[i] + h / kPowerBack);
             available_[i] = powered_[i];
         }
-        if (failure_of(s.failed) != Failure::none) available_[i] = 0.0;
+        if (failure_from_input(s.failed) != Failure::none) available_[i] = 0.0;
         if (available_[i] <= 0.0) uncontrolled_ += push(s, i);
     }
 }
@@ -241,10 +243,10 @@ void Control::order_angle(PropulsorState& s, std::size_t i) noexcept {
         sectors_[i] >= 0 && t.sectors[static_cast<std::size_t>(sectors_[i])].reversed;
     if (std::hypot(x, y) > kSmallThrust * t.ahead)
         s.angle_order = wrapped(std::atan2(y, x) + (reversed ? std::acos(-1.0) : 0.0));
-    ThrusterNow& now = now_[i];
+    ThrusterNow& now = present_thrust_[i];
     now.angle = s.angle;
-    now.least = reversed ? -available_[i] * t.astern : 0.0;
-    if (reversed) now.most = 0.0;
+    now.thrust_min = reversed ? -available_[i] * t.astern : 0.0;
+    if (reversed) now.thrust_max = 0.0;
     // A thruster that turns through a zone does not push there.
     bool allowed = t.sectors.empty();
     for (const ThrustSector& sector : t.sectors) {
@@ -253,23 +255,23 @@ void Control::order_angle(PropulsorState& s, std::size_t i) noexcept {
         allowed =
             allowed || (sector.reversed == reversed && std::abs(off) <= 0.5 * sector.width + 0.02);
     }
-    if (!allowed) now.least = now.most = 0.0;
+    if (!allowed) now.thrust_min = now.thrust_max = 0.0;
 }
 
 /// Limit the thrust of a propulsor in this step by its capacity, direction and ramp.
 void Control::limit_thruster(const PropulsorState& s, std::size_t i, double h) noexcept {
     const PropulsorDef& p = def_.propulsors[i];
     const AllocatedThruster& t = allocation_.thrusters()[i];
-    ThrusterNow& now = now_[i];
+    ThrusterNow& now = present_thrust_[i];
     if (!(p.ramp > 0.0) || p.shaft_inertia > 0.0) return;
     const double past = p.propeller.diameter > 0.0 ? s.rps / p.most_rps : s.level;
     const auto thrust = [&](double level) {
         const double f = std::clamp(level / rps_[i], -1.0, 1.0);
         return f * std::abs(f) * (f < 0.0 ? t.astern : t.ahead);
     };
-    const double least = now.least, most = now.most;
-    now.least = std::clamp(thrust(past - h / p.ramp), least, most);
-    now.most = std::clamp(thrust(past + h / p.ramp), least, most);
+    const double thrust_min = now.thrust_min, thrust_max = now.thrust_max;
+    now.thrust_min = std::clamp(thrust(past - h / p.ramp), thrust_min, thrust_max);
+    now.thrust_max = std::clamp(thrust(past + h / p.ramp), thrust_min, thrust_max);
 }
 
 /// Order the propulsors: azimuths to the angles of the allocation, thrusts within their rates.
@@ -280,12 +282,12 @@ void Control::order_thrusters(const Vec3& tau, ControlledActuators act, double h
     for (std::size_t i = 0; i < act.propulsors.size(); ++i) {
         PropulsorState& s = act.propulsors[i];
         const AllocatedThruster& t = allocation_.thrusters()[i];
-        now_[i] = {t.axis, -available_[i] * t.astern, available_[i] * t.ahead};
+        present_thrust_[i] = {t.axis, -available_[i] * t.astern, available_[i] * t.ahead};
         if (available_[i] <= 0.0) continue;
-        if (t.turns) order_angle(s, i);
+        if (t.is_azimuth) order_angle(s, i);
         limit_thruster(s, i, h);
     }
-    allocation_.reach(wanted, now_.data(), thrusts_.data());
+    allocation_.thrust_at_fixed_angles(wanted, present_thrust_.data(), thrusts_.data());
     allocated_ = allocation_.total() + uncontrolled_;
     for (std::size_t i = 0; i < act.propulsors.size(); ++i) {
         const AllocatedThruster& t = allocation_.thrusters()[i];
@@ -327,15 +329,15 @@ void Control::analyse_failure(Prestep& now, double h) noexcept {
 }
 
 void Control::report(Prestep& now) noexcept {
-    const Planar& low = observer_.low();
+    const Planar& low = observer_.low_frequency_motion();
     const Vec3 order(x_order_, -y_order_, heading_order_);
-    Vec3 separation = low.place - order;
+    Vec3 separation = low.planar_position - order;
     separation[2] = wrapped(separation[2]);
     const ControlMode m = mode();
     offsets_.setZero();
     if (m == ControlMode::heading) offsets_[2] = separation[2];
     if (m != ControlMode::position && m != ControlMode::follow) return;
-    offsets_ = to_ship(separation, low.place[2]);
+    offsets_ = to_ship(separation, low.planar_position[2]);
     const double distance = std::hypot(offsets_[0], offsets_[1]);
     const VesselControl& c = def_.control;
     const double over =
@@ -349,14 +351,15 @@ void Control::report(Prestep& now) noexcept {
 
 Vec3 Control::push(const PropulsorState& s, std::size_t i) const noexcept {
     const AllocatedThruster& t = allocation_.thrusters()[i];
-    const double kept = s.thrust > 0.0 ? 1.0 - def_.propulsors[i].thrust_deduction : 1.0;
-    const double a = t.turns ? s.angle : t.axis;
-    const double x = kept * s.thrust * std::cos(a), y = kept * s.thrust * std::sin(a);
+    const double thrust_fraction = s.thrust > 0.0 ? 1.0 - def_.propulsors[i].thrust_deduction : 1.0;
+    const double a = t.is_azimuth ? s.angle : t.axis;
+    const double x = thrust_fraction * s.thrust * std::cos(a),
+                 y = thrust_fraction * s.thrust * std::sin(a);
     return {x, y, t.x * y - t.y * x};
 }
 
 /// Return the force of all propulsors in the last step.
-Vec3 Control::pushing(const ControlledActuators& act) const noexcept {
+Vec3 Control::last_propulsor_force(const ControlledActuators& act) const noexcept {
     Vec3 out = Vec3::Zero();
     for (std::size_t i = 0; i < act.propulsors.size(); ++i) out += push(act.propulsors[i], i);
     return out;
@@ -373,7 +376,7 @@ Vec3 Control::step(Prestep& now, const ControlSense& sense, ControlledActuators 
         observer_.step(sense.measured, acting_, h);
     else
         observer_.start(sense.measured);
-    heading_ = wrapped(observer_.low().place[2]);
+    heading_ = wrapped(observer_.low_frequency_motion().planar_position[2]);
     choose_mode(now, sense, act);
     const Vec3 feed = (def_.control.wind ? sense.wind : Vec3::Zero()) + sense.lines;
     feed_ += fraction_of(h, def_.control.wind_filter) * (feed - feed_);
@@ -385,7 +388,7 @@ Vec3 Control::step(Prestep& now, const ControlSense& sense, ControlledActuators 
     Vec3 direct = Vec3::Zero();
     if (m == ControlMode::off) {
         allocated_.setZero();
-        seen_ = Vec3(x_order_, y_order_, heading_order_);
+        last_orders_ = Vec3(x_order_, y_order_, heading_order_);
     } else if (def_.control.direct) {
         direct = allocated_ = demand_;
     } else {
@@ -393,7 +396,7 @@ Vec3 Control::step(Prestep& now, const ControlSense& sense, ControlledActuators 
     }
     steer(sense, act, h);
     integrate(demand_, h);
-    acting_ = feed + (def_.control.direct ? direct : pushing(act));
+    acting_ = feed + (def_.control.direct ? direct : last_propulsor_force(act));
     report(now);
     analyse_failure(now, h);
     return direct;

@@ -22,8 +22,8 @@ namespace hawser::vessel {
 struct FedLine {
     InteractionId element{};
     BodyId other{};  ///< Invalid: fixed in the world.
-    Vec3 here = Vec3::Zero(),
-         there = Vec3::Zero();  ///< End points in the frames of both bodies [m].
+    Vec3 ship_point = Vec3::Zero(),
+         other_point = Vec3::Zero();  ///< End points in the frames of both bodies [m].
 };
 
 /// Motion and loads of a step at O, as input of the control.
@@ -60,7 +60,7 @@ class Control {
     /// Return the names of its signals, which propulsors and rudders must not have.
     [[nodiscard]] static const std::vector<std::string>& signal_names();
     /// Return the reason why a mode is not possible; "" if it is.
-    [[nodiscard]] const char* refusal(ControlMode mode) const noexcept;
+    [[nodiscard]] const char* reason_against(ControlMode mode) const noexcept;
 
   private:
     void choose_mode(Prestep& now, const ControlSense& sense,
@@ -80,13 +80,13 @@ class Control {
     void integrate(const Vec3& tau, double h) noexcept;
     /// Return the present force of a propulsor, X, Y, N.
     [[nodiscard]] Vec3 push(const PropulsorState& s, std::size_t i) const noexcept;
-    [[nodiscard]] Vec3 pushing(const ControlledActuators& act) const noexcept;
+    [[nodiscard]] Vec3 last_propulsor_force(const ControlledActuators& act) const noexcept;
     void report(Prestep& now) noexcept;
     void analyse_failure(Prestep& now, double h) noexcept;
     [[nodiscard]] double heading_error() const noexcept;
     [[nodiscard]] bool steers_by_rudder(const ControlSense& sense) const noexcept;
     [[nodiscard]] ControlMode mode() const noexcept {
-        return static_cast<ControlMode>(mode_now_ > 0.0 ? static_cast<int>(mode_now_) : 0);
+        return static_cast<ControlMode>(active_mode_ > 0.0 ? static_cast<int>(active_mode_) : 0);
     }
 
     const VesselDef def_;
@@ -100,7 +100,7 @@ class Control {
     std::vector<double> full_;  ///< Power of each propulsor at capacity, at the shaft [W].
     std::vector<std::vector<std::uint8_t>> failures_;
     // Work arrays.
-    std::vector<ThrusterNow> now_;
+    std::vector<ThrusterNow> present_thrust_;
     std::vector<double> thrusts_;
     std::vector<std::int32_t> spare_;
     std::vector<double> available_;     ///< Fractions of capacities in this step.
@@ -113,21 +113,21 @@ class Control {
     double stick_x_ = 0.0, stick_y_ = 0.0, stick_n_ = 0.0;
     // State.
     std::int32_t started_ = 0, arrived_ = 1, critical_ = 0, next_failure_ = 0;
-    Vec3 seen_ = Vec3::Zero();     ///< Orders of the last step: x, y, heading.
-    Vec3 desired_ = Vec3::Zero();  ///< η_d: north, east, heading.
-    Vec3 error_ = Vec3::Zero();    ///< e in axes of the ship.
-    Vec3 sum_ = Vec3::Zero();      ///< ∫e dt, north, east, heading.
-    Vec3 offset_ = Vec3::Zero();   ///< Distance to the target, in the world.
-    Vec3 feed_ = Vec3::Zero();     ///< Filtered feed-forward.
-    Vec3 acting_ = Vec3::Zero();   ///< τ that acted on the ship in the last step, for the observer.
-    Vec3 mean_ = Vec3::Zero();     ///< Filtered demand, for the consequence analysis.
+    Vec3 last_orders_ = Vec3::Zero();  ///< Orders of the last step: x, y, heading.
+    Vec3 desired_ = Vec3::Zero();      ///< η_d: north, east, heading.
+    Vec3 error_ = Vec3::Zero();        ///< e in axes of the ship.
+    Vec3 sum_ = Vec3::Zero();          ///< ∫e dt, north, east, heading.
+    Vec3 offset_ = Vec3::Zero();       ///< Distance to the target, in the world.
+    Vec3 feed_ = Vec3::Zero();         ///< Filtered feed-forward.
+    Vec3 acting_ = Vec3::Zero();  ///< τ that acted on the ship in the last step, for the observer.
+    Vec3 mean_ = Vec3::Zero();    ///< Filtered demand, for the consequence analysis.
     double steer_sum_ = 0.0, speed_sum_ = 0.0;
     Observer observer_;
     std::vector<std::int32_t> sectors_;
     std::vector<double> shortfalls_;  ///< Shortfall of each failure.
     std::vector<double> powered_;     ///< Fractions of capacities by the bus; empty without one.
     // Output signals.
-    double mode_now_ = 0.0, heading_ = 0.0, worst_ = 0.0, worst_failure_ = -1.0;
+    double active_mode_ = 0.0, heading_ = 0.0, worst_ = 0.0, worst_failure_ = -1.0;
     Vec3 offsets_ = Vec3::Zero(), demand_ = Vec3::Zero(), allocated_ = Vec3::Zero();
 };
 

@@ -20,16 +20,14 @@ namespace {
     throw DefError("vessel '" + def.name + "': control/" + field + ": " + why);
 }
 
-void control_range(const VesselDef& def, const char* field, double value, double least,
-                   double most) {
-    if (!(value >= least && value <= most))
-        fail_control(
-            def, field,
-            number(value) + "; give a number from " + number(least) + " to " + number(most));
+void control_range(const VesselDef& def, const char* field, double value, double low, double high) {
+    if (!(value >= low && value <= high))
+        fail_control(def, field,
+                     number(value) + "; give a number from " + number(low) + " to " + number(high));
 }
 
-const PropulsorDef& known_propulsor(const VesselDef& def, const std::string& name,
-                                    const std::string& field) {
+const PropulsorDef& find_propulsor(const VesselDef& def, const std::string& name,
+                                   const std::string& field) {
     std::string known;
     for (const PropulsorDef& p : def.propulsors) {
         if (p.name == name) return p;
@@ -45,14 +43,14 @@ void check_lists(const VesselDef& def) {
     for (std::size_t i = 0; i < c.zones.size(); ++i) {
         const std::string field = "zones/" + std::to_string(i);
         const ControlZone& z = c.zones[i];
-        if (known_propulsor(def, z.propulsor, field + "/propulsor").kind != PropulsorKind::azimuth)
+        if (find_propulsor(def, z.propulsor, field + "/propulsor").kind != PropulsorKind::azimuth)
             fail_control(def, field + "/propulsor", "'" + z.propulsor + "' is no azimuth");
         if (!(z.to > z.from && z.to - z.from < 2.0 * std::numbers::pi))
             fail_control(def, field, "give a zone from a smaller to a larger angle, below 360 deg");
     }
     for (std::size_t i = 0; i < c.failures.size(); ++i)
         for (std::size_t k = 0; k < c.failures[i].propulsors.size(); ++k)
-            (void)known_propulsor(
+            (void)find_propulsor(
                 def, c.failures[i].propulsors[k],
                 "failures/" + std::to_string(i) + "/propulsors/" + std::to_string(k));
 }
@@ -98,8 +96,9 @@ void check_control(const World& world, const VesselDef& def) {
     if (!(c.target == BodyId{}) && !world.alive(c.target))
         fail_control(def, "target", "there is no such body");
     const Control trial(def, Vec3(1.0, 1.0, 1.0));
-    if (const char* why = trial.refusal(c.mode); *why != '\0') fail_control(def, "mode", why);
-    if (const char* why = trial.refusal(ControlMode::heading); *why != '\0')
+    if (const char* why = trial.reason_against(c.mode); *why != '\0')
+        fail_control(def, "mode", why);
+    if (const char* why = trial.reason_against(ControlMode::heading); *why != '\0')
         throw DefError("vessel '" + def.name + "': control: " + why);
 }
 
@@ -115,8 +114,8 @@ std::vector<FedLine> fed_lines(const World& world, const VesselDef& def) {
             fail_control(def, "lines/" + std::to_string(i), "it does not end at the vessel");
         const auto near = static_cast<std::size_t>(side), far = 1 - near;
         fed.other = line.body[far];
-        fed.here = line.point[near];
-        fed.there = line.point[far];
+        fed.ship_point = line.point[near];
+        fed.other_point = line.point[far];
         out.push_back(fed);
     }
     return out;
@@ -128,14 +127,15 @@ Vec3 line_load(const World& world, const VesselDef& def, const std::vector<FedLi
     for (const FedLine& line : lines) {
         if (!world.alive(line.element)) continue;
         const double tension = -world.force(line.element)[0];
-        const Vec3 here = world.world_point(def.body, line.here);
-        const Vec3 there =
-            world.alive(line.other) ? world.world_point(line.other, line.there) : line.there;
-        const Vec3 separation = there - here;
+        const Vec3 ship_point = world.world_point(def.body, line.ship_point);
+        const Vec3 other_point = world.alive(line.other)
+                                     ? world.world_point(line.other, line.other_point)
+                                     : line.other_point;
+        const Vec3 separation = other_point - ship_point;
         const double length = separation.norm();
         if (!(length > 0.0) || !(tension > 0.0)) continue;
         const Vec3 force = axes.transpose() * Vec3(tension / length * separation);
-        const Vec3 arm = axes.transpose() * Vec3(here - origin);
+        const Vec3 arm = axes.transpose() * Vec3(ship_point - origin);
         out += Vec3(force.x(), force.y(), arm.x() * force.y() - arm.y() * force.x());
     }
     return out;

@@ -27,7 +27,7 @@ struct Bollard {
     double power = 0.0;  ///< Of a propeller, at its shaft [W].
 };
 
-Bollard bollard_of(const PropulsorDef& p, double density) {
+Bollard bollard_pull_data(const PropulsorDef& p, double density) {
     Bollard out;
     if (!(p.propeller.diameter > 0.0)) {
         out.ahead = p.thrust * (1.0 - p.thrust_deduction);
@@ -43,16 +43,17 @@ Bollard bollard_of(const PropulsorDef& p, double density) {
         if (full > p.most_torque) rps *= std::sqrt(p.most_torque / full);
     }
     const double pitch = p.propeller.pitch;
-    const PropellerForce most = propeller_force(p.propeller, pitch, rps, 0.0, density);
-    out.ahead = most.thrust * (1.0 - p.thrust_deduction);
-    out.power = std::max(0.0, 2.0 * kControlPi * rps * most.torque);
+    const PropellerForce full_ahead = propeller_force(p.propeller, pitch, rps, 0.0, density);
+    out.ahead = full_ahead.thrust * (1.0 - p.thrust_deduction);
+    out.power = std::max(0.0, 2.0 * kControlPi * rps * full_ahead.torque);
     out.astern = -propeller_force(p.propeller, pitch, -rps, 0.0, density).thrust;
     out.rps = rps / p.most_rps;
     return out;
 }
 
 /// Return the allowed sectors of an azimuth with forbidden zones or end stops.
-std::vector<ThrustSector> sectors_of(const PropulsorDef& p, const std::vector<ControlZone>& zones) {
+std::vector<ThrustSector> allowed_sectors(const PropulsorDef& p,
+                                          const std::vector<ControlZone>& zones) {
     std::vector<std::pair<double, double>> open;
     const bool stops = p.most_angle > 0.0 && p.most_angle < kControlPi;
     if (stops)
@@ -110,16 +111,16 @@ Control::Control(const VesselDef& def, const Vec3& mass)
     integral_ = c.integral * w.cwiseProduct(proportional_);
     std::vector<AllocatedThruster> thrusters;
     for (const PropulsorDef& p : def_.propulsors) {
-        const Bollard b = bollard_of(p, def_.density);
+        const Bollard b = bollard_pull_data(p, def_.density);
         AllocatedThruster t;
-        t.turns = p.kind == PropulsorKind::azimuth;
+        t.is_azimuth = p.kind == PropulsorKind::azimuth;
         t.x = p.point.x() - def_.origin.x();
         t.y = def_.origin.y() - p.point.y();
         t.axis = p.kind == PropulsorKind::tunnel ? 0.5 * kControlPi : 0.0;
         t.ahead = std::max(b.ahead, 0.0);
         t.astern = std::max(b.astern, 0.0);
-        if (t.turns) t.cost = c.azimuth_cost;
-        if (t.turns) t.sectors = sectors_of(p, c.zones);
+        if (t.is_azimuth) t.cost = c.azimuth_cost;
+        if (t.is_azimuth) t.sectors = allowed_sectors(p, c.zones);
         thrusters.push_back(std::move(t));
         rps_.push_back(b.rps);
         full_.push_back(b.power);
@@ -128,8 +129,8 @@ Control::Control(const VesselDef& def, const Vec3& mass)
                 full_.back() = consumer.power;
     }
     allocation_ = Allocation(std::move(thrusters));
-    largest_ = allocation_.largest();
-    authority_ = allocation_.authority();
+    largest_ = allocation_.largest_axis_forces();
+    authority_ = allocation_.independent_axes();
     const std::size_t count = def_.propulsors.size();
     if (c.failures.empty()) {
         for (std::size_t i = 0; i < count; ++i) {
@@ -144,7 +145,7 @@ Control::Control(const VesselDef& def, const Vec3& mass)
                 f.propulsors.end())
                 failures_.back()[i] = 1;
     }
-    now_.resize(count);
+    present_thrust_.resize(count);
     thrusts_.assign(count, 0.0);
     spare_.assign(count, -1);
     sectors_.assign(count, -1);
@@ -160,10 +161,10 @@ Control::Control(const VesselDef& def, const Vec3& mass)
 void Control::visit(StateVisitor& v) {
     for (double* x :
          {&mode_input_, &x_order_, &y_order_, &heading_order_, &speed_order_, &stick_x_, &stick_y_,
-          &stick_n_, &steer_sum_, &speed_sum_, &mode_now_, &heading_, &worst_, &worst_failure_})
+          &stick_n_, &steer_sum_, &speed_sum_, &active_mode_, &heading_, &worst_, &worst_failure_})
         v.visit(*x);
     for (std::int32_t* x : {&started_, &arrived_, &critical_, &next_failure_}) v.visit(*x);
-    for (Vec3* x : {&seen_, &desired_, &error_, &sum_, &offset_, &feed_, &acting_, &mean_,
+    for (Vec3* x : {&last_orders_, &desired_, &error_, &sum_, &offset_, &feed_, &acting_, &mean_,
                     &offsets_, &demand_, &allocated_})
         v.visit(std::span<double>(x->data(), 3));
     observer_.visit(v);
@@ -176,7 +177,7 @@ void Control::check(StateRules& rules) const {
     rules.flag(started_, "whether the control has started is no flag");
     rules.flag(arrived_, "whether the vessel is at its order is no flag");
     rules.flag(critical_, "whether a failure is critical is no flag");
-    rules.range(mode_now_, 0.0, kControlModes - 1.0, "the mode of control is out of range");
+    rules.range(active_mode_, 0.0, kControlModes - 1.0, "the mode of control is out of range");
     rules.range(next_failure_, 0.0, std::max(0.0, static_cast<double>(failures_.size()) - 1.0),
                 "the failure to analyse is out of range");
     for (std::size_t i = 0; i < sectors_.size(); ++i)
@@ -185,8 +186,9 @@ void Control::check(StateRules& rules) const {
                     "the sector of an azimuth is out of range");
     for (const double p : powered_)
         rules.range(p, 0.0, 1.0, "the fraction of a thruster's power is out of range");
-    for (const Vec3* place : {&desired_, &seen_, &offset_, &observer_.low().place})
-        for (const double x : *place)
+    for (const Vec3* vector :
+         {&desired_, &last_orders_, &offset_, &observer_.low_frequency_motion().planar_position})
+        for (const double x : *vector)
             rules.range(x, -kMaxCoordinate, kMaxCoordinate,
                         "an order of the control is out of range");
 }
@@ -212,7 +214,7 @@ void Control::signals(SignalTable& table) {
     table.input("joystick_x", "1", stick_x_, -1.0, 1.0);
     table.input("joystick_y", "1", stick_y_, -1.0, 1.0);
     table.input("joystick_n", "1", stick_n_, -1.0, 1.0);
-    table.output("mode_now", "1", mode_now_);
+    table.output("mode_now", "1", active_mode_);
     table.output("heading", "rad", heading_);
     table.output("offset_x", "m", offsets_[0]);
     table.output("offset_y", "m", offsets_[1]);

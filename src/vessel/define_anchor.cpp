@@ -16,43 +16,46 @@
 namespace hawser {
 namespace {
 
-[[noreturn]] void refuse_anchor(const AnchorDef& def, const char* field, const std::string& why) {
+[[noreturn]] void throw_anchor_error(const AnchorDef& def, const char* field,
+                                     const std::string& why) {
     throw DefError("anchor '" + def.name + "': " + field + ": " + why);
 }
 
 void check_anchor_number(const AnchorDef& def, const char* field, double value, double least,
                          bool above, double most) {
     if (value <= most && (above ? value > least : value >= least)) return;
-    refuse_anchor(def, field,
-                  number(value) + "; give a number " + (above ? "above " : "from ") +
-                      number(least) + " up to " + number(most));
+    throw_anchor_error(def, field,
+                       number(value) + "; give a number " + (above ? "above " : "from ") +
+                           number(least) + " up to " + number(most));
 }
 
 void check_anchor_body(World& world, const AnchorDef& def) {
     if (def.name.empty()) throw DefError("anchor: name: it needs a name");
     if (world.find_system(def.name) != nullptr)
-        refuse_anchor(def, "name", "the name is in use; names must be unique");
-    if (!world.alive(def.body)) refuse_anchor(def, "body", "there is no such body; give one");
+        throw_anchor_error(def, "name", "the name is in use; names must be unique");
+    if (!world.alive(def.body)) throw_anchor_error(def, "body", "there is no such body; give one");
     const BodyKind kind = world.body_def(def.body).kind;
     if (kind != BodyKind::rigid)
-        refuse_anchor(def, "body", "it is no rigid body; give one, with the line at its shackle");
+        throw_anchor_error(def, "body",
+                           "it is no rigid body; give one, with the line at its shackle");
     if (def.wire.valid()) {
         const auto nodes =
             world.alive(def.wire) ? world.wires().nodes(def.wire) : std::span<const BodyId>();
         if (nodes.empty() || (nodes.front() != def.body && nodes.back() != def.body))
-            refuse_anchor(def, "wire",
-                          "no end of it is on the body '" + world.body_def(def.body).name +
-                              "'; give the line of this anchor");
+            throw_anchor_error(def, "wire",
+                               "no end of it is on the body '" + world.body_def(def.body).name +
+                                   "'; give the line of this anchor");
     }
     if (!def.point.allFinite() || def.point.norm() > 1e4)
-        refuse_anchor(def, "point", "give a point within 10 km");
+        throw_anchor_error(def, "point", "give a point within 10 km");
     for (const AnchorView& other : anchors_of(world))
         if (other.def.body == def.body)
-            refuse_anchor(def, "body",
-                          "the anchor '" + other.def.name + "' has this body; one each");
+            throw_anchor_error(def, "body",
+                               "the anchor '" + other.def.name + "' has this body; one each");
     for (const char* part : {"/x", "/y", "/z", "/rx", "/ry", "/rz"})
         if (world.find_interaction(def.name + part).valid())
-            refuse_anchor(def, "name", "the interaction '" + def.name + part + "' exists already");
+            throw_anchor_error(def, "name",
+                               "the interaction '" + def.name + part + "' exists already");
 }
 
 /// Return the weight of the body minus that of the water displaced according to the sea [N].
@@ -83,24 +86,26 @@ void check_anchor_clay(const AnchorDef& def) {
     check_anchor_number(def, "clay/chain_friction", c.chain_friction, 0.0, false, 2.0);
     const bool any = c.strength + c.gradient > 0.0;
     if (c.chain_friction > 0.0 && !any)
-        refuse_anchor(def, "clay/strength",
-                      "the friction of the line needs a strength of the soil; give \"strength\" or "
-                      "\"gradient\"");
+        throw_anchor_error(
+            def, "clay/strength",
+            "the friction of the line needs a strength of the soil; give \"strength\" or "
+            "\"gradient\"");
     if (def.law != AnchorLaw::trajectory) return;
     check_anchor_number(def, "clay/fluke_area", c.fluke_area, 0.0, true, 1e4);
     check_anchor_number(def, "clay/bearing", c.bearing, 0.0, true, 100.0);
     check_anchor_number(def, "clay/fluke_angle", c.fluke_angle, 0.0, true, 1.4);
     check_anchor_number(def, "clay/first_depth", c.first_depth, 0.0, true, 1e3);
     if (!any)
-        refuse_anchor(def, "clay/strength",
-                      "the trajectory needs a strength of the soil; give "
-                      "\"strength\" or \"gradient\"");
+        throw_anchor_error(def, "clay/strength",
+                           "the trajectory needs a strength of the soil; give "
+                           "\"strength\" or \"gradient\"");
 }
 
 /// Fill in the defaults. @throws DefError
 void complete_anchor(const World& world, AnchorDef& def) {
     if (def.soil == AnchorSoil::none)
-        refuse_anchor(def, "soil", "an anchor needs a soil; give soft_clay, medium_clay or sand");
+        throw_anchor_error(def, "soil",
+                           "an anchor needs a soil; give soft_clay, medium_clay or sand");
     const auto fill = [](double& value, double fallback) {
         if (std::isnan(value)) value = fallback;
     };
@@ -111,13 +116,13 @@ void complete_anchor(const World& world, AnchorDef& def) {
         def.uhc = anchor_uhc(def.type, def.soil, def.mass);
         const auto i = static_cast<std::size_t>(def.type);
         if (std::isnan(def.uhc))
-            refuse_anchor(def, "soil",
-                          std::string("no capacity of ") + anchor_types()[i] + " in " +
-                              anchor_soils()[static_cast<std::size_t>(def.soil)] +
-                              " is published; give \"uhc\" or another soil");
+            throw_anchor_error(def, "soil",
+                               std::string("no capacity of ") + anchor_types()[i] + " in " +
+                                   anchor_soils()[static_cast<std::size_t>(def.soil)] +
+                                   " is published; give \"uhc\" or another soil");
     }
     if (std::isnan(def.uhc) && !diver)
-        refuse_anchor(def, "uhc", "an anchor needs its capacity; give \"uhc\" or \"type\"");
+        throw_anchor_error(def, "uhc", "an anchor needs its capacity; give \"uhc\" or \"type\"");
     if (!std::isnan(def.uhc)) check_anchor_number(def, "uhc", def.uhc, 0.0, true, 1e12);
     const bool sand = def.soil == AnchorSoil::sand;
     constexpr double kFlukeDensity = 120.0, kClayLengths = 20.0, kSandLengths = 4.0;
@@ -139,10 +144,10 @@ void complete_anchor(const World& world, AnchorDef& def) {
     check_anchor_number(def, "full_depth", def.full_depth, 0.0, false, 1e3);
     check_anchor_number(def, "drag", def.drag, 0.0, false, 1e5);
     if (def.drag > 0.0 && !def.set)
-        refuse_anchor(def, "drag",
-                      number(def.drag) +
-                          " m, but the anchor is free at the start; give "
-                          "\"set\": true, or no drag");
+        throw_anchor_error(def, "drag",
+                           number(def.drag) +
+                               " m, but the anchor is free at the start; give "
+                               "\"set\": true, or no drag");
     check_anchor_clay(def);
 }
 
@@ -150,17 +155,17 @@ void complete_anchor(const World& world, AnchorDef& def) {
 Quat to_axis(int i) {
     Vec3 axis = Vec3::Zero();
     axis[i] = 1.0;
-    return Quat::FromTwoVectors(Vec3::UnitZ(), axis);
+    return turn_between(Vec3::UnitZ(), axis);
 }
 
 /// Add one row between the soil and the anchor, with the input of its bound.
-InteractionId add_soil_row(World& world, const AnchorDef& def, BodyId soil, int axis, bool turns,
-                           double first, InputId& bound) {
+InteractionId add_soil_row(World& world, const AnchorDef& def, BodyId soil, int axis,
+                           bool rotational, double first, InputId& bound) {
     constexpr const char* kNames[] = {"/x", "/y", "/z", "/rx", "/ry", "/rz"};
-    const char* param = turns ? "torque" : "force";
+    const char* param = rotational ? "torque" : "force";
     InteractionDef row;
-    row.name = def.name + kNames[axis + (turns ? 3 : 0)];
-    row.kind = turns ? InteractionKind::HingeFriction : InteractionKind::SlideFriction;
+    row.name = def.name + kNames[axis + (rotational ? 3 : 0)];
+    row.kind = rotational ? InteractionKind::HingeFriction : InteractionKind::SlideFriction;
     row.body = {soil, def.body};
     row.point[1] = def.point;
     row.frame[0] = to_axis(axis);
@@ -205,8 +210,8 @@ System* define(World& world, const AnchorDef& given) {
     complete_anchor(world, def);
     const Nonsmooth method = world.settings().nonsmooth;
     if (method == Nonsmooth::pgs || method == Nonsmooth::split)
-        refuse_anchor(def, "name",
-                      "nonsmooth = pgs and split keep no bounds exactly; choose newton");
+        throw_anchor_error(def, "name",
+                           "nonsmooth = pgs and split keep no bounds exactly; choose newton");
     vessel::AnchorRows rows;
     rows.mass = world.body_def(def.body).mass;
     rows.carried = has_shapes(world, def.body);

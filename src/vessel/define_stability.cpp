@@ -15,16 +15,17 @@
 namespace hawser {
 namespace {
 
-[[noreturn]] void refuse_gauge(const StabilityDef& def, const char* field, const std::string& why) {
+[[noreturn]] void throw_gauge_error(const StabilityDef& def, const char* field,
+                                    const std::string& why) {
     throw DefError("stability '" + def.name + "': " + field + ": " + why);
 }
 
 void check_gauge_number(const StabilityDef& def, const char* field, double value, double least,
                         bool above, double most) {
     if (value <= most && (above ? value > least : value >= least)) return;
-    refuse_gauge(def, field,
-                 number(value) + "; give a number " + (above ? "above " : "from ") + number(least) +
-                     " up to " + number(most));
+    throw_gauge_error(def, field,
+                      number(value) + "; give a number " + (above ? "above " : "from ") +
+                          number(least) + " up to " + number(most));
 }
 
 const WaterHull* hull_of_ship(const World& world, BodyId body) {
@@ -38,21 +39,21 @@ const WaterHull* hull_of_ship(const World& world, BodyId body) {
 void check_gauge_parts(World& world, const StabilityDef& def) {
     if (def.name.empty()) throw DefError("stability: name: it needs a name");
     if (world.find_system(def.name) != nullptr)
-        refuse_gauge(def, "name", "the name is in use; names must be unique");
+        throw_gauge_error(def, "name", "the name is in use; names must be unique");
     if (!world.alive(def.body) || world.body_def(def.body).kind != BodyKind::rigid)
-        refuse_gauge(def, "body", "there is no such rigid body; give the ship");
+        throw_gauge_error(def, "body", "there is no such rigid body; give the ship");
     if (!world.alive(def.wire))
-        refuse_gauge(def, "wire", "there is no such wire; give the towline");
+        throw_gauge_error(def, "wire", "there is no such wire; give the towline");
     const auto nodes = world.wires().nodes(def.wire);
     if (nodes.front() != def.body && nodes.back() != def.body)
-        refuse_gauge(def, "wire",
-                     "no end of it is on the body '" + world.body_def(def.body).name +
-                         "'; give the towline of this ship");
+        throw_gauge_error(def, "wire",
+                          "no end of it is on the body '" + world.body_def(def.body).name +
+                              "'; give the towline of this ship");
     for (const WireId other : def.others)
         if (!world.alive(other) || other == def.wire)
-            refuse_gauge(def, "others", "give wires that exist, other than the towline");
+            throw_gauge_error(def, "others", "give wires that exist, other than the towline");
     if (!def.pin.allFinite() || def.pin.norm() > 1e4)
-        refuse_gauge(def, "pin", "give a point within 10 km");
+        throw_gauge_error(def, "pin", "give a point within 10 km");
 }
 
 void check_gauge_numbers(const StabilityDef& def) {
@@ -77,17 +78,18 @@ void complete_gauge(const World& world, StabilityDef& def, const WaterHull* hull
     check_gauge_number(def, "stern_x", def.stern_x, -1e4, false, 1e4);
     if (hull == nullptr) {
         if (std::isnan(def.gm))
-            refuse_gauge(def, "gm",
-                         "the body has no hull with a mesh in the sea; add one to \"hulls\" of the "
-                         "sea, or give \"gm\"");
+            throw_gauge_error(
+                def, "gm",
+                "the body has no hull with a mesh in the sea; add one to \"hulls\" of the "
+                "sea, or give \"gm\"");
         check_gauge_number(def, "gm", def.gm, 0.0, true, 1e3);
         if (std::isnan(def.thrust_height))
-            refuse_gauge(def, "thrust_height", "a ship without a mesh needs it");
+            throw_gauge_error(def, "thrust_height", "a ship without a mesh needs it");
         return;
     }
     const Flotation afloat = float_hull(hull->mesh, def.mass, density);
     if (!afloat.floats)
-        refuse_gauge(def, "mass", number(def.mass) + " kg: the hull does not float with it");
+        throw_gauge_error(def, "mass", number(def.mass) + " kg: the hull does not float with it");
     const double keel = afloat.statics.lowest - afloat.pose.position.z();
     if (std::isnan(def.gm)) def.gm = afloat.gm;
     if (std::isnan(def.thrust_height)) def.thrust_height = keel + 0.5 * afloat.draught;
@@ -100,7 +102,7 @@ void complete_gauge(const World& world, StabilityDef& def, const WaterHull* hull
     check_gauge_number(def, "freeboard", def.freeboard, 0.0, false, 100.0);
 }
 
-const vessel::StabilityCurve& curve_of(const World& world, std::string_view name) {
+const vessel::StabilityCurve& stability_curve(const World& world, std::string_view name) {
     const auto* gauge = dynamic_cast<const vessel::StabilitySystem*>(world.find_system(name));
     if (gauge == nullptr)
         throw DefError("stability: there is no gauge '" + std::string(name) + "'");
@@ -111,15 +113,15 @@ const vessel::StabilityCurve& curve_of(const World& world, std::string_view name
 
 StabilityCheck check_stability(const World& world, std::string_view name, double force,
                                double alpha, double beta) {
-    return curve_of(world, name).check(force, alpha, beta);
+    return stability_curve(world, name).check(force, alpha, beta);
 }
 
 double permissible_tension(const World& world, std::string_view name, double alpha, double beta) {
-    return curve_of(world, name).permissible(alpha, beta, 50);
+    return stability_curve(world, name).permissible_tension_at(alpha, beta, 50);
 }
 
 std::vector<std::array<double, 2>> gz_curve(const World& world, std::string_view name) {
-    const vessel::StabilityCurve& curve = curve_of(world, name);
+    const vessel::StabilityCurve& curve = stability_curve(world, name);
     std::vector<std::array<double, 2>> out;
     for (int k = 0; k <= 90; ++k) {
         const double heel = 0.017453292519943295 * k;

@@ -24,7 +24,7 @@ DenseLp::DenseLp(Eigen::Index variables, Eigen::Index equalities, Eigen::Index l
       cost_(Eigen::VectorXd::Zero(variables + limits)),
       x_(Eigen::VectorXd::Zero(variables)) {}
 
-Eigen::Index DenseLp::entering(const Eigen::VectorXd& reduced, bool first) const noexcept {
+Eigen::Index DenseLp::entering_column(const Eigen::VectorXd& reduced, bool first) const noexcept {
     Eigen::Index best = -1;
     double most = kOptimal;
     for (Eigen::Index j = 0; j < reduced.size(); ++j)
@@ -38,7 +38,7 @@ Eigen::Index DenseLp::entering(const Eigen::VectorXd& reduced, bool first) const
 
 /// Return the row of the smallest ratio. An artificial variable at 0 leaves the basis for a pivot
 /// of any sign.
-Eigen::Index DenseLp::leaving(Eigen::Index column, bool first) const noexcept {
+Eigen::Index DenseLp::leaving_row(Eigen::Index column, bool first) const noexcept {
     Eigen::Index best = -1;
     double least = std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 0; i < rows_.rows(); ++i) {
@@ -68,13 +68,13 @@ bool DenseLp::solve() {
     int stalled = 0;
     for (int pivots = 0; pivots < kMaxPivots; ++pivots) {
         const bool first = stalled > kStalled;
-        const Eigen::Index column = entering(reduced, first);
+        const Eigen::Index column = entering_column(reduced, first);
         if (column < 0) {
             value_ = value;
             read();
             return true;
         }
-        const Eigen::Index row = leaving(column, first);
+        const Eigen::Index row = leaving_row(column, first);
         if (row < 0) return false;
         const double inverse = 1.0 / rows_(row, column);
         rows_.row(row) *= inverse;

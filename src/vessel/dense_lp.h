@@ -30,8 +30,9 @@ class DenseLp {
     [[nodiscard]] const Eigen::VectorXd& solution() const noexcept { return x_; }
 
   private:
-    [[nodiscard]] Eigen::Index entering(const Eigen::VectorXd& reduced, bool first) const noexcept;
-    [[nodiscard]] Eigen::Index leaving(Eigen::Index column, bool first) const noexcept;
+    [[nodiscard]] Eigen::Index entering_column(const Eigen::VectorXd& reduced,
+                                               bool first) const noexcept;
+    [[nodiscard]] Eigen::Index leaving_row(Eigen::Index column, bool first) const noexcept;
     void read();
 
     Eigen::Index variables_, equalities_, limits_;

@@ -65,8 +65,8 @@ void check_thruster(const DpShip& ship, std::size_t i) {
             fail_dp(field("forbidden"), "give sectors from a smaller to a larger angle");
 }
 
-void check_known(const DpShip& ship, const std::vector<std::string>& names,
-                 const std::string& field) {
+void check_thruster_names(const DpShip& ship, const std::vector<std::string>& names,
+                          const std::string& field) {
     std::string known;
     for (const DpThruster& t : ship.thrusters) {
         if (!known.empty()) known += ", ";
@@ -82,7 +82,7 @@ void check_known(const DpShip& ship, const std::vector<std::string>& names,
     }
 }
 
-std::vector<bool> stopped(const DpShip& ship, const DpFailure& failure) {
+std::vector<bool> failed_thrusters(const DpShip& ship, const DpFailure& failure) {
     std::vector<bool> out(ship.thrusters.size(), false);
     for (std::size_t i = 0; i < out.size(); ++i)
         out[i] = std::find(failure.thrusters.begin(), failure.thrusters.end(),
@@ -119,7 +119,7 @@ DpHeading dp_heading(const DpShip& ship, double from, const std::vector<DpFailur
     out.next = intact.next;
     out.worst_number = intact.number;
     for (std::size_t k = 0; k < failures.size(); ++k) {
-        const int n = largest_number(ship, from, stopped(ship, failures[k])).number;
+        const int n = largest_number(ship, from, failed_thrusters(ship, failures[k])).number;
         if (k == 0 || n < out.worst_number) {
             out.worst_number = n;
             out.worst_failure = k;
@@ -171,10 +171,11 @@ void check_dp_ship(const DpShip& ship) {
     for (std::size_t i = 0; i < ship.thrusters.size(); ++i) check_thruster(ship, i);
     for (std::size_t b = 0; b < ship.switchboards.size(); ++b) {
         dp_positive(dp_at("switchboards", b, "power"), ship.switchboards[b].power, 1e10);
-        check_known(ship, ship.switchboards[b].thrusters, dp_at("switchboards", b, "thrusters"));
+        check_thruster_names(ship, ship.switchboards[b].thrusters,
+                             dp_at("switchboards", b, "thrusters"));
     }
     for (std::size_t k = 0; k < ship.failures.size(); ++k)
-        check_known(ship, ship.failures[k].thrusters, dp_at("failures", k, "thrusters"));
+        check_thruster_names(ship, ship.failures[k].thrusters, dp_at("failures", k, "thrusters"));
 }
 
 DpUtilisation dp_utilisation(const DpShip& ship, int number, double from,

@@ -24,7 +24,9 @@ constexpr DpCondition kDpScale[] = {
 static_assert(sizeof kDpScale / sizeof kDpScale[0] == kDpNumbers);
 
 /// Return the direction folded to 0 … π.
-double folded(double from) noexcept { return std::abs(std::remainder(from, 2.0 * kDpPi)); }
+double direction_on_one_side(double from) noexcept {
+    return std::abs(std::remainder(from, 2.0 * kDpPi));
+}
 
 double zero_crossing(const DpCondition& at) noexcept { return at.period / kDpPeriods; }
 
@@ -98,7 +100,7 @@ double direction_factor(const DpThruster& t, bool astern) noexcept {
 }
 
 /// Return η_M, the mechanical efficiency.
-double mechanical(const DpThruster& t) noexcept {
+double mechanical_efficiency(const DpThruster& t) noexcept {
     if (t.drive == DpDrive::rim) return 0.995;
     switch (t.kind) {
         case DpThrusterKind::shaft:
@@ -121,7 +123,7 @@ DpCondition dp_condition(int number) noexcept {
 }
 
 DpLoads dp_loads(const DpShip& ship, const DpCondition& at, double from) noexcept {
-    const double dir = folded(from);
+    const double dir = direction_on_one_side(from);
     DpLoads out;
     out.wind = wind_load(ship, at.wind, from, dir);
     out.current = current_load(ship, at.current, from, dir);
@@ -135,7 +137,7 @@ DpLoads dp_loads(const DpShip& ship, const DpCondition& at, double from) noexcep
 double dp_nominal_thrust(const DpThruster& thruster, bool astern) noexcept {
     const double kilowatts = 1e-3 * thruster.power;
     return thrust_factor(thruster) * direction_factor(thruster, astern) *
-           std::pow(thruster.diameter * kilowatts * mechanical(thruster), 2.0 / 3.0);
+           std::pow(thruster.diameter * kilowatts * mechanical_efficiency(thruster), 2.0 / 3.0);
 }
 
 double dp_load_factor(const DpThruster& thruster, bool astern) noexcept {
@@ -145,7 +147,7 @@ double dp_load_factor(const DpThruster& thruster, bool astern) noexcept {
 
 double dp_ventilation(const DpShip& ship, const DpThruster& thruster, const DpCondition& at,
                       double from, bool astern) noexcept {
-    const double dir = folded(from);
+    const double dir = direction_on_one_side(from);
     const double depth = ship.draught - thruster.point.z();
     const double share = dir <= 0.5 * kDpPi ? 1.0 + 0.38 * dir / kDpPi : 1.38 - 0.38 * dir / kDpPi;
     const double x = thruster.point.x();

@@ -21,13 +21,13 @@ double positive_angle(double a) noexcept {
     return out < 0.0 ? out + kTurn : out;
 }
 
-bool works(const std::vector<bool>& failed, std::size_t i) noexcept {
+bool is_intact(const std::vector<bool>& failed, std::size_t i) noexcept {
     return failed.empty() || !failed[i];
 }
 
 /// Piecewise linear factor over direction: 1 outside, decreasing to `least` at `middle`.
 struct SkegDip {
-    bool any = false;
+    bool has_dip = false;
     double first = 0.0, middle = 0.0, last = 0.0, least = 1.0;
     bool mirrored = false;  ///< True: thruster to starboard.
 };
@@ -40,13 +40,13 @@ SkegDip skeg_dip(const DpThruster& t, const DpSkeg& skeg) noexcept {
     const double distance = dx > 0.0 ? std::hypot(dx, dy) : std::abs(dy);
     const double reach = t.propeller == DpPropeller::ducted ? 8.0 : 15.0;
     if (!(distance < reach * t.diameter)) return out;
-    out.any = true;
+    out.has_dip = true;
     out.mirrored = dy > 0.0;
-    const double half = std::atan(0.6 * t.diameter / distance);
+    const double half_width = std::atan(0.6 * t.diameter / distance);
     const double centre = std::atan2(std::abs(dy), -dx);
-    out.middle = std::min(std::max(centre + half, 0.5 * kStarPi), kStarPi);
-    out.first = std::max(centre - half, 0.0);
-    out.last = std::min(out.middle + 4.0 * half, kStarPi);
+    out.middle = std::min(std::max(centre + half_width, 0.5 * kStarPi), kStarPi);
+    out.first = std::max(centre - half_width, 0.0);
+    out.last = std::min(out.middle + 4.0 * half_width, kStarPi);
     out.least = 2.0 * out.middle / kStarPi - 1.0;
     return out;
 }
@@ -56,7 +56,7 @@ double dip_factor(const SkegDip& d, double direction) noexcept {
     if (d.mirrored) a = -a;
     // −π is π: the end of the dip.
     if (a <= -kStarPi) a = kStarPi;
-    if (!d.any || a <= d.first) return 1.0;
+    if (!d.has_dip || a <= d.first) return 1.0;
     if (a == d.middle) return d.least;
     if (a >= d.last) return 1.0;
     if (a <= d.middle) return 1.0 + (d.least - 1.0) * (a - d.first) / (d.middle - d.first);
@@ -65,15 +65,15 @@ double dip_factor(const SkegDip& d, double direction) noexcept {
 
 /// Notch of the star behind a failed thruster: straight lines from both edges to the middle.
 struct Notch {
-    double middle = 0.0, half = 0.0, least = 1.0;
+    double middle = 0.0, half_width = 0.0, least = 1.0;
 };
 
 /// Return the radius over the circle at an angle off the middle.
 double notch_factor(const Notch& n, double direction) noexcept {
     const double off = std::abs(std::remainder(direction - n.middle, kTurn));
-    if (off >= n.half) return 1.0;
+    if (off >= n.half_width) return 1.0;
     // Line from (cos half, sin half) to (least, 0) at the angle `off`.
-    const double ex = std::cos(n.half), ey = std::sin(n.half);
+    const double ex = std::cos(n.half_width), ey = std::sin(n.half_width);
     const double dx = ex - n.least, dy = ey;
     return n.least * dy / (std::cos(off) * dy - std::sin(off) * dx);
 }
@@ -84,7 +84,7 @@ std::vector<Notch> notches(const DpShip& ship, std::size_t i, const std::vector<
     const bool ducted = t.propeller == DpPropeller::ducted;
     for (std::size_t j = 0; j < ship.thrusters.size(); ++j) {
         const DpThruster& other = ship.thrusters[j];
-        if (j == i || works(failed, j) || other.kind == DpThrusterKind::tunnel) continue;
+        if (j == i || is_intact(failed, j) || other.kind == DpThrusterKind::tunnel) continue;
         const double dx = t.point.x() - other.point.x(), dy = t.point.y() - other.point.y();
         const double s = std::hypot(dx, dy);
         if (!(s < (ducted ? 4.0 : 8.0) * t.diameter) || !(s > 0.0)) continue;
@@ -110,12 +110,13 @@ std::vector<DpSector> dp_forbidden_zones(const DpShip& ship, std::size_t thruste
     if (t.kind == DpThrusterKind::tunnel) return out;
     for (std::size_t j = 0; j < ship.thrusters.size(); ++j) {
         const DpThruster& other = ship.thrusters[j];
-        if (j == thruster || !works(failed, j) || other.kind == DpThrusterKind::tunnel) continue;
+        if (j == thruster || !is_intact(failed, j) || other.kind == DpThrusterKind::tunnel)
+            continue;
         const double dx = t.point.x() - other.point.x(), dy = t.point.y() - other.point.y();
         const double s = std::hypot(dx, dy);
         if (!(s < 15.0 * t.diameter) || !(s > 0.0)) continue;
-        const double middle = std::atan2(dy, dx), half = std::atan(0.1 + t.diameter / s);
-        out.push_back({middle - half, middle + half});
+        const double middle = std::atan2(dy, dx), half_width = std::atan(0.1 + t.diameter / s);
+        out.push_back({middle - half_width, middle + half_width});
     }
     return out;
 }
@@ -193,11 +194,11 @@ void turning_fans(const DpShip& ship, std::size_t i, double radius, const std::v
     const std::vector<Notch> cuts = notches(ship, i, failed);
     std::vector<double> corners;
     for (const DpSkeg& s : ship.skegs)
-        if (const SkegDip d = skeg_dip(t, s); d.any)
+        if (const SkegDip d = skeg_dip(t, s); d.has_dip)
             for (const double a : {d.first, d.middle, d.last})
                 corners.push_back(positive_angle(d.mirrored ? -a : a));
     for (const Notch& n : cuts)
-        for (const double a : {n.middle - n.half, n.middle, n.middle + n.half})
+        for (const double a : {n.middle - n.half_width, n.middle, n.middle + n.half_width})
             corners.push_back(positive_angle(a));
     const double dip = std::min(arc, kDipArc);
     for (const DpSector& s : free_sectors(dp_forbidden_zones(ship, i, failed))) {
@@ -224,7 +225,7 @@ void turning_fans(const DpShip& ship, std::size_t i, double radius, const std::v
 }
 
 /// Return true if a direction lies inside a forbidden sector.
-bool forbidden(const std::vector<DpSector>& zones, double direction) noexcept {
+bool in_forbidden_sector(const std::vector<DpSector>& zones, double direction) noexcept {
     return std::any_of(zones.begin(), zones.end(), [&](const DpSector& z) {
         return positive_angle(direction - z.from) < z.to - z.from;
     });
@@ -240,7 +241,7 @@ void shaft_fans(const DpShip& ship, std::size_t i, double ahead, double astern,
         for (const Notch& n : notches(ship, i, failed)) r *= notch_factor(n, direction);
         return r;
     };
-    if (!forbidden(zones, 0.0)) {
+    if (!in_forbidden_sector(zones, 0.0)) {
         const double thrust = ahead * factor(0.0);
         std::vector<Force2> chain;
         constexpr int kRudderSteps = 60;
@@ -254,12 +255,13 @@ void shaft_fans(const DpShip& ship, std::size_t i, double ahead, double astern,
         }
         cut_fans(chain, out);
     }
-    if (!forbidden(zones, kStarPi)) out.push_back(Fan{{Force2(-astern * factor(kStarPi), 0.0)}});
+    if (!in_forbidden_sector(zones, kStarPi))
+        out.push_back(Fan{{Force2(-astern * factor(kStarPi), 0.0)}});
 }
 
 }  // namespace
 
-double gauge(const Fan& fan, const Force2& f) noexcept {
+double utilisation_factor(const Fan& fan, const Force2& f) noexcept {
     constexpr double kNone = std::numeric_limits<double>::infinity();
     const auto& v = fan.vertices;
     const double size = f.norm();
@@ -287,10 +289,10 @@ double gauge(const Fan& fan, const Force2& f) noexcept {
     return best;
 }
 
-double gauge(const Star& star, const Force2& f) noexcept {
+double utilisation_factor(const Star& star, const Force2& f) noexcept {
     double best = std::numeric_limits<double>::infinity();
     if (f.norm() == 0.0) return 0.0;
-    for (const Fan& fan : star.fans) best = std::min(best, gauge(fan, f));
+    for (const Fan& fan : star.fans) best = std::min(best, utilisation_factor(fan, f));
     return best;
 }
 
@@ -304,7 +306,7 @@ Star capacity_star(const DpShip& ship, std::size_t thruster, const DpCondition& 
     for (std::size_t b = 0; b < ship.switchboards.size(); ++b)
         for (const std::string& name : ship.switchboards[b].thrusters)
             if (name == t.name) out.board = static_cast<int>(b);
-    if (!works(failed, thruster)) return out;
+    if (!is_intact(failed, thruster)) return out;
     const auto capacity = [&](bool astern) {
         return kMiscellaneous * dp_nominal_thrust(t, astern) *
                dp_ventilation(ship, t, at, from, astern);

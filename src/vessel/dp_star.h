@@ -28,9 +28,9 @@ struct Star {
 };
 
 /// Return the smallest factor U with f ∈ U · star; infinite if there is none.
-[[nodiscard]] double gauge(const Star& star, const Force2& f) noexcept;
+[[nodiscard]] double utilisation_factor(const Star& star, const Force2& f) noexcept;
 /// Return the smallest factor U with f ∈ U · fan; infinite if there is none.
-[[nodiscard]] double gauge(const Fan& fan, const Force2& f) noexcept;
+[[nodiscard]] double utilisation_factor(const Fan& fan, const Force2& f) noexcept;
 
 /// Angle between vertices of the polygon in the circle of an azimuth: that of the published
 /// solution of the test ship (docs/vessels.md) [rad].

@@ -36,8 +36,8 @@ class Search {
         : stars_(stars), boards_(boards), load_(load.x, load.y, load.n) {
         for (const Star& s : stars) {
             for (const Fan& f : s.fans)
-                for (const Force2& v : f.vertices) unit_ = std::max(unit_, v.norm());
-            arm_ = std::max({arm_, std::abs(s.x), std::abs(s.y)});
+                for (const Force2& v : f.vertices) force_unit_ = std::max(force_unit_, v.norm());
+            moment_arm_ = std::max({moment_arm_, std::abs(s.x), std::abs(s.y)});
         }
         for (std::size_t b = 0; b < boards.size(); ++b) begin_cuts(static_cast<int>(b));
     }
@@ -49,7 +49,7 @@ class Search {
             best_.value = 0.0;
             return best_;
         }
-        if (!(unit_ > 0.0)) return best_;
+        if (!(force_unit_ > 0.0)) return best_;
         Node whole;
         for (const Star& s : stars_) whole.emplace_back(0, s.fans.size());
         open_.push_back(whole);
@@ -95,7 +95,7 @@ class Search {
     }
 
     /// Solve a node with the cuts of power, and add the cuts that its solution violates.
-    [[nodiscard]] bool relax(const Node& node, Relaxed& out) {
+    [[nodiscard]] bool solve_relaxation(const Node& node, Relaxed& out) {
         for (int rounds = 0; rounds < 40; ++rounds) {
             if (!program(node, out)) return false;
             bool met = true;
@@ -118,13 +118,13 @@ class Search {
         const auto count = static_cast<Eigen::Index>(columns.size());
         const auto thrusters = static_cast<Eigen::Index>(stars_.size());
         DenseLp lp(count + 1, 3, thrusters + static_cast<Eigen::Index>(cuts_.size()));
-        const double moment = unit_ * std::max(arm_, 1.0);
-        const Vec3 scaled(load_[0] / unit_, load_[1] / unit_, load_[2] / moment);
+        const double moment = force_unit_ * std::max(moment_arm_, 1.0);
+        const Vec3 scaled(load_[0] / force_unit_, load_[1] / force_unit_, load_[2] / moment);
         const double size = scaled.norm();
         for (Eigen::Index j = 0; j < count; ++j) {
             const auto& [i, v] = columns[static_cast<std::size_t>(j)];
-            lp.equality(0, j) = v.x() / unit_;
-            lp.equality(1, j) = v.y() / unit_;
+            lp.equality(0, j) = v.x() / force_unit_;
+            lp.equality(1, j) = v.y() / force_unit_;
             lp.equality(2, j) = (stars_[i].x * v.y() - stars_[i].y * v.x()) / moment;
             lp.limit(static_cast<Eigen::Index>(i), j) = 1.0;
             for (std::size_t c = 0; c < cuts_.size(); ++c)
@@ -149,7 +149,7 @@ class Search {
 
     void visit(const Node& node) {
         Relaxed r;
-        if (!relax(node, r)) return;
+        if (!solve_relaxation(node, r)) return;
         const double bound = 1.0 / r.scale;
         if (bound >= best_.value * (1.0 - kExact)) return;
         std::vector<double> fractions(stars_.size(), 0.0);
@@ -157,7 +157,7 @@ class Search {
         std::size_t branch = stars_.size();
         double separation = 0.0;
         for (std::size_t i = 0; i < stars_.size(); ++i) {
-            fractions[i] = gauge(stars_[i], r.forces[i]);
+            fractions[i] = utilisation_factor(stars_[i], r.forces[i]);
             most = std::max(most, fractions[i]);
             const double off = fractions[i] - r.fractions[i];
             if (node[i].second - node[i].first > 1 && off > separation) {
@@ -170,7 +170,7 @@ class Search {
             most = std::max(
                 most, std::pow(power(static_cast<int>(b), fractions) / boards_[b], 2.0 / 3.0));
         const double reached = std::max(bound, bound * most);
-        if (reached < best_.value) keep(r, reached, fractions);
+        if (reached < best_.value) store_relaxed(r, reached, fractions);
         if (branch == stars_.size() || reached <= bound * (1.0 + kExact)) return;
         const auto [first, last] = node[branch];
         Node left = node, right = node;
@@ -179,7 +179,7 @@ class Search {
         open_.push_back(std::move(right));
     }
 
-    void keep(const Relaxed& r, double value, const std::vector<double>& fractions) {
+    void store_relaxed(const Relaxed& r, double value, const std::vector<double>& fractions) {
         best_.value = value;
         for (std::size_t i = 0; i < stars_.size(); ++i) {
             const Force2 f = r.forces[i] / r.scale;
@@ -190,7 +190,7 @@ class Search {
     const std::vector<Star>& stars_;
     const std::vector<double>& boards_;
     Vec3 load_;
-    double unit_ = 0.0, arm_ = 0.0;
+    double force_unit_ = 0.0, moment_arm_ = 0.0;
     std::vector<PowerCut> cuts_;
     std::vector<Node> open_;
     DpUtilisation best_;

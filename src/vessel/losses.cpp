@@ -55,7 +55,7 @@ Surface::Surface(const World& world, const VesselDef& def) {
 }
 
 void Surface::update(const World& world, double time) noexcept {
-    if (find_sea(world) != nullptr) still_ = still_water(world);
+    if (find_sea(world) != nullptr) still_level_ = still_water(world);
     if (sea_ == nullptr) return;
     SeaInputs in = sea_->inputs();
     in.waves = sea_input(world, "waves", in.waves);
@@ -64,7 +64,7 @@ void Surface::update(const World& world, double time) noexcept {
 }
 
 double Surface::height(double x, double y) const noexcept {
-    return sea_ == nullptr ? still_ : sea_->elevation(moment_, x, y);
+    return sea_ == nullptr ? still_level_ : sea_->elevation(moment_, x, y);
 }
 
 bool has_losses(const VesselDef& def) noexcept {
@@ -73,8 +73,8 @@ bool has_losses(const VesselDef& def) noexcept {
                        [](const PropulsorDef& p) { return p.ventilates || p.hull_loss > 0.0; });
 }
 
-void lose_in_races(const std::vector<Propulsor>& propulsors, std::vector<PropulsorState>& states,
-                   double density) noexcept {
+void apply_race_losses(const std::vector<Propulsor>& propulsors,
+                       std::vector<PropulsorState>& states, double density) noexcept {
     for (std::size_t j = 0; j < propulsors.size(); ++j) {
         const Propulsor& from = propulsors[j];
         const double d = from.diameter();
@@ -91,12 +91,13 @@ void lose_in_races(const std::vector<Propulsor>& propulsors, std::vector<Propuls
             const double behind = dx * x + dy * y;
             if (!(behind > 0.0)) continue;
             const double angle = std::atan2(std::abs(dx * y - dy * x), behind);
-            states[i].kept *= 1.0 - load * (1.0 - race_thrust(std::hypot(dx, dy) / d, angle));
+            states[i].thrust_fraction *=
+                1.0 - load * (1.0 - race_thrust(std::hypot(dx, dy) / d, angle));
         }
     }
 }
 
-double kept_at_hull(const Propulsor& propulsor, const PropulsorState& s) noexcept {
+double thrust_fraction_under_hull(const Propulsor& propulsor, const PropulsorState& s) noexcept {
     const double y = propulsor.at().y();
     if (propulsor.def().hull_loss <= 0.0 || y == 0.0) return 1.0;
     // The race of a thrust to starboard runs to port.

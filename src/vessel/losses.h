@@ -26,15 +26,16 @@ class Surface {
   private:
     std::shared_ptr<const Sea> sea_;  ///< Null: still water.
     SeaMoment moment_;
-    double still_ = 0.0;
+    double still_level_ = 0.0;
 };
 
 /// True if a definition has any losses.
 [[nodiscard]] bool has_losses(const VesselDef& def) noexcept;
-/// Multiply `kept` of each propulsor by the fraction that remains in the races of others.
-void lose_in_races(const std::vector<Propulsor>& propulsors, std::vector<PropulsorState>& states,
-                   double density) noexcept;
+/// Multiply `thrust_fraction` of each propulsor by the fraction left in the races of others.
+void apply_race_losses(const std::vector<Propulsor>& propulsors,
+                       std::vector<PropulsorState>& states, double density) noexcept;
 /// Return the fraction of thrust that remains for an azimuth whose race flows under the hull.
-[[nodiscard]] double kept_at_hull(const Propulsor& propulsor, const PropulsorState& s) noexcept;
+[[nodiscard]] double thrust_fraction_under_hull(const Propulsor& propulsor,
+                                                const PropulsorState& s) noexcept;
 
 }  // namespace hawser::vessel

@@ -32,7 +32,7 @@ Observer::Observer(const Vec3& mass, const Vec3& damping, double period)
     : mass_(mass), damping_(damping), frequency_(2.0 * std::numbers::pi / period) {}
 
 void Observer::start(const Planar& measured) noexcept {
-    low_ = measured;
+    low_frequency_ = measured;
     bias_.setZero();
     swell_.setZero();
     swell_rate_.setZero();
@@ -40,26 +40,28 @@ void Observer::start(const Planar& measured) noexcept {
 
 void Observer::step(const Planar& measured, const Vec3& force, double h) noexcept {
     const double w = frequency_, cut = kCutoff * w;
-    const double heading = measured.place[2];
-    Vec3 error = measured.place - low_.place - swell_rate_;
-    error[2] = wrapped(measured.place[2] - low_.place[2] - swell_rate_[2]);
+    const double heading = measured.planar_position[2];
+    Vec3 error = measured.planar_position - low_frequency_.planar_position - swell_rate_;
+    error[2] =
+        wrapped(measured.planar_position[2] - low_frequency_.planar_position[2] - swell_rate_[2]);
     // Gains of the wave model place a notch at ω_0 (Fossen and Strand).
     const double k1 = -2.0 * (kNotch - kWaveDamping) * kCutoff;
     const double k2 = 2.0 * w * (kNotch - kWaveDamping);
-    const Vec3 rate = low_.motion, error_ship = to_ship(error, heading);
+    const Vec3 rate = low_frequency_.motion, error_ship = to_ship(error, heading);
     const Vec3 accelerating = kVelocityGain * cut * cut * error_ship;
     const Vec3 acceleration =
         (force + bias_ - damping_.cwiseProduct(rate)).cwiseQuotient(mass_) + accelerating;
     swell_rate_ += h * (-w * w * swell_ - 2.0 * kWaveDamping * w * swell_rate_ + k2 * error);
     swell_ += h * (swell_rate_ + k1 * error);
-    low_.motion += h * acceleration;
+    low_frequency_.motion += h * acceleration;
     bias_ += h * mass_.cwiseProduct(accelerating) / kBiasTime;
-    low_.place += h * (to_earth(low_.motion, heading) + cut * error);
-    low_.place[2] = wrapped(low_.place[2]);
+    low_frequency_.planar_position += h * (to_earth(low_frequency_.motion, heading) + cut * error);
+    low_frequency_.planar_position[2] = wrapped(low_frequency_.planar_position[2]);
 }
 
 void Observer::visit(StateVisitor& v) {
-    for (Vec3* x : {&low_.place, &low_.motion, &bias_, &swell_, &swell_rate_})
+    for (Vec3* x :
+         {&low_frequency_.planar_position, &low_frequency_.motion, &bias_, &swell_, &swell_rate_})
         v.visit(std::span<double>(x->data(), 3));
 }
 

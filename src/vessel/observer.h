@@ -12,7 +12,7 @@ namespace hawser::vessel {
 
 /// Position of O: north = x, east = −y of the world [m], heading clockwise [rad].
 struct Planar {
-    Vec3 place = Vec3::Zero();
+    Vec3 planar_position = Vec3::Zero();
     Vec3 motion = Vec3::Zero();  ///< u, v, r over ground, in axes of the ship [m/s, rad/s].
 };
 
@@ -27,7 +27,7 @@ class Observer {
     /// Advance by one step. @param force  τ that acts on the ship [N, N, N m].
     void step(const Planar& measured, const Vec3& force, double h) noexcept;
     /// Return the low-frequency motion.
-    [[nodiscard]] const Planar& low() const noexcept { return low_; }
+    [[nodiscard]] const Planar& low_frequency_motion() const noexcept { return low_frequency_; }
     /// Return the slowly varying force, in axes of the ship.
     [[nodiscard]] const Vec3& bias() const noexcept { return bias_; }
     void visit(StateVisitor& visitor);
@@ -35,7 +35,7 @@ class Observer {
   private:
     Vec3 mass_ = Vec3::Ones(), damping_ = Vec3::Zero();
     double frequency_ = 1.0;
-    Planar low_{};
+    Planar low_frequency_{};
     Vec3 bias_ = Vec3::Zero();
     Vec3 swell_ = Vec3::Zero(), swell_rate_ = Vec3::Zero();  ///< ξ: integral and wave motion.
 };

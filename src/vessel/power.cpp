@@ -31,7 +31,7 @@ double SignalRef::value(const World& world) noexcept {
 }
 
 PowerBus::PowerBus(const VesselDef& def)
-    : share_(def.power.share),
+    : available_fraction_(def.power.share),
       tie_(def.power.tied ? 1.0 : 0.0),
       of_propulsor_(def.propulsors.size(), -1) {
     for (const SwitchboardDef& b : def.power.boards) {
@@ -51,8 +51,8 @@ PowerBus::PowerBus(const VesselDef& def)
             of_propulsor_[static_cast<std::size_t>(out.propulsor)] =
                 static_cast<int>(consumers_.size());
         if (!c.signal.empty()) {
-            out.signal = static_cast<int>(refs_.size());
-            refs_.emplace_back(c.signal);
+            out.signal = static_cast<int>(signal_refs_.size());
+            signal_refs_.emplace_back(c.signal);
         }
         (is_load(out) ? out.load : out.rated) = c.power;
         consumers_.push_back(std::move(out));
@@ -69,7 +69,7 @@ const PowerBus::Consumer* PowerBus::find(std::size_t propulsor) const noexcept {
     return i < 0 ? nullptr : &consumers_[static_cast<std::size_t>(i)];
 }
 
-double PowerBus::rated(std::size_t propulsor) const noexcept {
+double PowerBus::rated_power(std::size_t propulsor) const noexcept {
     const Consumer* c = find(propulsor);
     return c == nullptr ? 0.0 : c->rated;
 }
@@ -81,7 +81,7 @@ void PowerBus::demand(std::size_t propulsor, double power) noexcept {
     c.demand = std::max(0.0, power) / c.efficiency;
 }
 
-double PowerBus::granted(std::size_t propulsor) const noexcept {
+double PowerBus::granted_power(std::size_t propulsor) const noexcept {
     const Consumer* c = find(propulsor);
     if (c == nullptr) return kUnlimited;
     // Without shedding the consumer is not limited, not even by rounding.
@@ -96,20 +96,21 @@ double PowerBus::capacity(const Board& board) noexcept {
     return sum;
 }
 
-bool PowerBus::together(const Consumer& a, const Consumer& b) const noexcept {
+bool PowerBus::share_boards(const Consumer& a, const Consumer& b) const noexcept {
     if (failed(boards_[a.board].part) || failed(boards_[b.board].part)) return false;
     return tie_ >= 0.5 || a.board == b.board;
 }
 
-double PowerBus::offered(std::size_t propulsor, const std::vector<double>& full) const noexcept {
+double PowerBus::available_fraction(std::size_t propulsor,
+                                    const std::vector<double>& full) const noexcept {
     const Consumer* c = find(propulsor);
     if (c == nullptr) return 1.0;
     if (failed(boards_[c->board].part)) return 0.0;
     double left = 0.0, asked = 0.0;
     for (const Board& b : boards_)
-        if (tie_ >= 0.5 || &b == &boards_[c->board]) left += share_ * capacity(b);
+        if (tie_ >= 0.5 || &b == &boards_[c->board]) left += available_fraction_ * capacity(b);
     for (const Consumer& other : consumers_) {
-        if (other.priority > c->priority || !together(other, *c)) continue;
+        if (other.priority > c->priority || !share_boards(other, *c)) continue;
         const double present = is_load(other) ? other.load : other.demand;
         if (other.priority < c->priority)
             left -= present;
@@ -126,7 +127,7 @@ void PowerBus::distribute(double capacity, int board) noexcept {
         return board < 0 ? !failed(boards_[c.board].part)
                          : c.board == static_cast<std::size_t>(board);
     };
-    double left = share_ * capacity, taken = 0.0;
+    double left = available_fraction_ * capacity, taken = 0.0;
     for (std::size_t first = 0; first < order_.size();) {
         const int priority = consumers_[order_[first]].priority;
         double asked = 0.0;
@@ -145,7 +146,7 @@ void PowerBus::distribute(double capacity, int board) noexcept {
     for (std::size_t b = 0; b < boards_.size(); ++b) {
         if (board >= 0 ? b != static_cast<std::size_t>(board) : failed(boards_[b].part)) continue;
         boards_[b].load = taken;
-        boards_[b].spare = share_ * capacity - taken;
+        boards_[b].spare = available_fraction_ * capacity - taken;
     }
 }
 
@@ -161,12 +162,12 @@ void PowerBus::report_failures(Prestep& now, BodyId body) noexcept {
     }
 }
 
-void PowerBus::grant(Prestep& now, BodyId body) noexcept {
+void PowerBus::grant_power(Prestep& now, BodyId body) noexcept {
     report_failures(now, body);
     for (Consumer& c : consumers_) {
         if (c.signal >= 0)
-            c.demand =
-                std::abs(refs_[static_cast<std::size_t>(c.signal)].value(now.world)) / c.efficiency;
+            c.demand = std::abs(signal_refs_[static_cast<std::size_t>(c.signal)].value(now.world)) /
+                       c.efficiency;
         else if (c.propulsor < 0)
             c.demand = c.load;
         c.granted = 0.0;

@@ -32,21 +32,21 @@ class PowerBus {
     explicit PowerBus(const VesselDef& def);
     [[nodiscard]] bool any() const noexcept { return !boards_.empty(); }
     /// Return the rated power of an ideal propulsor on the bus; 0 if it is not on the bus [W].
-    [[nodiscard]] double rated(std::size_t propulsor) const noexcept;
+    [[nodiscard]] double rated_power(std::size_t propulsor) const noexcept;
     /// Set the power that a propulsor would take at its shaft [W].
     void demand(std::size_t propulsor, double power) noexcept;
     /// Compute all grants. Reports sheddings and failures that begin.
-    void grant(Prestep& now, BodyId body) noexcept;
+    void grant_power(Prestep& now, BodyId body) noexcept;
     /// Return the power that a propulsor may take at its shaft, 1e300 without a bus [W].
-    [[nodiscard]] double granted(std::size_t propulsor) const noexcept;
+    [[nodiscard]] double granted_power(std::size_t propulsor) const noexcept;
     /// Return the fraction of its full power that a propulsor could take, 0 … 1; 1 without a bus.
     ///
     /// It depends on the present loads and demands of smaller `priority` numbers. Propulsors of the
     /// same priority count with their full power, so that the fraction does not depend on the
     /// orders that follow from it.
     /// @param full  Power of each propulsor at full order, at its shaft [W].
-    [[nodiscard]] double offered(std::size_t propulsor,
-                                 const std::vector<double>& full) const noexcept;
+    [[nodiscard]] double available_fraction(std::size_t propulsor,
+                                            const std::vector<double>& full) const noexcept;
 
     void visit_state(StateVisitor& visitor);
     void check_state(StateRules& rules) const;
@@ -82,19 +82,19 @@ class PowerBus {
     [[nodiscard]] static bool failed(const Part& part) noexcept { return part.failed >= 0.5; }
     [[nodiscard]] static double capacity(const Board& board) noexcept;
     /// Return true if two consumers share the capacity of one board, or of tied boards.
-    [[nodiscard]] bool together(const Consumer& a, const Consumer& b) const noexcept;
+    [[nodiscard]] bool share_boards(const Consumer& a, const Consumer& b) const noexcept;
     [[nodiscard]] const Consumer* find(std::size_t propulsor) const noexcept;
     /// Distribute a capacity to the consumers of one board, or of all boards that did not fail.
     void distribute(double capacity, int board) noexcept;
     void report_failures(Prestep& now, BodyId body) noexcept;
 
-    double share_;
+    double available_fraction_;
     double tie_;  ///< Input.
     std::vector<Board> boards_;
     std::vector<Consumer> consumers_;
     std::vector<std::size_t> order_;  ///< Consumers by priority.
     std::vector<int> of_propulsor_;   ///< Consumer of each propulsor, −1: none.
-    std::vector<SignalRef> refs_;
+    std::vector<SignalRef> signal_refs_;
 };
 
 /// Check the bus of a definition. @throws DefError.

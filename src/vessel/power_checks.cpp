@@ -23,14 +23,14 @@ class PowerFields {
             fail(field, number(value) + "; give a power above 0 and at most 1e12 W");
     }
     /// Check that no other part of the vessel has this name.
-    void take(const std::string& field, const std::string& name) {
+    void claim_name(const std::string& field, const std::string& name) {
         if (name.empty()) fail(field, "give a name");
         if (name.find('.') != std::string::npos) fail(field, "a name has no dot");
-        if (std::find(taken.begin(), taken.end(), name) != taken.end())
+        if (std::find(names_in_use.begin(), names_in_use.end(), name) != names_in_use.end())
             fail(field, "the name '" + name + "' is taken");
-        taken.push_back(name);
+        names_in_use.push_back(name);
     }
-    std::vector<std::string> taken;
+    std::vector<std::string> names_in_use;
 
   private:
     const VesselDef& def_;
@@ -65,7 +65,7 @@ void check_consumer(PowerFields& f, const VesselDef& def, std::size_t i) {
         if (def.power.consumers[k].name == c.name)
             f.fail(field("name"), "'" + c.name + "' is a consumer already");
     if (p == nullptr) {
-        f.take(field("name"), c.name);
+        f.claim_name(field("name"), c.name);
         f.power(field("power"), c.power, true);
         if (!c.signal.empty() && c.signal.find('.') == std::string::npos)
             f.fail(field("signal"), "give SYSTEM.SIGNAL");
@@ -89,17 +89,17 @@ void check_power(const VesselDef& def) {
     }
     if (!(power.share > 0.0 && power.share <= 1.0))
         f.fail("share", number(power.share) + "; give a number above 0 and at most 1");
-    for (const PropulsorDef& p : def.propulsors) f.taken.push_back(p.name);
-    for (const RudderDef& r : def.rudders) f.taken.push_back(r.name);
-    for (const char* own : {"rudder", "rps", "tie"}) f.taken.emplace_back(own);
+    for (const PropulsorDef& p : def.propulsors) f.names_in_use.push_back(p.name);
+    for (const RudderDef& r : def.rudders) f.names_in_use.push_back(r.name);
+    for (const char* own : {"rudder", "rps", "tie"}) f.names_in_use.emplace_back(own);
     for (std::size_t b = 0; b < power.boards.size(); ++b) {
         const SwitchboardDef& board = power.boards[b];
-        f.take(path_of("boards", b, "name"), board.name);
+        f.claim_name(path_of("boards", b, "name"), board.name);
         if (board.generators.empty())
             f.fail(path_of("boards", b, "generators"), "give one generator or more");
         for (std::size_t g = 0; g < board.generators.size(); ++g) {
             const std::string list = path_of("boards", b, "generators");
-            f.take(path_of(list.c_str(), g, "name"), board.generators[g].name);
+            f.claim_name(path_of(list.c_str(), g, "name"), board.generators[g].name);
             f.power(path_of(list.c_str(), g, "power"), board.generators[g].power, false);
         }
     }

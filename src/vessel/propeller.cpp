@@ -29,15 +29,15 @@ double power_of(double x, int n) noexcept {
     return out;
 }
 
-double sum_of(std::span<const WageningenTerm> terms, double j, double p, double a,
-              double z) noexcept {
+double sum_terms(std::span<const WageningenTerm> terms, double j, double p, double a,
+                 double z) noexcept {
     double sum = 0.0;
     for (const WageningenTerm& t : terms)
         sum += t.value * power_of(j, t.s) * power_of(p, t.t) * power_of(a, t.u) * power_of(z, t.v);
     return sum;
 }
 
-double sum_of(std::span<const DuctTerm> terms, double j, double p) noexcept {
+double sum_terms(std::span<const DuctTerm> terms, double j, double p) noexcept {
     double sum = 0.0;
     for (const DuctTerm& t : terms) sum += t.value * power_of(p, t.pitch) * power_of(j, t.advance);
     return sum;
@@ -62,20 +62,20 @@ PropellerForce by_quadrants(const PropellerDef& propeller, double pitch, double 
 }  // namespace
 
 PropellerPoint wageningen_b(double advance, double pitch, double area, double blades) noexcept {
-    return {sum_of(vessel::kThrustTerms, advance, pitch, area, blades),
-            sum_of(vessel::kTorqueTerms, advance, pitch, area, blades), 0.0};
+    return {sum_terms(vessel::kThrustTerms, advance, pitch, area, blades),
+            sum_terms(vessel::kTorqueTerms, advance, pitch, area, blades), 0.0};
 }
 
 PropellerPoint ka4_70(double advance, double pitch) noexcept {
-    return {sum_of(vessel::kKa470Thrust, advance, pitch),
-            sum_of(vessel::kKa470Torque, advance, pitch),
-            sum_of(vessel::kKa470Nozzle, advance, pitch)};
+    return {sum_terms(vessel::kKa470Thrust, advance, pitch),
+            sum_terms(vessel::kKa470Torque, advance, pitch),
+            sum_terms(vessel::kKa470Nozzle, advance, pitch)};
 }
 
 PropellerPoint ka5_75(double advance, double pitch) noexcept {
-    return {sum_of(vessel::kKa575Thrust, advance, pitch),
-            sum_of(vessel::kKa575Torque, advance, pitch),
-            sum_of(vessel::kKa575Nozzle, advance, pitch)};
+    return {sum_terms(vessel::kKa575Thrust, advance, pitch),
+            sum_terms(vessel::kKa575Torque, advance, pitch),
+            sum_terms(vessel::kKa575Nozzle, advance, pitch)};
 }
 
 QuadrantPoint four_quadrants_b4_70(double angle) noexcept {

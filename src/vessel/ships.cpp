@@ -22,7 +22,7 @@ void set_body(PublishedShip& ship, const MainSizes& sizes, double roll_radius, d
     ship.vessel.draught = sizes.draught;
 }
 
-void keep_upright(PublishedShip& ship, const MainSizes& s, bool roll) {
+void set_default_stability(PublishedShip& ship, const MainSizes& s, bool roll) {
     constexpr double kGravity = 9.81, kWaterplane = 0.85, kMetacentre = 0.05, kRatio = 0.2;
     Matrix6& g = ship.vessel.restoring;
     Matrix6& d = ship.vessel.damping;
@@ -125,7 +125,7 @@ PublishedShip kvlcc2(KvlccScale scale) {
     // Steering gear of 2.34 degrees a second at full scale, by Froude in models.
     v.steering.rate = 2.34 * kDegreeOf * std::sqrt(320.0 / length);
     v.steering.rps = self_propulsion(v, ship.speed);
-    vessel::keep_upright(ship, sizes, true);
+    vessel::set_default_stability(ship, sizes, true);
     return ship;
 }
 

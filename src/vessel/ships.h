@@ -17,7 +17,7 @@ struct MainSizes {
 /// Set heave, roll and pitch of a ship for which they are not published: it stays upright unless
 /// loaded.
 /// @param roll  Set roll, too.
-void keep_upright(PublishedShip& ship, const MainSizes& sizes, bool roll);
+void set_default_stability(PublishedShip& ship, const MainSizes& sizes, bool roll);
 
 /// Set mass and inertia from radii of gyration in roll and yaw [m]; pitch uses that of yaw.
 void set_body(PublishedShip& ship, const MainSizes& sizes, double roll_radius, double yaw_radius);

@@ -178,7 +178,7 @@ PublishedShip mariner() {
     v.polynomial.speed = ship.speed;
     v.polynomial.rudder_sign = -1.0;  // The source counts rudder angles to port.
     v.steering = {.most_angle = 40.0 * kDegree, .rate = 5.0 * kDegree, .lag = 1.0};
-    vessel::keep_upright(ship, sizes, true);
+    vessel::set_default_stability(ship, sizes, true);
     return ship;
 }
 
@@ -206,7 +206,7 @@ PublishedShip s175() {
     set_s175_stern(v.son_nomoto, length);
     v.steering = {
         .most_angle = 35.0 * kDegree, .rate = 5.0 * kDegree, .lag = 1.0, .rps = 80.0 / 60.0};
-    vessel::keep_upright(ship, sizes, false);
+    vessel::set_default_stability(ship, sizes, false);
     constexpr double kGravity = 9.81, kVolume = 21222.0, kMetacentre = 0.3;
     v.restoring(3, 3) = kWater * kGravity * kVolume * kMetacentre;
     return ship;
@@ -240,7 +240,7 @@ PublishedShip esso_190k(double depth) {
                   .lag = 1.0,
                   .rps = kRps,
                   .shaft_lag = 50.0};
-    vessel::keep_upright(ship, sizes, true);
+    vessel::set_default_stability(ship, sizes, true);
     return ship;
 }
 

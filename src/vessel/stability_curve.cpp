@@ -31,7 +31,7 @@ constexpr int kSamples = 180;      ///< Number of samples of the residual area, 
 
 /// Return the value of a table from 0 to 90° by cubics through four neighbours.
 template <std::size_t N>
-double cubic(const std::array<double, N>& y, double heel) {
+double interpolate_cubic(const std::array<double, N>& y, double heel) {
     const double at = std::clamp(heel / kRightAngle, 0.0, 1.0) * (N - 1);
     const auto i = std::clamp<std::size_t>(static_cast<std::size_t>(at), 1, N - 3);
     const double t = at - static_cast<double>(i);
@@ -42,13 +42,14 @@ double cubic(const std::array<double, N>& y, double heel) {
 }  // namespace
 
 StabilityCurve::StabilityCurve(const StabilityDef& def, const HullMesh& mesh, double density)
-    : def_(def), meshed_(!mesh.triangles.empty()), half_breadth_(1e4) {
+    : def_(def), has_mesh_(!mesh.triangles.empty()), half_breadth_(1e4) {
     for (int k = 0; k < kAngles; ++k) {
         const double heel = kRightAngle * k / (kAngles - 1);
         const auto i = static_cast<std::size_t>(k);
         light_[i] =
-            meshed_ ? righting_lever(mesh, def_.mass, density, heel) : def_.gm * std::sin(heel);
-        heavy_[i] = meshed_ ? righting_lever(mesh, kHeavier * def_.mass, density, heel) : light_[i];
+            has_mesh_ ? righting_lever(mesh, def_.mass, density, heel) : def_.gm * std::sin(heel);
+        heavy_[i] =
+            has_mesh_ ? righting_lever(mesh, kHeavier * def_.mass, density, heel) : light_[i];
     }
     for (int k = 0; k <= kSamples; ++k) {
         const double heel = kRightAngle * k / kSamples, gz = lever(heel, 0.0);
@@ -56,7 +57,7 @@ StabilityCurve::StabilityCurve(const StabilityDef& def, const HullMesh& mesh, do
     }
     while (half_angle_ < most_[1] && lever(half_angle_, 0.0) < 0.5 * most_[0])
         half_angle_ += 1e-3 * kRightAngle;
-    if (!meshed_) return;
+    if (!has_mesh_) return;
     half_breadth_ = 0.0;
     for (const Vec3& v : mesh.vertices) half_breadth_ = std::max(half_breadth_, std::abs(v.y()));
     if (!def_.stern.allFinite()) return;
@@ -69,14 +70,14 @@ StabilityCurve::StabilityCurve(const StabilityDef& def, const HullMesh& mesh, do
 
 double StabilityCurve::lever(double heel, double added) const noexcept {
     const double share = added / ((kHeavier - 1.0) * def_.mass);
-    const double light = cubic(light_, heel);
-    const double mesh = light + share * (cubic(heavy_, heel) - light);
+    const double light = interpolate_cubic(light_, heel);
+    const double mesh = light + share * (interpolate_cubic(heavy_, heel) - light);
     // The mesh has its centre of mass at the origin, the added weight at the pin's height.
     const double raised = added / (def_.mass + added) * def_.pin.z() * std::sin(heel);
-    return meshed_ ? mesh - raised : mesh;
+    return has_mesh_ ? mesh - raised : mesh;
 }
 
-double StabilityCurve::outreach(double alpha) const noexcept {
+double StabilityCurve::towline_offset(double alpha) const noexcept {
     constexpr double kSteepest = 1.5;  // beyond, the wire leaves over the side
     const double across = std::min(std::abs(alpha), kSteepest);
     const double y =
@@ -118,14 +119,14 @@ StabilityCheck StabilityCurve::check(double force, double alpha, double beta) co
     const double down = std::clamp(beta, 0.0, kRightAngle);
     const double added = force * std::sin(down) / def_.gravity;
     StabilityCheck out;
-    out.moment = towing_moment(force, std::abs(alpha), down, height(), outreach(alpha));
+    out.moment = towing_moment(force, std::abs(alpha), down, height(), towline_offset(alpha));
     const Residual r = residual(out.moment / ((def_.mass + added) * def_.gravity), added);
     out.static_heel = r.first;
     out.residual_area = r.area;
     out.residual_lever = r.lever;
     double most = std::min(half_angle_, def_.most_heel);
     if (!std::isnan(def_.deck_edge)) most = std::min(most, def_.deck_edge);
-    const bool stern = meshed_ && def_.stern.allFinite();
+    const bool stern = has_mesh_ && def_.stern.allFinite();
     out.criterion = !(r.first <= most)                            ? 1
                     : r.area < def_.residual_area                 ? 2
                     : r.lever < def_.residual_lever               ? 3
@@ -134,7 +135,8 @@ StabilityCheck StabilityCurve::check(double force, double alpha, double beta) co
     return out;
 }
 
-double StabilityCurve::permissible(double alpha, double beta, int halvings) const noexcept {
+double StabilityCurve::permissible_tension_at(double alpha, double beta,
+                                              int halvings) const noexcept {
     double low = 0.0, high = def_.mass * def_.gravity;
     if (check(low, alpha, beta).criterion != 0) return 0.0;
     if (check(high, alpha, beta).criterion == 0) return high;

@@ -25,13 +25,14 @@ class StabilityCurve {
     /// Return the largest GZ of the ship alone [m] and its angle [rad].
     [[nodiscard]] std::array<double, 2> most() const noexcept { return most_; }
     /// Return y of the towline's point, y₀ + x tan α, limited to the half breadth of the mesh [m].
-    [[nodiscard]] double outreach(double alpha) const noexcept;
+    [[nodiscard]] double towline_offset(double alpha) const noexcept;
     /// Return the height h of the pin above the line of thrust [m].
     [[nodiscard]] double height() const noexcept { return def_.pin.z() - def_.thrust_height; }
     [[nodiscard]] StabilityCheck check(double force, double alpha, double beta) const noexcept;
     /// Return the permissible tension. @param halvings  Number of bisections of the interval up to
     /// the ship's weight.
-    [[nodiscard]] double permissible(double alpha, double beta, int halvings) const noexcept;
+    [[nodiscard]] double permissible_tension_at(double alpha, double beta,
+                                                int halvings) const noexcept;
     [[nodiscard]] const StabilityDef& def() const noexcept { return def_; }
 
   private:
@@ -46,7 +47,7 @@ class StabilityCurve {
 
     StabilityDef def_;
     Levers light_{}, heavy_{};  ///< GZ of the mesh at the mass and at kHeavier times it.
-    bool meshed_ = false;
+    bool has_mesh_ = false;
     std::array<double, 2> most_{};
     double half_angle_ = 0.0;  ///< Heel with half of the largest GZ [rad].
     double half_breadth_;      ///< [m]

@@ -23,7 +23,7 @@ double tension(const World& world, InteractionId element) noexcept {
 }
 
 /// Return a vector of a given length in a direction; 0 if the direction is 0.
-Vec3 scaled(const Vec3& direction, double length) noexcept {
+Vec3 with_length(const Vec3& direction, double length) noexcept {
     const double norm = direction.norm();
     return norm > 0.0 ? Vec3(direction * (length / norm)) : Vec3::Zero();
 }
@@ -37,9 +37,9 @@ StabilitySystem::StabilitySystem(std::shared_ptr<const StabilityCurve> curve)
 }
 
 void StabilitySystem::visit_state(StateVisitor& v) {
-    for (double* x : {&tension_, &alpha_, &beta_, &moment_, &lever_, &worst_, &heel_gm_, &heel_,
-                      &gz_, &gz_max_, &gz_max_angle_, &static_heel_, &area_, &residual_,
-                      &permissible_, &criterion_, &used_, &alarm_})
+    for (double* x : {&tension_, &alpha_, &beta_, &moment_, &lever_, &worst_beta_, &heel_gm_,
+                      &heel_, &gz_, &gz_max_, &gz_max_angle_, &static_heel_, &area_, &residual_,
+                      &permissible_tension_, &criterion_, &used_, &alarm_})
         v.visit(*x);
     v.visit(begun_);
 }
@@ -48,7 +48,7 @@ void StabilitySystem::check_state(const World& world, StateRules& rules) const {
     static_cast<void>(world);
     rules.flag(begun_, "whether the gauge has begun is no flag");
     rules.require(alarm_ == 0.0 || alarm_ == 1.0 || alarm_ == 2.0, "there is no such alarm");
-    rules.require(permissible_ >= 0.0, "the permissible tension is below 0");
+    rules.require(permissible_tension_ >= 0.0, "the permissible tension is below 0");
 }
 
 void StabilitySystem::signals(SignalTable& table) {
@@ -57,7 +57,7 @@ void StabilitySystem::signals(SignalTable& table) {
     table.output("beta", "rad", beta_);
     table.output("moment", "N m", moment_);
     table.output("lever", "m", lever_);
-    table.output("worst_beta", "rad", worst_);
+    table.output("worst_beta", "rad", worst_beta_);
     table.output("heel_gm", "rad", heel_gm_);
     table.output("heel", "rad", heel_);
     table.output("gz", "m", gz_);
@@ -66,7 +66,7 @@ void StabilitySystem::signals(SignalTable& table) {
     table.output("static_heel", "rad", static_heel_);
     table.output("residual_area", "m rad", area_);
     table.output("residual_lever", "m", residual_);
-    table.output("permissible", "N", permissible_);
+    table.output("permissible", "N", permissible_tension_);
     table.output("criterion", "1", criterion_);
     table.output("utilisation", "1", used_);
     table.output("alarm", "1", alarm_);
@@ -95,7 +95,7 @@ double StabilitySystem::read_towline(const World& world, Vec3& along) const noex
 }
 
 /// Return the forces of the other wires on the ship, where they cross the plane of the pin [N].
-Vec3 StabilitySystem::other_forces(const World& world) const noexcept {
+Vec3 StabilitySystem::other_wire_forces(const World& world) const noexcept {
     const StabilityDef& def = curve_->def();
     const Vec3 pin = world.world_point(def.body, def.pin);
     const Vec3 ahead = world.pose(def.body).orientation * Vec3::UnitX();
@@ -106,8 +106,8 @@ Vec3 StabilitySystem::other_forces(const World& world) const noexcept {
             if (!world.alive(id) || !world.intact(id)) continue;
             const auto at = world.wires().ends(id);
             const double first = ahead.dot(at[0] - pin), last = ahead.dot(at[1] - pin);
-            if (first >= 0.0 && last < 0.0) sum += scaled(at[1] - at[0], tension(world, id));
-            if (first < 0.0 && last >= 0.0) sum += scaled(at[0] - at[1], tension(world, id));
+            if (first >= 0.0 && last < 0.0) sum += with_length(at[1] - at[0], tension(world, id));
+            if (first < 0.0 && last >= 0.0) sum += with_length(at[0] - at[1], tension(world, id));
         }
     }
     return sum;
@@ -119,9 +119,9 @@ void StabilitySystem::read_wires(const World& world) noexcept {
     const StabilityDef& def = curve_->def();
     Vec3 along = Vec3::Zero();
     tension_ = read_towline(world, along);
-    const Vec3 others = other_forces(world);
+    const Vec3 others = other_wire_forces(world);
     if (others != Vec3::Zero()) {
-        const Vec3 force = others + scaled(along, tension_);
+        const Vec3 force = others + with_length(along, tension_);
         tension_ = force.norm();
         along = force;
     }
@@ -141,15 +141,15 @@ void StabilitySystem::read_ship(const World& world) noexcept {
     const Mat3 axes = world.pose(def.body).orientation.toRotationMatrix();
     heel_ = std::atan2(axes(2, 1), axes(2, 2));
     gz_ = std::copysign(curve_->lever(std::abs(heel_), 0.0), heel_);
-    const double alpha = std::abs(alpha_), y = curve_->outreach(alpha_);
+    const double alpha = std::abs(alpha_), y = curve_->towline_offset(alpha_);
     moment_ = towing_moment(tension_, alpha, std::max(beta_, 0.0), curve_->height(), y);
     lever_ = moment_ / (def.mass * def.gravity);
-    worst_ = worst_towing_angle(tension_, alpha, curve_->height(), y, def.bollard_pull);
+    worst_beta_ = worst_towing_angle(tension_, alpha, curve_->height(), y, def.bollard_pull);
     heel_gm_ = def.gm > 0.0 ? std::atan(lever_ / def.gm) : 0.0;
 }
 
 /// Update the alarm levels, with hysteresis.
-void StabilitySystem::alert(Prestep& now) noexcept {
+void StabilitySystem::update_alarms(Prestep& now) noexcept {
     const StabilityDef& def = curve_->def();
     const double heeled = std::abs(heel_) / def.most_heel;
     const auto at = [&](double level, bool was) { return level - (was ? def.hysteresis : 0.0); };
@@ -166,8 +166,8 @@ void StabilitySystem::prestep(Prestep& now, Loads&) noexcept {
     read_ship(now.world);
     if (begun_ == 0 || now.count % kRenew == 0) {
         constexpr int kHalvings = 24;  // bisections of the weight, to 1e-7 of it
-        permissible_ = curve_->permissible(alpha_, beta_, kHalvings);
-        const double next = std::max(permissible_ * (1.0 + 1e-6), 1.0);
+        permissible_tension_ = curve_->permissible_tension_at(alpha_, beta_, kHalvings);
+        const double next = std::max(permissible_tension_ * (1.0 + 1e-6), 1.0);
         criterion_ = curve_->check(next, alpha_, beta_).criterion;
         const StabilityCheck of = curve_->check(tension_, alpha_, beta_);
         static_heel_ = std::isnan(of.static_heel) ? 0.5 * std::numbers::pi : of.static_heel;
@@ -176,9 +176,9 @@ void StabilitySystem::prestep(Prestep& now, Loads&) noexcept {
         begun_ = 1;
     }
     constexpr double kOverloaded = 1e3;  // utilisation if nothing is permissible
-    used_ = permissible_ > 0.0 ? std::min(tension_ / permissible_, kOverloaded)
-                               : (tension_ > 0.0 ? kOverloaded : 0.0);
-    alert(now);
+    used_ = permissible_tension_ > 0.0 ? std::min(tension_ / permissible_tension_, kOverloaded)
+                                       : (tension_ > 0.0 ? kOverloaded : 0.0);
+    update_alarms(now);
 }
 
 }  // namespace hawser::vessel

@@ -35,16 +35,17 @@ class StabilitySystem final : public System {
 
   private:
     [[nodiscard]] double read_towline(const World& world, Vec3& along) const noexcept;
-    [[nodiscard]] Vec3 other_forces(const World& world) const noexcept;
+    [[nodiscard]] Vec3 other_wire_forces(const World& world) const noexcept;
     void read_wires(const World& world) noexcept;
     void read_ship(const World& world) noexcept;
-    void alert(Prestep& now) noexcept;
+    void update_alarms(Prestep& now) noexcept;
 
     std::shared_ptr<const StabilityCurve> curve_;
     // State and outputs.
-    double tension_ = 0.0, alpha_ = 0.0, beta_ = 0.0, moment_ = 0.0, lever_ = 0.0, worst_ = 0.0;
+    double tension_ = 0.0, alpha_ = 0.0, beta_ = 0.0, moment_ = 0.0, lever_ = 0.0,
+           worst_beta_ = 0.0;
     double heel_gm_ = 0.0, heel_ = 0.0, gz_ = 0.0, gz_max_ = 0.0, gz_max_angle_ = 0.0;
-    double static_heel_ = 0.0, area_ = 0.0, residual_ = 0.0, permissible_ = 0.0;
+    double static_heel_ = 0.0, area_ = 0.0, residual_ = 0.0, permissible_tension_ = 0.0;
     double criterion_ = 0.0, used_ = 0.0, alarm_ = 0.0;
     std::int32_t begun_ = 0;
 };

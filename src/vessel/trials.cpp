@@ -32,9 +32,15 @@ class Track {
     [[nodiscard]] double heading() const noexcept { return heading_; }  ///< Change [rad].
     [[nodiscard]] double roll() const noexcept { return roll_; }
     [[nodiscard]] double way() const noexcept { return way_; }
-    [[nodiscard]] double along(double share) const noexcept { return at(share).first; }
-    [[nodiscard]] double across(double share) const noexcept { return at(share).second; }
-    [[nodiscard]] double last_way() const noexcept { return (place_ - last_position_).norm(); }
+    [[nodiscard]] double forward_displacement(double share) const noexcept {
+        return at(share).first;
+    }
+    [[nodiscard]] double lateral_displacement(double share) const noexcept {
+        return at(share).second;
+    }
+    [[nodiscard]] double last_step_length() const noexcept {
+        return (place_ - last_position_).norm();
+    }
 
   private:
     void read() {
@@ -83,14 +89,14 @@ TurningCircle turning_circle(World& world, const VesselDef& vessel, double rudde
             return from + share(angle) * (world.time() - begin - from);
         };
         if (passes(10.0 * kOneDegree))
-            out.track10 = track.way() - (1.0 - share(10.0 * kOneDegree)) * track.last_way();
+            out.track10 = track.way() - (1.0 - share(10.0 * kOneDegree)) * track.last_step_length();
         if (passes(90.0 * kOneDegree)) {
-            out.advance = track.along(share(90.0 * kOneDegree));
-            out.transfer = side * track.across(share(90.0 * kOneDegree));
+            out.advance = track.forward_displacement(share(90.0 * kOneDegree));
+            out.transfer = side * track.lateral_displacement(share(90.0 * kOneDegree));
             out.time90 = time(90.0 * kOneDegree);
         }
         if (passes(180.0 * kOneDegree)) {
-            out.tactical = side * track.across(share(180.0 * kOneDegree));
+            out.tactical = side * track.lateral_displacement(share(180.0 * kOneDegree));
             out.time180 = time(180.0 * kOneDegree);
             out.turned = true;
         }

@@ -32,7 +32,7 @@ double length_of(const VesselDef& def) {
     return 0.0;
 }
 
-double term_of(const HullPolynomial& p, HullAxis axis, const char* of) {
+double term_coefficient(const HullPolynomial& p, HullAxis axis, const char* of) {
     double sum = 0.0;
     for (const HullTerm& t : p.terms)
         if (t.axis == axis && t.of == of) sum += t.value;
@@ -90,9 +90,9 @@ std::vector<std::string> unusual_values(const World& world, const VesselDef& def
         // Refer to L d, for any reference area of the source.
         const double draught = def.draught > 0.0 ? def.draught : 0.05 * length;
         const double share = p.area / (length * draught);
-        out.range("Y' of v on L d", -share * term_of(p, HullAxis::y, "v"), 0.08, 1.0);
-        out.range("N' of v on L d", -share * term_of(p, HullAxis::n, "v"), 0.0, 0.4);
-        out.range("N' of r on L d", -share * term_of(p, HullAxis::n, "r"), 0.005, 0.2);
+        out.range("Y' of v on L d", -share * term_coefficient(p, HullAxis::y, "v"), 0.08, 1.0);
+        out.range("N' of v on L d", -share * term_coefficient(p, HullAxis::n, "v"), 0.0, 0.4);
+        out.range("N' of r on L d", -share * term_coefficient(p, HullAxis::n, "r"), 0.005, 0.2);
     }
     for (const double d : {def.mmg.diameter, def.son_nomoto.diameter})
         if (d > 0.0) out.range("propeller diameter over length", d / length, 0.01, 0.08);

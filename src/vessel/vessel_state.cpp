@@ -25,14 +25,15 @@ void VesselSystem::visit_state(StateVisitor& v) {
             v.visit(*x);
         v.visit(s.turning_limited);
         v.visit(s.power_limited);
-        for (double* x : {&s.failed, &s.kept, &s.kept_torque, &s.loss, &s.torque}) v.visit(*x);
+        for (double* x : {&s.failed, &s.thrust_fraction, &s.torque_fraction, &s.loss, &s.torque})
+            v.visit(*x);
         v.visit(s.failed_last);
         v.visit(s.pitch_limited);
     }
     for (RudderState& s : rudder_state_) {
         v.visit(s.order);
         v.visit(s.angle);
-        v.visit(s.limited);
+        v.visit(s.is_limited);
         v.visit(s.failed);
         v.visit(s.failed_last);
     }
@@ -78,14 +79,15 @@ void VesselSystem::check_state(const World& world, StateRules& rules) const {
         rules.flag(s.power_limited, "whether a motor is at its limit is no flag");
         failure(s.failed_last);
         rules.flag(s.pitch_limited, "whether a pitch is at its rate is no flag");
-        rules.range(s.kept, 0.0, kSlack, "the thrust that a propulsor keeps is out of range");
-        rules.range(s.kept_torque, 0.0, kSlack,
+        rules.range(s.thrust_fraction, 0.0, kSlack,
+                    "the thrust that a propulsor keeps is out of range");
+        rules.range(s.torque_fraction, 0.0, kSlack,
                     "the torque that a propulsor keeps is out of range");
     }
     for (std::size_t i = 0; i < rudder_state_.size(); ++i) {
         const double angle = rudders_[i].def().most_angle * kSlack;
         rules.range(rudder_state_[i].angle, -angle, angle, "a rudder's angle is out of range");
-        rules.flag(rudder_state_[i].limited, "whether a rudder is at its rate is no flag");
+        rules.flag(rudder_state_[i].is_limited, "whether a rudder is at its rate is no flag");
         failure(rudder_state_[i].failed_last);
     }
 }
@@ -110,8 +112,8 @@ void VesselSystem::signals(SignalTable& table) {
         table.input(d.name, "1", s.order, -1.0, 1.0);
         table.output(d.name + "_thrust", "N", s.thrust);
         table.input(d.name + "_failed", "1", s.failed, 0.0, 3.0);
-        if (lossy_) table.output(d.name + "_loss", "1", s.loss);
-        if (propulsors_[i].screw()) {
+        if (has_losses_) table.output(d.name + "_loss", "1", s.loss);
+        if (propulsors_[i].is_screw()) {
             table.output(d.name + "_rps", "1/s", s.rps);
             table.output(d.name + "_power", "W", s.power);
             table.output(d.name + "_torque", "N m", s.torque);

@@ -4,9 +4,7 @@
 #include <hawser/sea.h>
 #include <hawser/world.h>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-
+#include "base/dense.h"
 #include "vessel/control_lines.h"
 
 #include <algorithm>
@@ -41,11 +39,10 @@ Matrix6 part_for_loads(const Matrix6& a, double radius) {
     Matrix6 symmetric = 0.5 * (a + a.transpose());
     const Matrix6 scaled =
         scale.cwiseInverse().asDiagonal() * symmetric * scale.cwiseInverse().asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Matrix6> solver(scaled);
-    if (solver.eigenvalues().minCoeff() >= 0.0) return symmetric;
-    const Wrench kept = solver.eigenvalues().cwiseMax(0.0);
-    const Matrix6 out =
-        solver.eigenvectors() * kept.asDiagonal() * solver.eigenvectors().transpose();
+    const base::SymmetricEigen<6> eigen = base::symmetric_eigen(scaled);
+    if (eigen.values.minCoeff() >= 0.0) return symmetric;
+    const Wrench kept = eigen.values.cwiseMax(0.0);
+    const Matrix6 out = eigen.vectors * kept.asDiagonal() * eigen.vectors.transpose();
     // Rounding must not make it indefinite again.
     Matrix6 back = scale.asDiagonal() * out * scale.asDiagonal();
     back = (0.5 * (back + back.transpose())).eval();
@@ -116,7 +113,7 @@ VesselSystem::VesselSystem(VesselDef def, double mass, Mat3 inertia, Surface sur
       balance_(Matrix6::Identity()),
       polynomial_(def_.polynomial, mass),
       surface_(std::move(surface)),
-      lossy_(has_losses(def_)),
+      has_losses_(has_losses(def_)),
       lines_(std::move(lines)),
       bus_(def_) {
     for (const PropulsorDef& p : def_.propulsors) propulsors_.emplace_back(p, def_.origin);
@@ -138,7 +135,7 @@ VesselSystem::VesselSystem(VesselDef def, double mass, Mat3 inertia, Surface sur
     }
     if (added_ == def_.added_mass) return;
     const Matrix6 rigid = rigid_mass(mass_, inertia_, def_.origin);
-    balance_ = (rigid + added_) * Matrix6(rigid + def_.added_mass).inverse();
+    balance_ = (rigid + added_) * base::inverse(rigid + def_.added_mass);
     balanced_ = false;
 }
 
@@ -167,11 +164,11 @@ void VesselSystem::read_sea(const World& world, Vec3& current, Vec3& wind,
     current = signal_or(world, "current", 1.0) * current_at(sea->current, 0.5 * def_.draught);
     const double speed = signal_or(world, "wind", sea->wind.speed);
     const double to = signal_or(world, "wind_direction", sea->wind.direction);
-    const double there = speed * wind_profile(speed, def_.wind.height);
-    wind = {there * std::cos(to), there * std::sin(to), 0.0};
+    const double local_speed = speed * wind_profile(speed, def_.wind.height);
+    wind = {local_speed * std::cos(to), local_speed * std::sin(to), 0.0};
 }
 
-VesselSystem::Motion VesselSystem::motion_of(const Prestep& now) noexcept {
+VesselSystem::Motion VesselSystem::read_motion(const Prestep& now) noexcept {
     Motion m;
     const Pose pose = now.world.pose(def_.body);
     const Twist twist = now.world.velocity(def_.body);
@@ -281,7 +278,7 @@ Wrench VesselSystem::added_coriolis(const Motion& m) const noexcept {
 
 /// Return the load of forces τ in the marine frame: P (τ − c) + c + A (Ω × ν), with P = M_s M⁻¹ and
 /// the Coriolis force −c of the body's mass, which the world computes.
-Wrench VesselSystem::load_of(const Motion& m, const Wrench& force) const noexcept {
+Wrench VesselSystem::marine_load(const Motion& m, const Wrench& force) const noexcept {
     const Vec3 turn{0.0, 0.0, m.flow.r()};
     const Vec3 linear = m.centre.head<3>(), angular = m.centre.tail<3>();
     Wrench turned;
@@ -318,7 +315,7 @@ namespace {
 /// Report a failure that begins. @param last  Input: failure of the last step. Output: of this
 /// step.
 void report_failure(Prestep& now, BodyId body, double input, std::int32_t& last) noexcept {
-    const auto mode = static_cast<std::int32_t>(failure_of(input));
+    const auto mode = static_cast<std::int32_t>(failure_from_input(input));
     if (mode != 0 && mode != last) now.tell(EventKind::failure, body, input);
     last = mode;
 }
@@ -330,7 +327,7 @@ void VesselSystem::advance_steering(Prestep& now) noexcept {
     report_failure(now, def_.body, rudder_failed_, rudder_failed_last_);
     report_failure(now, def_.body, rps_failed_, rps_failed_last_);
     double target = std::clamp(rudder_order_, -s.most_angle, s.most_angle);
-    const Failure jam = failure_of(rudder_failed_), stop = failure_of(rps_failed_);
+    const Failure jam = failure_from_input(rudder_failed_), stop = failure_from_input(rps_failed_);
     if (jam == Failure::stopped) target = rudder_;
     if (jam == Failure::kept) target = s.most_angle;
     if (jam == Failure::full) target = -s.most_angle;
@@ -348,38 +345,38 @@ void VesselSystem::advance_propulsors(Prestep& now, const Flow& flow) noexcept {
     for (std::size_t i = 0; i < propulsors_.size(); ++i) {
         PropulsorState& s = propulsor_[i];
         report_failure(now, def_.body, s.failed, s.failed_last);
-        if (bus_.any()) bus_.demand(i, propulsors_[i].demand(s, flow, bus_.rated(i)));
+        if (bus_.any()) bus_.demand(i, propulsors_[i].demand(s, flow, bus_.rated_power(i)));
     }
-    if (bus_.any()) bus_.grant(now, def_.body);
+    if (bus_.any()) bus_.grant_power(now, def_.body);
     for (std::size_t i = 0; i < propulsors_.size(); ++i) {
         PropulsorState& s = propulsor_[i];
         Limit turn, power;
-        const double granted = bus_.granted(i);
+        const double granted = bus_.granted_power(i);
         const double demanded =
-            granted < 1e300 ? propulsors_[i].demand(s, flow, bus_.rated(i)) : 0.0;
+            granted < 1e300 ? propulsors_[i].demand(s, flow, bus_.rated_power(i)) : 0.0;
         propulsors_[i].advance(s, flow, now.step, granted, demanded, turn, power);
-        if (turn.met) now.tell(EventKind::saturation, def_.body, turn.value);
-        if (power.met) now.tell(EventKind::saturation, def_.body, power.value);
+        if (turn.is_met) now.tell(EventKind::saturation, def_.body, turn.value);
+        if (power.is_met) now.tell(EventKind::saturation, def_.body, power.value);
     }
 }
 
 void VesselSystem::update_losses(const Prestep& now, double density) noexcept {
-    if (!lossy_) return;
+    if (!has_losses_) return;
     surface_.update(now.world, now.time);
     for (std::size_t i = 0; i < propulsors_.size(); ++i) {
         PropulsorState& s = propulsor_[i];
         const PropulsorDef& d = propulsors_[i].def();
-        s.kept = s.kept_torque = 1.0;
+        s.thrust_fraction = s.torque_fraction = 1.0;
         if (d.ventilates) {
             const Vec3 hub = now.world.world_point(def_.body, d.point);
             const double depth = surface_.height(hub.x(), hub.y()) - hub.z();
-            s.kept = ventilated_thrust(2.0 * depth / propulsors_[i].diameter());
-            s.kept_torque = std::pow(s.kept, 0.85);
+            s.thrust_fraction = ventilated_thrust(2.0 * depth / propulsors_[i].diameter());
+            s.torque_fraction = std::pow(s.thrust_fraction, 0.85);
         }
-        s.kept *= kept_at_hull(propulsors_[i], s);
+        s.thrust_fraction *= thrust_fraction_under_hull(propulsors_[i], s);
     }
-    if (def_.thruster_losses) lose_in_races(propulsors_, propulsor_, density);
-    for (PropulsorState& s : propulsor_) s.loss = 1.0 - s.kept;
+    if (def_.thruster_losses) apply_race_losses(propulsors_, propulsor_, density);
+    for (PropulsorState& s : propulsor_) s.loss = 1.0 - s.thrust_fraction;
 }
 
 void VesselSystem::advance(Prestep& now, const Flow& flow) noexcept {
@@ -389,7 +386,7 @@ void VesselSystem::advance(Prestep& now, const Flow& flow) noexcept {
         Limit rate;
         report_failure(now, def_.body, rudder_state_[i].failed, rudder_state_[i].failed_last);
         rudders_[i].advance(rudder_state_[i], now.step, rate);
-        if (rate.met) now.tell(EventKind::saturation, def_.body, rate.value);
+        if (rate.is_met) now.tell(EventKind::saturation, def_.body, rate.value);
     }
 }
 
@@ -399,7 +396,8 @@ Wrench VesselSystem::control(Prestep& now, const Motion& m) noexcept {
     const Vec3 origin = now.world.world_point(def_.body, def_.origin);
     const Wrench wind = wind_force(m);
     ControlSense sense;
-    sense.measured.place = {origin.x(), -origin.y(), -std::atan2(m.axes(1, 0), m.axes(0, 0))};
+    sense.measured.planar_position = {origin.x(), -origin.y(),
+                                      -std::atan2(m.axes(1, 0), m.axes(0, 0))};
     sense.measured.motion = {m.ground[0], m.ground[1], m.ground[5]};
     sense.surge = m.flow.u();
     sense.wind = {wind[0], wind[1], wind[5]};
@@ -416,7 +414,7 @@ Wrench VesselSystem::control(Prestep& now, const Motion& m) noexcept {
 }
 
 void VesselSystem::prestep(Prestep& now, Loads& loads) noexcept {
-    const Motion m = motion_of(now);
+    const Motion m = read_motion(now);
     const Flow& flow = m.flow;
     update_losses(now, flow.density);
     const Wrench direct = control(now, m);
@@ -432,12 +430,12 @@ void VesselSystem::prestep(Prestep& now, Loads& loads) noexcept {
         const double above = water_force(more, push)[i];
         damping[i] = std::max(0.0, (water_force(less, push)[i] - above) / (2.0 * d));
     }
-    Wrench place = Wrench::Zero();
-    place[2] = m.heave;
-    place[3] = flow.roll;
-    place[4] = m.pitch;
-    Wrench force = load_of(
-        m, water + direct + wind_force(m) + added_coriolis(m) - Wrench(def_.restoring * place));
+    Wrench displacement = Wrench::Zero();
+    displacement[2] = m.heave;
+    displacement[3] = flow.roll;
+    displacement[4] = m.pitch;
+    Wrench force = marine_load(m, water + direct + wind_force(m) + added_coriolis(m) -
+                                      Wrench(def_.restoring * displacement));
     force += damping.cwiseProduct(m.ground);
     add_loads(loads, m, force, damping);
 

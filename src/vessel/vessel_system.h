@@ -70,7 +70,7 @@ class VesselSystem final : public System {
         double air = 0.0;                ///< Density [kg/m³].
         double heave = 0.0, pitch = 0.0;
     };
-    [[nodiscard]] Motion motion_of(const Prestep& now) noexcept;
+    [[nodiscard]] Motion read_motion(const Prestep& now) noexcept;
     void read_sea(const World& world, Vec3& current, Vec3& wind, Motion& m) const noexcept;
     /// Compute the forces that depend on the velocity through the water.
     /// @param push  True: compute `pushes_`; false: they are those of the same u, v, r.
@@ -79,13 +79,13 @@ class VesselSystem final : public System {
     void compute_pushes(const Flow& flow) noexcept;
     [[nodiscard]] Wrench wind_force(const Motion& m) const noexcept;
     [[nodiscard]] Wrench added_coriolis(const Motion& m) const noexcept;
-    [[nodiscard]] Wrench load_of(const Motion& m, const Wrench& force) const noexcept;
+    [[nodiscard]] Wrench marine_load(const Motion& m, const Wrench& force) const noexcept;
     void add_loads(Loads& loads, const Motion& m, const Wrench& force,
                    const Wrench& damping) const noexcept;
     void advance(Prestep& now, const Flow& flow) noexcept;
     void advance_steering(Prestep& now) noexcept;
     void advance_propulsors(Prestep& now, const Flow& flow) noexcept;
-    /// Compute `kept` of all propulsors.
+    /// Compute `thrust_fraction` of all propulsors.
     void update_losses(const Prestep& now, double density) noexcept;
     /// Advance the control. @return a force that acts directly.
     [[nodiscard]] Wrench control(Prestep& now, const Motion& m) noexcept;
@@ -103,7 +103,7 @@ class VesselSystem final : public System {
     // Scratch of water_force().
     std::vector<double> thrusts_;  ///< Of propulsors in open water [N].
     std::vector<Wrench> pushes_;   ///< Of propulsors, then of rudders.
-    bool lossy_ = false;
+    bool has_losses_ = false;
     std::vector<FedLine> lines_;
     std::unique_ptr<Control> control_;  ///< Null: VesselControl::active is false.
 

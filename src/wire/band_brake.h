@@ -29,7 +29,8 @@ namespace hawser::wire {
 }
 
 /// Return the tension behind a number of wraps on a drum: T e^(−2π μ wraps).
-[[nodiscard]] inline double behind_wraps(double tension, double friction, double wraps) noexcept {
+[[nodiscard]] inline double tension_behind_wraps(double tension, double friction,
+                                                 double wraps) noexcept {
     return tension * std::exp(-kTurn * friction * std::fmax(wraps, 0.0));
 }
 

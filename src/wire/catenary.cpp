@@ -74,8 +74,8 @@ Solved solve(const CatenaryDef& def, const Chain& chain, const Frame& f) {
                 (!def.free && last < -std::max(kSunk * chain.length.back(), kDigits * size));
     if (def.free && first < -kDigits * size) out.below = true;
     if (out.below || lowest(out.shape, def.free) >= f.bottom - kNothing * size) return out;
-    auto lies = def.free ? lie_free(chain, std::max(0.0, first))
-                         : lie_between(chain, f.x, first, last, def.seabed->friction);
+    auto lies = def.free ? rest_with_free_end(chain, std::max(0.0, first))
+                         : rest_between(chain, f.x, first, last, def.seabed->friction);
     if (!lies && !def.free && first < 0.0) lies = touch_once(chain, f.x, -first, last);
     if (!lies && !def.free && last < 0.0) {
         lies = touch_once(reversed(chain), f.x, -last, first);
@@ -90,8 +90,8 @@ Solved solve(const CatenaryDef& def, const Chain& chain, const Frame& f) {
 
 /// Compute node positions from chords. Distribute the closing error at the last end evenly over all
 /// elements.
-void place(const CatenaryDef& def, const Chain& chain, const Frame& f, const Plane& shape,
-           Catenary& out) {
+void compute_node_positions(const CatenaryDef& def, const Chain& chain, const Frame& f,
+                            const Plane& shape, Catenary& out) {
     const std::size_t n = chain.elements();
     out.nodes.resize(n + 1);
     out.nodes[0] = def.from;
@@ -108,7 +108,7 @@ void place(const CatenaryDef& def, const Chain& chain, const Frame& f, const Pla
 }
 
 /// Return the tension of an element from the positions of its ends [N].
-Vec3 pull(const Chain& chain, const std::vector<Vec3>& nodes, std::size_t e) {
+Vec3 tension_between_nodes(const Chain& chain, const std::vector<Vec3>& nodes, std::size_t e) {
     const Vec3 d = nodes[e + 1] - nodes[e];
     const double length = d.norm(), stretch = length - chain.length[e];
     return stretch > 0.0 ? Vec3(stretch / chain.compliance[e] / length * d) : Vec3::Zero().eval();
@@ -121,8 +121,8 @@ double residual(const CatenaryDef& def, const Chain& chain, const Frame& f, cons
     double most = 0.0;
     const std::vector<Vec3> bent = bending_forces(chain, nodes);
     for (std::size_t i = 1; i < n + (def.free ? 1 : 0); ++i) {
-        Vec3 force = bent[i] - pull(chain, nodes, i - 1);
-        if (i < n) force += pull(chain, nodes, i);
+        Vec3 force = bent[i] - tension_between_nodes(chain, nodes, i - 1);
+        if (i < n) force += tension_between_nodes(chain, nodes, i);
         const double weight = i < n ? chain.weight[i] : chain.half_last;
         double up = force.dot(f.up);
         Vec3 level = force - up * f.up;
@@ -153,7 +153,7 @@ double allowed(const CatenaryDef& def, const Chain& chain, const Catenary& shape
 
 /// Iterate node weights by the wet fractions of half elements in the resulting shape.
 /// @return true if converged; the wet part of a floating wire may alternate.
-bool soak(const CatenaryDef& def, Chain& chain, const Frame& f, Solved& solved) {
+bool update_wet_weights(const CatenaryDef& def, Chain& chain, const Frame& f, Solved& solved) {
     constexpr int kIterations = 60;
     for (int k = 0; k < kIterations; ++k) {
         double heaviest = 0.0;
@@ -208,11 +208,11 @@ Catenary catenary(const CatenaryDef& def) {
         (void)wire::weigh_nodes(
             chain, wire::wet_halves(chain, wire::straight(def, chain, frame), frame.water));
     wire::Solved solved = wire::solve(def, chain, frame);
-    const bool even = !def.water || wire::soak(def, chain, frame, solved);
+    const bool even = !def.water || wire::update_wet_weights(def, chain, frame, solved);
     const std::size_t n = chain.elements();
     Catenary out;
     out.s = chain.s;
-    wire::place(def, chain, frame, solved.shape, out);
+    wire::compute_node_positions(def, chain, frame, solved.shape, out);
     if (!solved.below && !wire::stays_slack(def, solved.shape) &&
         (!even || (solved.dips && def.water) || wire::bends(chain))) {
         wire::Surroundings around{def.free, {}, {}, 0.0};
@@ -221,17 +221,17 @@ Catenary catenary(const CatenaryDef& def) {
         if (def.seabed && !solved.dips) around.friction = def.seabed->friction;
         wire::Chain wet = chain;
         const double tolerance = 0.3 * wire::allowed(def, chain, out);
-        if (auto rest = wire::rest_near(wet, solved.shape, around, tolerance)) {
+        if (auto rest = wire::equilibrium_near(wet, solved.shape, around, tolerance)) {
             chain = std::move(wet);
             solved.shape = std::move(*rest);
             solved.dips = false;
-            wire::place(def, chain, frame, solved.shape, out);
+            wire::compute_node_positions(def, chain, frame, solved.shape, out);
         } else {
             std::fill(chain.bend.begin(), chain.bend.end(), 0.0);  // without bending stiffness
         }
     }
-    out.pull_from = wire::pull(chain, out.nodes, 0);
-    out.pull_to = -wire::pull(chain, out.nodes, n - 1);
+    out.pull_from = wire::tension_between_nodes(chain, out.nodes, 0);
+    out.pull_to = -wire::tension_between_nodes(chain, out.nodes, n - 1);
     out.weight_from = chain.half_first;
     out.weight_to = def.free ? 0.0 : chain.half_last;
     if (solved.shape.laid_first <= solved.shape.laid_last) {

@@ -13,36 +13,40 @@
 namespace hawser::wire {
 namespace {
 
-[[noreturn]] void refuse_wire(const std::string& what) { throw DefError("a catenary: " + what); }
+[[noreturn]] void throw_wire_error(const std::string& what) {
+    throw DefError("a catenary: " + what);
+}
 
 void check_sections(const CatenaryDef& def) {
-    if (def.sections.empty()) refuse_wire("give it at least one section");
+    if (def.sections.empty()) throw_wire_error("give it at least one section");
     for (const CatenarySection& part : def.sections) {
         if (!(part.length > 0.0) || !std::isfinite(part.length))
-            refuse_wire("the length of a section must be positive, in m");
+            throw_wire_error("the length of a section must be positive, in m");
         if (!(part.EA > 0.0) || !std::isfinite(part.EA))
-            refuse_wire("EA of a section must be positive, in N");
-        if (!std::isfinite(part.weight)) refuse_wire("the weight of a section must be a number");
-        if (part.elements < 1) refuse_wire("a section needs at least one element");
+            throw_wire_error("EA of a section must be positive, in N");
+        if (!std::isfinite(part.weight))
+            throw_wire_error("the weight of a section must be a number");
+        if (part.elements < 1) throw_wire_error("a section needs at least one element");
         if (!(part.EI >= 0.0) || !std::isfinite(part.EI))
-            refuse_wire("EI of a section must be 0 or more, in N m^2");
+            throw_wire_error("EI of a section must be 0 or more, in N m^2");
         if (!(part.buoyancy >= 0.0 && part.diameter >= 0.0) ||
             !std::isfinite(part.buoyancy + part.diameter))
-            refuse_wire("the buoyancy and the diameter of a section must be 0 or more");
+            throw_wire_error("the buoyancy and the diameter of a section must be 0 or more");
     }
 }
 
-void check_rest(const CatenaryDef& def) {
-    if (!def.from.allFinite() || !def.to.allFinite()) refuse_wire("its ends must be points");
-    if (!def.down.allFinite() || !(def.down.norm() > 0.0)) refuse_wire("down must be a direction");
-    if (!(def.tolerance > 0.0)) refuse_wire("its tolerance must be positive");
+void check_other_fields(const CatenaryDef& def) {
+    if (!def.from.allFinite() || !def.to.allFinite()) throw_wire_error("its ends must be points");
+    if (!def.down.allFinite() || !(def.down.norm() > 0.0))
+        throw_wire_error("down must be a direction");
+    if (!(def.tolerance > 0.0)) throw_wire_error("its tolerance must be positive");
     if (def.water && !std::isfinite(*def.water))
-        refuse_wire("the height of its water must be a number");
+        throw_wire_error("the height of its water must be a number");
     if (!def.seabed) return;
     if (!std::isfinite(def.seabed->height))
-        refuse_wire("the height of its seabed must be a number");
+        throw_wire_error("the height of its seabed must be a number");
     if (!(def.seabed->friction >= 0.0) || !std::isfinite(def.seabed->friction))
-        refuse_wire("the friction of its seabed must be 0 or more");
+        throw_wire_error("the friction of its seabed must be 0 or more");
 }
 
 /// Return the material coordinates of all nodes.
@@ -62,8 +66,8 @@ std::vector<double> coordinates(const CatenaryDef& def, double total) {
     }
     for (std::size_t i = 1; i < out.size(); ++i)
         if (!(out[i] > out[i - 1]))
-            refuse_wire("its nodes must ascend between 0 and its length of " + number(total) +
-                        " m");
+            throw_wire_error("its nodes must ascend between 0 and its length of " + number(total) +
+                             " m");
     return out;
 }
 
@@ -75,7 +79,7 @@ double Chain::total_weight() const noexcept {
 
 Chain make_chain(const CatenaryDef& def) {
     check_sections(def);
-    check_rest(def);
+    check_other_fields(def);
     double total = 0.0;
     for (const CatenarySection& part : def.sections) total += part.length;
     Chain out;
@@ -151,7 +155,7 @@ double rounding(const Chain& chain, double distance) noexcept {
     return 1e-16 * terms * (chain.total_length() + distance);
 }
 
-Pulled pulled(double length, double compliance, double h, double v) noexcept {
+Pulled stretched_element(double length, double compliance, double h, double v) noexcept {
     Pulled out;
     out.tension = std::hypot(h, v);
     if (!(out.tension > 0.0)) return out;

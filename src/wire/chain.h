@@ -62,7 +62,8 @@ struct Pulled {
     double x = 0.0, z = 0.0, tension = 0.0;
     double x_h = 0.0, x_v = 0.0, z_v = 0.0;  ///< z_h = x_v.
 };
-[[nodiscard]] Pulled pulled(double length, double compliance, double h, double v) noexcept;
+[[nodiscard]] Pulled stretched_element(double length, double compliance, double h,
+                                       double v) noexcept;
 
 /// Return a polyline with given element lengths from the origin to (chord, 0), as an arc of
 /// constant curvature towards positive y. If it cannot close, the elements are shortened.

@@ -28,7 +28,7 @@ class ChaserSystem final : public System {
     void signals(SignalTable& table) override;
     void holds(HoldTable& table) const override;
     [[nodiscard]] double carried_mass(InteractionId element) const noexcept override {
-        return is(ChaserState::on) ? guide_->carried_mass(element) : 0.0;
+        return in_state(ChaserState::on) ? guide_->carried_mass(element) : 0.0;
     }
     [[nodiscard]] std::unique_ptr<System> clone() const override {
         return std::make_unique<ChaserSystem>(def_);
@@ -38,29 +38,30 @@ class ChaserSystem final : public System {
     /// Event that the next prestep reports.
     enum class Due : std::int32_t { nothing, taken, missed, let_go };
 
-    [[nodiscard]] bool is(ChaserState state) const noexcept {
+    [[nodiscard]] bool in_state(ChaserState state) const noexcept {
         return state_ == static_cast<std::int32_t>(state);
     }
-    void become(ChaserState state, Due due) noexcept {
+    void set_state(ChaserState state, Due due) noexcept {
         state_ = static_cast<std::int32_t>(state);
-        due_ = static_cast<std::int32_t>(due);
+        due_event_ = static_cast<std::int32_t>(due);
     }
-    [[nodiscard]] PointOnWire nearest(const World& world) const;
-    void take(NodeEdits& nodes);
-    void let_go(NodeEdits& nodes);
+    [[nodiscard]] PointOnWire nearest_wire_point(const World& world) const;
+    void close_on_wire(NodeEdits& nodes);
+    void open_ring(NodeEdits& nodes);
     void sample(const World& world);
-    void tell(Prestep& now) noexcept;
+    void report_events(Prestep& now) noexcept;
 
     ChaserDef def_;
     // State.
     std::unique_ptr<GuideSystem> guide_;
     double close_ = 0.0;
     double value_ = 0.0;  ///< Value of the due event.
-    std::int32_t state_ = 0, due_ = 0;
+    std::int32_t state_ = 0, due_event_ = 0;
     std::int32_t reached_ = 0;  ///< End that was reported.
     std::int32_t wait_ = 0;     ///< Steps until the next try.
     // Outputs.
-    double shown_ = 0.0, held_ = 0.0, at_ = 0.0, left_ = 0.0, arrived_ = 0.0, angle_ = 0.0;
+    double state_output_ = 0.0, wire_output_ = 0.0, start_distance_ = 0.0, end_distance_ = 0.0,
+           arrived_ = 0.0, angle_ = 0.0;
     double speed_ = 0.0;
     double tension_[2] = {};
 };

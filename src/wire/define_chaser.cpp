@@ -12,31 +12,34 @@
 namespace hawser {
 namespace {
 
-[[noreturn]] void refuse(const ChaserDef& def, const std::string& why) {
+[[noreturn]] void throw_def_error(const ChaserDef& def, const std::string& why) {
     throw DefError("chaser '" + def.name + "': " + why);
 }
 
 void check(World& world, const ChaserDef& def) {
     if (def.name.empty()) throw DefError("a chaser needs a name");
     if (world.find_system(def.name) != nullptr)
-        refuse(def, "the name is in use; names must be unique");
+        throw_def_error(def, "the name is in use; names must be unique");
     for (const char* part : {"/slide", "/behind", "/friction"})
         if (world.find_body(def.name + part).valid() ||
             world.find_interaction(def.name + part).valid())
-            refuse(def, "'" + def.name + part + "' exists, but is reserved for one of its parts");
-    if (!world.alive(def.body)) refuse(def, "the body of its ring is missing; give one");
+            throw_def_error(
+                def, "'" + def.name + part + "' exists, but is reserved for one of its parts");
+    if (!world.alive(def.body)) throw_def_error(def, "the body of its ring is missing; give one");
     if (world.body_def(def.body).kind != BodyKind::rigid)
-        refuse(def, "its ring must be a rigid body; a fixed ring is a guide");
+        throw_def_error(def, "its ring must be a rigid body; a fixed ring is a guide");
     if (!def.point.allFinite() || !(def.point.norm() <= 1e7))
-        refuse(def, "point is not finite, or beyond 1e7 m");
+        throw_def_error(def, "point is not finite, or beyond 1e7 m");
     if (!(def.reach > 0.0 && def.reach <= 1e3))
-        refuse(def, "reach = " + number(def.reach) + " m; give a length above 0 up to 1000");
+        throw_def_error(def,
+                        "reach = " + number(def.reach) + " m; give a length above 0 up to 1000");
     if (!(def.friction >= 0.0 && def.friction <= 10.0))
-        refuse(def, "friction = " + number(def.friction) + "; give a number from 0 to 10");
+        throw_def_error(def, "friction = " + number(def.friction) + "; give a number from 0 to 10");
     if (!(def.arrives >= 0.0 && def.arrives <= 1e6))
-        refuse(def, "arrives = " + number(def.arrives) + " m; give a length from 0 on");
+        throw_def_error(def, "arrives = " + number(def.arrives) + " m; give a length from 0 on");
     if (!std::isnan(def.element) && !(def.element > 0.0 && def.element <= 1e6))
-        refuse(def, "element = " + number(def.element) + " m; give a length above 0, or none");
+        throw_def_error(def,
+                        "element = " + number(def.element) + " m; give a length above 0, or none");
 }
 
 }  // namespace

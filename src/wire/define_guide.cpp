@@ -17,7 +17,7 @@
 namespace hawser {
 namespace {
 
-[[noreturn]] void refuse(const GuideDef& def, const std::string& why) {
+[[noreturn]] void throw_def_error(const GuideDef& def, const std::string& why) {
     throw DefError("guide '" + def.name + "': " + why);
 }
 
@@ -42,22 +42,24 @@ InteractionId nearest_element(const World& world, const GuideDef& def) {
         least = far;
         best = id;
     }
-    if (!best.valid()) refuse(def, "no element of its wire is whole and without a drum or guide");
+    if (!best.valid())
+        throw_def_error(def, "no element of its wire is whole and without a drum or guide");
     // An element at another guide would be pulled to this one.
     constexpr double kSame = 1e-3;
     if (guided < least - kSame)
-        refuse(def,
-               "the wire passes it with an element of another guide; two guides need a node "
-               "between them: give the wire shorter elements");
+        throw_def_error(
+            def,
+            "the wire passes it with an element of another guide; two guides need a node "
+            "between them: give the wire shorter elements");
     return best;
 }
 
 /// Return the elements that already have its slide.
 /// @throws DefError
-Guide guide_there_is(const World& world, const GuideDef& def) {
+Guide find_existing_guide(const World& world, const GuideDef& def) {
     Guide out;
     out.slide = def.slide;
-    if (!world.alive(def.slide)) refuse(def, "its slide is not there");
+    if (!world.alive(def.slide)) throw_def_error(def, "its slide is not there");
     for (const InteractionId id : world.wires().elements(def.wire)) {
         if (!world.alive(id)) continue;
         const InteractionDef& d = world.interaction_def(id);
@@ -65,9 +67,10 @@ Guide guide_there_is(const World& world, const GuideDef& def) {
         (d.get("radius") < 0.0 ? out.before : out.behind) = id;
     }
     if (!out.before.valid() || !out.behind.valid())
-        refuse(def, "its wire has no two elements that its slide divides");
+        throw_def_error(def, "its wire has no two elements that its slide divides");
     out.friction = world.find_interaction(def.name + "/friction");
-    if (!out.friction.valid()) refuse(def, "its slide has no friction of the name NAME/friction");
+    if (!out.friction.valid())
+        throw_def_error(def, "its slide has no friction of the name NAME/friction");
     out.angle = world.interaction_def(out.friction).get("angle");
     return out;
 }
@@ -99,34 +102,39 @@ void check_space(const World& world, const GuideDef& def, InteractionId before,
             break;
         }
         if (sum < needed * (1.0 - kRounding))
-            refuse(def, "only " + number(sum) +
-                            " m of wire lie between it and the next drum or guide; nodes run "
-                            "through where there are " +
-                            number(needed) + " m: give shorter elements (element_length)");
+            throw_def_error(def,
+                            "only " + number(sum) +
+                                " m of wire lie between it and the next drum or guide; nodes run "
+                                "through where there are " +
+                                number(needed) + " m: give shorter elements (element_length)");
     }
 }
 
 void check(World& world, const GuideDef& def) {
     if (def.name.empty()) throw DefError("a guide needs a name");
     if (world.find_system(def.name) != nullptr)
-        refuse(def, "the name is in use; names must be unique");
+        throw_def_error(def, "the name is in use; names must be unique");
     if (world.find_input(def.name + "/friction/force").valid())
-        refuse(def, "there is an input '" + def.name + "/friction/force' already; rename one");
-    if (!world.alive(def.wire)) refuse(def, "its wire is missing; give one");
-    if (!world.alive(def.body)) refuse(def, "its body is missing; give one");
+        throw_def_error(def,
+                        "there is an input '" + def.name + "/friction/force' already; rename one");
+    if (!world.alive(def.wire)) throw_def_error(def, "its wire is missing; give one");
+    if (!world.alive(def.body)) throw_def_error(def, "its body is missing; give one");
     const Nonsmooth method = world.settings().nonsmooth;
     if (method == Nonsmooth::pgs || method == Nonsmooth::split)
-        refuse(def, "nonsmooth = pgs and split do not support loads of systems; choose newton");
+        throw_def_error(def,
+                        "nonsmooth = pgs and split do not support loads of systems; choose newton");
     if (!std::isnan(def.element_length) &&
         !(def.element_length >= 0.0 && def.element_length <= 1e6))
-        refuse(def, "element_length = " + number(def.element_length) +
-                        " m; give 0 to 1e6 (0: no node runs through)");
+        throw_def_error(def, "element_length = " + number(def.element_length) +
+                                 " m; give 0 to 1e6 (0: no node runs through)");
     if (!def.closed && def.radius == 0.0)
-        refuse(def,
-               "closed = false: an eye holds the wire all round; give a radius, or leave it "
-               "closed");
+        throw_def_error(
+            def,
+            "closed = false: an eye holds the wire all round; give a radius, or leave it "
+            "closed");
     if (!std::isnan(def.mass_per_length) && !(def.mass_per_length >= 0.0))
-        refuse(def, "mass_per_length = " + number(def.mass_per_length) + " kg/m; give 0 or more");
+        throw_def_error(
+            def, "mass_per_length = " + number(def.mass_per_length) + " kg/m; give 0 or more");
 }
 
 /// Compare the drawn wire with the guide: its distance, and the side of the wheel on which it runs.
@@ -152,9 +160,10 @@ void check_position(const GuideDef& def, const InteractionDef& element, const Ro
     const double radius = std::abs(def.radius), length = element.get("length");
     const double far = separation(centre, first, second) - radius;
     if (far > 0.5 * length)
-        refuse(def, "its wire passes " + number(far) +
-                        " m next to it, more than half of an element (" + number(0.5 * length) +
-                        " m); draw the wire over the guide, or move the guide to the wire");
+        throw_def_error(def,
+                        "its wire passes " + number(far) +
+                            " m next to it, more than half of an element (" + number(0.5 * length) +
+                            " m); draw the wire over the guide, or move the guide to the wire");
     if (radius == 0.0 || def.turns > 0) return;
     const Vec3 axis = (on.orientation * def.axis).normalized() * (def.radius < 0.0 ? -1.0 : 1.0);
     const Vec3 side = (second - first).normalized().cross(axis);
@@ -164,10 +173,11 @@ void check_position(const GuideDef& def, const InteractionDef& element, const Ro
     const double turn = drawn.before.cross(drawn.behind).dot(axis);
     const bool other = turn < -kStraight || (turn <= kStraight && offset < -kOther * radius);
     if (turn > kStraight || !other || std::abs(offset) > kBeyond * radius) return;
-    refuse(def, "radius = " + number(def.radius) +
-                    " m: the wire is drawn on the other side of the wheel, " +
-                    number(std::abs(offset)) + " m from its centre; give " + number(-def.radius) +
-                    ", or draw the wire on the side on which it is to run");
+    throw_def_error(def, "radius = " + number(def.radius) +
+                             " m: the wire is drawn on the other side of the wheel, " +
+                             number(std::abs(offset)) + " m from its centre; give " +
+                             number(-def.radius) +
+                             ", or draw the wire on the side on which it is to run");
 }
 
 }  // namespace
@@ -175,7 +185,7 @@ void check_position(const GuideDef& def, const InteractionDef& element, const Ro
 GuidePlan plan_guide(const GuideDef& def, const InteractionDef& element, double tension,
                      const RouteBodies& bodies, const DrawnWire* drawn) {
     if (drawn != nullptr) check_position(def, element, bodies, *drawn);
-    const RouteDef route = wire::route_of(def, element, tension);
+    const RouteDef route = wire::route_over_guide(def, element, tension);
     GuidePlan out{};
     RoutePlan plan;
     try {
@@ -183,12 +193,12 @@ GuidePlan plan_guide(const GuideDef& def, const InteractionDef& element, double 
         // The caller numbers the bodies.
         plan = plan_route(route, bodies, std::array<BodyId, 1>{BodyId{0}});
     } catch (const DefError& error) {
-        refuse(def, wire::without_route(error.what()));
+        throw_def_error(def, wire::without_route(error.what()));
     }
     out.slide.name = def.name + "/slide";
     out.angle = plan.angles.front();
-    if (out.angle > wire::most_angle(def))
-        refuse(def, wire::too_far_round(def, element, tension, bodies, out.angle));
+    if (out.angle > wire::max_turning_angle(def))
+        throw_def_error(def, wire::turning_angle_error(def, element, tension, bodies, out.angle));
     out.before = std::move(plan.parts[0]);
     out.behind = std::move(plan.parts[1]);
     const double whole = element.get("length");
@@ -215,7 +225,7 @@ GuidePlan plan_guide(const GuideDef& def, const InteractionDef& element, double 
 namespace wire {
 namespace {
 
-DrawnWire drawn_wire(const World& world, WireId wire, InteractionId element) {
+DrawnWire wire_on_drum(const World& world, WireId wire, InteractionId element) {
     const auto elements = world.wires().elements(wire);
     const auto direction = [&](std::size_t k) -> Vec3 {
         const std::array<Vec3, 2> ends = world.wires().ends(elements[k]);
@@ -250,33 +260,33 @@ EndNodes end_nodes(const World& world, const InteractionDef& element) {
     return out;
 }
 
-double kept_by_nodes(const EndNodes& before, const EndNodes& after, double mass) {
+double mass_kept_by_nodes(const EndNodes& before, const EndNodes& after, double mass) {
     constexpr double kRounding = 1e-11;
     const double kept = 0.5 * before.count * mass - (before.mass - after.mass);
     return kept > kRounding * mass ? kept : 0.0;
 }
 
-Guide lay_on(World& world, GuideDef& def, double speed, std::array<double, 2>& material,
-             bool drawn) {
+Guide add_guide_parts(World& world, GuideDef& def, double speed, std::array<double, 2>& material,
+                      bool drawn) {
     Guide out;
     const InteractionId id = def.element.valid() ? def.element : nearest_element(world, def);
     if (!world.alive(id) || world.wires().of(id) != def.wire)
-        refuse(def, "its element is none of its wire");
+        throw_def_error(def, "its element is none of its wire");
     const InteractionDef element = world.interaction_def(id);
     if (kind_info(element.kind).is(kWoundUp))
-        refuse(def, "its element is at a drum or another guide; choose one farther away");
+        throw_def_error(def, "its element is at a drum or another guide; choose one farther away");
     const std::array<Vec3, 2> ends = world.wires().ends(id);
     const double length = element.get("length"), mass = element.get("mass");
     if (std::isnan(def.mass_per_length)) def.mass_per_length = mass / length;
     if (std::isnan(def.element_length)) def.element_length = mass > 0.0 ? length : 0.0;
     if (def.element_length > 0.0 && !(mass > 0.0))
-        refuse(def,
-               "element_length: its wire's elements have no mass of their own that could "
-               "run through (consistent_mass)");
+        throw_def_error(def,
+                        "element_length: its wire's elements have no mass of their own that could "
+                        "run through (consistent_mass)");
     const double tension = element.get("EA") * ((ends[1] - ends[0]).norm() / length - 1.0);
-    const DrawnWire wire = drawn_wire(world, def.wire, id);
+    const DrawnWire wire = wire_on_drum(world, def.wire, id);
     const auto body_of = [&world, &def](BodyId b) {
-        if (!world.alive(b)) refuse(def, "one of its bodies is not there");
+        if (!world.alive(b)) throw_def_error(def, "one of its bodies is not there");
         const Pose pose = world.pose(b);
         return RouteBody{pose.position, pose.orientation, world.body_def(b).kind,
                          world.body_def(b).mass};
@@ -305,7 +315,7 @@ Guide lay_on(World& world, GuideDef& def, double speed, std::array<double, 2>& m
     out.friction = world.add_interaction(plan.friction);
     out.angle = plan.angle;
     def.slide = out.slide;
-    if (const double kept = kept_by_nodes(had, end_nodes(world, element), mass); kept > 0.0)
+    if (const double kept = mass_kept_by_nodes(had, end_nodes(world, element), mass); kept > 0.0)
         for (double& m : material) m *= 1.0 - kept / mass;
     return out;
 }
@@ -323,15 +333,15 @@ Guide define(World& world, const GuideDef& given) {
     Guide out;
     std::array<double, 2> material{};
     if (def.slide.valid()) {
-        out = guide_there_is(world, def);
+        out = find_existing_guide(world, def);
         for (const std::size_t side : {0U, 1U})
             material[side] =
                 world.interaction_def(side == 0 ? out.before : out.behind).get("length");
         if (std::isnan(def.mass_per_length) || std::isnan(def.element_length))
-            refuse(def, "with a slide of its own give mass_per_length and element_length");
+            throw_def_error(def, "with a slide of its own give mass_per_length and element_length");
         check_space(world, def, out.before, out.behind, material);
     } else {
-        out = wire::lay_on(world, def, 0.0, material, true);
+        out = wire::add_guide_parts(world, def, 0.0, material, true);
     }
     const InputId stop = wire::add_stop(world, def, out);
     world.add_system(std::make_unique<wire::GuideSystem>(def, out, stop, material));

@@ -13,7 +13,7 @@ namespace hawser {
 namespace {
 
 /// Return the pitch of a link [m].
-double pitch_of(const WinchDef& def) noexcept {
+double link_pitch(const WinchDef& def) noexcept {
     return std::isnan(def.gypsy.pitch) ? 4.0 * def.wire_diameter : def.gypsy.pitch;
 }
 
@@ -25,7 +25,7 @@ double moving_chain(const WinchDef& def) noexcept {
 }  // namespace
 
 double gypsy_radius(const WinchDef& def) noexcept {
-    return def.gypsy.pockets * pitch_of(def) / std::numbers::pi;
+    return def.gypsy.pockets * link_pitch(def) / std::numbers::pi;
 }
 
 double gypsy_chain_inertia(const WinchDef& def) noexcept {
@@ -42,35 +42,38 @@ ChainProperties chain_properties(double diameter, bool studs) noexcept {
 
 namespace wire {
 
-GypsyWheel gypsy_of(const WinchDef& def) {
+GypsyWheel complete_gypsy(const WinchDef& def) {
     const GypsyDef& g = def.gypsy;
     if (g.pockets < 3 || g.pockets > 100)
-        refuse(def, "gypsy.pockets = " + std::to_string(g.pockets) + "; give 3 to 100");
+        throw_def_error(def, "gypsy.pockets = " + std::to_string(g.pockets) + "; give 3 to 100");
     if (def.core_radius != 0.0 || def.width != 0.0 || !std::isnan(def.flange_radius) ||
         !std::isnan(def.layer_pitch))
-        refuse(def,
-               "a gypsy has no core_radius, width, flange_radius or layer_pitch: pockets and "
-               "pitch give its radius; leave them out");
+        throw_def_error(
+            def,
+            "a gypsy has no core_radius, width, flange_radius or layer_pitch: pockets and "
+            "pitch give its radius; leave them out");
     check_number(def, "wire_diameter", def.wire_diameter, 0.0, true);
     check_number(def, "mass_per_length", def.mass_per_length, 0.0, true);
-    const double pitch = pitch_of(def);
+    const double pitch = link_pitch(def);
     check_number(def, "gypsy.pitch", pitch, 0.0, true);
     if (pitch < 2.0 * def.wire_diameter)
-        refuse(def, "gypsy.pitch = " + number(pitch) + " m is below 2 bar diameters, " +
-                        number(2.0 * def.wire_diameter) +
-                        " m: links of this proportion do not fit into each other; 4 is usual");
+        throw_def_error(def,
+                        "gypsy.pitch = " + number(pitch) + " m is below 2 bar diameters, " +
+                            number(2.0 * def.wire_diameter) +
+                            " m: links of this proportion do not fit into each other; 4 is usual");
     check_number(def, "gypsy.jump_load", g.jump_load, 0.0, true);
     const double friction = std::isnan(g.jump_friction) ? 0.5 * g.jump_load : g.jump_friction;
     check_number(def, "gypsy.jump_friction", friction, 0.0, false);
     if (friction > g.jump_load)
-        refuse(def, "gypsy.jump_friction is above jump_load: chain that jumps is held by no more");
+        throw_def_error(
+            def, "gypsy.jump_friction is above jump_load: chain that jumps is held by no more");
     check_number(def, "gypsy.locker_fall", g.locker_fall, 0.0, false);
     check_number(def, "gypsy.locker", g.locker, 0.0, true);
     if (def.stored > g.locker)
-        refuse(def, "stored = " + number(def.stored) + " m, but its locker holds " +
-                        number(g.locker) + " m");
+        throw_def_error(def, "stored = " + number(def.stored) + " m, but its locker holds " +
+                                 number(g.locker) + " m");
     check_number(def, "gypsy.wrap", g.wrap, 0.0, true);
-    if (g.wrap > 7.0) refuse(def, "gypsy.wrap = " + number(g.wrap) + " rad; give up to 7");
+    if (g.wrap > 7.0) throw_def_error(def, "gypsy.wrap = " + number(g.wrap) + " rad; give up to 7");
     return {.radius = gypsy_radius(def),
             .pocket = 2.0 * pitch,
             .jump_load = g.jump_load,

@@ -14,7 +14,7 @@ namespace hawser::wire {
 
 /// Return the gypsy with defaults filled in.
 /// @throws DefError
-[[nodiscard]] GypsyWheel gypsy_of(const WinchDef& def);
+[[nodiscard]] GypsyWheel complete_gypsy(const WinchDef& def);
 
 /// Add the grip and the bitter end. Wheel and chain must exist.
 /// @throws DefError

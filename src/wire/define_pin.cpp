@@ -39,9 +39,9 @@ void PinSystem::prestep(Prestep& now, Loads&) noexcept {
     const double way = now.world.coordinate(drive_.motor);
     height_ = 1.0 + way / drive_.length;
     const double left = (up_ - 1.0) * drive_.length - way;
-    const double wanted = std::abs(left) < kThere
-                              ? 0.0
-                              : std::clamp(0.5 * left / now.step, -drive_.most, drive_.most);
+    const double wanted = std::abs(left) < kThere ? 0.0
+                                                  : std::clamp(0.5 * left / now.step,
+                                                               -drive_.max_speed, drive_.max_speed);
     if (wanted != speed_) now.set_input(drive_.speed, wanted);
     speed_ = wanted;
 }
@@ -53,7 +53,7 @@ namespace {
 /// Play of a pin beyond the range of its motor, between its stops [m].
 constexpr double kPlay = 0.01;
 
-[[noreturn]] void refuse(const PinDef& def, const std::string& why) {
+[[noreturn]] void throw_def_error(const PinDef& def, const std::string& why) {
     throw DefError("pin '" + def.name + "': " + why);
 }
 
@@ -61,30 +61,34 @@ void check(World& world, const PinDef& def) {
     if (def.name.empty()) throw DefError("a pin needs a name");
     for (const std::string& name : {def.name, def.name + "/post"})
         if (world.find_system(name) != nullptr)
-            refuse(def, "there is a system '" + name + "' already; names must be unique");
-    if (!world.alive(def.body)) refuse(def, "its body is missing; give one");
+            throw_def_error(def, "there is a system '" + name + "' already; names must be unique");
+    if (!world.alive(def.body)) throw_def_error(def, "its body is missing; give one");
     const BodyKind kind = world.body_def(def.body).kind;
     if (kind == BodyKind::lump || kind == BodyKind::scalar)
-        refuse(def, "it is on a point mass or a scalar body; give a body with an orientation");
+        throw_def_error(def,
+                        "it is on a point mass or a scalar body; give a body with an orientation");
     if (!def.from.allFinite() || !def.to.allFinite() || !((def.to - def.from).norm() >= 0.01))
-        refuse(def, "its axis from `from` to `to` is shorter than 0.01 m, or not finite");
+        throw_def_error(def, "its axis from `from` to `to` is shorter than 0.01 m, or not finite");
     if (!(def.radius > 0.0 && def.radius <= 100.0))
-        refuse(def, "radius = " + number(def.radius) + " m; give a length above 0 up to 100");
+        throw_def_error(def,
+                        "radius = " + number(def.radius) + " m; give a length above 0 up to 100");
     if (!(def.speed > 0.0 && def.speed <= 100.0))
-        refuse(def, "speed = " + number(def.speed) + " m/s; give a speed above 0 up to 100");
+        throw_def_error(def,
+                        "speed = " + number(def.speed) + " m/s; give a speed above 0 up to 100");
     if (!(def.density > 0.0 && def.density <= 1e6))
-        refuse(def, "density = " + number(def.density) + " kg/m^3; give one above 0 up to 1e6");
+        throw_def_error(def,
+                        "density = " + number(def.density) + " kg/m^3; give one above 0 up to 1e6");
 }
 
-double mass_of(const PinDef& def) {
+double pin_mass(const PinDef& def) {
     return def.density * std::numbers::pi * def.radius * def.radius * (def.to - def.from).norm();
 }
 
 void check_force(const World& world, const PinDef& def) {
-    const double weight = mass_of(def) * world.settings().gravity.norm();
+    const double weight = pin_mass(def) * world.settings().gravity.norm();
     if (!(def.force > weight && def.force <= 1e12))
-        refuse(def, "force = " + number(def.force) + " N; give more than its weight of " +
-                        number(weight) + " N, up to 1e12");
+        throw_def_error(def, "force = " + number(def.force) + " N; give more than its weight of " +
+                                 number(weight) + " N, up to 1e12");
 }
 
 BodyId add_body(World& world, const PinDef& def) {
@@ -96,11 +100,10 @@ BodyId add_body(World& world, const PinDef& def) {
     body.name = def.name;
     const Vec3 sunk = def.up ? Vec3::Zero() : along;
     body.position = world.world_point(def.body, 0.5 * (def.from + def.to) - sunk);
-    body.orientation =
-        (on.orientation * Quat::FromTwoVectors(Vec3::UnitZ(), along / length)).normalized();
+    body.orientation = (on.orientation * turn_between(Vec3::UnitZ(), along / length)).normalized();
     body.velocity = twist.linear + twist.angular.cross(body.position - on.position);
     body.angular_velocity = twist.angular;
-    body.mass = mass_of(def);
+    body.mass = pin_mass(def);
     const double r2 = def.radius * def.radius, across = (3.0 * r2 + length * length) / 12.0;
     body.inertia = (body.mass * Vec3(across, across, 0.5 * r2)).asDiagonal();
     body.half_size = {def.radius, def.radius, 0.5 * length};
@@ -132,7 +135,7 @@ BodyId define(World& world, const PinDef& def) {
                                                .group = def.group,
                                                .touches = def.touches,
                                                .margin = def.margin});
-        wire::PinDrive drive{.motor = joint.motor, .length = length, .most = def.speed};
+        wire::PinDrive drive{.motor = joint.motor, .length = length, .max_speed = def.speed};
         drive.speed = world.add_input(
             {.name = def.name + "/speed", .interaction = joint.motor, .param = "speed"});
         wire::add_post(world,

@@ -15,35 +15,38 @@
 namespace hawser {
 namespace {
 
-[[noreturn]] void refuse(const PostDef& def, const std::string& why) {
+[[noreturn]] void throw_def_error(const PostDef& def, const std::string& why) {
     throw DefError("post '" + def.name + "': " + why);
 }
 
 void check(World& world, const PostDef& def) {
     if (def.name.empty()) throw DefError("a post needs a name");
     if (world.find_system(def.name) != nullptr)
-        refuse(def, "the name is in use; names must be unique");
-    if (!world.alive(def.shape)) refuse(def, "the shape for the wires is missing; give one");
+        throw_def_error(def, "the name is in use; names must be unique");
+    if (!world.alive(def.shape))
+        throw_def_error(def, "the shape for the wires is missing; give one");
     const ShapeDef& shape = world.shape_def(def.shape);
     if (shape.kind != ShapeKind::cylinder && shape.kind != ShapeKind::capsule)
-        refuse(def, "its shape is neither a cylinder nor a capsule");
+        throw_def_error(def, "its shape is neither a cylinder nor a capsule");
     if (shape.body_b.valid() || world.body_def(shape.body).kind == BodyKind::lump)
-        refuse(def, "its shape belongs to a wire or a point mass; give a shape of a body");
+        throw_def_error(def, "its shape belongs to a wire or a point mass; give a shape of a body");
     const Nonsmooth method = world.settings().nonsmooth;
     if (method == Nonsmooth::pgs || method == Nonsmooth::split)
-        refuse(def, "nonsmooth = pgs and split do not support loads of systems; choose newton");
+        throw_def_error(def,
+                        "nonsmooth = pgs and split do not support loads of systems; choose newton");
     if (!(def.friction >= 0.0 && def.friction <= 100.0))
-        refuse(def, "friction = " + number(def.friction) + "; give 0 to 100");
+        throw_def_error(def, "friction = " + number(def.friction) + "; give 0 to 100");
     if (!(def.efficiency > 0.0 && def.efficiency <= 1.0))
-        refuse(def, "efficiency = " + number(def.efficiency) + "; give a number above 0 up to 1");
+        throw_def_error(
+            def, "efficiency = " + number(def.efficiency) + "; give a number above 0 up to 1");
     if (!(def.inertia >= 0.0 && def.inertia <= 1e12))
-        refuse(def, "inertia = " + number(def.inertia) + " kg m^2; give 0 or more");
+        throw_def_error(def, "inertia = " + number(def.inertia) + " kg m^2; give 0 or more");
     if (def.wires < 1 || def.wires > 16)
-        refuse(def, "wires = " + std::to_string(def.wires) + "; give 1 to 16");
+        throw_def_error(def, "wires = " + std::to_string(def.wires) + "; give 1 to 16");
     if (def.element_length == def.element_length &&
         !(def.element_length >= 0.0 && def.element_length <= 1e6))
-        refuse(def, "element_length = " + number(def.element_length) +
-                        " m; give 0 to 1e6 (0: no node runs through)");
+        throw_def_error(def, "element_length = " + number(def.element_length) +
+                                 " m; give 0 to 1e6 (0: no node runs through)");
 }
 
 }  // namespace
@@ -67,7 +70,7 @@ bool NodeEdits::lay_over(GuideDef& def, double speed, Guide& out, double (&mater
     if (!hands_.begin()) return false;
     try {
         std::array<double, 2> both{};
-        out = wire::lay_on(world_, def, speed, both);
+        out = wire::add_guide_parts(world_, def, speed, both);
         (void)wire::add_stop(world_, def, out);
         material[0] = both[0];
         material[1] = both[1];

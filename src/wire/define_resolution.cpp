@@ -16,7 +16,7 @@
 namespace hawser {
 namespace {
 
-[[noreturn]] void refuse(const ResolutionDef& def, const std::string& what) {
+[[noreturn]] void throw_def_error(const ResolutionDef& def, const std::string& what) {
     throw DefError("resolution '" + def.name + "': " + what);
 }
 
@@ -24,16 +24,16 @@ namespace {
 /// their rest lengths.
 constexpr double kSameLine = 0.05;
 
-void check_number(const ResolutionDef& def, const char* what, double value, double least,
+void check_number(const ResolutionDef& def, const char* quantity, double value, double least,
                   double most) {
     if (!(value >= least && value <= most))
-        refuse(def, std::string(what) + " = " + number(value) + "; give " + number(least) + " to " +
-                        number(most));
+        throw_def_error(def, std::string(quantity) + " = " + number(value) + "; give " +
+                                 number(least) + " to " + number(most));
 }
 
 /// Return the line types of a wire's Stretch elements; empty: no element has a mass. Elements of
 /// one EA are of two types if their masses per length differ by more than rounding.
-std::vector<wire::WireResolution::Line> lines_of(const World& world, WireId wire) {
+std::vector<wire::WireResolution::Line> line_types_of_wire(const World& world, WireId wire) {
     struct Sum {
         double EA, mass, length;
     };
@@ -73,7 +73,7 @@ double length_at_drum(const World& world, WireId wire) {
 void check_numbers(const ResolutionDef& def) {
     constexpr double kPi = 3.14159265358979323846;
     struct Row {
-        const char* what;
+        const char* quantity;
         double value, least, most;
     };
     for (const Row& row :
@@ -86,31 +86,34 @@ void check_numbers(const ResolutionDef& def) {
           Row{"averaging", def.averaging, 1e-3, 1e6}, Row{"hysteresis", def.hysteresis, 1.0, 100.0},
           Row{"patience", def.patience, 0.0, 1e6},
           Row{"interval", static_cast<double>(def.interval), 1.0, 1e4}})
-        check_number(def, row.what, row.value, row.least, row.most);
+        check_number(def, row.quantity, row.value, row.least, row.most);
     if (def.max_length < 2.0 * def.min_length)
-        refuse(def, "max_length = " + number(def.max_length) +
-                        " m is below twice min_length = " + number(def.min_length) +
-                        " m: a node in the middle of the longest element would make two that are "
-                        "too short; give at least " +
-                        number(2.0 * def.min_length));
+        throw_def_error(
+            def, "max_length = " + number(def.max_length) +
+                     " m is below twice min_length = " + number(def.min_length) +
+                     " m: a node in the middle of the longest element would make two that are "
+                     "too short; give at least " +
+                     number(2.0 * def.min_length));
 }
 
 /// Check that a local bound is 0 or within the limits.
-void check_bound(const ResolutionDef& def, const char* what, double value) {
+void check_bound(const ResolutionDef& def, const char* quantity, double value) {
     if (value == 0.0) return;
     if (!(value >= def.min_length && value <= def.max_length))
-        refuse(def, std::string(what) + " = " + number(value) +
-                        " m; give 0 or a length from min_length = " + number(def.min_length) +
-                        " to max_length = " + number(def.max_length));
+        throw_def_error(def,
+                        std::string(quantity) + " = " + number(value) +
+                            " m; give 0 or a length from min_length = " + number(def.min_length) +
+                            " to max_length = " + number(def.max_length));
 }
 
 void check_wire(World& world, const ResolutionDef& def) {
-    if (!world.alive(def.wire)) refuse(def, "there is no such wire; give one");
+    if (!world.alive(def.wire)) throw_def_error(def, "there is no such wire; give one");
     for (int i = 0; i < world.system_count(); ++i)
         if (const auto* other = dynamic_cast<const wire::WireResolution*>(&world.system(i));
             other != nullptr && other->wire() == def.wire)
-            refuse(def, "the wire '" + world.wires().name(def.wire) + "' has the resolution '" +
-                            std::string(other->name()) + "' already; give one a wire");
+            throw_def_error(def, "the wire '" + world.wires().name(def.wire) +
+                                     "' has the resolution '" + std::string(other->name()) +
+                                     "' already; give one a wire");
 }
 
 }  // namespace
@@ -119,18 +122,18 @@ void define(World& world, const ResolutionDef& given) {
     ResolutionDef def = given;
     if (def.name.empty()) throw DefError("a resolution needs a name");
     if (world.find_system(def.name) != nullptr)
-        refuse(def, "the name is in use; names must be unique among systems");
+        throw_def_error(def, "the name is in use; names must be unique among systems");
     check_numbers(def);
     check_wire(world, def);
-    auto lines = lines_of(world, def.wire);
+    auto lines = line_types_of_wire(world, def.wire);
     if (!std::isnan(def.mass_per_length)) lines.assign(1, {0.0, def.mass_per_length});
     if (lines.empty())
-        refuse(def, "the elements of the wire '" + world.wires().name(def.wire) +
-                        "' have no mass for new nodes; make it with consistent_mass");
+        throw_def_error(def, "the elements of the wire '" + world.wires().name(def.wire) +
+                                 "' have no mass for new nodes; make it with consistent_mass");
     for (const auto& line : lines)
         if (!(line.mass_per_length > 0.0 && line.mass_per_length < 1e12))
-            refuse(def,
-                   "mass_per_length = " + number(line.mass_per_length) + "; give a number above 0");
+            throw_def_error(def, "mass_per_length = " + number(line.mass_per_length) +
+                                     "; give a number above 0");
     if (std::isnan(def.contact_length)) def.contact_length = 2.0 * def.min_length;
     check_bound(def, "contact_length", def.contact_length);
     if (std::isnan(def.drum_length)) {

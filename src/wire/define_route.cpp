@@ -17,7 +17,7 @@ namespace hawser {
 namespace {
 
 using wire::check;
-using wire::refuse;
+using wire::throw_def_error;
 
 constexpr double kPi = 3.14159265358979323846;
 /// Ratio of a slide's mass to that of the lightest body that the line pulls. It is far from two
@@ -43,7 +43,7 @@ struct Straight {
 
 /// Correct the tangent between two wheels with axes that are not parallel.
 /// @param s  In: approximate line.
-void leave_own_planes(const Corner& a, const Corner& b, Straight& s) {
+void correct_skew_tangent(const Corner& a, const Corner& b, Straight& s) {
     const auto small = [](const Vec3& v) { return generic::V3{v.x(), v.y(), v.z()}; };
     const generic::V3 axes[2] = {small(a.normal), small(b.normal)};
     if (generic::are_parallel(axes[0], axes[1])) return;
@@ -66,16 +66,17 @@ Straight straight_between(const RouteDef& def, const Corner& a, const Corner& b)
         const Vec3 flat = d - d.dot(n) * n;
         const double size = flat.norm();
         if (!(size > std::abs(separation) * (1.0 + 1e-9)))
-            refuse(def, "two of its wheels, or a wheel and an end, are closer than their radii");
+            throw_def_error(
+                def, "two of its wheels, or a wheel and an end, are closer than their radii");
         const double c = std::sqrt(size * size - separation * separation);
         const Vec3 u = (c * flat - separation * n.cross(flat)) / (size * size);
         s.from += a.radius * u.cross(n);
         s.to += r1 * u.cross(n);
-        if (a.radius != 0.0 && b.radius != 0.0) leave_own_planes(a, b, s);
+        if (a.radius != 0.0 && b.radius != 0.0) correct_skew_tangent(a, b, s);
     }
     s.length = (s.to - s.from).norm();
     if (!(s.length > 1e-6))
-        refuse(def, "two of its turning points, or a turning point and an end, coincide");
+        throw_def_error(def, "two of its turning points, or a turning point and an end, coincide");
     s.along = (s.to - s.from) / s.length;
     return s;
 }
@@ -105,7 +106,7 @@ Quat frame_at(const Quat& orientation, const Corner& c, const Vec3& touches) {
     return Quat(m);
 }
 
-std::vector<Corner> corners_of(const RouteDef& def, const RouteBodies& bodies) {
+std::vector<Corner> route_corners(const RouteDef& def, const RouteBodies& bodies) {
     std::vector<Corner> corners;
     const auto end = [&](const RouteEnd& e) {
         Corner c;
@@ -140,8 +141,9 @@ std::string part_name(const RouteDef& def, const char* what, std::size_t i) {
 }
 
 /// Compute the length of line on each turning point [m], and the angles.
-std::vector<double> arcs_of(const RouteDef& def, const std::vector<Corner>& corners,
-                            const std::vector<Straight>& straight, std::vector<double>& angles) {
+std::vector<double> contact_arcs(const RouteDef& def, const std::vector<Corner>& corners,
+                                 const std::vector<Straight>& straight,
+                                 std::vector<double>& angles) {
     std::vector<double> arcs;
     for (std::size_t i = 0; i < def.places.size(); ++i) {
         const RoutePlace& p = def.places[i];
@@ -156,15 +158,16 @@ std::vector<double> arcs_of(const RouteDef& def, const std::vector<Corner>& corn
 /// @param lies  Stretched length with half of the arcs at its ends [m].
 /// @param own  Its length without tension [m].
 /// @param to_end  True if the line ends behind the part.
-InteractionDef part_between(const RouteDef& def, const Corner& a, const Corner& b,
-                            const Straight& straight, double lies, double own, bool to_end) {
+InteractionDef line_part(const RouteDef& def, const Corner& a, const Corner& b,
+                         const Straight& straight, double lies, double own, bool to_end) {
     InteractionDef d;
     d.damping_time[0] = def.damping_time;
     const double to_b = to_end ? b.out : -1.0;
     const bool both = a.slide.valid() && b.slide.valid();
     if (a.body == b.body) {
         if (!both)
-            refuse(def, "an end is attached to the same body as the turning point next to it");
+            throw_def_error(def,
+                            "an end is attached to the same body as the turning point next to it");
         d.kind = InteractionKind::BodySpan;
         d.body[0] = a.slide;
         d.body[1] = b.slide;
@@ -199,9 +202,9 @@ InteractionDef part_between(const RouteDef& def, const Corner& a, const Corner& 
     return d;
 }
 
-RouteBodies bodies_of(const World& world, const RouteDef& def) {
+RouteBodies route_bodies(const World& world, const RouteDef& def) {
     return [&world, &def](BodyId id) {
-        if (!world.alive(id)) refuse(def, "one of its bodies is not there");
+        if (!world.alive(id)) throw_def_error(def, "one of its bodies is not there");
         const Pose pose = world.pose(id);
         const BodyDef& body = world.body_def(id);
         return RouteBody{pose.position, pose.orientation, body.kind, body.mass};
@@ -217,12 +220,12 @@ RouteBodies bodies_of(const World& world, const RouteDef& def) {
 double slide_mass(const RouteDef& def, const RouteBodies& bodies, double lightest,
                   double heaviest) {
     constexpr double kRatio = 1e4, kMaximum = 1e-3;
-    const std::vector<Corner> corners = corners_of(def, bodies);
+    const std::vector<Corner> corners = route_corners(def, bodies);
     std::vector<Straight> straight;
     for (std::size_t i = 0; i + 1 < corners.size(); ++i)
         straight.push_back(straight_between(def, corners[i], corners[i + 1]));
     std::vector<double> angles;
-    (void)arcs_of(def, corners, straight, angles);
+    (void)contact_arcs(def, corners, straight, angles);
     double exponent = 0.0;
     for (std::size_t i = 0; i < def.places.size(); ++i)
         exponent += def.places[i].friction * angles[i];
@@ -235,7 +238,7 @@ double slide_mass(const RouteDef& def, const RouteBodies& bodies, double lightes
 std::vector<BodyDef> route_slides(const RouteDef& def, const RouteBodies& bodies) {
     check(bodies, def);
     double lightest = 1e30, heaviest = 0.0;
-    for (const Corner& c : corners_of(def, bodies)) {
+    for (const Corner& c : route_corners(def, bodies)) {
         const RouteBody body = bodies(c.body);
         const bool moves = body.kind == BodyKind::lump || body.kind == BodyKind::rigid;
         if (moves) lightest = std::min(lightest, body.mass);
@@ -258,13 +261,13 @@ std::vector<BodyDef> route_slides(const RouteDef& def, const RouteBodies& bodies
 RoutePlan plan_route(const RouteDef& def, const RouteBodies& bodies,
                      std::span<const BodyId> slides) {
     check(bodies, def);
-    std::vector<Corner> corners = corners_of(def, bodies);
+    std::vector<Corner> corners = route_corners(def, bodies);
     for (std::size_t i = 0; i < slides.size(); ++i) corners[i + 1].slide = slides[i];
     std::vector<Straight> straight;
     for (std::size_t i = 0; i + 1 < corners.size(); ++i)
         straight.push_back(straight_between(def, corners[i], corners[i + 1]));
     RoutePlan out;
-    const std::vector<double> arcs = arcs_of(def, corners, straight, out.angles);
+    const std::vector<double> arcs = contact_arcs(def, corners, straight, out.angles);
     // Half of each arc belongs to the part before it, half to the part behind.
     double path = 0.0;
     std::vector<double> lies;
@@ -275,13 +278,13 @@ RoutePlan plan_route(const RouteDef& def, const RouteBodies& bodies,
     }
     const double length = std::isnan(def.length) ? path / (1.0 + def.tension / def.EA) : def.length;
     if (path > 1.5 * length)
-        refuse(def, "its path over the turning points is " + number(path) + " m long, but it has " +
-                        number(length) +
-                        " m, more than half longer than the line; give it more length");
+        throw_def_error(def, "its path over the turning points is " + number(path) +
+                                 " m long, but it has " + number(length) +
+                                 " m, more than half longer than the line; give it more length");
     for (std::size_t i = 0; i < straight.size(); ++i) {
         const bool to_end = i + 1 == straight.size();
-        out.parts.push_back(part_between(def, corners[i], corners[i + 1], straight[i], lies[i],
-                                         lies[i] * length / path, to_end));
+        out.parts.push_back(line_part(def, corners[i], corners[i + 1], straight[i], lies[i],
+                                      lies[i] * length / path, to_end));
         out.parts.back().name = part_name(def, "part", i);
     }
     for (std::size_t i = 0; i < def.places.size(); ++i) {
@@ -330,7 +333,7 @@ void add_end_stops(World& world, const RouteDef& def, const Route& route) {
 }  // namespace
 
 Route define(World& world, const RouteDef& def) {
-    const RouteBodies bodies = bodies_of(world, def);
+    const RouteBodies bodies = route_bodies(world, def);
     Route out;
     try {
         for (const BodyDef& slide : route_slides(def, bodies))

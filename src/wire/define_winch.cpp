@@ -19,7 +19,7 @@ namespace {
 
 using wire::check_number;
 using wire::is_gypsy;
-using wire::refuse;
+using wire::throw_def_error;
 
 void check_numbers(const WinchDef& def) {
     struct Row {
@@ -41,18 +41,19 @@ void check_numbers(const WinchDef& def) {
           Row{"wrap_friction", def.wrap_friction, false}, Row{"weak_link", def.weak_link, false}})
         check_number(def, row.what, row.value, 0.0, row.above);
     if (!(std::abs(def.speed) <= 100.0))
-        refuse(def, "speed = " + number(def.speed) + " m/s; give -100 to 100");
-    if (static_cast<int>(def.mode) > 6) refuse(def, "there is no such mode");
+        throw_def_error(def, "speed = " + number(def.speed) + " m/s; give -100 to 100");
+    if (static_cast<int>(def.mode) > 6) throw_def_error(def, "there is no such mode");
     wire::check_aids(def);
     if (std::isnan(def.brake_dynamic)) return;
     check_number(def, "brake_dynamic", def.brake_dynamic, 0.0, false);
     if (def.brake_dynamic > def.brake_static)
-        refuse(def, "brake_dynamic is above brake_static: a slipping band cannot hold more");
+        throw_def_error(def,
+                        "brake_dynamic is above brake_static: a slipping band cannot hold more");
 }
 
 /// Return the geometry of the drum.
 /// @throws DefError if its capacity is less than the stored length.
-wire::DrumGeometry drum_of(const WinchDef& def) {
+wire::DrumGeometry drum_geometry(const WinchDef& def) {
     constexpr double kMinimum = 2.5;  // radius over diameter of the wire
     check_number(def, "core_radius", def.core_radius, 0.0, true);
     check_number(def, "width", def.width, 0.0, true);
@@ -63,35 +64,37 @@ wire::DrumGeometry drum_of(const WinchDef& def) {
                             .layer_pitch = def.layer_pitch,
                             .flange_radius = def.flange_radius};
     if (def.core_radius < kMinimum * def.wire_diameter)
-        refuse(def, "core_radius = " + number(def.core_radius) + " m is below " + number(kMinimum) +
-                        " diameters of its wire, too small to wind it; give a larger drum");
+        throw_def_error(
+            def, "core_radius = " + number(def.core_radius) + " m is below " + number(kMinimum) +
+                     " diameters of its wire, too small to wind it; give a larger drum");
     if (std::isnan(drum.layer_pitch)) drum.layer_pitch = def.wire_diameter;
     check_number(def, "layer_pitch", drum.layer_pitch, 0.0, true);
     if (drum.wraps_a_layer() < 1)
-        refuse(def, "width = " + number(def.width) +
-                        " m: no wrap of its wire fits between the "
-                        "flanges");
+        throw_def_error(def, "width = " + number(def.width) +
+                                 " m: no wrap of its wire fits between the "
+                                 "flanges");
     if (std::isnan(def.flange_radius)) {
         constexpr int kMaximum = 1000;
-        const int layer = drum.place(def.stored).layer;
+        const int layer = drum.wire_end(def.stored).layer;
         if (layer > kMaximum)
-            refuse(def, "stored = " + number(def.stored) + " m: it takes " + std::to_string(layer) +
-                            " layers");
+            throw_def_error(def, "stored = " + number(def.stored) + " m: it takes " +
+                                     std::to_string(layer) + " layers");
         drum.flange_radius = drum.radius(layer) + 0.5 * drum.wire_diameter;
     }
     if (drum.layers() < 1)
-        refuse(def, "flange_radius = " + number(def.flange_radius) + " m: no layer fits below it");
+        throw_def_error(
+            def, "flange_radius = " + number(def.flange_radius) + " m: no layer fits below it");
     // Drums usually keep the default number. A short wire may have less.
     const WinchDef usual;
-    if (const double wraps = drum.place(def.stored).wraps;
+    if (const double wraps = drum.wire_end(def.stored).wraps;
         def.dead_wraps > usual.dead_wraps && def.dead_wraps > wraps)
-        refuse(def, "dead_wraps = " + number(def.dead_wraps) +
-                        ", but stored = " + number(def.stored) + " m are " + number(wraps) +
-                        " wraps: the motor could not pay out any wire; give fewer");
+        throw_def_error(def, "dead_wraps = " + number(def.dead_wraps) + ", but stored = " +
+                                 number(def.stored) + " m are " + number(wraps) +
+                                 " wraps: the motor could not pay out any wire; give fewer");
     if (def.stored > drum.capacity())
-        refuse(def, "stored = " + number(def.stored) + " m, but the drum holds " +
-                        number(drum.capacity()) + " m in " + std::to_string(drum.layers()) +
-                        " layers");
+        throw_def_error(def, "stored = " + number(def.stored) + " m, but the drum holds " +
+                                 number(drum.capacity()) + " m in " +
+                                 std::to_string(drum.layers()) + " layers");
     return drum;
 }
 
@@ -100,11 +103,11 @@ wire::DrumGeometry drum_of(const WinchDef& def) {
 void check_scalar(const World& world, const WinchDef& def, BodyId body, const char* what,
                   double inertia) {
     if (!world.alive(body) || world.body_def(body).kind != BodyKind::scalar)
-        refuse(def, std::string("its ") + what + " must be a scalar body");
+        throw_def_error(def, std::string("its ") + what + " must be a scalar body");
     const double mass = world.body_def(body).mass;
     if (mass != inertia)
-        refuse(def, "inertia = " + number(inertia) + " kg m^2, but its " + what + "'s mass is " +
-                        number(mass) + "; give the same");
+        throw_def_error(def, "inertia = " + number(inertia) + " kg m^2, but its " + what +
+                                 "'s mass is " + number(mass) + "; give the same");
 }
 
 /// Return the element by which an existing drum pays out the wire's end.
@@ -116,13 +119,14 @@ InteractionId wound_end(const World& world, const WinchDef& def) {
     const InteractionId id = def.end == 0 ? elements.front() : elements.back();
     if (!world.alive(id) || !kind_info(world.interaction_def(id).kind).is(kWoundUp) ||
         world.interaction_def(id).body[2] != (is_gypsy(def) ? def.chain : def.drum))
-        refuse(def, "this end of its wire is not on its drum; leave out the drum to create both");
+        throw_def_error(
+            def, "this end of its wire is not on its drum; leave out the drum to create both");
     return id;
 }
 
 /// Return the length of the elements that it pays out [m]; 0: it makes no nodes.
 /// @throws DefError
-double element_of(const World& world, const WinchDef& def) {
+double feed_element_length(const World& world, const WinchDef& def) {
     const auto elements = world.wires().elements(def.wire);
     const InteractionId at_drum = def.end == 0 ? elements.front() : elements.back();
     double mass = 0.0;  // of an element with own mass
@@ -133,24 +137,26 @@ double element_of(const World& world, const WinchDef& def) {
     if (asked && def.element == 0.0) return 0.0;
     if (asked) check_number(def, "element", def.element, 0.0, true);
     if (asked && def.element < def.wire_diameter)
-        refuse(def, "element = " + number(def.element) + " m is shorter than its wire is thick, " +
-                        number(def.wire_diameter) +
-                        " m, and would create one node for each; give the length of an element, or "
-                        "0 for an element that grows");
+        throw_def_error(
+            def, "element = " + number(def.element) + " m is shorter than its wire is thick, " +
+                     number(def.wire_diameter) +
+                     " m, and would create one node for each; give the length of an element, or "
+                     "0 for an element that grows");
     const bool wound = kind_info(world.interaction_def(at_drum).kind).is(kWoundUp);
     const bool single = wound && elements.size() == 1;  // the drum's element is the whole wire
     if ((!(mass > 0.0) && !(asked && single)) || !(def.mass_per_length > 0.0)) {
         if (!asked) return 0.0;
-        refuse(
+        throw_def_error(
             def,
             mass > 0.0 || single
                 ? "element: new nodes need the mass_per_length of its wire; give it"
                 : "element: the elements of its wire have no mass for new nodes (consistent_mass)");
     }
     if (elements.size() == 1 && def.end == 1)
-        refuse(def,
-               "a wire of one element is wound up from its first end; name its ends the other "
-               "way round, or give it two elements");
+        throw_def_error(
+            def,
+            "a wire of one element is wound up from its first end; name its ends the other "
+            "way round, or give it two elements");
     return asked ? def.element : world.interaction_def(at_drum).get("length");
 }
 
@@ -196,7 +202,8 @@ wire::WinchInputs add_inputs(World& world, const WinchDef& def, const WinchIds& 
 void check_names(const World& world, const WinchDef& def) {
     const auto check = [&](const Driven& d) {
         if (world.find_input(def.name + d.name).valid())
-            refuse(def, "there is an input '" + def.name + d.name + "' already; rename one");
+            throw_def_error(def,
+                            "there is an input '" + def.name + d.name + "' already; rename one");
     };
     for (const Driven& d : kDriven) check(d);
     for (const Driven& d : of_gypsy(def)) check(d);
@@ -227,20 +234,21 @@ WinchIds define(World& world, const WinchDef& given_def) {
     WinchDef def = given_def;
     if (def.name.empty()) throw DefError("a winch needs a name");
     if (world.find_system(def.name) != nullptr)
-        refuse(def, "the name is in use; names must be unique");
+        throw_def_error(def, "the name is in use; names must be unique");
     check_numbers(def);
     wire::WinchWheel wheel;
     if (is_gypsy(def))
-        wheel.gypsy = wire::gypsy_of(def);
+        wheel.gypsy = wire::complete_gypsy(def);
     else
-        wheel.drum = drum_of(def);
-    if (!world.alive(def.wire)) refuse(def, "its wire is missing; give one");
+        wheel.drum = drum_geometry(def);
+    if (!world.alive(def.wire)) throw_def_error(def, "its wire is missing; give one");
     const Nonsmooth method = world.settings().nonsmooth;
     if (method == Nonsmooth::pgs || method == Nonsmooth::split)
-        refuse(def, "nonsmooth = pgs and split do not support loads of systems; choose newton");
+        throw_def_error(def,
+                        "nonsmooth = pgs and split do not support loads of systems; choose newton");
     check_names(world, def);
-    if (def.end != 0 && def.end != 1) refuse(def, "end must be 0, the first one, or 1");
-    def.element = element_of(world, def);
+    if (def.end != 0 && def.end != 1) throw_def_error(def, "end must be 0, the first one, or 1");
+    def.element = feed_element_length(world, def);
     WinchIds ids;
     const bool given = def.drum.valid();
     if (given) {

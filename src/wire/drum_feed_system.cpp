@@ -23,7 +23,7 @@ std::size_t DrumFeedSystem::node_slot(const World& world) const noexcept {
 }
 
 void DrumFeedSystem::visit_state(StateVisitor& v) {
-    if (!feeds()) return;
+    if (!makes_nodes()) return;
     v.visit(at_drum_);
     v.visit(angle_);
     v.visit(paid_);
@@ -38,7 +38,7 @@ void DrumFeedSystem::check_state(const World& world, StateRules& rules) const {
 }
 
 void DrumFeedSystem::signals(SignalTable& table) {
-    if (!feeds()) return;
+    if (!makes_nodes()) return;
     table.output("at_drum", "m", at_drum_);
     table.output("paid_out", "m", paid_);
 }
@@ -46,7 +46,7 @@ void DrumFeedSystem::signals(SignalTable& table) {
 void DrumFeedSystem::holds(HoldTable& table) const { table.hold(line_); }
 
 double DrumFeedSystem::paid_out(const World& world, InteractionId element) const noexcept {
-    if (element != line_ || !feeds() || !world.alive(line_)) return kDefault;
+    if (element != line_ || !makes_nodes() || !world.alive(line_)) return kDefault;
     const InteractionDef& line = world.interaction_def(line_);
     return line.get("radius") * (world.pose(line.body[2]).position.x() - start_);
 }
@@ -54,9 +54,9 @@ double DrumFeedSystem::paid_out(const World& world, InteractionId element) const
 /// Return the rest length at which hauling stops [m]. The swing of a load below the drum turns by
 /// at most hω = h √(g/l) = 0.1 rad per step at an amplitude of 1 rad. A shorter element would turn
 /// faster than a step follows, and its length would grow by (5/4)(hω)² l without a force.
-double DrumFeedSystem::least_length(const World& world, double length) const noexcept {
+double DrumFeedSystem::min_hauled_length(const World& world, double length) const noexcept {
     const double least = kLeastOfDrumElement * length;
-    if (!feeds()) return least;  // version 1 of scenes: one element, whose stop stays
+    if (!makes_nodes()) return least;  // version 1 of scenes: one element, whose stop stays
     constexpr double kMostTurn = 0.1, kMostOfElement = 0.25;
     const double way = world.settings().step / kMostTurn;
     const double swings = world.settings().gravity.norm() * way * way;
@@ -69,7 +69,7 @@ void DrumFeedSystem::stop_at_fairlead(Prestep& now, Loads& loads,
     const World& world = now.world;
     const BodyId drum = line.body[2];
     const double radius = line.get("radius"), length = line.get("length");
-    const double least = least_length(world, length);
+    const double least = min_hauled_length(world, length);
     const double rest = length + radius * (world.pose(drum).position.x() - line.get("drum_zero"));
     const double speed = radius * world.velocity(drum).linear.x();
     if (rest > least || speed >= 0.0) return;
@@ -81,16 +81,16 @@ void DrumFeedSystem::stop_at_fairlead(Prestep& now, Loads& loads,
 
 void DrumFeedSystem::before_step(NodeEdits& nodes) noexcept {
     const World& world = nodes.world;
-    if (!feeds() || !world.alive(line_) || !world.intact(line_)) return;
+    if (!makes_nodes() || !world.alive(line_) || !world.intact(line_)) return;
     const InteractionDef& line = world.interaction_def(line_);
     const double turned = world.pose(line.body[2]).position.x() - angle_;
     const double there = at_drum_ + line.get("radius") * turned;
     const std::size_t node = node_slot(world);
     const Feed feed{line_, node == 1, def_.element, def_.mass_per_length};
     if (there > kGrown * def_.element)
-        (void)put_node(nodes, feed, there, at_drum_);
+        (void)insert_feed_node(nodes, feed, there, at_drum_);
     else if (there < kShrunk * def_.element)
-        (void)take_node(nodes, feed, node, at_drum_);
+        (void)feed_in_node(nodes, feed, node, at_drum_);
 }
 
 void DrumFeedSystem::prestep(Prestep& now, Loads& loads) noexcept {
@@ -99,7 +99,7 @@ void DrumFeedSystem::prestep(Prestep& now, Loads& loads) noexcept {
     const InteractionDef& line = world.interaction_def(line_);
     const BodyId drum = line.body[2];
     const double radius = line.get("radius");
-    if (feeds()) {
+    if (makes_nodes()) {
         const double angle = world.pose(drum).position.x();
         at_drum_ += radius * (angle - angle_);
         angle_ = angle;

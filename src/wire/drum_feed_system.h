@@ -34,7 +34,7 @@ class DrumFeedSystem final : public System {
     void signals(SignalTable& table) override;
     void holds(HoldTable& table) const override;
     [[nodiscard]] double carried_mass(InteractionId element) const noexcept override {
-        return element == line_ && feeds() ? def_.mass_per_length * at_drum_ : 0.0;
+        return element == line_ && makes_nodes() ? def_.mass_per_length * at_drum_ : 0.0;
     }
     [[nodiscard]] double paid_out(const World& world,
                                   InteractionId element) const noexcept override;
@@ -43,9 +43,9 @@ class DrumFeedSystem final : public System {
     }
 
   private:
-    [[nodiscard]] bool feeds() const noexcept { return def_.element > 0.0; }
+    [[nodiscard]] bool makes_nodes() const noexcept { return def_.element > 0.0; }
     [[nodiscard]] std::size_t node_slot(const World& world) const noexcept;
-    [[nodiscard]] double least_length(const World& world, double length) const noexcept;
+    [[nodiscard]] double min_hauled_length(const World& world, double length) const noexcept;
     void stop_at_fairlead(Prestep& now, Loads& loads, const InteractionDef& line) noexcept;
 
     DrumFeedDef def_;

@@ -46,9 +46,9 @@ struct DrumGeometry {
     /// Return r_k of layer k, 1 the innermost [m].
     [[nodiscard]] double radius(int layer) const noexcept;
     /// Return the length of wire in K full layers, S(K) [m].
-    [[nodiscard]] double length_of(int layers) const noexcept;
+    [[nodiscard]] double length_in_layers(int layers) const noexcept;
     /// Return the length of wire that fits below the flange [m].
-    [[nodiscard]] double capacity() const noexcept { return length_of(layers()); }
+    [[nodiscard]] double capacity() const noexcept { return length_in_layers(layers()); }
 
     /// End of a length of wire on the drum.
     struct Place {
@@ -61,7 +61,7 @@ struct DrumGeometry {
     /// Find the end of a length of wire.
     /// @param length  [m]; negative lengths and NaN count as 0. Lengths beyond the capacity fill
     ///        further layers, up to kMaxLayers.
-    [[nodiscard]] Place place(double length) const noexcept;
+    [[nodiscard]] Place wire_end(double length) const noexcept;
     /// Return the radius at which the wire leaves the drum with a length on it [m].
     [[nodiscard]] double leaving_radius(double length) const noexcept;
     /// Return the angle by which the drum turns from empty to a length [rad].

@@ -50,7 +50,7 @@ void load_ends(const World& world, Loads& loads, InteractionId line, std::size_t
     }
 }
 
-Vec3 along_element(const World& world, InteractionId line, std::size_t node) {
+Vec3 element_chord(const World& world, InteractionId line, std::size_t node) {
     const std::array<Vec3, 2> ends = world.wires().ends(line);
     return ends[node] - ends[1 - node];
 }
@@ -60,7 +60,7 @@ void load_element(const World& world, Loads& loads, const ElementAtDrum& element
     const InteractionDef& line = world.interaction_def(element.line);
     const double half = 0.5 * element.mass_per_length * std::max(element.material, 0.0);
     const Vec3 weight = weight_at(world, element.line, node, half);
-    const Vec3 u = along_element(world, element.line, node).normalized();
+    const Vec3 u = element_chord(world, element.line, node).normalized();
     const BodyId fairlead = line.body[1 - node];
     load_ends(world, loads, element.line, node, half, weight,
               world.pose(fairlead).orientation * line.point[1 - node]);
@@ -69,7 +69,7 @@ void load_element(const World& world, Loads& loads, const ElementAtDrum& element
                    Eigen::Matrix<double, 1, 1>(half * element.radius * element.radius));
 }
 
-bool put_node(NodeEdits& nodes, const Feed& feed, double there, double& at) noexcept {
+bool insert_feed_node(NodeEdits& nodes, const Feed& feed, double there, double& at) noexcept {
     const double beyond = feed.element / there, fraction = feed.ahead ? 1.0 - beyond : beyond;
     const double mass = feed.mass_per_length * there;
     // Use the bits that the world uses.
@@ -79,7 +79,7 @@ bool put_node(NodeEdits& nodes, const Feed& feed, double there, double& at) noex
     return true;
 }
 
-bool take_node(NodeEdits& nodes, const Feed& feed, std::size_t node, double& at) noexcept {
+bool feed_in_node(NodeEdits& nodes, const Feed& feed, std::size_t node, double& at) noexcept {
     const World& world = nodes.world;
     const BodyId lump = world.interaction_def(feed.line).body[node];
     if (world.body_def(lump).kind != BodyKind::lump) return false;

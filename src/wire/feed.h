@@ -51,7 +51,7 @@ struct ElementAtDrum {
 void load_element(const World& world, Loads& loads, const ElementAtDrum& element, std::size_t node);
 
 /// Return the vector from the fairlead to the first node, world frame [m].
-[[nodiscard]] Vec3 along_element(const World& world, InteractionId line, std::size_t node);
+[[nodiscard]] Vec3 element_chord(const World& world, InteractionId line, std::size_t node);
 
 /// Data for inserting or removing a node.
 struct Feed {
@@ -64,11 +64,11 @@ struct Feed {
 /// Insert a node on the element.
 /// @param at  Material of the element [m]; the node reduces it.
 /// @return true if a node was inserted.
-bool put_node(NodeEdits& nodes, const Feed& feed, double there, double& at) noexcept;
+bool insert_feed_node(NodeEdits& nodes, const Feed& feed, double there, double& at) noexcept;
 
 /// Remove the node of the element; `at` grows by the material beyond it. Wire of another line type
 /// remains.
 /// @return true if the node was removed.
-bool take_node(NodeEdits& nodes, const Feed& feed, std::size_t node, double& at) noexcept;
+bool feed_in_node(NodeEdits& nodes, const Feed& feed, std::size_t node, double& at) noexcept;
 
 }  // namespace hawser::wire

@@ -22,7 +22,7 @@ std::unique_ptr<GuideSystem> bare_guide(GuideDef def) {
                                          std::array<double, 2>{});
 }
 
-std::unique_ptr<GuideSystem> lay_on_guide(NodeEdits& nodes, GuideDef def, double speed) {
+std::unique_ptr<GuideSystem> engage_guide(NodeEdits& nodes, GuideDef def, double speed) {
     const World& world = nodes.world;
     const InteractionDef element = world.interaction_def(def.element);
     const EndNodes had = end_nodes(world, element);
@@ -31,7 +31,7 @@ std::unique_ptr<GuideSystem> lay_on_guide(NodeEdits& nodes, GuideDef def, double
     if (!nodes.lay_over(def, speed, made, material)) return nullptr;
     const InputId stop = world.find_input(def.name + "/friction/force");
     const double whole = element.get("mass"),
-                 mass = whole - kept_by_nodes(had, end_nodes(world, element), whole);
+                 mass = whole - mass_kept_by_nodes(had, end_nodes(world, element), whole);
     const double scale = mass / (def.mass_per_length * (material[0] + material[1]));
     auto out = std::make_unique<GuideSystem>(
         std::move(def), made, stop,
@@ -40,8 +40,8 @@ std::unique_ptr<GuideSystem> lay_on_guide(NodeEdits& nodes, GuideDef def, double
     return out;
 }
 
-bool lift_off_guide(NodeEdits& nodes, const GuideSystem& guide, const InteractionDef& element,
-                    InteractionId* made) {
+bool disengage_guide(NodeEdits& nodes, const GuideSystem& guide, const InteractionDef& element,
+                     InteractionId* made) {
     const InteractionId whole = nodes.lift_off(guide.ids(), element);
     if (!whole.valid()) return false;
     if (made != nullptr) *made = whole;
@@ -54,16 +54,16 @@ bool lift_off_guide(NodeEdits& nodes, const GuideSystem& guide, const Interactio
     return true;
 }
 
-void GuideSystem::run_off(NodeEdits& nodes) noexcept {
+void GuideSystem::release_at_end(NodeEdits& nodes) noexcept {
     const World& world = nodes.world;
-    if (!whole(world)) return;
+    if (!parts_intact(world)) return;
     const auto ends = [&](std::size_t side) {
         const double length = def_.element_length > 0.0 ? length_[side] : material_[side];
         // The end of a fast wire may leave the wheel while its straight part still has length but
         // no material.
         const bool none_left =
             def_.element_length > 0.0 && !(material_[side] > 0.0) && runs_out(side);
-        return (none_left || nearly_used_up(world, side)) &&
+        return (none_left || is_nearly_used_up(world, side)) &&
                ends_free(world, element(side), side, def_.mass_per_length, length);
     };
     if (!ends(0) && !ends(1)) return;
@@ -73,7 +73,7 @@ void GuideSystem::run_off(NodeEdits& nodes) noexcept {
         def_.element_length > 0.0 && whole > lifted.get("length"))
         lifted.set("length", whole);
     parted_ = kRunsOff;  // the guide holds no wire any more
-    if (!lift_off_guide(nodes, *this, lifted)) {
+    if (!disengage_guide(nodes, *this, lifted)) {
         parted_ = 0;
         return;
     }

@@ -19,14 +19,14 @@ namespace hawser::wire {
 /// @param speed  Speed of the wire through the guide, from its first end [m/s].
 /// @return null if it was rejected and nothing has changed.
 /// @throws std::bad_alloc, but not again when the step is retried.
-[[nodiscard]] std::unique_ptr<GuideSystem> lay_on_guide(NodeEdits& nodes, GuideDef def,
+[[nodiscard]] std::unique_ptr<GuideSystem> engage_guide(NodeEdits& nodes, GuideDef def,
                                                         double speed);
 
 /// Join both parts to one element, lifted_element() (lift.h). Divide a long one by a node. The
 /// system of the guide must no longer refer to the parts.
 /// @param made  Out, unless null: the element.
 /// @return false if it was rejected.
-[[nodiscard]] bool lift_off_guide(NodeEdits& nodes, const GuideSystem& guide,
-                                  const InteractionDef& element, InteractionId* made = nullptr);
+[[nodiscard]] bool disengage_guide(NodeEdits& nodes, const GuideSystem& guide,
+                                   const InteractionDef& element, InteractionId* made = nullptr);
 
 }  // namespace hawser::wire

@@ -50,11 +50,11 @@ constexpr double kStops = 3.0;        ///< In a step of landing exp(−kStops) i
 /// Where a piece of a wire passes a wheel.
 struct Passing {
     InteractionId element{};
-    double fraction = 0.0;  ///< Position on the element, 0 to 1.
-    double gap = 1e300;     ///< Beyond the wheel's radius, outwards [m].
-    double rate = 0.0;      ///< Rate of the gap [m/s].
-    double length = 0.0;    ///< Length of the element [m].
-    double beside = 0.0;    ///< From the guide's point, along the axis [m].
+    double fraction = 0.0;      ///< Position on the element, 0 to 1.
+    double gap = 1e300;         ///< Beyond the wheel's radius, outwards [m].
+    double rate = 0.0;          ///< Rate of the gap [m/s].
+    double length = 0.0;        ///< Length of the element [m].
+    double axial_offset = 0.0;  ///< From the guide's point, along the axis [m].
 };
 
 /// The wheel of a guide in the world.
@@ -74,13 +74,13 @@ Vec3 speed_at_point(const World& world, BodyId body, const Vec3& place) {
     return twist.linear + twist.angular.cross(place - world.pose(body).position);
 }
 
-Wheel wheel_of(const World& world, const GuideDef& def) {
+Wheel guide_wheel(const World& world, const GuideDef& def) {
     const Vec3 centre = world.world_point(def.body, def.point);
     return {centre, world.pose(def.body).orientation * def.axis.normalized(),
             speed_at_point(world, def.body, centre), def.radius};
 }
 
-Piece piece_of(const World& world, InteractionId id) {
+Piece wire_piece_at(const World& world, InteractionId id) {
     const InteractionDef& d = world.interaction_def(id);
     const std::array<Vec3, 2> at = world.wires().ends(id);
     return {at, {speed_at_point(world, d.body[0], at[0]), speed_at_point(world, d.body[1], at[1])}};
@@ -107,7 +107,7 @@ Passing passing(const Piece& piece, const Wheel& wheel) {
             .gap = side * far - std::abs(wheel.radius),
             .rate = speed.dot(away),
             .length = d.norm(),
-            .beside = at.dot(wheel.axis)};
+            .axial_offset = at.dot(wheel.axis)};
 }
 
 /// Return the element of a wire that passes the wheel nearest, seen along its axis; invalid if
@@ -117,9 +117,9 @@ Passing nearest_passing(const World& world, const GuideDef& def, const Wheel& wh
     for (const InteractionId id : world.wires().elements(def.wire)) {
         if (!world.alive(id) || !world.intact(id)) continue;
         if (kind_info(world.interaction_def(id).kind).is(kWoundUp)) continue;
-        Passing one = passing(piece_of(world, id), wheel);
+        Passing one = passing(wire_piece_at(world, id), wheel);
         one.element = id;
-        if (std::abs(one.beside) > kBeside * std::abs(def.radius)) continue;
+        if (std::abs(one.axial_offset) > kBeside * std::abs(def.radius)) continue;
         const double radius = std::abs(wheel.radius);
         if (!best.element.valid() || std::abs(one.gap + radius) < std::abs(best.gap + radius))
             best = one;
@@ -128,20 +128,20 @@ Passing nearest_passing(const World& world, const GuideDef& def, const Wheel& wh
 }
 
 /// True if the wire has met the wheel in the last step, or lies inside its rim and moves deeper.
-bool meets(const Passing& at, double step) {
+bool wire_met_wheel(const Passing& at, double step) {
     if (!at.element.valid() || at.gap > 0.0 || !(at.rate < 0.0)) return false;
     return at.gap - step * at.rate > 0.0 || at.gap > -kDeep * at.length;
 }
 
 /// Return the straight piece of wire that results from removing the node between two elements.
 Piece without_node(const World& world, InteractionId before, InteractionId behind) {
-    const Piece first = piece_of(world, before), second = piece_of(world, behind);
+    const Piece first = wire_piece_at(world, before), second = wire_piece_at(world, behind);
     return {{first.at[0], second.at[1]}, {first.speed[0], second.speed[1]}};
 }
 
 /// Return the speed of the wire past the wheel, along the element [m/s].
 double speed_along(const World& world, const Passing& at, const Wheel& wheel) {
-    const Piece piece = piece_of(world, at.element);
+    const Piece piece = wire_piece_at(world, at.element);
     const Vec3 along = (piece.at[1] - piece.at[0]).normalized();
     return ((1.0 - at.fraction) * piece.speed[0] + at.fraction * piece.speed[1] - wheel.speed)
         .dot(along);
@@ -149,15 +149,15 @@ double speed_along(const World& world, const Passing& at, const Wheel& wheel) {
 
 }  // namespace
 
-void GuideSystem::lift(NodeEdits& nodes) noexcept {
+void GuideSystem::update_lift(NodeEdits& nodes) noexcept {
     const World& world = nodes.world;
-    if (parted_ != 0 || wait_ > 0 || !whole(world)) return;
+    if (parted_ != 0 || wait_ > 0 || !parts_intact(world)) return;
     if (!(angle_ < -kLetGo && pressing(world, kLetGo) < 0.0)) return;
     const double tension = std::max(tension_[0], tension_[1]);
     const InteractionDef element = lifted_element(world, *this, true);
     parted_ = kLifted;  // it holds nothing of the wire
     InteractionId made{};
-    if (!lift_off_guide(nodes, *this, element, &made)) {
+    if (!disengage_guide(nodes, *this, element, &made)) {
         parted_ = 0;
         return;
     }
@@ -169,12 +169,12 @@ void GuideSystem::lift(NodeEdits& nodes) noexcept {
     wait_ = 0;
 }
 
-void GuideSystem::come_back(NodeEdits& nodes) noexcept {
+void GuideSystem::return_to_wheel(NodeEdits& nodes) noexcept {
     const World& world = nodes.world;
     if (!world.alive(def_.wire)) return;
-    const Wheel wheel = wheel_of(world, def_);
+    const Wheel wheel = guide_wheel(world, def_);
     Passing at = nearest_passing(world, def_, wheel);
-    if (!meets(at, world.settings().step)) return;
+    if (!wire_met_wheel(at, world.settings().step)) return;
     const double length = world.wires().length(def_.wire);
     const bool first = at.fraction < kAtNode;
     if (first || at.fraction > 1.0 - kAtNode) {
@@ -195,7 +195,7 @@ void GuideSystem::come_back(NodeEdits& nodes) noexcept {
     // Rest length that removing the node took from the wire [m].
     const double kept = length - world.wires().length(def_.wire);
     try {
-        (void)lay_back(nodes, at.element, speed_along(world, at, wheel), kept);
+        (void)reengage(nodes, at.element, speed_along(world, at, wheel), kept);
     } catch (const std::bad_alloc&) {
         nodes.out_of_memory();
     } catch (const std::exception&) {
@@ -203,16 +203,16 @@ void GuideSystem::come_back(NodeEdits& nodes) noexcept {
     }
 }
 
-bool GuideSystem::lay_back(NodeEdits& nodes, InteractionId element, double along, double kept) {
+bool GuideSystem::reengage(NodeEdits& nodes, InteractionId element, double along, double kept) {
     GuideDef def = def_;
     def.element = element;
     def.slide = {};
-    // The parts have the length of their mass (lay_on()).
+    // The parts have the length of their mass (add_guide_parts()).
     const InteractionDef& whole = nodes.world.interaction_def(element);
     const double mass = whole.get("mass"), length = whole.get("length") + kept;
     def.mass_per_length = mass > 0.0 && length > 0.0 ? mass / length : kDefault;
     const double tension = nodes.world.force(element)[0];
-    const auto made = lay_on_guide(nodes, std::move(def), along);
+    const auto made = engage_guide(nodes, std::move(def), along);
     if (made == nullptr) return false;
     def_ = made->def_;
     ids_ = made->ids_;
@@ -230,10 +230,10 @@ bool GuideSystem::lay_back(NodeEdits& nodes, InteractionId element, double along
     return true;
 }
 
-void GuideSystem::land(const World& world, Loads& loads) noexcept {
+void GuideSystem::damp_landing(const World& world, Loads& loads) noexcept {
     if (def_.closed || wait_ <= 0 || parted_ != 0 || !(def_.mass_per_length > 0.0)) return;
     --wait_;
-    const Wheel wheel = wheel_of(world, def_);
+    const Wheel wheel = guide_wheel(world, def_);
     const double h = world.settings().step, tension = std::max(tension_[0], tension_[1]);
     const double reach = h * std::sqrt(tension / def_.mass_per_length);
     Vec3 along = Vec3::Zero();

@@ -16,7 +16,8 @@
 namespace hawser::wire {
 
 /// Return the line between the ends of the element, over the guide.
-inline RouteDef route_of(const GuideDef& def, const InteractionDef& element, double tension) {
+inline RouteDef route_over_guide(const GuideDef& def, const InteractionDef& element,
+                                 double tension) {
     RouteDef out;
     out.EA = element.get("EA");
     out.first = {.body = element.body[0], .point = element.point[0]};
@@ -36,20 +37,20 @@ inline RouteDef route_of(const GuideDef& def, const InteractionDef& element, dou
 
 /// Return the largest angle by which the wire turns on the guide: half a turn more than defined
 /// [rad].
-inline double most_angle(const GuideDef& def) {
+inline double max_turning_angle(const GuideDef& def) {
     const double half = std::acos(-1.0);
     return half * (1.0 + 1e-9) + 2.0 * half * def.turns;
 }
 
-/// Return the message for a wire that would turn by more than most_angle().
-inline std::string too_far_round(const GuideDef& def, const InteractionDef& element, double tension,
-                                 const RouteBodies& bodies, double angle) {
+/// Return the message for a wire that would turn by more than max_turning_angle().
+inline std::string turning_angle_error(const GuideDef& def, const InteractionDef& element,
+                                       double tension, const RouteBodies& bodies, double angle) {
     GuideDef other = def;
     other.radius = -def.radius;
     bool lies = false;
     try {
-        lies = plan_route(route_of(other, element, tension), bodies, std::array{BodyId{0}})
-                   .angles.front() <= most_angle(def);
+        lies = plan_route(route_over_guide(other, element, tension), bodies, std::array{BodyId{0}})
+                   .angles.front() <= max_turning_angle(def);
     } catch (const DefError&) {
         lies = false;
     }

@@ -14,7 +14,7 @@ namespace hawser::wire {
 GuideSystem::Sideways GuideSystem::slide_sideways(NodeEdits& nodes,
                                                   const std::array<double, 2>& room) noexcept {
     const World& world = nodes.world;
-    if (!whole(world) || !(tension_[0] > 0.0 && tension_[1] > 0.0)) return {};
+    if (!parts_intact(world) || !(tension_[0] > 0.0 && tension_[1] > 0.0)) return {};
     const InteractionDef& before = world.interaction_def(ids_.before);
     const Vec3 axis = world.pose(def_.body).orientation * (before.frame[1] * Vec3::UnitZ());
     const Vec3 centre = world.world_point(def_.body, def_.point);
@@ -32,18 +32,18 @@ GuideSystem::Sideways GuideSystem::slide_sideways(NodeEdits& nodes,
         parts.rest[side] = rest_length(world, id);
         parts.longer[side] = world.violation(id)[0];
     }
-    const double by = way_sideways(c, def_.friction * std::max(0.0, angle_));
+    const double by = sideways_displacement(c, def_.friction * std::max(0.0, angle_));
     if (by == 0.0) return {};
-    if (by < room[0] || by > room[1]) return {.by = 0.0, .off_end = true};
+    if (by < room[0] || by > room[1]) return {.by = 0.0, .reached_end = true};
     for (const std::size_t side : {0U, 1U})
         parts.changes[side] = std::hypot(c.across[side], c.along[side] - by) -
                               std::hypot(c.across[side], c.along[side]);
-    const double fed = fed_between(parts);
+    const double fed = length_to_feed(parts);
     if (!nodes.move_along(ids_, by, fed)) return {};
     def_.point = before.point[1];
     material_[0] += fed;
     material_[1] -= fed;
-    return {.by = by, .off_end = false};
+    return {.by = by, .reached_end = false};
 }
 
 }  // namespace hawser::wire

@@ -37,10 +37,10 @@ void GuideSystem::visit_state(StateVisitor& v) {
     v.visit(stopped_);
     if (def_.closed) return;
     v.visit(wait_);
-    visit_place(v);
+    visit_geometry(v);
 }
 
-void GuideSystem::visit_place(StateVisitor& v) {
+void GuideSystem::visit_geometry(StateVisitor& v) {
     const auto visit = [&v](auto& id) {
         v.visit(id.index);
         v.visit(id.generation);
@@ -61,7 +61,7 @@ void GuideSystem::check_state(const World& world, StateRules& rules) const {
     rules.range(slide_, -1e15, 1e15, "the slide of the guide is out of range");
     rules.range(angle_, -kMaxAngle, kMaxAngle, "the angle at the guide is out of range");
     rules.range(bound_, 0.0, kUnbounded, "the friction of the guide is out of range");
-    rules.require(parted_ >= 0 && parted_ <= (def_.closed ? kRanOff : kLifted),
+    rules.require(parted_ >= 0 && parted_ <= (def_.closed ? kReportedOff : kLifted),
                   "the guide has an invalid condition");
     if (!def_.closed) {
         rules.require(wait_ >= 0 && wait_ <= kMaxWait, "the wait of the guide is out of range");
@@ -71,7 +71,7 @@ void GuideSystem::check_state(const World& world, StateRules& rules) const {
 }
 
 void GuideSystem::check_position(const World& world, StateRules& rules) const {
-    if (ran_off()) return;  // nothing else is used
+    if (has_run_off()) return;  // nothing else is used
     const auto lies = [&](std::size_t side) {
         if (!world.alive(element(side))) return false;
         const InteractionDef& d = world.interaction_def(element(side));
@@ -106,7 +106,7 @@ void GuideSystem::signals(SignalTable& table) {
 
 void GuideSystem::holds(HoldTable& table) const {
     table.hold(def_.body);
-    if (ran_off()) return;
+    if (has_run_off()) return;
     table.hold(ids_.slide);
     for (const InteractionId id : {ids_.before, ids_.behind}) table.hold(id);
     table.hold(ids_.friction);
@@ -136,7 +136,7 @@ double GuideSystem::straight(const World& world, std::size_t side) const noexcep
 
 /// Sample the result of the last step before nodes are inserted or removed.
 void GuideSystem::sample(const World& world) noexcept {
-    if (ran_off()) {
+    if (has_run_off()) {
         tension_ = {};
         return;
     }
@@ -145,7 +145,7 @@ void GuideSystem::sample(const World& world) noexcept {
     const double before = speed_;
     speed_ = world.velocity(ids_.slide).linear.x();
     const double gained = (speed_ - before) / world.settings().step;
-    if (!whole(world)) parted_ = 1;
+    if (!parts_intact(world)) parted_ = 1;
     if (parted_ != 0) {
         tension_ = {};
         return;
@@ -193,7 +193,7 @@ double GuideSystem::pressing(const World& world, double slack) const noexcept {
 }
 
 /// Load the ends with the mass of the elements at the guide that no node carries.
-void GuideSystem::weigh(const World& world, Loads& loads) const noexcept {
+void GuideSystem::load_end_masses(const World& world, Loads& loads) const noexcept {
     if (!(def_.element_length > 0.0) || parted_ != 0) return;
     double moved = 0.0, pull = 0.0;
     for (std::size_t side = 0; side < 2; ++side) {
@@ -212,7 +212,7 @@ void GuideSystem::weigh(const World& world, Loads& loads) const noexcept {
     loads.add_mass(ids_.slide, Eigen::Matrix<double, 1, 1>(moved));
 }
 
-bool GuideSystem::nearly_used_up(const World& world, std::size_t side) const noexcept {
+bool GuideSystem::is_nearly_used_up(const World& world, std::size_t side) const noexcept {
     const double least = kMinimum * (def_.element_length > 0.0 ? length_[side] : 1.0) +
                          world.settings().step * std::abs(speed_);
     // At an angle below 0 the straight part is longer than the material.
@@ -222,7 +222,7 @@ bool GuideSystem::nearly_used_up(const World& world, std::size_t side) const noe
 /// Hold the slide at the end of a side until it is pulled the other way. If the wire has broken at
 /// the guide, it is held, because no force balances its other part.
 void GuideSystem::stop(Prestep& now) noexcept {
-    if (ran_off()) return;
+    if (has_run_off()) return;
     if (parted_ != 0) {
         if (bound_ != kUnbounded) now.set_input(stop_, kUnbounded);
         bound_ = kUnbounded;
@@ -235,7 +235,7 @@ void GuideSystem::stop(Prestep& now) noexcept {
         if (force * kSign[static_cast<std::size_t>(stopped_)] < 0.0) stopped_ = -1;
     }
     for (std::size_t side = 0; side < 2 && stopped_ < 0 && was < 0; ++side)
-        if (nearly_used_up(now.world, side)) stopped_ = static_cast<std::int32_t>(side);
+        if (is_nearly_used_up(now.world, side)) stopped_ = static_cast<std::int32_t>(side);
     // The weight at the guide adds to the pressure like the tensions of the elements.
     const double exponent = def_.friction * std::max(0.0, angle_) - std::log(def_.efficiency);
     const double least = std::tanh(0.5 * exponent) * std::max(0.0, hanging_);
@@ -247,32 +247,33 @@ void GuideSystem::stop(Prestep& now) noexcept {
 void GuideSystem::prestep(Prestep& now, Loads& loads) noexcept {
     if (parted_ == kRunsOff) {
         now.tell(EventKind::detach, def_.body, tension_[0]);
-        parted_ = kRanOff;
+        parted_ = kReportedOff;
     }
     stop(now);
-    weigh(now.world, loads);
-    land(now.world, loads);
+    load_end_masses(now.world, loads);
+    damp_landing(now.world, loads);
 }
 
 void GuideSystem::before_step(NodeEdits& nodes) noexcept {
     const World& world = nodes.world;
     sample(world);
-    if (lifted()) return come_back(nodes);
+    if (lifted()) return return_to_wheel(nodes);
     if (parted_ != 0) return;
     def_.wire = world.wires().of(ids_.before);  // a cut or splice may have changed the wire
     for (std::size_t side = 0; side < 2 && def_.element_length > 0.0; ++side) {
         const double out = straight(world, side), there = material_[side];
-        const double length = length_[side] = element_beside(world, def_, element(side), side, out);
+        const double length = length_[side] =
+            element_length_at_guide(world, def_, element(side), side, out);
         Feed feed{element(side), side == 1, def_.element_length, def_.mass_per_length};
         // If the next guide or bollard is near, the node is placed as near.
         if (length < def_.element_length) feed.element = std::max(length, there - length);
         if (out > kGrown * length && there > length)
-            (void)put_node(nodes, feed, there, material_[side]);
+            (void)insert_feed_node(nodes, feed, there, material_[side]);
         else if (out < kShrunk * length)
-            (void)take_node(nodes, feed, 1 - kPlace[side], material_[side]);
+            (void)feed_in_node(nodes, feed, 1 - kPlace[side], material_[side]);
     }
-    run_off(nodes);
-    if (!def_.closed) lift(nodes);
+    release_at_end(nodes);
+    if (!def_.closed) update_lift(nodes);
 }
 
 }  // namespace hawser::wire

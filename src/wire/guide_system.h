@@ -12,8 +12,8 @@
 /// straight part of length L to the node on each side decides when nodes are inserted or removed.
 /// Material on the wheel has no nodes.
 ///
-/// *Open guides* (GuideDef::closed) have the data of visit_place() in their state: after a wire has
-/// returned, its parts are new interactions.
+/// *Open guides* (GuideDef::closed) have the data of visit_geometry() in their state: after a wire
+/// has returned, its parts are new interactions.
 /// ```
 ///              a
 ///               \ L = √(d² − R²)         d from the axis to the node, square to the axis
@@ -40,8 +40,8 @@ class GuideSystem final : public System {
     GuideSystem(GuideDef def, const Guide& ids, InputId stop,
                 const std::array<double, 2>& material);
     /// Visit the data that vary for a guide of a bollard: the wire on it and its geometry.
-    void visit_place(StateVisitor& visitor);
-    /// Check the numbers of visit_place().
+    void visit_geometry(StateVisitor& visitor);
+    /// Check the numbers of visit_geometry().
     void check_position(const World& world, StateRules& rules) const;
     /// Start with the wire running through at a speed [m/s].
     void begin_at(double speed) noexcept { speed_ = speed; }
@@ -55,11 +55,11 @@ class GuideSystem final : public System {
     [[nodiscard]] double speed() const noexcept { return speed_; }
     /// True if the guide no longer acts: the wire has broken in it or run off.
     [[nodiscard]] bool parted() const noexcept { return parted_ != 0; }
-    [[nodiscard]] bool ran_off() const noexcept { return parted_ >= kRunsOff; }
+    [[nodiscard]] bool has_run_off() const noexcept { return parted_ >= kRunsOff; }
     /// True if the wire has left a guide without upper roller; it may return.
     [[nodiscard]] bool lifted() const noexcept { return parted_ == kLifted; }
     /// Return the side that is used up: 0 before it, 1 behind it; −1: none.
-    [[nodiscard]] int stopped() const noexcept { return stopped_; }
+    [[nodiscard]] int used_up_side() const noexcept { return stopped_; }
     /// Return the force by which the wire presses on the wheel, for small angles [N]: its tension
     /// times the angle, plus the weight of the half elements towards the wheel. Negative if the
     /// wheel would have to pull.
@@ -69,8 +69,8 @@ class GuideSystem final : public System {
     [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
     /// Result of slide_sideways().
     struct Sideways {
-        double by = 0.0;       ///< Displacement of the wire along the axis [m].
-        bool off_end = false;  ///< True if the wire would leave its range; it has not moved.
+        double by = 0.0;           ///< Displacement of the wire along the axis [m].
+        bool reached_end = false;  ///< True if the wire would leave its range; it has not moved.
     };
     /// Move the wire along the axis if it pulls by more than friction holds (sideways.h). Call
     /// after before_step().
@@ -92,7 +92,7 @@ class GuideSystem final : public System {
     [[nodiscard]] InteractionId element(std::size_t side) const noexcept {
         return side == 0 ? ids_.before : ids_.behind;
     }
-    [[nodiscard]] bool whole(const World& world) const noexcept {
+    [[nodiscard]] bool parts_intact(const World& world) const noexcept {
         return parted_ == 0 && world.intact(ids_.before) && world.intact(ids_.behind);
     }
     [[nodiscard]] double straight(const World& world, std::size_t side) const noexcept;
@@ -103,21 +103,21 @@ class GuideSystem final : public System {
         return (side == 0 ? -speed_ : speed_) < 0.0;
     }
     /// Return true if a side is nearly used up and still running out.
-    [[nodiscard]] bool nearly_used_up(const World& world, std::size_t side) const noexcept;
+    [[nodiscard]] bool is_nearly_used_up(const World& world, std::size_t side) const noexcept;
     /// Release a wire from the guide if its end has reached the turning point.
-    void run_off(NodeEdits& nodes) noexcept;
+    void release_at_end(NodeEdits& nodes) noexcept;
     /// Release a wire that would pull at a guide without upper roller, and accept one that returns
     /// (guide_open.cpp).
-    void lift(NodeEdits& nodes) noexcept;
-    void come_back(NodeEdits& nodes) noexcept;
+    void update_lift(NodeEdits& nodes) noexcept;
+    void return_to_wheel(NodeEdits& nodes) noexcept;
     /// Lay the wire back on the guide. @param along  Speed of the wire [m/s]. @param kept  Rest
     /// length next to the element's [m].
-    bool lay_back(NodeEdits& nodes, InteractionId element, double along, double kept);
+    bool reengage(NodeEdits& nodes, InteractionId element, double along, double kept);
     /// Damp a wire that lands on an open guide, in steps that do not resolve the landing.
-    void land(const World& world, Loads& loads) noexcept;
+    void damp_landing(const World& world, Loads& loads) noexcept;
     void stop(Prestep& now) noexcept;
     void sample(const World& world) noexcept;
-    void weigh(const World& world, Loads& loads) const noexcept;
+    void load_end_masses(const World& world, Loads& loads) const noexcept;
 
     GuideDef def_;
     Guide ids_;
@@ -126,9 +126,10 @@ class GuideSystem final : public System {
     std::array<double, 2> material_;
     double slide_ = 0.0;
     double bound_ = 0.0;  ///< Bound of its friction in addition to the elements' tensions [N].
-    /// 1: the wire has broken in it. kRunsOff: it has run off, to be reported. kRanOff: reported.
+    /// 1: the wire has broken in it. kRunsOff: it has run off, to be reported. kReportedOff:
+    /// reported.
     std::int32_t parted_ = 0;
-    static constexpr std::int32_t kRunsOff = 2, kRanOff = 3;
+    static constexpr std::int32_t kRunsOff = 2, kReportedOff = 3;
     static constexpr std::int32_t kLifted = 4;  ///< State of an open guide without a wire.
     std::int32_t wait_ = 0;                     ///< Steps of landing that are left.
     std::int32_t stopped_ = -1;                 ///< Side that has nothing left to run, −1: none.

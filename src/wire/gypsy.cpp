@@ -21,18 +21,21 @@ double GypsyChain::sample(double separation, double rate, double torque, double 
     grip_ = -torque / wheel_.radius;
     pull_ = pull;
     caught_ = 0;
-    way_ = jumped_ - seat_ * wheel_.pocket;
+    pocket_distance_ = jumped_ - seat_ * wheel_.pocket;
     double load = 0.0;
     if (jumping_ == 0) {
         const bool gave_way = std::abs(grip_) >= wheel_.jump_load * (1.0 - kNear) &&
-                              std::abs(way_) > kInPocket * wheel_.pocket && way_ * grip_ > 0.0;
+                              std::abs(pocket_distance_) > kInPocket * wheel_.pocket &&
+                              pocket_distance_ * grip_ > 0.0;
         if (!gave_way) return 0.0;
         jumping_ = 1;
         count_ += 1.0;
-        if (way_ < 0.0) seat_ -= 1.0;
+        if (pocket_distance_ < 0.0) seat_ -= 1.0;
         load = std::abs(grip_);
-    } else if (way_ >= (1.0 - kInPocket) * wheel_.pocket || way_ <= kInPocket * wheel_.pocket) {
-        const bool out = way_ > 0.5 * wheel_.pocket, stays = std::abs(pull_) <= wheel_.jump_load;
+    } else if (pocket_distance_ >= (1.0 - kInPocket) * wheel_.pocket ||
+               pocket_distance_ <= kInPocket * wheel_.pocket) {
+        const bool out = pocket_distance_ > 0.5 * wheel_.pocket,
+                   stays = std::abs(pull_) <= wheel_.jump_load;
         if (out) seat_ += 1.0;
         if (stays) {
             jumping_ = 0;
@@ -43,7 +46,7 @@ double GypsyChain::sample(double separation, double rate, double torque, double 
             load = std::abs(pull_);
         }
     }
-    way_ = jumped_ - seat_ * wheel_.pocket;
+    pocket_distance_ = jumped_ - seat_ * wheel_.pocket;
     return load;
 }
 
@@ -53,20 +56,21 @@ GripOrder GypsyChain::order(double h) const noexcept {
     if (jumping_ == 0) {
         const double bound = caught_ != 0 ? kUnbounded : most(wheel_.jump_load);
         // Return to the middle of the pocket, against rounding and compliance.
-        return {-way_ / (h * r), -bound, bound};
+        return {-pocket_distance_ / (h * r), -bound, bound};
     }
     const double rubs = most(wheel_.jump_friction);
-    const double ahead = way_ + kAhead * h * (rate_ + gained_);
+    const double ahead = pocket_distance_ + kAhead * h * (rate_ + gained_);
     if (std::abs(pull_) <= wheel_.jump_load) {
         if (rate_ > 0.0 && ahead >= wheel_.pocket)
-            return {(wheel_.pocket - way_) / (h * r), -kUnbounded, -rubs};
-        if (rate_ < 0.0 && ahead <= 0.0) return {-way_ / (h * r), rubs, kUnbounded};
+            return {(wheel_.pocket - pocket_distance_) / (h * r), -kUnbounded, -rubs};
+        if (rate_ < 0.0 && ahead <= 0.0) return {-pocket_distance_ / (h * r), rubs, kUnbounded};
     }
     return {0.0, -rubs, rubs};
 }
 
 void GypsyChain::visit_state(StateVisitor& v) {
-    for (double* x : {&seat_, &way_, &rate_, &gained_, &pull_, &count_, &jumped_, &grip_, &tail_})
+    for (double* x :
+         {&seat_, &pocket_distance_, &rate_, &gained_, &pull_, &count_, &jumped_, &grip_, &tail_})
         v.visit(*x);
     for (std::int32_t* x : {&jumping_, &caught_}) v.visit(*x);
 }

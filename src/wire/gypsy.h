@@ -72,14 +72,14 @@ class GypsyChain {
     void visit_state(StateVisitor& v);
     void check_state(StateRules& rules) const;
     void signals(SignalTable& table);
-    void feel_tail(double tail) noexcept { tail_ = tail; }
+    void set_tail_tension(double tail) noexcept { tail_ = tail; }
     [[nodiscard]] double tail() const noexcept { return tail_; }
 
   private:
     GypsyWheel wheel_;
     double seat_ = 0.0;  ///< Pocket that it is in, or behind [pockets].
     /// Distance and speed from there [m, m/s], and the change of speed in the last step.
-    double way_ = 0.0, rate_ = 0.0, gained_ = 0.0;
+    double pocket_distance_ = 0.0, rate_ = 0.0, gained_ = 0.0;
     double pull_ = 0.0;
     double count_ = 0.0, jumped_ = 0.0, grip_ = 0.0, tail_ = 0.0;  ///< Outputs.
     std::int32_t jumping_ = 0, caught_ = 0;

@@ -21,21 +21,21 @@ class Hanging {
         : chain_(chain),
           x_(x),
           z_(z),
-          small_(rounding(chain, std::hypot(x, z))),
+          rounding_(rounding(chain, std::hypot(x, z))),
           compliance_(std::accumulate(chain.compliance.begin(), chain.compliance.end(), 0.0)) {
         double v = 0.0;
         for (std::size_t e = 0; e < chain.elements(); ++e) {
             rise_.push_back(v += chain.weight[e]);
-            least_ = std::min(least_, v);
-            most_ = std::max(most_, v);
+            lower_bound_ = std::min(lower_bound_, v);
+            upper_bound_ = std::max(upper_bound_, v);
         }
         const double stretch = std::hypot(x, z) - chain.total_length();
-        force_ = most_ - least_ + std::max(stretch, 0.0) / compliance_;
+        force_ = upper_bound_ - lower_bound_ + std::max(stretch, 0.0) / compliance_;
         if (!(force_ > 0.0)) force_ = 1e-9 * chain.total_length() / compliance_;
     }
 
     Plane solve() {
-        v_ = -0.5 * (most_ + least_);
+        v_ = -0.5 * (upper_bound_ + lower_bound_);
         match_rise(0.0);
         rebase();
         const Plane still = without_pull();
@@ -44,10 +44,11 @@ class Hanging {
     }
 
   private:
-    Sums add_up(double h, double v) const {
+    Sums sum_elements(double h, double v) const {
         Sums out;
         for (std::size_t e = 0; e < chain_.elements(); ++e) {
-            const Pulled p = pulled(chain_.length[e], chain_.compliance[e], h, v + rise_[e]);
+            const Pulled p =
+                stretched_element(chain_.length[e], chain_.compliance[e], h, v + rise_[e]);
             out.x += p.x;
             out.z += p.z;
             out.x_h += p.x_h;
@@ -72,14 +73,14 @@ class Hanging {
     double match_rise(double h) {
         double step = force_;
         double low = v_ - step, high = v_ + step;
-        for (; add_up(h, low).z > z_; step *= 4.0) low -= step;
-        for (step = force_; add_up(h, high).z < z_; step *= 4.0) high += step;
+        for (; sum_elements(h, low).z > z_; step *= 4.0) low -= step;
+        for (step = force_; sum_elements(h, high).z < z_; step *= 4.0) high += step;
         v_ = growing_root(
             [&](double v) {
-                const Sums s = add_up(h, v);
+                const Sums s = sum_elements(h, v);
                 return Growing{s.z - z_, s.z_v};
             },
-            low, high, v_, small_, false);
+            low, high, v_, rounding_, false);
         return v_;
     }
 
@@ -92,7 +93,7 @@ class Hanging {
         double slack = 0.0, rise = z_;
         for (std::size_t e = 0; e < chain_.elements(); ++e) {
             const double v = v0 + rise_[e];
-            Pulled p = pulled(chain_.length[e], chain_.compliance[e], 0.0, v);
+            Pulled p = stretched_element(chain_.length[e], chain_.compliance[e], 0.0, v);
             if (std::abs(v) <= none) {
                 p = {};
                 slack += chain_.length[e];
@@ -112,16 +113,17 @@ class Hanging {
 
     Plane with_pull() {
         const auto miss = [&](double h) {
-            const Sums s = add_up(h, match_rise(h));
+            const Sums s = sum_elements(h, match_rise(h));
             return Growing{s.x - x_, s.x_h - s.x_v * s.x_v / s.z_v};
         };
         double low = 0.0, high = force_;
         for (; miss(high).value < 0.0; high *= 4.0) low = high;
-        const double h = growing_root(miss, low, high, high, 4.0 * small_, true);
+        const double h = growing_root(miss, low, high, high, 4.0 * rounding_, true);
         const double v = match_rise(h);
         Plane out;
         for (std::size_t e = 0; e < chain_.elements(); ++e) {
-            const Pulled p = pulled(chain_.length[e], chain_.compliance[e], h, v + rise_[e]);
+            const Pulled p =
+                stretched_element(chain_.length[e], chain_.compliance[e], h, v + rise_[e]);
             out.chord.emplace_back(p.x, 0.0, p.z);
             out.tension.push_back(p.tension);
         }
@@ -129,11 +131,12 @@ class Hanging {
     }
 
     const Chain& chain_;
-    double x_, z_, small_, compliance_;
-    std::vector<double> rise_;         ///< Σ w up to each element, from a base element [N].
-    double least_ = 0.0, most_ = 0.0;  ///< Bounds of the sum from the first element [N].
-    double force_ = 0.0;               ///< Scale of its pulls [N].
-    double v_ = 0.0;                   ///< Last vertical pull found, the start of the next search.
+    double x_, z_, rounding_, compliance_;
+    std::vector<double> rise_;  ///< Σ w up to each element, from a base element [N].
+    double lower_bound_ = 0.0,
+           upper_bound_ = 0.0;  ///< Bounds of the sum from the first element [N].
+    double force_ = 0.0;        ///< Scale of its pulls [N].
+    double v_ = 0.0;            ///< Last vertical pull found, the start of the next search.
     bool done_ = false;
 };
 
@@ -148,7 +151,7 @@ Plane hang_down(const Chain& chain) {
     out.tension.resize(n);
     double v = -chain.half_last;
     for (std::size_t e = n; e-- > 0;) {
-        const Pulled p = pulled(chain.length[e], chain.compliance[e], 0.0, v);
+        const Pulled p = stretched_element(chain.length[e], chain.compliance[e], 0.0, v);
         out.slack = out.slack || !(p.tension > 0.0);
         out.chord[e] = p.tension > 0.0 ? Vec3(0.0, 0.0, p.z) : Vec3(0.0, 0.0, -chain.length[e]);
         out.tension[e] = p.tension;

@@ -18,7 +18,7 @@ struct EndNodes {
 /// Return the mass that nodes kept of their halves of an element that was laid over a guide between
 /// two of them [kg].
 /// @param mass  Mass of the element [kg].
-[[nodiscard]] double kept_by_nodes(const EndNodes& before, const EndNodes& after, double mass);
+[[nodiscard]] double mass_kept_by_nodes(const EndNodes& before, const EndNodes& after, double mass);
 
 /// Create slide, parts and friction of a guide, all or nothing, except if memory is exhausted.
 /// @param def  Receives the values that were left to defaults.
@@ -28,8 +28,8 @@ struct EndNodes {
 /// guide, the parts have the rest length of their mass at def.mass_per_length; on other guides, the
 /// length that preserves the tension.
 /// @throws DefError
-[[nodiscard]] Guide lay_on(World& world, GuideDef& def, double speed,
-                           std::array<double, 2>& material, bool drawn = false);
+[[nodiscard]] Guide add_guide_parts(World& world, GuideDef& def, double speed,
+                                    std::array<double, 2>& material, bool drawn = false);
 /// Add the input of its friction force in addition to that of the angle.
 InputId add_stop(World& world, const GuideDef& def, const Guide& guide);
 

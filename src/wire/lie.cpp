@@ -11,8 +11,8 @@
 namespace hawser::wire {
 namespace {
 
-/// An element that rises by `sunk` and pulls by h along the bottom: its horizontal reach and its
-/// tension.
+/// An element that rises by `rise_to_bottom` and pulls by h along the bottom: its horizontal reach
+/// and its tension.
 struct Rising {
     double x = 0.0, tension = 0.0;
     Rising(double length, double compliance, double h, double sunk) : tension(h) {
@@ -37,65 +37,69 @@ class Laid {
           friction_(friction),
           lifted_first_(first > 0.0),
           lifted_last_(last > 0.0),
-          sunk_first_(std::max(0.0, -first)),
-          sunk_last_(std::max(0.0, -last)),
-          a_(chain_, std::max(0.0, first), last < 0.0 ? 1 : 0),
-          b_(mirrored_, std::max(0.0, last), first < 0.0 ? 1 : 0),
+          first_end_depth_(std::max(0.0, -first)),
+          last_end_depth_(std::max(0.0, -last)),
+          first_lifted_(chain_, std::max(0.0, first), last < 0.0 ? 1 : 0),
+          last_lifted_(mirrored_, std::max(0.0, last), first < 0.0 ? 1 : 0),
           weight_(chain.total_weight()),
-          small_(4.0 * rounding(chain, x)) {}
+          rounding_(4.0 * rounding(chain, x)) {}
 
     std::optional<Plane> solve() {
-        if (a_.dropped().v + b_.dropped().v > weight_ || a_.off_bottom() + b_.off_bottom() > n_)
+        if (first_lifted_.dropped().v + last_lifted_.dropped().v > weight_ ||
+            first_lifted_.elements_off_bottom() + last_lifted_.elements_off_bottom() > n_)
             return {};
-        double reach = a_.dropped().lean + b_.dropped().lean;
-        for (std::size_t e = a_.off_bottom(); e < n_ - b_.off_bottom(); ++e)
-            reach += lying(e, 0.0).x;
-        return x_ <= reach ? without_pull() : with_pull();
+        double reach = first_lifted_.dropped().lean + last_lifted_.dropped().lean;
+        for (std::size_t e = first_lifted_.elements_off_bottom();
+             e < n_ - last_lifted_.elements_off_bottom(); ++e)
+            reach += lying_element(e, 0.0).x;
+        return x_ <= reach ? shape_without_pull() : shape_with_pull();
     }
 
   private:
     /// Return the height by which an element rises to the bottom or descends from it [m].
-    [[nodiscard]] double sunk(std::size_t e) const {
-        return e == 0 ? sunk_first_ : e + 1 == n_ ? sunk_last_ : 0.0;
+    [[nodiscard]] double rise_to_bottom(std::size_t e) const {
+        return e == 0 ? first_end_depth_ : e + 1 == n_ ? last_end_depth_ : 0.0;
     }
     /// Return element e on the bottom, under the horizontal force h.
-    [[nodiscard]] Rising lying(std::size_t e, double h) const {
-        return {chain_.length[e], chain_.compliance[e], h, sunk(e)};
+    [[nodiscard]] Rising lying_element(std::size_t e, double h) const {
+        return {chain_.length[e], chain_.compliance[e], h, rise_to_bottom(e)};
     }
     /// Append the chord and tension of an element that lies on the ground.
-    void append_lying(Plane& out, std::size_t e, const Vec3& chord, double tension) const {
-        const double up = e == 0 ? sunk_first_ : e + 1 == n_ ? -sunk_last_ : 0.0;
+    void append_lying_element(Plane& out, std::size_t e, const Vec3& chord, double tension) const {
+        const double up = e == 0 ? first_end_depth_ : e + 1 == n_ ? -last_end_depth_ : 0.0;
         out.chord.emplace_back(chord + up * Vec3::UnitZ());
         out.tension.push_back(tension);
     }
     void note_laid(Plane& out, std::size_t first, std::size_t last) const {
         // An end within rounding of the bottom is on it.
         const double digits = 1e-9 * chain_.total_length();
-        out.laid_first = first == 0 && sunk_first_ > digits ? 1 : first;
-        out.laid_last = last == n_ && sunk_last_ > digits ? n_ - 1 : last;
+        out.laid_first = first == 0 && first_end_depth_ > digits ? 1 : first;
+        out.laid_last = last == n_ && last_end_depth_ > digits ? n_ - 1 : last;
     }
 
     /// Return the shape without pull: both ends drop straight down, the part on the bottom has no
     /// tension, and an arc takes up excess length.
-    Plane without_pull() const {
+    Plane shape_without_pull() const {
         Plane out;
         out.slack = true;
-        double lean_a = a_.dropped().lean, lean_b = b_.dropped().lean;
-        const std::size_t first = a_.off_bottom(), end = n_ - b_.off_bottom();
+        double lean_a = first_lifted_.dropped().lean, lean_b = last_lifted_.dropped().lean;
+        const std::size_t first = first_lifted_.elements_off_bottom(),
+                          end = n_ - last_lifted_.elements_off_bottom();
         const double most = first == end ? x_ : std::min(x_, lean_a + lean_b);
         if (lean_a + lean_b > 0.0) {
             const double scale = most / (lean_a + lean_b);
             lean_a *= scale;
             lean_b *= scale;
         }
-        a_.write_dropped(lean_a, out.chord, out.tension);
+        first_lifted_.write_dropped(lean_a, out.chord, out.tension);
         std::vector<double> reach;
-        for (std::size_t e = first; e < end; ++e) reach.push_back(lying(e, 0.0).x);
+        for (std::size_t e = first; e < end; ++e) reach.push_back(lying_element(e, 0.0).x);
         const auto lies = arc(reach, std::max(0.0, x_ - lean_a - lean_b));
-        for (std::size_t e = first; e < end; ++e) append_lying(out, e, lies[e - first], 0.0);
+        for (std::size_t e = first; e < end; ++e)
+            append_lying_element(out, e, lies[e - first], 0.0);
         std::vector<Vec3> chord;
         std::vector<double> tension;
-        b_.write_dropped(lean_b, chord, tension);
+        last_lifted_.write_dropped(lean_b, chord, tension);
         append_mirrored(out, chord, tension);
         note_laid(out, first, end);
         return out;
@@ -111,16 +115,16 @@ class Laid {
 
     /// Compute the tension of elements a to n − b on the bottom, under the pull h of the lifted
     /// parts.
-    std::vector<double> along_bottom(double h, std::size_t a, std::size_t b, double va,
-                                     double vb) const {
+    std::vector<double> bottom_tensions(double h, std::size_t a, std::size_t b, double va,
+                                        double vb) const {
         const std::size_t count = n_ - a - b;
         std::vector<double> out(count, h);
         if (!(friction_ > 0.0) || (!lifted_first_ && !lifted_last_)) return out;
         // Load on the bottom: the two nodes at its ends are partly lifted.
         const auto carried = [&](std::size_t node) {
             double w = chain_.weight[node];
-            if (node == a && a > 0) w -= a_.pull_at(a - 1, va);
-            if (node == n_ - b && b > 0) w -= b_.pull_at(b - 1, vb);
+            if (node == a && a > 0) w -= first_lifted_.pull_at(a - 1, va);
+            if (node == n_ - b && b > 0) w -= last_lifted_.pull_at(b - 1, vb);
             return std::max(0.0, w);
         };
         std::vector<double> from_first(count, 0.0), from_last(count, 0.0);
@@ -139,52 +143,54 @@ class Laid {
 
     /// Return true if the lifted parts carry more than the total weight.
     [[nodiscard]] bool overlap(double va, double vb) const {
-        return va + a_.base() + vb + b_.base() > weight_;
+        return va + first_lifted_.base() + vb + last_lifted_.base() > weight_;
     }
 
-    Growing miss(double h) {
-        const double va = a_.match_height(h), vb = b_.match_height(h);
+    Growing horizontal_mismatch(double h) {
+        const double va = first_lifted_.match_height(h), vb = last_lifted_.match_height(h);
         if (overlap(va, vb)) return {0.0, 0.0, true};
-        const Lifted::Sums a = a_.add_up(h, va), b = b_.add_up(h, vb);
+        const Lifted::Sums a = first_lifted_.sum_elements(h, va),
+                           b = last_lifted_.sum_elements(h, vb);
         if (a.count + b.count > n_) return {0.0, 0.0, true};
         double x = a.x + b.x, slope = 0.0;
         for (const auto& s : {a, b})
             if (s.z_v > 0.0) slope += s.x_h - s.x_v * s.x_v / s.z_v;
-        const auto tension = along_bottom(h, a.count, b.count, va, vb);
+        const auto tension = bottom_tensions(h, a.count, b.count, va, vb);
         for (std::size_t i = 0; i < tension.size(); ++i) {
-            x += lying(a.count + i, tension[i]).x;
+            x += lying_element(a.count + i, tension[i]).x;
             if (tension[i] > 0.0) slope += chain_.compliance[a.count + i];
         }
         return {x - x_, slope, false};
     }
 
-    std::optional<Plane> with_pull() {
+    std::optional<Plane> shape_with_pull() {
         const double c = std::accumulate(chain_.compliance.begin(), chain_.compliance.end(), 0.0);
         double low = 0.0;
         double high = std::max(weight_, std::max(0.0, x_ - chain_.total_length()) / c);
         if (!(high > 0.0)) high = 1e-9 * chain_.total_length() / c;
         for (int i = 0; i < 600; ++i, high *= 2.0) {
-            const Growing g = miss(high);
+            const Growing g = horizontal_mismatch(high);
             if (g.above || g.value >= 0.0) break;
             low = high;
         }
-        const double h =
-            growing_root([&](double at) { return miss(at); }, low, high, high, small_, true);
+        const double h = growing_root([&](double at) { return horizontal_mismatch(at); }, low, high,
+                                      high, rounding_, true);
         // If it lifts before it spans the distance there is no root.
-        if (const Growing g = miss(h); g.above || std::abs(g.value) > 1e-9 * (x_ + chain_.s.back()))
+        if (const Growing g = horizontal_mismatch(h);
+            g.above || std::abs(g.value) > 1e-9 * (x_ + chain_.s.back()))
             return {};
-        const double va = a_.match_height(h), vb = b_.match_height(h);
+        const double va = first_lifted_.match_height(h), vb = last_lifted_.match_height(h);
         Plane out;
         std::vector<Vec3> chord;
         std::vector<double> tension;
-        a_.write(h, va, out.chord, out.tension);
-        b_.write(h, vb, chord, tension);
+        first_lifted_.write(h, va, out.chord, out.tension);
+        last_lifted_.write(h, vb, chord, tension);
         const std::size_t first = out.chord.size(), end = n_ - chord.size();
         note_laid(out, first, end);
-        const auto lies = along_bottom(h, first, chord.size(), va, vb);
+        const auto lies = bottom_tensions(h, first, chord.size(), va, vb);
         for (std::size_t e = first; e < end; ++e) {
-            const Rising r = lying(e, lies[e - first]);
-            append_lying(out, e, Vec3(r.x, 0.0, 0.0), r.tension);
+            const Rising r = lying_element(e, lies[e - first]);
+            append_lying_element(out, e, Vec3(r.x, 0.0, 0.0), r.tension);
         }
         append_mirrored(out, chord, tension);
         return out;
@@ -195,9 +201,9 @@ class Laid {
     std::size_t n_;
     double x_, friction_;
     bool lifted_first_, lifted_last_;
-    double sunk_first_, sunk_last_;  ///< Depth of the ends under the bottom [m].
-    Lifted a_, b_;
-    double weight_, small_;
+    double first_end_depth_, last_end_depth_;  ///< Depth of the ends under the bottom [m].
+    Lifted first_lifted_, last_lifted_;
+    double weight_, rounding_;
 };
 
 bool floats(const Chain& chain) {
@@ -206,18 +212,19 @@ bool floats(const Chain& chain) {
 
 }  // namespace
 
-std::optional<Plane> lie_between(const Chain& chain, double x, double first, double last,
-                                 double friction) {
+std::optional<Plane> rest_between(const Chain& chain, double x, double first, double last,
+                                  double friction) {
     if (floats(chain)) return {};
     return Laid(chain, x, first, last, friction).solve();
 }
 
-std::optional<Plane> lie_free(const Chain& chain, double first) {
+std::optional<Plane> rest_with_free_end(const Chain& chain, double first) {
     if (floats(chain) || chain.half_last < 0.0) return {};
     Chain whole = chain;  // the free node lies like any other
     whole.weight.back() = chain.half_last;
     const Lifted side(whole, first, 0);
-    if (side.off_bottom() > chain.elements() || side.dropped().v > whole.total_weight()) return {};
+    if (side.elements_off_bottom() > chain.elements() || side.dropped().v > whole.total_weight())
+        return {};
     Plane out;
     out.slack = true;
     side.write_dropped(side.dropped().lean, out.chord, out.tension);
@@ -225,7 +232,7 @@ std::optional<Plane> lie_free(const Chain& chain, double first) {
         out.chord.emplace_back(chain.length[e], 0.0, 0.0);
         out.tension.push_back(0.0);
     }
-    out.laid_first = side.off_bottom();
+    out.laid_first = side.elements_off_bottom();
     out.laid_last = chain.elements();
     return out;
 }

@@ -25,9 +25,9 @@ namespace hawser::wire {
 /// heights are smaller than the element at that end.
 /// @param friction  Coefficient.
 /// @return none if the wire does not reach the bottom or a weight is negative.
-[[nodiscard]] std::optional<Plane> lie_between(const Chain& chain, double x, double first,
-                                               double last, double friction);
+[[nodiscard]] std::optional<Plane> rest_between(const Chain& chain, double x, double first,
+                                                double last, double friction);
 /// Find the shape from an end at height `first` with the other end free; none as above.
-[[nodiscard]] std::optional<Plane> lie_free(const Chain& chain, double first);
+[[nodiscard]] std::optional<Plane> rest_with_free_end(const Chain& chain, double first);
 
 }  // namespace hawser::wire

@@ -27,7 +27,7 @@ bool holds_only(const World& world, BodyId lump, InteractionId a, InteractionId 
 
 /// Return the next element of the wire away from a guide; invalid if there is none or it has
 /// broken.
-InteractionId next_to_end(const World& world, InteractionId element, std::size_t side) {
+InteractionId next_element(const World& world, InteractionId element, std::size_t side) {
     const auto elements = world.wires().elements(world.wires().of(element));
     const auto at = std::find(elements.begin(), elements.end(), element);
     if (at == elements.end() || at == (side == 0 ? elements.begin() : elements.end() - 1))
@@ -82,10 +82,10 @@ bool ends_free(const World& world, InteractionId part, std::size_t side, double 
     };
     if (!world.wires().of(part).valid()) return false;
     const BodyId lump = world.interaction_def(part).body[side];
-    const InteractionId next = next_to_end(world, part, side);
+    const InteractionId next = next_element(world, part, side);
     if (!next.valid()) return free(lump, part, {});
     const InteractionDef& d = world.interaction_def(next);
-    if (kind_info(d.kind).is(kWoundUp) || next_to_end(world, next, side).valid()) return false;
+    if (kind_info(d.kind).is(kWoundUp) || next_element(world, next, side).valid()) return false;
     return world.body_def(lump).kind == BodyKind::lump && holds_only(world, lump, part, next) &&
            free(d.body[side], next, {});
 }

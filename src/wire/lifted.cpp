@@ -8,12 +8,12 @@
 
 namespace hawser::wire {
 
-Lifted::Sums Lifted::add_up(double h, double v) const {
+Lifted::Sums Lifted::sum_elements(double h, double v) const {
     Sums out;
     for (std::size_t e = 0; e < chain_.elements(); ++e) {
         const double up = v + fall_[e];
         if (!(up > 0.0)) break;
-        const Pulled p = pulled(chain_.length[e], chain_.compliance[e], h, up);
+        const Pulled p = stretched_element(chain_.length[e], chain_.compliance[e], h, up);
         out.z += p.z;
         out.x += p.x;
         out.x_h += p.x_h;
@@ -27,16 +27,16 @@ Lifted::Sums Lifted::add_up(double h, double v) const {
 double Lifted::match_height(double h) {
     if (!(height_ > 0.0)) return v_ = -base_;
     double low = -base_, high = std::max(v_, drop_.v - base_);
-    for (double step = 1e-3 * (base_ + h); add_up(h, high).z < height_; step *= 4.0) {
+    for (double step = 1e-3 * (base_ + h); sum_elements(h, high).z < height_; step *= 4.0) {
         low = high;
         high += step;
     }
     v_ = growing_root(
         [&](double v) {
-            const Sums s = add_up(h, v);
+            const Sums s = sum_elements(h, v);
             return Growing{s.z - height_, s.z_v};
         },
-        low, high, std::clamp(v_, low, high), small_, false);
+        low, high, std::clamp(v_, low, high), rounding_, false);
     return v_;
 }
 
@@ -49,7 +49,7 @@ void Lifted::write_dropped(double lean, std::vector<Vec3>& chord,
         chord.emplace_back(0.0, 0.0, -chain_.length[e] - chain_.compliance[e] * pull);
         tension.push_back(pull);
     }
-    for (std::size_t e = drop_.hanging; e < off_bottom(); ++e) {
+    for (std::size_t e = drop_.hanging; e < elements_off_bottom(); ++e) {
         chord.emplace_back(chain_.length[e] / drop_.slack * Vec3(lean, 0.0, -drop_.rise));
         tension.push_back(0.0);
     }
@@ -60,7 +60,7 @@ void Lifted::write(double h, double v, std::vector<Vec3>& chord,
     for (std::size_t e = 0; e < chain_.elements(); ++e) {
         const double up = v + fall_[e];
         if (!(up > 0.0)) break;
-        const Pulled p = pulled(chain_.length[e], chain_.compliance[e], h, up);
+        const Pulled p = stretched_element(chain_.length[e], chain_.compliance[e], h, up);
         chord.emplace_back(p.x, 0.0, -p.z);
         tension.push_back(p.tension);
     }
@@ -71,7 +71,7 @@ void Lifted::drop() {
     double compliance = 0.0;  // their compliance
     if (!(height_ > 0.0)) return;
     std::size_t m = 0;
-    while (m < most_) {
+    while (m < max_lifted_) {
         // With v = Σ weights down to node m, the elements from there to the next weight have no
         // pull, and those above hang.
         double slack = 0.0, soft = 0.0;
@@ -79,7 +79,7 @@ void Lifted::drop() {
         do {
             slack += chain_.length[next];
             soft += chain_.compliance[next++];
-        } while (next < most_ && !(chain_.weight[next] > 0.0));
+        } while (next < max_lifted_ && !(chain_.weight[next] > 0.0));
         if (height_ <= hanging + slack) {
             drop_.rise = height_ - hanging;
             drop_.leaning = next - m;
@@ -92,7 +92,7 @@ void Lifted::drop() {
         compliance += soft;
         m = next;
         const double stretched = hanging + chain_.weight[m] * compliance;
-        if (height_ <= stretched || m == most_) {
+        if (height_ <= stretched || m == max_lifted_) {
             drop_.v += (height_ - hanging) / compliance;
             break;
         }

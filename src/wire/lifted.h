@@ -19,9 +19,9 @@ class Lifted {
     /// @param kept  Elements at the other end that cannot hang: those that rise from under it.
     Lifted(const Chain& chain, double height, std::size_t kept)
         : chain_(chain),
-          most_(chain.elements() - kept),
+          max_lifted_(chain.elements() - kept),
           height_(height),
-          small_(rounding(chain, height)) {
+          rounding_(rounding(chain, height)) {
         drop();
         count_from_below();
     }
@@ -37,7 +37,7 @@ class Lifted {
     };
     [[nodiscard]] const Drop& dropped() const { return drop_; }
     /// Return the number of elements off the bottom, without horizontal pull.
-    [[nodiscard]] std::size_t off_bottom() const { return drop_.hanging + drop_.leaning; }
+    [[nodiscard]] std::size_t elements_off_bottom() const { return drop_.hanging + drop_.leaning; }
 
     /// Height and reach of the lifted part [m], their derivatives by (h, v) [m/N], and its number
     /// of elements.
@@ -48,7 +48,7 @@ class Lifted {
     /// Sum up the lifted part.
     /// @param h  Horizontal pull [N].
     /// @param v  Vertical pull at the end, from base() [N].
-    [[nodiscard]] Sums add_up(double h, double v) const;
+    [[nodiscard]] Sums sum_elements(double h, double v) const;
 
     /// Find the vertical pull at the end, from base(), that gives its height [N].
     double match_height(double h);
@@ -71,8 +71,8 @@ class Lifted {
     void count_from_below();
 
     const Chain& chain_;
-    std::size_t most_;
-    double height_, small_;
+    std::size_t max_lifted_;
+    double height_, rounding_;
     Drop drop_;
     double base_ = 0.0;         ///< Vertical pull at the end from which others are counted [N].
     std::vector<double> fall_;  ///< Change of the pull from the end to each element [N].

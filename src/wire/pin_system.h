@@ -18,8 +18,8 @@ namespace hawser::wire {
 struct PinDrive {
     InteractionId motor{};
     InputId speed{};
-    double length = 0.0;  ///< Distance between up and down [m].
-    double most = 0.0;    ///< [m/s]
+    double length = 0.0;     ///< Distance between up and down [m].
+    double max_speed = 0.0;  ///< [m/s]
 };
 
 class PinSystem final : public System {

@@ -14,9 +14,9 @@ namespace hawser::wire {
 struct PointOnWire {
     WireId wire{};
     InteractionId element{};
-    double fraction = 0.0;  ///< Fraction along the element, from its first body.
-    double far = 1e300;     ///< Distance from the point [m].
-    Vec3 at{0, 0, 0};       ///< World frame [m].
+    double fraction = 0.0;    ///< Fraction along the element, from its first body.
+    double distance = 1e300;  ///< Distance from the point [m].
+    Vec3 at{0, 0, 0};         ///< World frame [m].
 };
 
 /// Find the nearest point on intact elements that are at no drum or guide.
@@ -40,8 +40,8 @@ template <class TakesWire, class TakesElement>
                 std::clamp((point - ends[0]).dot(along) / std::max(along.squaredNorm(), 1e-300),
                            from_end, 1.0 - from_end);
             const Vec3 at = ends[0] + fraction * along;
-            const double far = (at - point).norm();
-            if (far < out.far) out = {wire, id, fraction, far, at};
+            const double distance = (at - point).norm();
+            if (distance < out.distance) out = {wire, id, fraction, distance, at};
         }
     }
     return out;
@@ -49,7 +49,7 @@ template <class TakesWire, class TakesElement>
 
 /// Return the number by which outputs identify a wire: 1 for the first of WorldWires::ids(), 0:
 /// none.
-[[nodiscard]] inline double number_of(const World& world, WireId wire) noexcept {
+[[nodiscard]] inline double wire_number(const World& world, WireId wire) noexcept {
     const auto wires = world.wires().ids();
     const auto found = std::find(wires.begin(), wires.end(), wire);
     return found == wires.end() ? 0.0 : 1.0 + static_cast<double>(found - wires.begin());

@@ -57,12 +57,12 @@ double usual_length(const World& world, WireId wire, InteractionId element) {
 }  // namespace
 
 PostSystem::PostSystem(PostDef def, const PostPosition& place)
-    : def_(std::move(def)), place_(place), on_(static_cast<std::size_t>(def_.wires), 0) {
+    : def_(std::move(def)), position_(place), occupied_(static_cast<std::size_t>(def_.wires), 0) {
     for (int k = 0; k < def_.wires; ++k) {
         GuideDef guide;
         guide.name = def_.name + "/" + std::to_string(k + 1);
-        guide.body = place_.carrier;
-        guide.axis = place_.carried_axis;
+        guide.body = position_.carrier;
+        guide.axis = position_.carried_axis;
         guide.friction = def_.friction;
         guide.efficiency = def_.efficiency;
         guide.inertia = def_.inertia;
@@ -72,74 +72,75 @@ PostSystem::PostSystem(PostDef def, const PostPosition& place)
 }
 
 void PostSystem::visit_state(StateVisitor& v) {
-    v.visit(std::span<std::int32_t>(on_));
+    v.visit(std::span<std::int32_t>(occupied_));
     for (std::int32_t* x : {&wait_, &steady_}) v.visit(*x);
-    for (double* x : {&taken_, &let_go_, &held_, &angle_, &slide_, &tension_[0], &tension_[1]})
+    for (double* x : {&engaged_count_, &disengaged_count_, &held_count_, &angle_, &slide_,
+                      &tension_[0], &tension_[1]})
         v.visit(*x);
     // Visited only for bollards with sliding wires; others keep the hashes of earlier versions.
     if (def_.slides)
-        for (double* x : {&slid_, &along_}) v.visit(*x);
+        for (double* x : {&slid_length_, &along_}) v.visit(*x);
     for (const auto& guide : guides_) {
-        guide->visit_place(v);
+        guide->visit_geometry(v);
         guide->visit_state(v);
     }
 }
 
 void PostSystem::check_state(const World& world, StateRules& rules) const {
-    for (const std::int32_t on : on_)
+    for (const std::int32_t on : occupied_)
         rules.flag(on, "the flag of an engaged wire of the bollard is invalid");
     rules.require(wait_ >= 0 && wait_ <= kWait, "the wait of the post is out of range");
     rules.require(steady_ >= 0 && steady_ <= kSteady,
                   "the counter of checks of the bollard is out of range");
-    for (std::size_t k = 0; k < on_.size(); ++k) {
-        if (on_[k] != 1) continue;
+    for (std::size_t k = 0; k < occupied_.size(); ++k) {
+        if (occupied_[k] != 1) continue;
         guides_[k]->check_position(world, rules);
         guides_[k]->check_state(world, rules);
     }
 }
 
 void PostSystem::signals(SignalTable& table) {
-    table.output("held", "1", held_);
-    table.output("taken", "1", taken_);
-    table.output("let_go", "1", let_go_);
+    table.output("held", "1", held_count_);
+    table.output("taken", "1", engaged_count_);
+    table.output("let_go", "1", disengaged_count_);
     table.output("angle", "rad", angle_);
     table.output("before", "N", tension_[0]);
     table.output("behind", "N", tension_[1]);
     table.output("slide", "m", slide_);
     if (!def_.slides) return;
     table.output("along", "m", along_);
-    table.output("slid", "m", slid_);
+    table.output("slid", "m", slid_length_);
 }
 
 void PostSystem::holds(HoldTable& table) const {
-    table.hold(place_.body);
-    table.hold(place_.carrier);
+    table.hold(position_.body);
+    table.hold(position_.carrier);
     table.hold(def_.shape);
-    for (std::size_t k = 0; k < on_.size(); ++k)
-        if (on_[k] != 0) guides_[k]->holds(table);
+    for (std::size_t k = 0; k < occupied_.size(); ++k)
+        if (occupied_[k] != 0) guides_[k]->holds(table);
 }
 
 double PostSystem::carried_mass(InteractionId element) const noexcept {
-    for (std::size_t k = 0; k < on_.size(); ++k)
-        if (on_[k] != 0)
+    for (std::size_t k = 0; k < occupied_.size(); ++k)
+        if (occupied_[k] != 0)
             if (const double mass = guides_[k]->carried_mass(element); mass != 0.0) return mass;
     return 0.0;
 }
 
-bool PostSystem::has(WireId wire) const noexcept {
-    for (std::size_t k = 0; k < on_.size(); ++k)
-        if (on_[k] != 0 && guides_[k]->def().wire == wire) return true;
+bool PostSystem::carries(WireId wire) const noexcept {
+    for (std::size_t k = 0; k < occupied_.size(); ++k)
+        if (occupied_[k] != 0 && guides_[k]->def().wire == wire) return true;
     return false;
 }
 
 /// Engage wires that touch the bollard.
-void PostSystem::take(NodeEdits& nodes) {
+void PostSystem::engage_wires(NodeEdits& nodes) {
     const World& world = nodes.world;
     if (wait_ > 0) {
         --wait_;
         return;
     }
-    if (std::find(on_.begin(), on_.end(), 0) == on_.end()) return;
+    if (std::find(occupied_.begin(), occupied_.end(), 0) == occupied_.end()) return;
     const std::int32_t steady = std::min(steady_ + 1, kSteady);
     steady_ = 0;
     world.pressing(def_.shape, pressing_);
@@ -147,20 +148,22 @@ void PostSystem::take(NodeEdits& nodes) {
         Touch touch;
         // Wires engaged earlier in this step have lost their shapes.
         if (!world.alive(other) || !find(world, other, touch)) continue;
-        const double gap = std::abs(touch.radius) - place_.radius - world.shape_def(other).radius;
+        const double gap =
+            std::abs(touch.radius) - position_.radius - world.shape_def(other).radius;
         // A wire across the end of the bollard lies on the end, not beside it.
         if (touch.across_end || gap > kTouches || touch.strain > kStrain) continue;
-        const auto slot = std::find(on_.begin(), on_.end(), 0);
-        if (has(touch.wire) || slot == on_.end()) continue;
+        const auto slot = std::find(occupied_.begin(), occupied_.end(), 0);
+        if (carries(touch.wire) || slot == occupied_.end()) continue;
         steady_ = steady;
         if (steady < kSteady) continue;
-        if (!take(nodes, static_cast<std::size_t>(slot - on_.begin()), touch)) wait_ = kWait;
+        if (!engage_wire(nodes, static_cast<std::size_t>(slot - occupied_.begin()), touch))
+            wait_ = kWait;
     }
 }
 
 /// Remove a node on the bollard: one element replaces the two next to it, with its chord through
 /// the bollard. It is on the node's side of the bollard.
-bool PostSystem::take_node_at(NodeEdits& nodes, Touch& touch) const {
+bool PostSystem::remove_node_at(NodeEdits& nodes, Touch& touch) const {
     const World& world = nodes.world;
     const InteractionDef& d = world.interaction_def(touch.element);
     const bool first = touch.fraction < 0.5;
@@ -169,71 +172,73 @@ bool PostSystem::take_node_at(NodeEdits& nodes, Touch& touch) const {
     const InteractionId next = neighbour(world, touch.wire, touch.element, !first);
     if (!next.valid()) return false;
     if (first) touch.element = next;  // this element stays
-    const double radius = touch.radius, half = std::abs(radius) - place_.radius;
+    const double radius = touch.radius, half = std::abs(radius) - position_.radius;
     if (!nodes.remove_node(lump, kBentOnPost)) return false;
-    place_touch(world, half, touch);
+    complete_touch(world, half, touch);
     touch.radius = radius;
     return touch.fraction > kNearEnd && touch.fraction < 1.0 - kNearEnd;
 }
 
-bool PostSystem::take(NodeEdits& nodes, std::size_t slot, Touch touch) {
+bool PostSystem::engage_wire(NodeEdits& nodes, std::size_t slot, Touch touch) {
     const World& world = nodes.world;
     if ((touch.fraction < kNearEnd || touch.fraction > 1.0 - kNearEnd) &&
-        !take_node_at(nodes, touch))
+        !remove_node_at(nodes, touch))
         return false;
     GuideDef def = guides_[slot]->def();
     def.wire = touch.wire;
     def.element = touch.element;
     def.slide = {};
-    def.point = world.local_point(place_.carrier, world.world_point(place_.body, touch.point));
+    def.point =
+        world.local_point(position_.carrier, world.world_point(position_.body, touch.point));
     def.radius = touch.radius;
     def.element_length = std::isnan(def_.element_length)
                              ? usual_length(world, touch.wire, touch.element)
                              : def_.element_length;
     def.mass_per_length = kDefault;
-    auto made = lay_on_guide(nodes, std::move(def), touch.along);
+    auto made = engage_guide(nodes, std::move(def), touch.along);
     if (made == nullptr) return false;
     guides_[slot] = std::move(made);
-    on_[slot] = 1;
-    taken_ += 1.0;
+    occupied_[slot] = 1;
+    engaged_count_ += 1.0;
     return true;
 }
 
 /// Return the position of a wire along the axis from the middle of the bollard [m].
 double PostSystem::along(const GuideSystem& guide) const noexcept {
-    return (guide.def().point - place_.centre).dot(place_.axis);
+    return (guide.def().point - position_.centre).dot(position_.axis);
 }
 
 /// Slide a wire along the axis.
 /// @return true if the wire has reached an end of the bollard and would slide over it.
-bool PostSystem::slide(NodeEdits& nodes, std::size_t slot) noexcept {
-    const double at = along(*guides_[slot]), half = place_.half_length;
+bool PostSystem::move_along_axis(NodeEdits& nodes, std::size_t slot) noexcept {
+    const double at = along(*guides_[slot]), half = position_.half_length;
     const auto went = guides_[slot]->slide_sideways(nodes, {-half - at, half - at});
-    slid_ += std::abs(went.by);
-    return went.off_end;
+    slid_length_ += std::abs(went.by);
+    return went.reached_end;
 }
 
-bool PostSystem::let_go(NodeEdits& nodes, std::size_t slot, bool off_end) {
+bool PostSystem::disengage(NodeEdits& nodes, std::size_t slot, bool reached_end) {
     const World& world = nodes.world;
     const GuideSystem& guide = *guides_[slot];
-    bool past = off_end;
-    if (!guide.ran_off() && !pulls(world, guide, past)) return false;
-    on_[slot] = 0;  // the slot holds no wire any more
-    if (!guide.ran_off() && !lift_off_guide(nodes, guide, lifted_element(world, guide, past))) {
-        on_[slot] = 1;
+    bool past = reached_end;
+    if (!guide.has_run_off() && !must_disengage(world, guide, past)) return false;
+    occupied_[slot] = 0;  // the slot holds no wire any more
+    if (!guide.has_run_off() &&
+        !disengage_guide(nodes, guide, lifted_element(world, guide, past))) {
+        occupied_[slot] = 1;
         return false;
     }
-    let_go_ += 1.0;
+    disengaged_count_ += 1.0;
     wait_ = kWait;
     return true;
 }
 
-void PostSystem::tell() noexcept {
-    held_ = static_cast<double>(std::count(on_.begin(), on_.end(), 1));
-    const auto first = std::find(on_.begin(), on_.end(), 1);
+void PostSystem::report_signals() noexcept {
+    held_count_ = static_cast<double>(std::count(occupied_.begin(), occupied_.end(), 1));
+    const auto first = std::find(occupied_.begin(), occupied_.end(), 1);
     angle_ = slide_ = along_ = tension_[0] = tension_[1] = 0.0;
-    if (first == on_.end()) return;
-    const GuideSystem& guide = *guides_[static_cast<std::size_t>(first - on_.begin())];
+    if (first == occupied_.end()) return;
+    const GuideSystem& guide = *guides_[static_cast<std::size_t>(first - occupied_.begin())];
     angle_ = guide.angle();
     along_ = along(guide);
     slide_ = guide.slide();
@@ -242,24 +247,24 @@ void PostSystem::tell() noexcept {
 
 void PostSystem::before_step(NodeEdits& nodes) noexcept {
     try {
-        for (std::size_t k = 0; k < on_.size(); ++k) {
-            if (on_[k] == 0) continue;
+        for (std::size_t k = 0; k < occupied_.size(); ++k) {
+            if (occupied_[k] == 0) continue;
             guides_[k]->before_step(nodes);
-            const bool off_end = def_.slides && slide(nodes, k);
-            (void)let_go(nodes, k, off_end);
+            const bool reached_end = def_.slides && move_along_axis(nodes, k);
+            (void)disengage(nodes, k, reached_end);
         }
-        take(nodes);
+        engage_wires(nodes);
     } catch (const std::bad_alloc&) {
         nodes.out_of_memory();
     } catch (const std::exception&) {
         steady_ = 0;  // out of memory: contacts are sampled again in the next step
     }
-    tell();
+    report_signals();
 }
 
 void PostSystem::prestep(Prestep& now, Loads& loads) noexcept {
-    for (std::size_t k = 0; k < on_.size(); ++k)
-        if (on_[k] != 0) guides_[k]->prestep(now, loads);
+    for (std::size_t k = 0; k < occupied_.size(); ++k)
+        if (occupied_[k] != 0) guides_[k]->prestep(now, loads);
 }
 
 }  // namespace hawser::wire

@@ -50,12 +50,12 @@ class PostSystem final : public System, public PassedPost {
     void holds(HoldTable& table) const override;
     [[nodiscard]] double carried_mass(InteractionId element) const noexcept override;
     [[nodiscard]] std::unique_ptr<System> clone() const override {
-        return std::make_unique<PostSystem>(def_, place_);
+        return std::make_unique<PostSystem>(def_, position_);
     }
 
-    [[nodiscard]] bool has(WireId wire) const noexcept override;
-    [[nodiscard]] Apart separation(const World& world,
-                                   const std::array<Vec3, 2>& line) const override;
+    [[nodiscard]] bool carries(WireId wire) const noexcept override;
+    [[nodiscard]] Separation separation(const World& world,
+                                        const std::array<Vec3, 2>& line) const override;
 
   private:
     /// An element that touches the bollard.
@@ -70,26 +70,27 @@ class PostSystem final : public System, public PassedPost {
         double strain = 0.0;  ///< ε above.
     };
     [[nodiscard]] bool find(const World& world, ShapeId segment, Touch& out) const;
-    void place_touch(const World& world, double half, Touch& out) const;
-    void take(NodeEdits& nodes);
-    bool take_node_at(NodeEdits& nodes, Touch& touch) const;
-    bool take(NodeEdits& nodes, std::size_t slot, Touch touch);
-    bool slide(NodeEdits& nodes, std::size_t slot) noexcept;
+    void complete_touch(const World& world, double half, Touch& out) const;
+    void engage_wires(NodeEdits& nodes);
+    bool remove_node_at(NodeEdits& nodes, Touch& touch) const;
+    bool engage_wire(NodeEdits& nodes, std::size_t slot, Touch touch);
+    bool move_along_axis(NodeEdits& nodes, std::size_t slot) noexcept;
     [[nodiscard]] double along(const GuideSystem& guide) const noexcept;
-    bool let_go(NodeEdits& nodes, std::size_t slot, bool off_end);
-    [[nodiscard]] bool pulls(const World& world, const GuideSystem& guide, bool& past) const;
-    void tell() noexcept;
+    bool disengage(NodeEdits& nodes, std::size_t slot, bool reached_end);
+    [[nodiscard]] bool must_disengage(const World& world, const GuideSystem& guide,
+                                      bool& past) const;
+    void report_signals() noexcept;
 
     PostDef def_;
-    PostPosition place_;
+    PostPosition position_;
     // State.
     std::vector<std::unique_ptr<GuideSystem>> guides_;  ///< By slot.
-    std::vector<std::int32_t> on_;                      ///< 1: a wire lies in the slot.
+    std::vector<std::int32_t> occupied_;                ///< 1: a wire lies in the slot.
     std::int32_t wait_ = 0;                             ///< Steps until the next wire may engage.
     std::int32_t steady_ = 0;  ///< Consecutive samples in which a wire has touched it.
-    double taken_ = 0.0, let_go_ = 0.0, slid_ = 0.0;
+    double engaged_count_ = 0.0, disengaged_count_ = 0.0, slid_length_ = 0.0;
     // Outputs.
-    double held_ = 0.0, angle_ = 0.0, slide_ = 0.0, along_ = 0.0, tension_[2] = {};
+    double held_count_ = 0.0, angle_ = 0.0, slide_ = 0.0, along_ = 0.0, tension_[2] = {};
 
     std::vector<ShapeId> pressing_;  ///< Scratch.
 };

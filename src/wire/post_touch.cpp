@@ -40,14 +40,14 @@ Vec3 speed_at(const World& world, const InteractionDef& d, std::size_t end, cons
 
 }  // namespace
 
-PostSystem::Apart PostSystem::separation(const World& world,
-                                         const std::array<Vec3, 2>& line) const {
-    const Pose pose = world.pose(place_.body);
-    const Vec3 axis = pose.orientation * place_.axis;
+PostSystem::Separation PostSystem::separation(const World& world,
+                                              const std::array<Vec3, 2>& line) const {
+    const Pose pose = world.pose(position_.body);
+    const Vec3 axis = pose.orientation * position_.axis;
     const Closest near =
-        closest(line[0], line[1], pose.position + pose.orientation * place_.centre, axis);
-    const double beyond = std::max(0.0, std::abs(near.along) - place_.half_length);
-    return {std::hypot(near.separation.norm(), beyond) - place_.radius, near.fraction};
+        closest(line[0], line[1], pose.position + pose.orientation * position_.centre, axis);
+    const double beyond = std::max(0.0, std::abs(near.along) - position_.half_length);
+    return {std::hypot(near.separation.norm(), beyond) - position_.radius, near.fraction};
 }
 
 /// Find the element of a capsule of a wire.
@@ -73,30 +73,31 @@ bool PostSystem::find(const World& world, ShapeId segment, Touch& out) const {
             if (!its || kind_info(d.kind).is(kWoundUp) || !(d.get("mass") > 0.0)) continue;
             out.element = id;
             out.wire = wire;
-            place_touch(world, capsule.radius, out);
+            complete_touch(world, capsule.radius, out);
             return true;
         }
     }
     return false;
 }
 
-void PostSystem::place_touch(const World& world, double half, Touch& out) const {
+void PostSystem::complete_touch(const World& world, double half, Touch& out) const {
     const InteractionDef& d = world.interaction_def(out.element);
-    const Pose pose = world.pose(place_.body);
-    const Vec3 axis = pose.orientation * place_.axis;
-    const Vec3 centre = pose.position + pose.orientation * place_.centre;
+    const Pose pose = world.pose(position_.body);
+    const Vec3 axis = pose.orientation * position_.axis;
+    const Vec3 centre = pose.position + pose.orientation * position_.centre;
     const Vec3 a = world.world_point(d.body[0], d.point[0]),
                b = world.world_point(d.body[1], d.point[1]);
     const Closest near = closest(a, b, centre, axis);
     const Vec3 along = (b - a).normalized();
     const double separation = near.separation.norm();
     out.fraction = near.fraction;
-    out.point = place_.centre + near.along * place_.axis;
+    out.point = position_.centre + near.along * position_.axis;
     const double way = axis.dot(near.separation.cross(along)) >= 0.0 ? 1.0 : -1.0;
-    out.across_end = std::abs(near.along) > place_.half_length && separation < 0.5 * place_.radius;
-    const double touching = place_.radius + half;
+    out.across_end =
+        std::abs(near.along) > position_.half_length && separation < 0.5 * position_.radius;
+    const double touching = position_.radius + half;
     out.radius = way * std::max(touching, separation * (1.0 - kInside));
-    const Twist twist = world.velocity(place_.body);
+    const Twist twist = world.velocity(position_.body);
     const Vec3 surface = twist.linear + twist.angular.cross(centre + near.along * axis +
                                                             near.separation - pose.position);
     const Vec3 speed[2] = {speed_at(world, d, 0, a) - surface, speed_at(world, d, 1, b) - surface};
@@ -111,20 +112,21 @@ void PostSystem::place_touch(const World& world, double half, Touch& out) const 
 
 /// Return true if a wire would have to pull at the bollard or has passed its end.
 /// @param past  In: it had passed before. Out: it has passed.
-bool PostSystem::pulls(const World& world, const GuideSystem& guide, bool& past) const {
+bool PostSystem::must_disengage(const World& world, const GuideSystem& guide, bool& past) const {
     if (guide.parted()) return false;
-    const Pose pose = world.pose(place_.body);
+    const Pose pose = world.pose(position_.body);
     const InteractionDef& before = world.interaction_def(guide.ids().before);
     const InteractionDef& behind = world.interaction_def(guide.ids().behind);
     const Vec3 a = world.world_point(before.body[0], before.point[0]);
     const Vec3 b = world.world_point(behind.body[1], behind.point[1]);
-    const Closest near = closest(a, b, pose.position + pose.orientation * place_.centre,
-                                 pose.orientation * place_.axis);
-    past = past || std::abs(near.along) > place_.half_length + place_.radius;
-    if (place_.carrier != place_.body) {
-        const Vec3 lies = world.world_point(place_.carrier, guide.def().point);
-        const Vec3 from = lies - world.world_point(place_.body, place_.centre);
-        past = past || std::abs(from.dot(pose.orientation * place_.axis)) > place_.half_length;
+    const Closest near = closest(a, b, pose.position + pose.orientation * position_.centre,
+                                 pose.orientation * position_.axis);
+    past = past || std::abs(near.along) > position_.half_length + position_.radius;
+    if (position_.carrier != position_.body) {
+        const Vec3 lies = world.world_point(position_.carrier, guide.def().point);
+        const Vec3 from = lies - world.world_point(position_.body, position_.centre);
+        past =
+            past || std::abs(from.dot(pose.orientation * position_.axis)) > position_.half_length;
     }
     return past || (guide.angle() < kPulls && guide.pressing(world, -kPulls) < 0.0);
 }

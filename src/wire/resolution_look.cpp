@@ -12,7 +12,7 @@ namespace hawser::wire {
 /// Return the mass per length of the line type with the EA of an element. Among several types,
 /// choose the best match of mass over rest length, which edits and forces change slightly. 0: the
 /// element belongs to another wire that was spliced to this one.
-double WireResolution::mass_per_length_of(const InteractionDef& element) const noexcept {
+double WireResolution::matching_mass_per_length(const InteractionDef& element) const noexcept {
     if (lines_.size() == 1) return lines_[0].mass_per_length;
     const double EA = element.get("EA"), now = element.get("mass") / element.get("length");
     double best = 0.0;
@@ -41,15 +41,15 @@ void WireResolution::sample(const World& world) {
         e.tension = std::max(0.0, -world.force(e.id)[0]);
         if (e.wound) continue;
         const double mass = d.get("mass");
-        e.mass_per_length = mass > 0.0 ? mass_per_length_of(d) : 0.0;
+        e.mass_per_length = mass > 0.0 ? matching_mass_per_length(d) : 0.0;
         e.plain = e.mass_per_length > 0.0;
         e.length = e.plain ? mass / e.mass_per_length : d.get("length");
     }
-    bend(world);
+    compute_bending(world);
 }
 
 /// Compute angles and curvatures at nodes.
-void WireResolution::bend(const World& world) noexcept {
+void WireResolution::compute_bending(const World& world) noexcept {
     for (std::size_t k = 1; k < elements_.size(); ++k) {
         const Element &a = elements_[k - 1], &b = elements_[k];
         if (!a.whole || !b.whole) continue;

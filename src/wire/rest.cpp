@@ -17,7 +17,7 @@ class Balance {
   public:
     Balance(const Chain& chain, const Plane& start, const Surroundings& around)
         : chain_(chain),
-          around_(around),
+          surroundings_(around),
           n_(chain.elements()),
           moving_(around.free ? n_ : n_ - 1),
           half_(2 * (n_ + 1)),
@@ -30,13 +30,13 @@ class Balance {
         }
         for (std::size_t i = 1; i <= moving_; ++i) {
             double& z = x_[2 * i + 1];
-            if (around_.bottom) z = std::max(z, *around_.bottom);
+            if (surroundings_.bottom) z = std::max(z, *surroundings_.bottom);
         }
         if (start.laid_first <= start.laid_last && around.friction > 0.0)
             for (std::size_t i = std::max<std::size_t>(start.laid_first, 1);
                  i <= start.laid_last && i < n_; ++i)
                 friction_[i] = start.tension[i - 1] - start.tension[i];
-        wanted_ = friction_;
+        friction_demand_ = friction_;
         soften_ = 1.0;
     }
 
@@ -49,12 +49,12 @@ class Balance {
             strain = std::max(strain, weight() * chain_.compliance[e] / chain_.length[e]);
         for (soften_ = std::max(1.0, kSoft / std::max(strain, 1e-300)); soften_ > 1.0;
              soften_ = std::max(1.0, soften_ / 30.0)) {
-            take_forms();
+            update_half_forms();
             (void)minimise(1e-3 * weight());
         }
         soften_ = 1.0;
         for (int outer = 0; outer < kOuter; ++outer) {
-            const double change = take_forms() + take_friction();
+            const double change = update_half_forms() + update_bottom_friction();
             if (!minimise(tolerance)) return false;
             if (outer > 0 && change <= tolerance) return true;
         }
@@ -72,8 +72,8 @@ class Balance {
         }
         // Report the longest contiguous part on the bottom.
         std::size_t begin = 1, most = 0;
-        for (std::size_t i = 1; around_.bottom && i <= moving_ + 1; ++i) {
-            if (i <= moving_ && x_[2 * i + 1] <= *around_.bottom + none) continue;
+        for (std::size_t i = 1; surroundings_.bottom && i <= moving_ + 1; ++i) {
+            if (i <= moving_ && x_[2 * i + 1] <= *surroundings_.bottom + none) continue;
             if (i - begin > most) {
                 most = i - begin;
                 out.laid_first = begin;
@@ -83,9 +83,9 @@ class Balance {
         }
         if (most == 0) return out;
         const double digits = 1e-9 * chain_.total_length();
-        if (out.laid_first == 1 && std::abs(*around_.bottom) <= digits) out.laid_first = 0;
-        if (out.laid_last + 1 == n_ && !around_.free &&
-            std::abs(x_[2 * n_ + 1] - *around_.bottom) <= digits)
+        if (out.laid_first == 1 && std::abs(*surroundings_.bottom) <= digits) out.laid_first = 0;
+        if (out.laid_last + 1 == n_ && !surroundings_.free &&
+            std::abs(x_[2 * n_ + 1] - *surroundings_.bottom) <= digits)
             out.laid_last = n_;
         return out;
     }
@@ -107,36 +107,37 @@ class Balance {
 
     /// Update the slopes of half elements.
     /// @return the largest resulting change of a buoyancy [N].
-    double take_forms() {
-        if (!around_.water) return 0.0;
+    double update_half_forms() {
+        if (!surroundings_.water) return 0.0;
         double change = 0.0;
         for (std::size_t i = 1; i <= moving_; ++i)
             for (std::size_t k = 0; k < 2; ++k) {
                 if (k == 1 && i == n_) continue;
                 const std::size_t e = i - 1 + k, other = k == 0 ? i - 1 : i + 1;
                 const double z = x_[2 * i + 1];
-                HalfForm form = form_of(z, 0.5 * (z + x_[2 * other + 1]), chain_.diameter[e]);
+                HalfForm form =
+                    half_element_form(z, 0.5 * (z + x_[2 * other + 1]), chain_.diameter[e]);
                 form.lift = 0.5 * chain_.buoyancy[e];
                 HalfForm& now = half_[2 * i + k];
-                const double depth = *around_.water - z;
+                const double depth = *surroundings_.water - z;
                 change = std::max(
-                    change, std::abs(form.lift * wet_fraction_of(depth + form.below, form.spread) -
-                                     now.lift * wet_fraction_of(depth + now.below, now.spread)));
+                    change, std::abs(form.lift * wet_fraction(depth + form.below, form.spread) -
+                                     now.lift * wet_fraction(depth + now.below, now.spread)));
                 now = form;
             }
         return change;
     }
 
     /// Update the friction of nodes on the bottom, at most the coefficient times their load on it.
-    double take_friction() {
-        if (!(around_.friction > 0.0) || !around_.bottom) return 0.0;
+    double update_bottom_friction() {
+        if (!(surroundings_.friction > 0.0) || !surroundings_.bottom) return 0.0;
         std::vector<double> g(2 * (n_ + 1), 0.0);
         gradient(g);
         double change = 0.0;
         for (std::size_t i = 1; i <= moving_; ++i) {
-            const bool lies = x_[2 * i + 1] <= *around_.bottom;
-            const double most = lies ? around_.friction * std::max(0.0, g[2 * i + 1]) : 0.0;
-            const double f = std::clamp(wanted_[i], -most, most);
+            const bool lies = x_[2 * i + 1] <= *surroundings_.bottom;
+            const double most = lies ? surroundings_.friction * std::max(0.0, g[2 * i + 1]) : 0.0;
+            const double f = std::clamp(friction_demand_[i], -most, most);
             change = std::max(change, std::abs(f - friction_[i]));
             friction_[i] = f;
         }
@@ -152,19 +153,19 @@ class Balance {
         }
         for (std::size_t i = 1; i <= moving_; ++i) {
             if (i < n_ && chain_.bend[i] > 0.0)
-                sum += chain_.bend[i] * (1.0 - std::cos(turn(x, i)));
+                sum += chain_.bend[i] * (1.0 - std::cos(turning_angle(x, i)));
             const double z = x[2 * i + 1];
             sum += air_weight(i) * z - friction_[i] * x[2 * i];
-            for (std::size_t k = 0; around_.water && k < 2; ++k) {
+            for (std::size_t k = 0; surroundings_.water && k < 2; ++k) {
                 const HalfForm& h = half_[2 * i + k];
-                const double t = (*around_.water - z + h.below) / h.spread;
+                const double t = (*surroundings_.water - z + h.below) / h.spread;
                 sum += h.lift * h.spread * (t <= 0.0 ? 0.0 : t >= 1.0 ? t - 0.5 : 0.5 * t * t);
             }
         }
         return sum;
     }
 
-    static double turn(const std::vector<double>& x, std::size_t i) {
+    static double turning_angle(const std::vector<double>& x, std::size_t i) {
         const double ax = x[2 * i] - x[2 * i - 2], az = x[2 * i + 1] - x[2 * i - 1];
         const double bx = x[2 * i + 2] - x[2 * i], bz = x[2 * i + 3] - x[2 * i + 1];
         return std::atan2(ax * bz - az * bx, ax * bx + az * bz);
@@ -187,12 +188,12 @@ class Balance {
             const double z = x_[2 * i + 1];
             g[2 * i] -= friction_[i];
             g[2 * i + 1] += air_weight(i);
-            for (std::size_t k = 0; around_.water && k < 2; ++k) {
+            for (std::size_t k = 0; surroundings_.water && k < 2; ++k) {
                 const HalfForm& h = half_[2 * i + k];
-                g[2 * i + 1] -= h.lift * wet_fraction_of(*around_.water - z + h.below, h.spread);
+                g[2 * i + 1] -= h.lift * wet_fraction(*surroundings_.water - z + h.below, h.spread);
             }
             if (i == n_ || !(chain_.bend[i] > 0.0)) continue;
-            const Bent b = bent(i);
+            const Bent b = bending_at(i);
             for (std::size_t k = 0; k < 6; ++k)
                 g[2 * i - 2 + k] += chain_.bend[i] * b.sine * b.slope[k];
         }
@@ -204,7 +205,7 @@ class Balance {
         std::array<double, 6> slope;
         std::array<double, 3> first, last;  ///< ∇²θ of both elements: xx, xz, zz.
     };
-    [[nodiscard]] Bent bent(std::size_t i) const {
+    [[nodiscard]] Bent bending_at(std::size_t i) const {
         Bent out{};
         const double ax = x_[2 * i] - x_[2 * i - 2], az = x_[2 * i + 1] - x_[2 * i - 1];
         const double bx = x_[2 * i + 2] - x_[2 * i], bz = x_[2 * i + 3] - x_[2 * i + 1];
@@ -249,15 +250,15 @@ class Balance {
         for (std::size_t i = 1; i <= moving_; ++i) {
             const double z = x_[2 * i + 1];
             double stiff = shift;
-            for (std::size_t k = 0; around_.water && k < 2; ++k) {
+            for (std::size_t k = 0; surroundings_.water && k < 2; ++k) {
                 const HalfForm& h = half_[2 * i + k];
-                const double t = (*around_.water - z + h.below) / h.spread;
+                const double t = (*surroundings_.water - z + h.below) / h.spread;
                 if (t > 0.0 && t < 1.0) stiff += h.lift / h.spread;
             }
             add(2 * i, 2 * i, shift);
             add(2 * i + 1, 2 * i + 1, stiff);
             if (i == n_ || !(chain_.bend[i] > 0.0)) continue;
-            const Bent b = bent(i);
+            const Bent b = bending_at(i);
             const double k = chain_.bend[i];
             for (std::size_t p = 0; p < 6; ++p)
                 for (std::size_t q = 0; q <= p; ++q)
@@ -268,14 +269,14 @@ class Balance {
         }
     }
 
-    [[nodiscard]] bool held(std::size_t coordinate, const std::vector<double>& g) const {
-        return around_.bottom && coordinate % 2 == 1 && x_[coordinate] <= *around_.bottom &&
-               g[coordinate] > 0.0;
+    [[nodiscard]] bool lies_on_bottom(std::size_t coordinate, const std::vector<double>& g) const {
+        return surroundings_.bottom && coordinate % 2 == 1 &&
+               x_[coordinate] <= *surroundings_.bottom && g[coordinate] > 0.0;
     }
-    [[nodiscard]] double left(const std::vector<double>& g) const {
+    [[nodiscard]] double largest_residual(const std::vector<double>& g) const {
         double most = 0.0;
         for (std::size_t c = 2; c < 2 * moving_ + 2; ++c)
-            if (!held(c, g)) most = std::max(most, std::abs(g[c]));
+            if (!lies_on_bottom(c, g)) most = std::max(most, std::abs(g[c]));
         return most;
     }
 
@@ -283,7 +284,7 @@ class Balance {
     bool minimise(double tolerance) {
         std::vector<double> g(2 * (n_ + 1), 0.0), step(2 * moving_), next;
         gradient(g);
-        double now = energy(x_), force = left(g), shift = 0.0;
+        double now = energy(x_), force = largest_residual(g), shift = 0.0;
         double stiffest = 0.0;
         for (const double c : chain_.compliance) stiffest = std::max(stiffest, 1.0 / (soften_ * c));
         for (int k = 0; k < kInner && force > tolerance; ++k) {
@@ -291,7 +292,7 @@ class Balance {
                 second_derivatives(shift);
                 for (std::size_t c = 2; c < 2 * moving_ + 2; ++c) {
                     step[c - 2] = -g[c];
-                    if (!held(c, g)) continue;
+                    if (!lies_on_bottom(c, g)) continue;
                     step[c - 2] = 0.0;
                     for (std::size_t j = c >= 7 ? c - 5 : 2; j < c; ++j) band_.at(c - 2, j - 2) = 0;
                     for (std::size_t j = c + 1; j < std::min(c + 6, 2 * moving_ + 2); ++j)
@@ -310,15 +311,15 @@ class Balance {
                 next = x_;
                 for (std::size_t c = 0; c < step.size(); ++c) {
                     next[c + 2] += part * step[c];
-                    if (around_.bottom && c % 2 == 1)
-                        next[c + 2] = std::max(next[c + 2], *around_.bottom);
+                    if (surroundings_.bottom && c % 2 == 1)
+                        next[c + 2] = std::max(next[c + 2], *surroundings_.bottom);
                 }
                 const double then = energy(next);
                 const double digits = 1e-14 * (std::abs(now) + weight() * chain_.s.back());
                 if (then > now + 1e-4 * part * along + digits) continue;
                 std::swap(x_, next);
                 gradient(g);
-                const double after = left(g);
+                const double after = largest_residual(g);
                 // Below the rounding of the energy the forces decide.
                 if (now - then <= digits && !(after < force)) {
                     std::swap(x_, next);
@@ -338,19 +339,19 @@ class Balance {
     }
 
     const Chain& chain_;
-    Surroundings around_;
+    Surroundings surroundings_;
     std::size_t n_, moving_;
     std::vector<double> x_;       ///< x, z of all nodes [m].
     std::vector<HalfForm> half_;  ///< Two per node: towards the first end, and towards the last.
-    std::vector<double> friction_, wanted_;  ///< Along x at the nodes [N].
-    double soften_ = 1.0;                    ///< Factor of compliances.
+    std::vector<double> friction_, friction_demand_;  ///< Along x at the nodes [N].
+    double soften_ = 1.0;                             ///< Factor of compliances.
     Band band_;
 };
 
 }  // namespace
 
-std::optional<Plane> rest_near(Chain& chain, const Plane& start, const Surroundings& around,
-                               double tolerance) {
+std::optional<Plane> equilibrium_near(Chain& chain, const Plane& start, const Surroundings& around,
+                                      double tolerance) {
     if (chain.elements() < (around.free ? 1 : 2)) return {};
     Balance balance(chain, start, around);
     const bool found = balance.solve(tolerance);

@@ -30,7 +30,7 @@ struct Surroundings {
 
 /// Find the balance from a shape near it. The weights of the chain become those of the result.
 /// @return none if Newton's method did not reach `tolerance` [N].
-[[nodiscard]] std::optional<Plane> rest_near(Chain& chain, const Plane& start,
-                                             const Surroundings& around, double tolerance);
+[[nodiscard]] std::optional<Plane> equilibrium_near(Chain& chain, const Plane& start,
+                                                    const Surroundings& around, double tolerance);
 
 }  // namespace hawser::wire

@@ -19,7 +19,7 @@ constexpr double kKeeps = 0.25;   ///< The same distance if the node between alr
 constexpr double kMinimum = 0.2;  ///< Smallest length along the wire [m].
 
 /// Return true if the wheel of a guide is the bollard itself.
-bool is_of(const GuideDef& guide, std::string_view post) noexcept {
+bool is_guide_of_post(const GuideDef& guide, std::string_view post) noexcept {
     return guide.name.size() > post.size() && guide.name.starts_with(post) &&
            guide.name[post.size()] == '/';
 }
@@ -46,8 +46,8 @@ bool is_wound(const World& world, InteractionId id) {
 }
 
 /// Return the distance along the wire to the next guide, at most `enough` [m].
-double way_to_guide(const World& world, const GuideDef& guide, InteractionId line, std::size_t side,
-                    double enough) {
+double distance_to_guide(const World& world, const GuideDef& guide, InteractionId line,
+                         std::size_t side, double enough) {
     double way = enough;
     each_element(world, guide, line, side, [&](const auto& ends, double sum, InteractionId id) {
         sum += (ends[1] - ends[0]).norm();
@@ -62,13 +62,13 @@ double way_to_guide(const World& world, const GuideDef& guide, InteractionId lin
 
 /// Return the distance along the wire to the nearest bollard that it passes without lying on it, at
 /// most `enough` [m].
-double way_to_post(const World& world, const GuideDef& guide, InteractionId line, std::size_t side,
-                   double enough, double reach) {
+double distance_to_post(const World& world, const GuideDef& guide, InteractionId line,
+                        std::size_t side, double enough, double reach) {
     double way = enough;
     for (const SystemSignal& s : world.system_signals()) {
-        if (s.name != "taken" || is_of(guide, s.system)) continue;
+        if (s.name != "taken" || is_guide_of_post(guide, s.system)) continue;
         const auto* post = dynamic_cast<const PassedPost*>(world.find_system(s.system));
-        if (post == nullptr || post->has(guide.wire)) continue;
+        if (post == nullptr || post->carries(guide.wire)) continue;
         double gap = reach, along = enough;
         each_element(world, guide, line, side, [&](const auto& ends, double sum, InteractionId id) {
             const auto near = post->separation(world, ends);
@@ -85,12 +85,12 @@ double way_to_post(const World& world, const GuideDef& guide, InteractionId line
 
 }  // namespace
 
-double element_beside(const World& world, const GuideDef& def, InteractionId line, std::size_t side,
-                      double straight) {
+double element_length_at_guide(const World& world, const GuideDef& def, InteractionId line,
+                               std::size_t side, double straight) {
     const double usual = def.element_length, enough = kTwoElements * usual;
     const double reach = usual * (straight < kShrunk * usual ? kKeeps : kReach);
-    const double way = std::min(way_to_guide(world, def, line, side, enough),
-                                way_to_post(world, def, line, side, enough, reach));
+    const double way = std::min(distance_to_guide(world, def, line, side, enough),
+                                distance_to_post(world, def, line, side, enough, reach));
     if (way >= enough) return usual;
     return std::max(std::min(usual, 0.5 * way), std::min(usual, 0.5 * kMinimum));
 }

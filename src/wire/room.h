@@ -28,15 +28,15 @@ namespace hawser::wire {
 /// A bollard as seen by a guide whose wire passes it.
 class PassedPost {
   public:
-    struct Apart {
+    struct Separation {
         /// Gap between surface and line [m]; fraction along the line, from its first end.
         double gap, fraction;
     };
     /// Return true if a wire lies on it.
-    [[nodiscard]] virtual bool has(WireId wire) const noexcept = 0;
+    [[nodiscard]] virtual bool carries(WireId wire) const noexcept = 0;
     /// Find the nearest point of a line.
-    [[nodiscard]] virtual Apart separation(const World& world,
-                                           const std::array<Vec3, 2>& line) const = 0;
+    [[nodiscard]] virtual Separation separation(const World& world,
+                                                const std::array<Vec3, 2>& line) const = 0;
 
   protected:
     PassedPost() = default;
@@ -47,7 +47,7 @@ class PassedPost {
 /// [m].
 /// @param line  The part on that side.
 /// @param straight  Its straight length [m].
-[[nodiscard]] double element_beside(const World& world, const GuideDef& def, InteractionId line,
-                                    std::size_t side, double straight);
+[[nodiscard]] double element_length_at_guide(const World& world, const GuideDef& def,
+                                             InteractionId line, std::size_t side, double straight);
 
 }  // namespace hawser::wire

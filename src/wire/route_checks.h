@@ -11,7 +11,7 @@ namespace hawser::wire {
 
 /// Reject a definition.
 /// @throws DefError with the name of the route.
-[[noreturn]] void refuse(const RouteDef& def, const std::string& why);
+[[noreturn]] void throw_def_error(const RouteDef& def, const std::string& why);
 /// Check numbers against their bounds, and bodies that can hold a line.
 /// @throws DefError.
 void check(const RouteBodies& bodies, const RouteDef& def);

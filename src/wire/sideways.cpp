@@ -16,28 +16,28 @@ constexpr double kMaxWay = 0.25;
 /// Relative distance inside its bound at which a place comes to rest, so that it stays.
 constexpr double kInsideBound = 1e-9;
 
-double slope_of_lean(const Crossing& c, double s) noexcept {
+double sideways_balance_slope(const Crossing& c, double s) noexcept {
     return 1.0 / std::hypot(c.across[0], s - c.along[0]) +
            1.0 / std::hypot(c.across[1], s - c.along[1]);
 }
 
 }  // namespace
 
-double lean(const Crossing& c, double s) noexcept {
+double sideways_balance(const Crossing& c, double s) noexcept {
     return std::asinh((s - c.along[0]) / c.across[0]) + std::asinh((s - c.along[1]) / c.across[1]);
 }
 
-double way_sideways(const Crossing& c, double bound) noexcept {
-    const double now = lean(c, 0.0);
+double sideways_displacement(const Crossing& c, double bound) noexcept {
+    const double now = sideways_balance(c, 0.0);
     if (std::abs(now) <= bound) return 0.0;
     const double wanted = now > 0.0 ? bound : -bound;
     const double whole = c.across[0] + c.across[1];
     const double shortest = (c.along[0] * c.across[1] + c.along[1] * c.across[0]) / whole;
     double inside = shortest, outside = 0.0, s = shortest;
     for (int i = 0; i < kWayRounds; ++i) {
-        const double over = lean(c, s) - wanted;
+        const double over = sideways_balance(c, s) - wanted;
         ((over > 0.0) == (now > 0.0) ? outside : inside) = s;
-        double next = s - over / slope_of_lean(c, s);
+        double next = s - over / sideways_balance_slope(c, s);
         if (!(next > std::min(inside, outside) && next < std::max(inside, outside)))
             next = 0.5 * (inside + outside);
         const double by = std::abs(next - s);
@@ -49,7 +49,7 @@ double way_sideways(const Crossing& c, double bound) noexcept {
     return std::abs(s) < kMinWay ? 0.0 : std::clamp(s, -most, most);
 }
 
-double fed_between(const Parts& p) noexcept {
+double length_to_feed(const Parts& p) noexcept {
     double strain[2], path[2];
     for (int k = 0; k < 2; ++k) {
         strain[k] = std::max(0.0, p.longer[k]) / p.rest[k];

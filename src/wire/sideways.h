@@ -45,12 +45,12 @@ struct Crossing {
 
 /// Return f(s) of the law of sideways friction in the file header, at a position [rad].
 /// @param s  Position relative to the present one [m].
-[[nodiscard]] double lean(const Crossing& c, double s) noexcept;
+[[nodiscard]] double sideways_balance(const Crossing& c, double s) noexcept;
 
 /// Return the displacement of the position, at most a quarter of the shorter part [m]; 0: it
 /// sticks.
 /// @param bound  μφ [rad].
-[[nodiscard]] double way_sideways(const Crossing& c, double bound) noexcept;
+[[nodiscard]] double sideways_displacement(const Crossing& c, double bound) noexcept;
 
 /// Two parts of a line.
 struct Parts {
@@ -60,6 +60,6 @@ struct Parts {
 };
 /// Return the rest length that passes from the second part to the first so that the ratio of
 /// strains is kept [m].
-[[nodiscard]] double fed_between(const Parts& parts) noexcept;
+[[nodiscard]] double length_to_feed(const Parts& parts) noexcept;
 
 }  // namespace hawser::wire

@@ -23,7 +23,7 @@ constexpr double kRenew = 3.0;
 constexpr std::int32_t kTry = 15;  ///< Steps between tries to take an idle node away.
 
 /// Return true if another stopper holds the node.
-bool is_held(const World& world, const StopperSystem& by, BodyId lump) noexcept {
+bool held_by_other_stopper(const World& world, const StopperSystem& by, BodyId lump) noexcept {
     for (const SystemSignal& s : world.system_signals()) {
         if (s.name != "close" || s.system == by.name()) continue;
         const auto* other = dynamic_cast<const StopperSystem*>(world.find_system(s.system));
@@ -42,12 +42,14 @@ void StopperSystem::visit_state(StateVisitor& v) {
         v.visit(id.index);
         v.visit(id.generation);
     };
-    for (BodyId* id : {&node_, &put_}) visit(*id);
-    for (BodyId& id : idle_) visit(id);
+    for (BodyId* id : {&node_, &inserted_}) visit(*id);
+    for (BodyId& id : idle_nodes_) visit(id);
     visit(joint_);
     for (std::int32_t* x : {&state_, &after_, &reported_, &idle_steps_}) v.visit(*x);
-    for (double* x : {&close_, &far_, &came_in_, &shown_, &held_, &load_, &at_}) v.visit(*x);
-    v.visit(std::span<double>(place_));
+    for (double* x : {&close_, &closing_distance_, &hauled_length_, &state_output_, &wire_output_,
+                      &load_, &at_})
+        v.visit(*x);
+    v.visit(std::span<double>(closing_position_));
 }
 
 void StopperSystem::check_state(const World& world, StateRules& rules) const {
@@ -61,9 +63,9 @@ void StopperSystem::check_state(const World& world, StateRules& rules) const {
     const auto lump = [&](BodyId id) {
         return !id.valid() || !world.alive(id) || world.body_def(id).kind == BodyKind::lump;
     };
-    rules.require(lump(node_) && lump(put_), "the stopper holds no node of a wire");
-    for (const BodyId id : idle_) rules.require(lump(id), "an idle node is none of a wire");
-    const Vec3 place(place_[0], place_[1], place_[2]);
+    rules.require(lump(node_) && lump(inserted_), "the stopper holds no node of a wire");
+    for (const BodyId id : idle_nodes_) rules.require(lump(id), "an idle node is none of a wire");
+    const Vec3 place(closing_position_[0], closing_position_[1], closing_position_[2]);
     rules.require(place.allFinite() && place.norm() <= 1e7, "the position is out of range");
     if (!world.alive(joint_)) return;  // removed by another system
     const InteractionDef& d = world.interaction_def(joint_);
@@ -73,20 +75,20 @@ void StopperSystem::check_state(const World& world, StateRules& rules) const {
 
 void StopperSystem::signals(SignalTable& table) {
     table.input("close", "1", close_, 0.0, 1.0);
-    table.output("state", "1", shown_);
-    table.output("held", "1", held_);
+    table.output("state", "1", state_output_);
+    table.output("held", "1", wire_output_);
     table.output("load", "N", load_);
     table.output("at", "m", at_);
 }
 
-PointOnWire StopperSystem::nearest(const World& world) const noexcept {
+PointOnWire StopperSystem::nearest_wire_point(const World& world) const noexcept {
     const auto all = [](const auto&) { return true; };
     return nearest_on_wire(world, world.world_point(def_.body, def_.point), 0.0, all, all);
 }
 
-std::optional<StopperClaim> StopperSystem::claim(const World& world) const noexcept {
-    const PointOnWire found = nearest(world);
-    if (!(found.far <= def_.reach)) return std::nullopt;
+std::optional<StopperClaim> StopperSystem::node_to_hold(const World& world) const noexcept {
+    const PointOnWire found = nearest_wire_point(world);
+    if (!(found.distance <= def_.reach)) return std::nullopt;
     StopperClaim out{found.wire, 0.0};
     for (const InteractionId id : world.wires().elements(found.wire)) {
         if (id == found.element) break;
@@ -115,8 +117,8 @@ BodyId StopperSystem::node_at(NodeEdits& nodes, const PointOnWire& found) noexce
     const double least = kStopperAtNode / length;
     if (least < 0.5) {
         const double fraction = std::clamp(found.fraction, least, 1.0 - least);
-        put_ = nodes.insert_node(found.element, fraction);
-        if (put_.valid()) return put_;
+        inserted_ = nodes.insert_node(found.element, fraction);
+        if (inserted_.valid()) return inserted_;
     }
     const Vec3 at = world.world_point(def_.body, def_.point);
     if (lump(end) && (world.pose(d.body[end]).position - at).norm() <= def_.reach)
@@ -125,8 +127,8 @@ BodyId StopperSystem::node_at(NodeEdits& nodes, const PointOnWire& found) noexce
 }
 
 /// Set the outputs of the held position.
-void StopperSystem::tell(const World& world, const PointOnWire& found) noexcept {
-    held_ = number_of(world, found.wire);
+void StopperSystem::report_joint(const World& world, const PointOnWire& found) noexcept {
+    wire_output_ = wire_number(world, found.wire);
     at_ = 0.0;
     for (const InteractionId id : world.wires().elements(found.wire)) {
         if (!world.alive(id)) continue;
@@ -136,49 +138,49 @@ void StopperSystem::tell(const World& world, const PointOnWire& found) noexcept 
     }
 }
 
-void StopperSystem::take(NodeEdits& nodes) noexcept {
+void StopperSystem::close_on_wire(NodeEdits& nodes) noexcept {
     const World& world = nodes.world;
-    const PointOnWire found = nearest(world);
-    far_ = found.far;
+    const PointOnWire found = nearest_wire_point(world);
+    closing_distance_ = found.distance;
     reported_ = 0;
-    if (found.far <= def_.reach) {
-        tell(world, found);
+    if (found.distance <= def_.reach) {
+        report_joint(world, found);
         node_ = node_at(nodes, found);
     }
-    if (node_.valid() && is_held(world, *this, node_)) node_ = {};
+    if (node_.valid() && held_by_other_stopper(world, *this, node_)) node_ = {};
     if (!node_.valid()) {
-        held_ = at_ = 0.0;
-        become(StopperState::empty);
+        wire_output_ = at_ = 0.0;
+        set_state(StopperState::empty);
         return;
     }
     const Vec3 place = world.local_point(def_.body, world.pose(node_).position);
-    std::copy_n(place.data(), 3, place_);
-    came_in_ = 0.0;
-    become(StopperState::closing);
+    std::copy_n(place.data(), 3, closing_position_);
+    hauled_length_ = 0.0;
+    set_state(StopperState::closing);
 }
 
 /// Remove nodes that are no longer needed. A wire that stays bent does not keep them forever.
-void StopperSystem::drop_idle(NodeEdits& nodes) noexcept {
+void StopperSystem::remove_idle_nodes(NodeEdits& nodes) noexcept {
     if (++idle_steps_ % kTry != 0) return;
     const double bend = idle_steps_ > kPatience ? std::numbers::pi : kStraight;
-    for (BodyId& id : idle_)
+    for (BodyId& id : idle_nodes_)
         if (id.valid() && id != node_ && (!nodes.world.alive(id) || nodes.remove_node(id, bend)))
             id = {};
 }
 
 void StopperSystem::before_step(NodeEdits& nodes) noexcept {
-    drop_idle(nodes);
-    if (is(StopperState::open) && close_ >= 0.5) take(nodes);
+    remove_idle_nodes(nodes);
+    if (in_state(StopperState::open) && close_ >= 0.5) close_on_wire(nodes);
 }
 
 /// Create the joint between the body and the node at its current position.
 void StopperSystem::make_joint(Prestep& now) noexcept {
     if (!now.world.alive(node_)) {  // removed since by the system that feeds its wire
         node_ = {};
-        become(StopperState::open);
+        set_state(StopperState::open);
         return;
     }
-    const Vec3 place(place_[0], place_[1], place_[2]);
+    const Vec3 place(closing_position_[0], closing_position_[1], closing_position_[2]);
     InteractionDef def;
     def.name = joint_name_;
     def.body = {def_.body, node_};
@@ -191,76 +193,77 @@ void StopperSystem::make_joint(Prestep& now) noexcept {
         def.point[0] = place;
     }
     (void)now.edits.add_interaction(def);
-    become(StopperState::holding);
+    set_state(StopperState::holding);
 }
 
-void StopperSystem::hold(Prestep& now) noexcept {
+void StopperSystem::update_hold(Prestep& now) noexcept {
     const World& world = now.world;
     if (!joint_.valid()) joint_ = world.find_interaction(joint_name_);
     if (!world.alive(joint_)) {  // removed by another system, or with its node
         joint_ = {};
-        node_ = put_ = {};
-        held_ = load_ = at_ = 0.0;
-        become(StopperState::empty);
+        node_ = inserted_ = {};
+        wire_output_ = load_ = at_ = 0.0;
+        set_state(StopperState::empty);
         return;
     }
     const bool ratchet = def_.pitch > 0.0;
     const auto force = world.force(joint_);
     load_ = ratchet ? std::max(0.0, -force[0]) : Vec3(force[0], force[1], force[2]).norm();
-    if (reported_ == 0) now.tell(EventKind::join, joint_, far_);
+    if (reported_ == 0) now.tell(EventKind::join, joint_, closing_distance_);
     reported_ = 1;
     const auto go = [&](EventKind kind, StopperState then) {
         now.tell(kind, joint_, load_);
         after_ = static_cast<std::int32_t>(then);
-        become(StopperState::opening);
+        set_state(StopperState::opening);
     };
     if (close_ < 0.5) return go(EventKind::detach, StopperState::open);
     if (load_ > def_.rated_load) return go(EventKind::overload, StopperState::tripped);
     if (!ratchet) return;
     const Vec3 place = world.local_point(def_.body, world.pose(node_).position);
-    const Vec3 came = Vec3(place_[0], place_[1], place_[2]) - place;
+    const Vec3 came =
+        Vec3(closing_position_[0], closing_position_[1], closing_position_[2]) - place;
     const double in = came.dot(def_.outboard.normalized());
     if (in < def_.pitch) return;
     // The pawl falls. The same node is held, farther in, until another one is much nearer.
-    came_in_ += in;
-    std::copy_n(place.data(), 3, place_);
-    after_ =
-        static_cast<std::int32_t>(came_in_ < kRenew ? StopperState::closing : StopperState::open);
-    become(StopperState::opening);
+    hauled_length_ += in;
+    std::copy_n(place.data(), 3, closing_position_);
+    after_ = static_cast<std::int32_t>(hauled_length_ < kRenew ? StopperState::closing
+                                                               : StopperState::open);
+    set_state(StopperState::opening);
 }
 
-void StopperSystem::let_go(Prestep& now) noexcept {
+void StopperSystem::release_wire(Prestep& now) noexcept {
     if (now.world.alive(joint_)) now.edits.remove_interaction(joint_);
     if (after_ == static_cast<std::int32_t>(StopperState::closing)) {
         joint_ = {};
         state_ = after_;
         return;
     }
-    if (put_.valid()) {  // the oldest of many stays on its wire
-        std::rotate(idle_.begin(), idle_.end() - 1, idle_.end());
-        idle_.front() = put_;
+    if (inserted_.valid()) {  // the oldest of many stays on its wire
+        std::rotate(idle_nodes_.begin(), idle_nodes_.end() - 1, idle_nodes_.end());
+        idle_nodes_.front() = inserted_;
         idle_steps_ = 0;
     }
-    node_ = put_ = {};
+    node_ = inserted_ = {};
     joint_ = {};
-    held_ = load_ = at_ = 0.0;
+    wire_output_ = load_ = at_ = 0.0;
     state_ = after_;
 }
 
 void StopperSystem::prestep(Prestep& now, Loads&) noexcept {
-    if (close_ < 0.5 && (is(StopperState::empty) || is(StopperState::tripped)))
-        become(StopperState::open);
-    if (is(StopperState::empty) && reported_ == 0) {
-        now.tell(EventKind::missed, def_.body, far_);
+    if (close_ < 0.5 && (in_state(StopperState::empty) || in_state(StopperState::tripped)))
+        set_state(StopperState::open);
+    if (in_state(StopperState::empty) && reported_ == 0) {
+        now.tell(EventKind::missed, def_.body, closing_distance_);
         reported_ = 1;
-    } else if (is(StopperState::closing)) {
+    } else if (in_state(StopperState::closing)) {
         make_joint(now);
-    } else if (is(StopperState::holding)) {
-        hold(now);
-    } else if (is(StopperState::opening)) {
-        let_go(now);
+    } else if (in_state(StopperState::holding)) {
+        update_hold(now);
+    } else if (in_state(StopperState::opening)) {
+        release_wire(now);
     }
-    shown_ = static_cast<double>(state_);
+    state_output_ = static_cast<double>(state_);
 }
 
 }  // namespace hawser::wire

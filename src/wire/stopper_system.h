@@ -47,21 +47,21 @@ class StopperSystem final : public System {
     /// Return the node that it holds or is about to hold; invalid: none.
     [[nodiscard]] BodyId node() const noexcept { return node_; }
     /// Return the node that it would hold; none if no wire is within reach.
-    [[nodiscard]] std::optional<StopperClaim> claim(const World& world) const noexcept;
+    [[nodiscard]] std::optional<StopperClaim> node_to_hold(const World& world) const noexcept;
 
   private:
-    [[nodiscard]] bool is(StopperState state) const noexcept {
+    [[nodiscard]] bool in_state(StopperState state) const noexcept {
         return state_ == static_cast<std::int32_t>(state);
     }
-    void become(StopperState state) noexcept { state_ = static_cast<std::int32_t>(state); }
-    [[nodiscard]] PointOnWire nearest(const World& world) const noexcept;
+    void set_state(StopperState state) noexcept { state_ = static_cast<std::int32_t>(state); }
+    [[nodiscard]] PointOnWire nearest_wire_point(const World& world) const noexcept;
     [[nodiscard]] BodyId node_at(NodeEdits& nodes, const PointOnWire& found) noexcept;
-    void take(NodeEdits& nodes) noexcept;
-    void drop_idle(NodeEdits& nodes) noexcept;
+    void close_on_wire(NodeEdits& nodes) noexcept;
+    void remove_idle_nodes(NodeEdits& nodes) noexcept;
     void make_joint(Prestep& now) noexcept;
-    void hold(Prestep& now) noexcept;
-    void let_go(Prestep& now) noexcept;
-    void tell(const World& world, const PointOnWire& found) noexcept;
+    void update_hold(Prestep& now) noexcept;
+    void release_wire(Prestep& now) noexcept;
+    void report_joint(const World& world, const PointOnWire& found) noexcept;
 
     StopperDef def_;
     std::string joint_name_;
@@ -70,14 +70,15 @@ class StopperSystem final : public System {
     std::int32_t state_ = 0, after_ = 0;  ///< StopperState; state after the release.
     std::int32_t reported_ = 1;           ///< 0: an event is due.
     std::int32_t idle_steps_ = 0;
-    BodyId node_{}, put_{};         ///< Node held; node that it inserted.
-    std::array<BodyId, 8> idle_{};  ///< Inserted earlier, to be removed.
+    BodyId node_{}, inserted_{};          ///< Node held; node that it inserted.
+    std::array<BodyId, 8> idle_nodes_{};  ///< Inserted earlier, to be removed.
     InteractionId joint_{};
-    double came_in_ = 0.0;  ///< Length hauled through a chain stopper past its node [m].
-    double place_[3] = {};  ///< Position of the node at closing, in the body's frame [m].
-    double far_ = 0.0;      ///< Its distance from the stopper at closing [m].
+    double hauled_length_ = 0.0;  ///< Length hauled through a chain stopper past its node [m].
+    double closing_position_[3] =
+        {};                          ///< Position of the node at closing, in the body's frame [m].
+    double closing_distance_ = 0.0;  ///< Its distance from the stopper at closing [m].
     // Outputs.
-    double shown_ = 0.0, held_ = 0.0, load_ = 0.0, at_ = 0.0;
+    double state_output_ = 0.0, wire_output_ = 0.0, load_ = 0.0, at_ = 0.0;
 };
 
 }  // namespace hawser::wire

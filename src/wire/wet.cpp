@@ -6,11 +6,11 @@
 
 namespace hawser::wire {
 
-double wet_fraction_of(double depth, double spread) {
+double wet_fraction(double depth, double spread) {
     return depth >= spread ? 1.0 : std::clamp(depth / spread, 0.0, 1.0);
 }
 
-HalfForm form_of(double z, double middle, double diameter) {
+HalfForm half_element_form(double z, double middle, double diameter) {
     HalfForm out;
     out.spread = std::abs(middle - z) + diameter;
     out.below = std::max(0.0, z - middle) + 0.5 * diameter;
@@ -22,9 +22,10 @@ WetHalves wet_halves(const Chain& chain, const Plane& shape, double water) {
     double z = 0.0;
     for (std::size_t e = 0; e < chain.elements(); ++e) {
         const double rise = shape.chord[e].z(), middle = z + 0.5 * rise, d = chain.diameter[e];
-        const HalfForm a = form_of(z, middle, d), b = form_of(z + rise, middle, d);
-        out.first.push_back(wet_fraction_of(water - z + a.below, a.spread));
-        out.last.push_back(wet_fraction_of(water - z - rise + b.below, b.spread));
+        const HalfForm a = half_element_form(z, middle, d),
+                       b = half_element_form(z + rise, middle, d);
+        out.first.push_back(wet_fraction(water - z + a.below, a.spread));
+        out.last.push_back(wet_fraction(water - z - rise + b.below, b.spread));
         z += rise;
     }
     return out;

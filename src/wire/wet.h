@@ -14,9 +14,9 @@ struct HalfForm {
     double spread = 1.0;  ///< Height between its lowest and highest point [m].
 };
 /// Return the slope of a half element of diameter d from a node at z to its middle.
-[[nodiscard]] HalfForm form_of(double z, double middle, double diameter);
+[[nodiscard]] HalfForm half_element_form(double z, double middle, double diameter);
 /// Return the wet fraction for a surface `depth` above the lowest point.
-[[nodiscard]] double wet_fraction_of(double depth, double spread);
+[[nodiscard]] double wet_fraction(double depth, double spread);
 
 /// Compute the wet fractions of half elements. For an element of diameter d from z to its middle
 /// z_m this is the part of [min − d/2, max + d/2] below the water.

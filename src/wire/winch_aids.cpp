@@ -32,25 +32,29 @@ void check_aids(const WinchDef& def) {
     check_number(def, "heave_acceleration", def.heave_acceleration, 0.0, true);
     check_number(def, "heave_falls", def.heave_falls, 0.0, true);
     if (def.overload_retained > def.overload_limit)
-        refuse(def, "overload_retained = " + number(def.overload_retained) +
-                        " N is above overload_limit = " + number(def.overload_limit) +
-                        " N; give less, or a limit");
+        throw_def_error(def, "overload_retained = " + number(def.overload_retained) +
+                                 " N is above overload_limit = " + number(def.overload_limit) +
+                                 " N; give less, or a limit");
     if (def.mode == WinchMode::heave && !(def.heave_speed > 0.0))
-        refuse(def, "heave_speed = 0: mode heave needs the largest speed of the compensation");
+        throw_def_error(def,
+                        "heave_speed = 0: mode heave needs the largest speed of the compensation");
     if (!def.heave_point.allFinite() || def.heave_point.norm() > 1e4)
-        refuse(def, "heave_point: give a point within 10 km");
+        throw_def_error(def, "heave_point: give a point within 10 km");
 }
 
 void WinchSystem::visit_aids(StateVisitor& v) {
     Aids& a = aids_;
-    for (double* x : {&a.aops, &a.mops, &a.out, &a.rate, &a.peak, &a.shown, &a.lost, &a.error,
-                      &a.first, &a.height, &a.paid, &a.pull, &a.speed})
+    for (double* x : {&a.aops, &a.mops, &a.out, &a.rate, &a.peak, &a.protection_on, &a.lost_length,
+                      &a.error, &a.first, &a.height, &a.paid, &a.pull, &a.speed})
         v.visit(*x);
-    for (std::int32_t* x : {&a.begun, &a.guards, &a.yields, &a.heaves}) v.visit(*x);
+    for (std::int32_t* x :
+         {&a.is_begun, &a.balances_inertia, &a.pays_out_protection, &a.compensates_heave})
+        v.visit(*x);
 }
 
 void WinchSystem::check_aids(StateRules& rules) const {
-    for (const std::int32_t x : {aids_.begun, aids_.guards, aids_.yields, aids_.heaves})
+    for (const std::int32_t x : {aids_.is_begun, aids_.balances_inertia, aids_.pays_out_protection,
+                                 aids_.compensates_heave})
         rules.flag(x, "a condition of the winch is no flag");
     rules.range(aids_.speed, -1e3, 1e3, "the speed of the compensation is out of range");
     rules.range(aids_.paid, -1e7, 1e7, "the wire of the compensation is out of range");
@@ -62,8 +66,8 @@ void WinchSystem::add_aid_signals(SignalTable& table) {
     table.output("wire_out", "m", aids_.out);
     table.output("wire_speed", "m/s", aids_.rate);
     table.output("peak_pull", "N", aids_.peak);
-    table.output("overload", "1", aids_.shown);
-    table.output("overload_out", "m", aids_.lost);
+    table.output("overload", "1", aids_.protection_on);
+    table.output("overload_out", "m", aids_.lost_length);
     table.output("heave_error", "m", aids_.error);
 }
 
@@ -75,7 +79,7 @@ double WinchSystem::max_tension() const noexcept {
     return aids_.aops >= 0.5 ? def_.overload_limit : std::numeric_limits<double>::infinity();
 }
 
-void WinchSystem::limit_overload(Orders& out) const noexcept {
+void WinchSystem::limit_overload(MotorOrders& out) const noexcept {
     const double most = max_tension() * radius_;
     if (!(most < kUnbounded)) return;
     out.low = std::max(out.low, -most);
@@ -89,7 +93,7 @@ void WinchSystem::follow_heave(const Prestep& now) noexcept {
     Aids& a = aids_;
     const World& world = now.world;
     if (mode() != WinchMode::heave || parted_ != 0) {
-        a.heaves = 0;
+        a.compensates_heave = 0;
         a.speed = a.error = 0.0;
         return;
     }
@@ -106,10 +110,10 @@ void WinchSystem::follow_heave(const Prestep& now) noexcept {
     const double height = up.dot(world.pose(body).position + arm);
     const double rises = def_.heave_falls * up.dot(v.linear + v.angular.cross(arm));
     const double paid = def_.stored - stored_;
-    if (a.heaves == 0) {
+    if (a.compensates_heave == 0) {
         a.height = height;
         a.paid = paid;
-        a.heaves = 1;
+        a.compensates_heave = 1;
     }
     constexpr double kReturn = 1.0;  // [s]
     a.error = def_.heave_falls * (height - a.height) - (paid - a.paid);
@@ -122,9 +126,9 @@ void WinchSystem::follow_heave(const Prestep& now) noexcept {
 void WinchSystem::follow_aids(Prestep& now) noexcept {
     Aids& a = aids_;
     const double paid = def_.stored - stored_;
-    if (a.begun == 0) {
+    if (a.is_begun == 0) {
         a.first = now.world.wires().length(def_.wire) - paid;
-        a.begun = 1;
+        a.is_begun = 1;
     }
     a.out = a.first + paid;
     a.rate = radius_ * leaving_;
@@ -135,13 +139,15 @@ void WinchSystem::follow_aids(Prestep& now) noexcept {
     a.pull = pull_;
     const double most = max_tension();
     const bool near = soon >= kReady * most;
-    a.guards = near || (a.guards != 0 && a.rate > kStands && most < kUnbounded) ? 1 : 0;
-    const bool yields = a.guards != 0 && a.rate > kStands &&
-                        (mode() != WinchMode::speed || speed_ < a.rate - kStands);
-    if (yields) a.lost += std::max(radius_ * turned_, 0.0);
-    if (yields && a.yields == 0) now.tell(EventKind::render, ids_.drum, pull_);
-    a.yields = yields ? 1 : 0;
-    a.shown = a.yields;
+    a.balances_inertia =
+        near || (a.balances_inertia != 0 && a.rate > kStands && most < kUnbounded) ? 1 : 0;
+    const bool pays_out_protection = a.balances_inertia != 0 && a.rate > kStands &&
+                                     (mode() != WinchMode::speed || speed_ < a.rate - kStands);
+    if (pays_out_protection) a.lost_length += std::max(radius_ * turned_, 0.0);
+    if (pays_out_protection && a.pays_out_protection == 0)
+        now.tell(EventKind::render, ids_.drum, pull_);
+    a.pays_out_protection = pays_out_protection ? 1 : 0;
+    a.protection_on = a.pays_out_protection;
     follow_heave(now);
 }
 

@@ -12,7 +12,7 @@
 
 namespace hawser::wire {
 
-[[noreturn]] inline void refuse(const WinchDef& def, const std::string& what) {
+[[noreturn]] inline void throw_def_error(const WinchDef& def, const std::string& what) {
     throw DefError("winch '" + def.name + "': " + what);
 }
 
@@ -23,8 +23,8 @@ inline void check_number(const WinchDef& def, const char* what, double value, do
     if (value > least || (!above && value == least)) {
         if (value <= 1e30) return;
     }
-    refuse(def, std::string(what) + " = " + number(value) + ": give a number " +
-                    (above ? "above " : "from ") + number(least) + (above ? "" : " on"));
+    throw_def_error(def, std::string(what) + " = " + number(value) + ": give a number " +
+                             (above ? "above " : "from ") + number(least) + (above ? "" : " on"));
 }
 
 /// Check overload protection and heave compensation (winch_aids.cpp). @throws DefError

@@ -16,8 +16,8 @@ std::size_t WinchSystem::node_slot(const World& world) const noexcept {
 }
 
 /// Return the vector from the fairlead to the first node.
-Vec3 WinchSystem::along_element(const World& world) const noexcept {
-    return wire::along_element(world, ids_.line, node_slot(world));
+Vec3 WinchSystem::element_chord(const World& world) const noexcept {
+    return wire::element_chord(world, ids_.line, node_slot(world));
 }
 
 Vec3 WinchSystem::weight_of_half(const World& world) const noexcept {
@@ -27,26 +27,27 @@ Vec3 WinchSystem::weight_of_half(const World& world) const noexcept {
 
 /// Load both ends with the mass of the element at the drum that no node carries.
 void WinchSystem::weigh_element(const World& world, Loads& loads) const noexcept {
-    if (!feeds() || parted_ != 0) return;
-    load_element(world, loads, {ids_.line, wound(), radius_, def_.mass_per_length, at_drum_},
+    if (!makes_nodes() || parted_ != 0) return;
+    load_element(world, loads,
+                 {ids_.line, paying_out_body(), radius_, def_.mass_per_length, at_drum_},
                  node_slot(world));
 }
 
 void WinchSystem::before_step(NodeEdits& nodes) noexcept {
     const World& world = nodes.world;
     crowded_ = false;
-    if (!feeds() || parted_ != 0 || !world.intact(ids_.line)) return;
-    const double angle = world.pose(wound()).position.x();
+    if (!makes_nodes() || parted_ != 0 || !world.intact(ids_.line)) return;
+    const double angle = world.pose(paying_out_body()).position.x();
     const double there = at_drum_ + radius_ * (angle - angle_);
     const std::size_t node = node_slot(world);
     // Ahead: the wire begins at the drum.
     const Feed feed{ids_.line, node == 1, def_.element, def_.mass_per_length};
     if (there > kGrown * def_.element) {
-        const bool put = put_node(nodes, feed, there, at_drum_);
+        const bool put = insert_feed_node(nodes, feed, there, at_drum_);
         // Each step retries; only the first failure is reported.
         crowded_ = !put && at_drum_ <= kGrown * def_.element;
     } else if (there < kShrunk * def_.element) {
-        (void)take_node(nodes, feed, node, at_drum_);
+        (void)feed_in_node(nodes, feed, node, at_drum_);
     }
 }
 

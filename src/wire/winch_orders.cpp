@@ -24,14 +24,14 @@ std::span<const char* const> winch_modes() noexcept {
 
 namespace hawser::wire {
 /// Return true if no more wire can be hauled in.
-bool WinchSystem::full() const noexcept {
+bool WinchSystem::is_hauled_in() const noexcept {
     if (hauled_in_) return true;
     if (wheel_) return stored_ >= wheel_->locker;
     return static_cast<int>(layer_) > drum_.layers() ||
            stored_ >= drum_.capacity() - drum_.wire_diameter;
 }
 
-void WinchSystem::order_motor(Orders& out) noexcept {
+void WinchSystem::order_motor(MotorOrders& out) noexcept {
     const double haul = def_.torque_haul, pay = def_.torque_pay;
     const double in = -def_.max_speed / radius_;
     const double least = std::max(tension_ - def_.deadband, 0.0) * radius_;
@@ -67,7 +67,7 @@ void WinchSystem::order_motor(Orders& out) noexcept {
             pulls = false;
             out.low = out.high = 0.0;
     }
-    if (full()) {
+    if (is_hauled_in()) {
         out.speed = std::max(out.speed, 0.0);
         if (pulls) out.high = pay;  // mode render pulls otherwise
     }
@@ -76,8 +76,8 @@ void WinchSystem::order_motor(Orders& out) noexcept {
     if (jams_ && parted_ == 0) out.high = kUnbounded;
 }
 
-WinchSystem::Orders WinchSystem::orders() noexcept {
-    Orders out;
+WinchSystem::MotorOrders WinchSystem::orders() noexcept {
+    MotorOrders out;
     order_motor(out);
     const double slips = std::isnan(def_.brake_dynamic) ? def_.brake_static : def_.brake_dynamic;
     out.back = band_ratio(def_.band_friction, def_.band_angle);
@@ -99,7 +99,7 @@ WinchSystem::Orders WinchSystem::orders() noexcept {
     const bool asks_in = (m == WinchMode::speed && speed_ < 0.0) ||
                          ((m == WinchMode::tension || m == WinchMode::render) && speed <= kStands);
     if (asks_out && wraps_ <= def_.dead_wraps) state = WinchState::last_wraps;
-    if (asks_in && full()) state = WinchState::full;
+    if (asks_in && is_hauled_in()) state = WinchState::full;
     if (slipping_ != 0) state = WinchState::slipping;
     if (wheel_ && chain_.jumps()) state = WinchState::jumping;
     if (m == WinchMode::release)
@@ -110,19 +110,19 @@ WinchSystem::Orders WinchSystem::orders() noexcept {
     return out;
 }
 
-void WinchSystem::give(Prestep& now, const Orders& o) noexcept {
+void WinchSystem::apply_orders(Prestep& now, const MotorOrders& o) noexcept {
     const auto set = [&](InputId id, double& last, double value) {
         if (value != last) now.set_input(id, value);
         last = value;
     };
-    set(inputs_.speed, set_.speed, o.speed);
-    set(inputs_.low, set_.low, o.low);
-    set(inputs_.high, set_.high, o.high);
-    set(inputs_.hold, set_.hold, o.hold);
-    set(inputs_.back, set_.back, o.back);
+    set(inputs_.speed, last_inputs_.speed, o.speed);
+    set(inputs_.low, last_inputs_.low, o.low);
+    set(inputs_.high, last_inputs_.high, o.high);
+    set(inputs_.hold, last_inputs_.hold, o.hold);
+    set(inputs_.back, last_inputs_.back, o.back);
 }
 
-void WinchSystem::turn_along(const Prestep& now, Loads& loads) noexcept {
+void WinchSystem::add_line_inertia(const Prestep& now, Loads& loads) noexcept {
     const bool engaged = clutch_ >= 0.5;
     double added = wound_inertia() + (def_.inertia - drum_mass(def_));
     if (engaged) added += def_.motor_inertia;
@@ -130,7 +130,7 @@ void WinchSystem::turn_along(const Prestep& now, Loads& loads) noexcept {
         loads.add_force(ids_.drum, {-def_.motor_inertia * omega_ / now.step, 0.0, 0.0});
     engaged_ = engaged ? 1 : 0;
     inertia_ = drum_mass(def_) + added;
-    if (aids_.guards != 0) added = 0.0;
+    if (aids_.balances_inertia != 0) added = 0.0;
     loads.add_mass(ids_.drum, Eigen::Matrix<double, 1, 1>(added));
 }
 

@@ -24,8 +24,8 @@ WinchSystem::WinchSystem(WinchDef def, const WinchWheel& wheel, const WinchIds& 
       tension_(def_.tension),
       stored_(def_.stored),
       at_drum_(at_drum),
-      set_{0.0, -kUnbounded, kUnbounded, 0.0, 1.0} {
-    const DrumGeometry::Place at = place();
+      last_inputs_{0.0, -kUnbounded, kUnbounded, 0.0, 1.0} {
+    const DrumGeometry::Place at = wire_end();
     radius_ = leaving_radius();
     layer_ = at.layer;
     wraps_ = at.wraps;
@@ -36,8 +36,8 @@ WinchSystem::WinchSystem(WinchDef def, const WinchWheel& wheel, const WinchIds& 
 }
 
 /// Return the end of the wire on the drum; for a gypsy the turns of the chain in its locker.
-DrumGeometry::Place WinchSystem::place() const noexcept {
-    if (!wheel_) return drum_.place(stored_);
+DrumGeometry::Place WinchSystem::wire_end() const noexcept {
+    if (!wheel_) return drum_.wire_end(stored_);
     return {.radius = wheel_->radius,
             .wraps = std::max(stored_, 0.0) / (kTurn * wheel_->radius),
             .across = 0.0};
@@ -52,7 +52,7 @@ double WinchSystem::leaving_radius() const noexcept {
 double WinchSystem::paid_out(const World& world, InteractionId element) const noexcept {
     if (element != ids_.line) return kDefault;
     const double since = parted_ == 0 && world.intact(element)
-                             ? radius_ * (world.pose(wound()).position.x() - angle_)
+                             ? radius_ * (world.pose(paying_out_body()).position.x() - angle_)
                              : 0.0;
     return def_.stored - stored_ + since;
 }
@@ -63,14 +63,34 @@ double WinchSystem::wound_inertia() const noexcept {
 }
 
 void WinchSystem::visit_state(StateVisitor& v) {
-    for (double* x : {&mode_,      &speed_,   &tension_,  &brake_,      &clutch_,   &stored_,
-                      &at_drum_,   &angle_,   &radius_,   &clock_,      &slip_,     &heat_,
-                      &set_.speed, &set_.low, &set_.high, &set_.hold,   &set_.back, &layer_,
-                      &wraps_,     &across_,  &pull_,     &pull_limit_, &inertia_,  &state_})
+    for (double* x : {&mode_,
+                      &speed_,
+                      &tension_,
+                      &brake_,
+                      &clutch_,
+                      &stored_,
+                      &at_drum_,
+                      &angle_,
+                      &radius_,
+                      &clock_,
+                      &slip_,
+                      &heat_,
+                      &last_inputs_.speed,
+                      &last_inputs_.low,
+                      &last_inputs_.high,
+                      &last_inputs_.hold,
+                      &last_inputs_.back,
+                      &layer_,
+                      &wraps_,
+                      &across_,
+                      &pull_,
+                      &pull_limit_,
+                      &inertia_,
+                      &state_})
         v.visit(*x);
     for (std::int32_t* x : {&slipping_, &parted_, &empty_, &released_, &engaged_, &rendering_})
         v.visit(*x);
-    if (assisted()) visit_aids(v);
+    if (has_aids()) visit_aids(v);
     if (!wheel_) return;
     for (double* x : {&grip_set_.speed, &grip_set_.low, &grip_set_.high, &end_set_}) v.visit(*x);
     chain_.visit_state(v);
@@ -94,7 +114,7 @@ void WinchSystem::check_state(const World& world, StateRules& rules) const {
                   "wraps, clock, slip or heat is below 0");
     for (const std::int32_t x : {slipping_, parted_, empty_, released_, engaged_, rendering_})
         rules.flag(x, "a condition of the winch is no flag");
-    if (assisted()) check_aids(rules);
+    if (has_aids()) check_aids(rules);
     if (wheel_) chain_.check_state(rules);
 }
 
@@ -117,7 +137,7 @@ void WinchSystem::signals(SignalTable& table) {
     table.output("heat", "J", heat_);
     table.output("state", "1", state_);
     if (wheel_) chain_.signals(table);
-    if (assisted()) add_aid_signals(table);
+    if (has_aids()) add_aid_signals(table);
 }
 
 void WinchSystem::holds(HoldTable& table) const {
@@ -139,10 +159,10 @@ WinchMode WinchSystem::mode() const noexcept {
 
 /// Sample the result of the last step.
 void WinchSystem::sample(const Prestep& now) noexcept {
-    const double angle = now.world.pose(wound()).position.x();
+    const double angle = now.world.pose(paying_out_body()).position.x();
     turned_ = angle - angle_;
     angle_ = angle;
-    leaving_ = now.world.velocity(wound()).linear.x();
+    leaving_ = now.world.velocity(paying_out_body()).linear.x();
     omega_ = now.world.velocity(ids_.drum).linear.x();
     if (parted_ == 0 && !now.world.intact(ids_.line)) parted_ = 1;
     if (parted_ == 0) {
@@ -150,19 +170,19 @@ void WinchSystem::sample(const Prestep& now) noexcept {
         at_drum_ += radius_ * turned_;
     }
     pull_ = parted_ == 0 ? std::max(0.0, -now.world.force(ids_.line)[0]) : 0.0;
-    if (parted_ == 0 && feeds())
+    if (parted_ == 0 && makes_nodes())
         pull_ = std::max(
-            0.0, pull_ + weight_of_half(now.world).dot(along_element(now.world).normalized()));
+            0.0, pull_ + weight_of_half(now.world).dot(element_chord(now.world).normalized()));
     // An element keeps its law down to a fraction of its length (interactions.h).
     const InteractionDef& line = now.world.interaction_def(ids_.line);
     const double length = line.get("length");
     const double rest = length + radius_ * (angle_ - line.get("drum_zero"));
     const auto jams = [&](double turned) {
         return rest - radius_ * turned < kLeastOfDrumElement * length ||
-               (feeds() && at_drum_ - radius_ * turned <= 0.0);
+               (makes_nodes() && at_drum_ - radius_ * turned <= 0.0);
     };
     jams_ = jams(0.0);
-    jams_now_ = jams_ && !jams(turned_) && parted_ == 0;
+    began_to_jam_ = jams_ && !jams(turned_) && parted_ == 0;
     hauled_in_ = jams_ || rest < kLeastOfDrumElement * length +
                                      2.0 * now.step * radius_ * std::abs(leaving_);
 }
@@ -170,7 +190,7 @@ void WinchSystem::sample(const Prestep& now) noexcept {
 /// Count the slip of a brake at its bound while the drum turns against its torque.
 void WinchSystem::count_slip(Prestep& now) noexcept {
     const double torque = now.world.force(ids_.brake)[0];
-    const double most = torque < 0.0 ? set_.hold : set_.hold * set_.back;
+    const double most = torque < 0.0 ? last_inputs_.hold : last_inputs_.hold * last_inputs_.back;
     const double turned = wheel_ ? omega_ * now.step : turned_;
     const bool held = empty_ != 0 && !wheel_;  // by the fastening, not the brake
     const bool slips =
@@ -187,8 +207,9 @@ void WinchSystem::count_slip(Prestep& now) noexcept {
 /// Count a motor in mode render that pays out at its largest holding torque. Its other modes keep
 /// their upper bound above 0.
 void WinchSystem::count_rendering(Prestep& now) noexcept {
-    const bool gives = mode() == WinchMode::render && set_.high <= 0.0 && set_.low < 0.0 &&
-                       now.world.force(ids_.motor)[0] <= set_.low * (1.0 - kNear) &&
+    const bool gives = mode() == WinchMode::render && last_inputs_.high <= 0.0 &&
+                       last_inputs_.low < 0.0 &&
+                       now.world.force(ids_.motor)[0] <= last_inputs_.low * (1.0 - kNear) &&
                        radius_ * omega_ > kStands;
     if (gives && rendering_ == 0) now.tell(EventKind::render, ids_.drum, pull_);
     rendering_ = gives ? 1 : 0;
@@ -196,7 +217,7 @@ void WinchSystem::count_rendering(Prestep& now) noexcept {
 
 void WinchSystem::follow_layer(Prestep& now) noexcept {
     if (parted_ != 0) return;
-    const DrumGeometry::Place at = place();
+    const DrumGeometry::Place at = wire_end();
     wraps_ = at.wraps;
     across_ = at.across;
     if (at.layer != static_cast<int>(layer_)) {
@@ -224,7 +245,7 @@ void WinchSystem::check_fastening(Prestep& now) noexcept {
     if (none && empty_ == 0) now.tell(EventKind::drum_empty, ids_.drum, pull_);
     empty_ = none ? 1 : 0;
     const double there = wheel_ ? std::abs(now.world.force(ids_.bitter_end)[0]) / radius_
-                                : behind_wraps(pull_, def_.wrap_friction, wraps_);
+                                : tension_behind_wraps(pull_, def_.wrap_friction, wraps_);
     const bool breaks = def_.weak_link > 0.0 && there > def_.weak_link;
     if (breaks) now.tell(EventKind::weak_link, ids_.drum, there);
     if (!breaks && !(none && def_.weak_link == 0.0)) return;
@@ -239,7 +260,7 @@ void WinchSystem::follow_chain(const GypsyWheel& wheel, Prestep& now, Loads& loa
     const double line = def_.mass_per_length;
     const double weight = parted_ == 0 ? line * world.settings().gravity.norm() * wheel.fall : 0.0;
     const double rate = parted_ == 0 ? line * out : 0.0;  // lifted from the heap [kg/s]
-    chain_.feel_tail(weight + rate * out);
+    chain_.set_tail_tension(weight + rate * out);
     const double separation = angle_ - world.pose(ids_.drum).position.x();
     const double jumped = chain_.sample(separation, leaving_ - omega_, world.force(ids_.grip)[0],
                                         pull_ - chain_.tail());
@@ -280,11 +301,11 @@ void WinchSystem::prestep(Prestep& now, Loads& loads) noexcept {
     check_fastening(now);
     if (wheel_) follow_chain(*wheel_, now, loads);
     count_release(now);
-    if (assisted()) follow_aids(now);
-    give(now, orders());
+    if (has_aids()) follow_aids(now);
+    apply_orders(now, orders());
     if (crowded_) now.tell(EventKind::no_node, ids_.drum, at_drum_);
-    if (jams_now_) now.tell(EventKind::hauled_in, ids_.drum, pull_);
-    turn_along(now, loads);
+    if (began_to_jam_) now.tell(EventKind::hauled_in, ids_.drum, pull_);
+    add_line_inertia(now, loads);
     weigh_element(now.world, loads);
 }
 

@@ -69,8 +69,9 @@ class WinchSystem final : public System {
     void holds(HoldTable& table) const override;
     [[nodiscard]] double carried_mass(InteractionId element) const noexcept override {
         // May be negative if more wire was hauled than existed.
-        return element == ids_.line && feeds() && parted_ == 0 ? def_.mass_per_length * at_drum_
-                                                               : 0.0;
+        return element == ids_.line && makes_nodes() && parted_ == 0
+                   ? def_.mass_per_length * at_drum_
+                   : 0.0;
     }
     /// Return the length paid out, by the count of the wire on the drum.
     [[nodiscard]] double paid_out(const World& world,
@@ -82,28 +83,28 @@ class WinchSystem final : public System {
 
   private:
     /// Speed and bounds of motor and brake in the step that begins [rad/s, N m].
-    struct Orders {
+    struct MotorOrders {
         double speed = 0.0, low = 0.0, high = 0.0;
         double hold = 0.0, back = 1.0;
     };
     /// Last value of each input, so that it is set only when it changes.
-    struct Set {
+    struct LastInputs {
         double speed, low, high, hold, back;
     };
 
     /// State of protection and compensation.
     struct Aids {
-        double aops = 1.0, mops = 0.0;                          // inputs
-        double out = 0.0, rate = 0.0, peak = 0.0, shown = 0.0;  // outputs: wire_out and on
-        double lost = 0.0, error = 0.0;                         // overload_out, heave_error
-        double first = 0.0;               ///< Wire outboard less that paid out since [m].
-        double height = 0.0, paid = 0.0;  ///< At the begin of the compensation [m].
-        double pull = 0.0;                ///< Value in the last step [N].
-        double speed = 0.0;               ///< Speed of the compensation [m/s].
-        std::int32_t begun = 0;           ///< `first` is known.
-        std::int32_t guards = 0;          ///< The drive balances the drum's inertia.
-        std::int32_t yields = 0;          ///< The protection pays out.
-        std::int32_t heaves = 0;          ///< The compensation has begun.
+        double aops = 1.0, mops = 0.0;                                  // inputs
+        double out = 0.0, rate = 0.0, peak = 0.0, protection_on = 0.0;  // outputs: wire_out and on
+        double lost_length = 0.0, error = 0.0;                          // overload_out, heave_error
+        double first = 0.0;                    ///< Wire outboard less that paid out since [m].
+        double height = 0.0, paid = 0.0;       ///< At the begin of the compensation [m].
+        double pull = 0.0;                     ///< Value in the last step [N].
+        double speed = 0.0;                    ///< Speed of the compensation [m/s].
+        std::int32_t is_begun = 0;             ///< `first` is known.
+        std::int32_t balances_inertia = 0;     ///< The drive balances the drum's inertia.
+        std::int32_t pays_out_protection = 0;  ///< The protection pays out.
+        std::int32_t compensates_heave = 0;    ///< The compensation has begun.
     };
 
     void sample(const Prestep& now) noexcept;
@@ -111,16 +112,18 @@ class WinchSystem final : public System {
     void count_rendering(Prestep& now) noexcept;
     void follow_layer(Prestep& now) noexcept;
     void follow_chain(const GypsyWheel& wheel, Prestep& now, Loads& loads) noexcept;
-    [[nodiscard]] DrumGeometry::Place place() const noexcept;
+    [[nodiscard]] DrumGeometry::Place wire_end() const noexcept;
     [[nodiscard]] double leaving_radius() const noexcept;
     [[nodiscard]] double wound_inertia() const noexcept;
     /// Return the body that pays out the element at the drum.
-    [[nodiscard]] BodyId wound() const noexcept { return wheel_ ? ids_.chain : ids_.drum; }
+    [[nodiscard]] BodyId paying_out_body() const noexcept {
+        return wheel_ ? ids_.chain : ids_.drum;
+    }
     void check_fastening(Prestep& now) noexcept;
     void count_release(Prestep& now) noexcept;
     // winch_aids.cpp
     /// True if protection or compensation is defined: their signals and state exist.
-    [[nodiscard]] bool assisted() const noexcept {
+    [[nodiscard]] bool has_aids() const noexcept {
         return def_.overload_limit > 0.0 || def_.heave_speed > 0.0;
     }
     void visit_aids(StateVisitor& visitor);
@@ -129,18 +132,18 @@ class WinchSystem final : public System {
     void follow_aids(Prestep& now) noexcept;
     void follow_heave(const Prestep& now) noexcept;
     [[nodiscard]] double max_tension() const noexcept;
-    void limit_overload(Orders& out) const noexcept;
-    [[nodiscard]] Orders orders() noexcept;
-    void order_motor(Orders& out) noexcept;
-    void give(Prestep& now, const Orders& orders) noexcept;
-    void turn_along(const Prestep& now, Loads& loads) noexcept;
+    void limit_overload(MotorOrders& out) const noexcept;
+    [[nodiscard]] MotorOrders orders() noexcept;
+    void order_motor(MotorOrders& out) noexcept;
+    void apply_orders(Prestep& now, const MotorOrders& orders) noexcept;
+    void add_line_inertia(const Prestep& now, Loads& loads) noexcept;
     void weigh_element(const World& world, Loads& loads) const noexcept;
     [[nodiscard]] Vec3 weight_of_half(const World& world) const noexcept;
-    [[nodiscard]] Vec3 along_element(const World& world) const noexcept;
-    [[nodiscard]] bool feeds() const noexcept { return def_.element > 0.0; }
+    [[nodiscard]] Vec3 element_chord(const World& world) const noexcept;
+    [[nodiscard]] bool makes_nodes() const noexcept { return def_.element > 0.0; }
     [[nodiscard]] std::size_t node_slot(const World& world) const noexcept;
     [[nodiscard]] WinchMode mode() const noexcept;
-    [[nodiscard]] bool full() const noexcept;
+    [[nodiscard]] bool is_hauled_in() const noexcept;
 
     WinchDef def_;
     DrumGeometry drum_;
@@ -154,7 +157,7 @@ class WinchSystem final : public System {
     // State.
     double stored_, at_drum_, angle_ = 0.0, radius_ = 0.0, clock_ = 0.0;
     double slip_ = 0.0, heat_ = 0.0;
-    Set set_;
+    LastInputs last_inputs_;
     GripOrder grip_set_{0.0, -1e30, 1e30};
     double end_set_ = 0.0;  ///< Bound of the bitter end [N m].
     std::int32_t slipping_ = 0, parted_ = 0, empty_ = 0, released_ = 0, engaged_ = 1;
@@ -169,8 +172,8 @@ class WinchSystem final : public System {
     bool crowded_ = false;  ///< True if a node could not be inserted for the first time.
     /// True if the element at the drum is or will soon be at its least length.
     bool hauled_in_ = false;
-    bool jams_ = false;      ///< True if it is at its least length.
-    bool jams_now_ = false;  ///< True if it reached its least length in the last step.
+    bool jams_ = false;          ///< True if it is at its least length.
+    bool began_to_jam_ = false;  ///< True if it reached its least length in the last step.
 };
 
 }  // namespace hawser::wire

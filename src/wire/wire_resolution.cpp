@@ -24,7 +24,7 @@ WireResolution::WireResolution(const ResolutionDef& def, std::vector<Line> lines
                                std::int64_t phase, double nodes, std::size_t bodies)
     : def_(def),
       lines_(std::move(lines)),
-      room_(room),
+      max_nodes_(room),
       bodies_(bodies),
       phase_(phase),
       memory_(3 * room),
@@ -37,7 +37,7 @@ WireResolution::WireResolution(const ResolutionDef& def, std::vector<Line> lines
 void WireResolution::visit_state(StateVisitor& v) {
     v.visit(reported_);
     v.visit(memory_);
-    for (std::int32_t* x : {&known_, &wanted_}) v.visit(*x);
+    for (std::int32_t* x : {&known_nodes_, &crowded_node_}) v.visit(*x);
     v.visit(sampled_);
     for (double* x : {&tension_, &nodes_, &shortest_, &longest_, &material_, &inserted_, &removed_})
         v.visit(*x);
@@ -47,9 +47,9 @@ void WireResolution::check_state(const World& world, StateRules& rules) const {
     static_cast<void>(world);
     constexpr std::int32_t kMaxSampleCount = 1'000'000'000;
     rules.flag(reported_, "whether a limit was reported is no flag");
-    rules.require(known_ >= 0 && static_cast<std::size_t>(known_) <= room_,
+    rules.require(known_nodes_ >= 0 && static_cast<std::size_t>(known_nodes_) <= max_nodes_,
                   "more nodes are known than there may be");
-    rules.require(wanted_ >= -1, "there is no such node");
+    rules.require(crowded_node_ >= -1, "there is no such node");
     rules.require(sampled_ >= -1, "its last check has no step");
     for (std::size_t k = 2; k < memory_.size(); k += 3)
         rules.require(memory_[k] >= -kMaxSampleCount && memory_[k] <= kMaxSampleCount,
@@ -89,26 +89,26 @@ void WireResolution::bound_elements(const World& world) {
         if (def_.sag_error > 0.0)
             e.bound = std::min(e.bound, std::sqrt(8.0 * def_.sag_error / curvature));
         if (def_.max_angle > 0.0) e.bound = std::min(e.bound, def_.max_angle / curvature);
-        e.bound_to_go = e.bound;
+        e.removal_bound = e.bound;
         if (def_.contact_length > 0.0) {
             if (touches(i, i + 1)) e.bound = std::min(e.bound, def_.contact_length);
             if (touches(i == 0 ? 0 : i - 1, i + 2))
-                e.bound_to_go = std::min(e.bound_to_go, def_.contact_length);
+                e.removal_bound = std::min(e.removal_bound, def_.contact_length);
         }
         e.bound *= scale_;
-        e.bound_to_go *= scale_;
+        e.removal_bound *= scale_;
         const bool at_drum = (i > 0 && elements_[i - 1].wound) ||
                              (i + 1 < elements_.size() && elements_[i + 1].wound);
         if (at_drum && def_.drum_length > 0.0) e.bound = std::min(e.bound, def_.drum_length);
-        e.bound_to_go = std::min(e.bound_to_go, e.bound);
+        e.removal_bound = std::min(e.removal_bound, e.bound);
     }
 }
 
 /// Restore the idle counts of nodes known from the last sample. New nodes start at 0.
-void WireResolution::recall() noexcept {
+void WireResolution::restore_idle_counts() noexcept {
     std::int32_t from = 0;
     for (Node& node : at_) {
-        for (std::int32_t k = from; k < known_; ++k) {
+        for (std::int32_t k = from; k < known_nodes_; ++k) {
             const std::int32_t* one = &memory_[3 * static_cast<std::size_t>(k)];
             if (one[0] != node.id.index || one[1] != node.id.generation) continue;
             node.idle = one[2];
@@ -118,10 +118,10 @@ void WireResolution::recall() noexcept {
     }
 }
 
-void WireResolution::remember() noexcept {
+void WireResolution::save_idle_counts() noexcept {
     std::fill(memory_.begin(), memory_.end(), 0);
-    known_ = static_cast<std::int32_t>(std::min(at_.size(), room_));
-    for (std::size_t k = 0; k < static_cast<std::size_t>(known_); ++k) {
+    known_nodes_ = static_cast<std::int32_t>(std::min(at_.size(), max_nodes_));
+    for (std::size_t k = 0; k < static_cast<std::size_t>(known_nodes_); ++k) {
         memory_[3 * k] = at_[k].id.index;
         memory_[3 * k + 1] = at_[k].id.generation;
         memory_[3 * k + 2] = at_[k].idle;
@@ -129,21 +129,21 @@ void WireResolution::remember() noexcept {
 }
 
 /// Return true if a node may be removed.
-bool WireResolution::may_go(std::size_t node) const noexcept {
+bool WireResolution::may_remove(std::size_t node) const noexcept {
     const Element &a = elements_[node - 1], &b = elements_[node];
     if (!a.plain || !b.plain || at_[node].angle > kFlat) return false;
     if (a.mass_per_length != b.mass_per_length) return false;  // a boundary of two line types
     const double both = a.length + b.length;
     return both <= def_.max_length * scale_ * (1.0 + kSlack) &&
-           both * def_.hysteresis <= std::min(a.bound_to_go, b.bound_to_go);
+           both * def_.hysteresis <= std::min(a.removal_bound, b.removal_bound);
 }
 
-void WireResolution::count_idle() noexcept {
+void WireResolution::count_idle_samples() noexcept {
     for (std::size_t k = 1; k + 1 < at_.size(); ++k) {
         std::int32_t& idle = at_[k].idle;
-        if (!may_go(k))
+        if (!may_remove(k))
             idle = std::min(idle, 0);
-        else if (idle < patience_)
+        else if (idle < patience_samples_)
             ++idle;
     }
 }
@@ -160,10 +160,10 @@ bool WireResolution::refine(NodeEdits& nodes) noexcept {
         most = e.length / std::max(least, 1e-9);
         worst = i;
     }
-    wanted_ = -1;
+    crowded_node_ = -1;
     if (worst == elements_.size()) return false;
     if (at_.size() >= static_cast<std::size_t>(def_.max_nodes)) {
-        wanted_ = at_[worst].id.index;
+        crowded_node_ = at_[worst].id.index;
         return false;
     }
     if (!nodes.insert_node(elements_[worst].id, 0.5).valid()) return false;
@@ -173,20 +173,20 @@ bool WireResolution::refine(NodeEdits& nodes) noexcept {
 
 /// Remove the node that is needed least.
 bool WireResolution::coarsen(NodeEdits& nodes) noexcept {
-    const std::int32_t wait = scale_ > 1.0 ? 1 : patience_;
+    const std::int32_t wait = scale_ > 1.0 ? 1 : patience_samples_;
     std::size_t least = 0;
     double fraction = 1e30;
     for (std::size_t k = 1; k + 1 < at_.size(); ++k) {
         if (at_[k].idle < wait) continue;
         const Element &a = elements_[k - 1], &b = elements_[k];
-        const double now = (a.length + b.length) / std::min(a.bound_to_go, b.bound_to_go);
+        const double now = (a.length + b.length) / std::min(a.removal_bound, b.removal_bound);
         if (now >= fraction) continue;
         fraction = now;
         least = k;
     }
     if (least == 0) return false;
     if (!nodes.remove_node(at_[least].id, kFlat)) {
-        at_[least].idle = -patience_;  // let other nodes go first
+        at_[least].idle = -patience_samples_;  // let other nodes go first
         return false;
     }
     for (const std::size_t k : {least - 1, least + 1}) at_[k].idle = 0;
@@ -195,7 +195,7 @@ bool WireResolution::coarsen(NodeEdits& nodes) noexcept {
 }
 
 /// Set the outputs: nodes, material, longest and shortest element.
-void WireResolution::tell(const World& world) noexcept {
+void WireResolution::report_changes(const World& world) noexcept {
     nodes_ = static_cast<double>(world.wires().nodes(def_.wire).size());
     material_ = longest_ = 0.0;
     shortest_ = 1e30;
@@ -204,7 +204,7 @@ void WireResolution::tell(const World& world) noexcept {
         const InteractionDef& d = world.interaction_def(id);
         const double mass = kind_info(d.kind).is(kWoundUp) ? 0.0 : d.get("mass");
         if (!(mass > 0.0)) continue;
-        const double line = mass_per_length_of(d);
+        const double line = matching_mass_per_length(d);
         if (!(line > 0.0)) continue;
         const double length = mass / line;
         material_ += length;
@@ -220,16 +220,16 @@ void WireResolution::before_step(NodeEdits& nodes) noexcept {
     // No force is known before the first step.
     if (now == 0 || now == sampled_ || (now + phase_) % def_.interval != 0) return;
     if (!world.alive(def_.wire)) return;
-    patience_ = std::max(1, static_cast<std::int32_t>(std::ceil(
-                                def_.patience / (def_.interval * world.settings().step))));
+    patience_samples_ = std::max(1, static_cast<std::int32_t>(std::ceil(
+                                        def_.patience / (def_.interval * world.settings().step))));
     try {
         sample(world);
         average_tension(world);
         bound_elements(world);
-        recall();
-        count_idle();
+        restore_idle_counts();
+        count_idle_samples();
         if (!refine(nodes)) (void)coarsen(nodes);
-        remember();
+        save_idle_counts();
     } catch (const std::bad_alloc&) {
         nodes.out_of_memory();
         return;
@@ -237,18 +237,18 @@ void WireResolution::before_step(NodeEdits& nodes) noexcept {
         return;  // out of memory: retried in the next step
     }
     sampled_ = now;
-    tell(world);
+    report_changes(world);
 }
 
 void WireResolution::prestep(Prestep& now, Loads& loads) noexcept {
     static_cast<void>(loads);
-    if (wanted_ >= 0 && reported_ == 0) {
+    if (crowded_node_ >= 0 && reported_ == 0) {
         const auto bodies = now.world.bodies();
         const auto at = std::find_if(bodies.begin(), bodies.end(),
-                                     [&](BodyId id) { return id.index == wanted_; });
+                                     [&](BodyId id) { return id.index == crowded_node_; });
         if (at != bodies.end()) now.tell(EventKind::node_limit, *at, nodes_);
     }
-    reported_ = wanted_ >= 0 ? 1 : 0;
+    reported_ = crowded_node_ >= 0 ? 1 : 0;
 }
 
 }  // namespace hawser::wire

@@ -47,7 +47,7 @@ class WireResolution final : public System {
     void signals(SignalTable& table) override;
     [[nodiscard]] bool coarsens() const noexcept override { return nodes_ > 3.0; }
     [[nodiscard]] std::unique_ptr<System> clone() const override {
-        return std::make_unique<WireResolution>(def_, lines_, room_, phase_, nodes_, bodies_);
+        return std::make_unique<WireResolution>(def_, lines_, max_nodes_, phase_, nodes_, bodies_);
     }
 
   private:
@@ -59,7 +59,7 @@ class WireResolution final : public System {
         double bound = 0.0;            ///< L [m].
         /// Bound for removing a node. It also covers contacts one element further out, since nodes
         /// near the end of a contact region alternate.
-        double bound_to_go = 0.0;
+        double removal_bound = 0.0;
         double tension = 0.0;  ///< [N]
         Vec3 chord{0, 0, 0};   ///< [m]
         bool whole = false;    ///< True if it exists and is intact.
@@ -73,30 +73,30 @@ class WireResolution final : public System {
         std::int32_t idle = 0;                ///< Samples in which it was not needed.
     };
 
-    [[nodiscard]] double mass_per_length_of(const InteractionDef& element) const noexcept;
+    [[nodiscard]] double matching_mass_per_length(const InteractionDef& element) const noexcept;
     void sample(const World& world);
-    void bend(const World& world) noexcept;
+    void compute_bending(const World& world) noexcept;
     void average_tension(const World& world) noexcept;
     void bound_elements(const World& world);
-    void recall() noexcept;
-    void remember() noexcept;
-    void count_idle() noexcept;
+    void restore_idle_counts() noexcept;
+    void save_idle_counts() noexcept;
+    void count_idle_samples() noexcept;
     bool refine(NodeEdits& nodes) noexcept;
     bool coarsen(NodeEdits& nodes) noexcept;
-    void tell(const World& world) noexcept;
-    [[nodiscard]] bool may_go(std::size_t node) const noexcept;
+    void report_changes(const World& world) noexcept;
+    [[nodiscard]] bool may_remove(std::size_t node) const noexcept;
 
     ResolutionDef def_;
     std::vector<Line> lines_;
-    std::size_t room_, bodies_;
+    std::size_t max_nodes_, bodies_;
     std::int64_t phase_;
 
     // State.
     std::vector<std::int32_t> memory_;  ///< Index, generation and idle samples of known nodes.
-    std::int32_t known_ = 0;
-    std::int64_t sampled_ = -1;  ///< Step of the last sample.
-    double tension_ = -1.0;      ///< Averaged [N]; negative: unknown.
-    std::int32_t wanted_ = -1;   ///< Index of a node where more nodes are needed than allowed.
+    std::int32_t known_nodes_ = 0;
+    std::int64_t sampled_ = -1;       ///< Step of the last sample.
+    double tension_ = -1.0;           ///< Averaged [N]; negative: unknown.
+    std::int32_t crowded_node_ = -1;  ///< Index of a node where more nodes are needed than allowed.
     std::int32_t reported_ = 0;
     double nodes_ = 0.0, shortest_ = 0.0, longest_ = 0.0, material_ = 0.0;
     double inserted_ = 0.0, removed_ = 0.0;
@@ -105,8 +105,8 @@ class WireResolution final : public System {
     std::vector<Element> elements_;
     std::vector<Node> at_;  ///< One more than elements.
     std::vector<std::uint8_t> touching_;
-    double scale_ = 1.0;         ///< Factor of lengths by the coarsening level.
-    std::int32_t patience_ = 0;  ///< Patience in samples.
+    double scale_ = 1.0;                 ///< Factor of lengths by the coarsening level.
+    std::int32_t patience_samples_ = 0;  ///< Patience in samples.
 };
 
 }  // namespace hawser::wire

@@ -15,7 +15,7 @@
 namespace hawser {
 
 void BlockFactor::Impl::take(const BlockPattern& p) {
-    pattern = world::graph_of(p);
+    pattern = world::factor_pattern_of(p);
     edges = p.edges;
     scalar_begin.assign(1, 0);
     value_begin.assign(1, 0);
@@ -28,7 +28,7 @@ void BlockFactor::Impl::take(const BlockPattern& p) {
 }
 
 /// Compute the address of each matrix block in the panels of the factor.
-void BlockFactor::Impl::place() {
+void BlockFactor::Impl::assign_addresses() {
     const factor::Symbolic& s = analysis.symbolic();
     numeric.reserve(s, pool.threads());
     dirty.reserve(s);
@@ -79,8 +79,8 @@ void BlockFactor::Impl::copy(const CopyOp& op, const double* values) noexcept {
 }
 
 /// Copy the blocks of holders. @param holders  Indices, counted from `first`.
-void BlockFactor::Impl::copy_held(std::span<const std::int32_t> holders, std::int32_t first,
-                                  const double* values) noexcept {
+void BlockFactor::Impl::copy_holder_blocks(std::span<const std::int32_t> holders,
+                                           std::int32_t first, const double* values) noexcept {
     auto one = [&](int i, int) noexcept {
         const std::size_t g = at(first + holders[at(i)]);
         for (std::int32_t k = holder_begin[g]; k < holder_begin[g + 1]; ++k)
@@ -107,12 +107,12 @@ void BlockFactor::analyse(const BlockPattern& pattern) {
     Impl& m = *impl_;
     m.take(pattern);
     const Impl::Awake awake(m.pool);
-    m.analysis.keep_order(false);
+    m.analysis.set_fixed_order(false);
     m.analysis.plan(m.pattern);
     m.report = {};
     m.report.replanned = true;
     m.report.columns = m.pattern.nodes();
-    m.place();
+    m.assign_addresses();
 }
 
 void BlockFactor::analyse(const BlockPattern& pattern, std::span<const std::int32_t> order) {
@@ -120,12 +120,12 @@ void BlockFactor::analyse(const BlockPattern& pattern, std::span<const std::int3
     world::check_order(pattern, order);
     m.take(pattern);
     const Impl::Awake awake(m.pool);
-    m.analysis.keep_order(true);
+    m.analysis.set_fixed_order(true);
     m.analysis.plan(m.pattern, factor::Elimination{{order.begin(), order.end()}, {}});
     m.report = {};
     m.report.replanned = true;
     m.report.columns = m.pattern.nodes();
-    m.place();
+    m.assign_addresses();
 }
 
 void BlockFactor::update(const BlockPattern& pattern, std::span<const std::int32_t> old_of_new) {
@@ -145,8 +145,8 @@ void BlockFactor::update(const BlockPattern& pattern, std::span<const std::int32
     const Impl::Awake awake(m.pool);
     m.take(pattern);
     m.report = m.analysis.update(m.pattern, old_of_new);
-    if (m.report.replanned) m.analysis.keep_order(false);
-    m.place();
+    if (m.report.replanned) m.analysis.set_fixed_order(false);
+    m.assign_addresses();
 }
 
 std::int64_t BlockFactor::value_count() const noexcept { return impl_->value_begin.back(); }
@@ -191,8 +191,9 @@ Status BlockFactor::refactor(std::span<const double> values,
     m.dirty.find(s, {m.columns.data(), changed_blocks.size()});
     m.part_flops = m.dirty.flops;
     m.numeric.clear(s, m.dirty, m.pool);
-    m.copy_held(m.dirty.fronts, 0, values.data());
-    m.copy_held(m.dirty.batches, static_cast<std::int32_t>(s.fronts.size()), values.data());
+    m.copy_holder_blocks(m.dirty.fronts, 0, values.data());
+    m.copy_holder_blocks(m.dirty.batches, static_cast<std::int32_t>(s.fronts.size()),
+                         values.data());
     return m.finish(m.numeric.refactor(s, m.dirty, m.pool));
 }
 

@@ -28,15 +28,15 @@ struct BlockFactor::Impl {
 
     explicit Impl(const FactorOptions& o) : options(o), pool(std::max(1, o.threads)) {
         pool.pause();
-        analysis.keep_updates(o.partial);
+        analysis.separate_updates(o.partial);
         analysis.use(&pool);
     }
 
     void take(const BlockPattern& p);
-    void place();
+    void assign_addresses();
     void copy(const CopyOp& op, const double* values) noexcept;
-    void copy_held(std::span<const std::int32_t> holders, std::int32_t first,
-                   const double* values) noexcept;
+    void copy_holder_blocks(std::span<const std::int32_t> holders, std::int32_t first,
+                            const double* values) noexcept;
     Status finish(int wrong) noexcept;
 
     /// Keeps the threads spinning while it lives.

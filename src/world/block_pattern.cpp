@@ -34,7 +34,7 @@ void check(const BlockPattern& p) {
 
 }  // namespace
 
-factor::Pattern graph_of(const BlockPattern& p) {
+factor::Pattern factor_pattern_of(const BlockPattern& p) {
     check(p);
     std::vector<std::int32_t> from, to;
     from.reserve(p.edges.size());
@@ -63,12 +63,12 @@ void check_order(const BlockPattern& p, std::span<const std::int32_t> order) {
 }  // namespace world
 
 std::vector<std::int32_t> minimum_degree_order(const BlockPattern& pattern) {
-    return factor::order_nodes(world::graph_of(pattern));
+    return factor::order_nodes(world::factor_pattern_of(pattern));
 }
 
 void rows_after_bodies(const BlockPattern& pattern, std::vector<std::int32_t>& order) {
     world::check_order(pattern, order);
-    factor::place_rows_after_bodies(world::graph_of(pattern), order);
+    factor::place_rows_after_bodies(world::factor_pattern_of(pattern), order);
 }
 
 }  // namespace hawser

@@ -14,7 +14,7 @@ namespace hawser::world {
 
 /// Convert a pattern.
 /// @throws std::invalid_argument if it is malformed.
-[[nodiscard]] factor::Pattern graph_of(const BlockPattern& pattern);
+[[nodiscard]] factor::Pattern factor_pattern_of(const BlockPattern& pattern);
 
 /// Check an elimination order.
 /// @throws std::invalid_argument if it is not a permutation of the nodes.

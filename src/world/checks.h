@@ -20,19 +20,19 @@ namespace hawser::world {
 class Where {
   public:
     /// Name a subject: "body 'bob'" or "body (unnamed)".
-    Where(const char* what, const std::string& name) noexcept : what_(what), name_(&name) {}
+    Where(const char* what, const std::string& name) noexcept : kind_(what), name_(&name) {}
     /// Use a ready text.
     Where(const std::string& text) noexcept : name_(&text) {}
     [[nodiscard]] std::string text() const;
 
   private:
-    const char* what_ = nullptr;
+    const char* kind_ = nullptr;
     const std::string* name_;
 };
 
 /// Reject a definition.
 /// @throws DefError with the subject and a reason.
-[[noreturn]] void refuse(const Where& where, const std::string& what);
+[[noreturn]] void throw_def_error(const Where& where, const std::string& what);
 
 /// Check that the free end of an element has a mass.
 /// @param mass  Mass of its end [kg].

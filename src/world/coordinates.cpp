@@ -32,7 +32,7 @@ namespace {
 
 /// Return the coordinate of an interaction.
 /// @throws DefError for a kind without a coordinate.
-model::Coordinate coordinate_of(const context::StepContext& ctx, std::size_t i) {
+model::Coordinate interaction_coordinate(const context::StepContext& ctx, std::size_t i) {
     const InteractionDef& def = ctx.model.interactions.def[i];
     const KindInfo& kind = kind_info(def.kind);
     if (kind.coordinate == KindCoordinate::none)
@@ -43,11 +43,11 @@ model::Coordinate coordinate_of(const context::StepContext& ctx, std::size_t i) 
 }  // namespace
 
 double World::coordinate(InteractionId id) const {
-    return coordinate_of(impl_->ctx, impl_->place(id)).value;
+    return interaction_coordinate(impl_->ctx, impl_->index_of(id)).value;
 }
 
 double World::speed(InteractionId id) const {
-    return coordinate_of(impl_->ctx, impl_->place(id)).rate;
+    return interaction_coordinate(impl_->ctx, impl_->index_of(id)).rate;
 }
 
 double World::motor_force(InteractionId id) const {

@@ -30,7 +30,7 @@ namespace hawser {
 
 void WorldSplits::set_group(BodyId id, const std::string& group) {
     const world::Using use(impl().use, "set_group");
-    const std::size_t b = impl().place(id);
+    const std::size_t b = impl().index_of(id);
     WorldImpl& m = impl();
     if (m.body_defs[b].group == group) return;
     std::string name = group;
@@ -89,9 +89,9 @@ void WorldSplits::set_groups(int parts) {
     std::vector<std::int32_t> by_hand = m.ctx.model.regroup.by_hand;
     const WorldDef before = m.ctx.model.def;
     step::Transaction all(m.ctx);
-    state::keep_state(m.ctx, context::Undo::Depth::model);
+    state::save_state(m.ctx, context::Undo::Depth::model);
     try {
-        const WorldImpl::Untold untold(m);
+        const WorldImpl::SilencedListener untold(m);
         regroup_all(parts);
     } catch (...) {
         m.ctx.model.def = before;
@@ -115,7 +115,7 @@ void WorldSplits::regroup_all(int parts) {
 
 void WorldSplits::set_coupling(InteractionId id, Coupling coupling) {
     const world::Using use(impl().use, "set_coupling");
-    const std::size_t i = impl().place(id);
+    const std::size_t i = impl().index_of(id);
     context::StepContext& c = impl().ctx;
     if (coupling > Coupling::deadline) throw DefError("unknown coupling");
     if (coupling != Coupling::exact && c.model.def.sleep_after > 0.0)
@@ -133,7 +133,7 @@ void WorldSplits::set_coupling(InteractionId id, Coupling coupling) {
 }
 
 Coupling WorldSplitsView::coupling(InteractionId id) const {
-    const std::size_t i = impl().place(id);
+    const std::size_t i = impl().index_of(id);
     const context::Cuts& cuts = impl().ctx.model.cuts;
     return i < cuts.coupling.size() ? cuts.coupling[i] : impl().ctx.model.def.coupling;
 }
@@ -195,8 +195,8 @@ void copy_values(const context::StepContext& from, context::StepContext& to) {
 bool copy_contacts(const context::StepContext& from, context::StepContext& to) {
     assembly::Contacts& c = to.model.system.contacts;
     const assembly::Contacts& f = from.model.system.contacts;
-    to.model.collider.kept() = from.model.collider.kept();
-    to.model.collider.kept_awake() = from.model.collider.kept_awake();
+    to.model.collider.last_contacts() = from.model.collider.last_contacts();
+    to.model.collider.last_awake_count() = from.model.collider.last_awake_count();
     c.memory = f.memory;
     c.resistances.memory = f.resistances.memory;
     c.link_used = f.link_used;
@@ -248,7 +248,7 @@ void WorldState::copy_from(const World& other) {
     std::vector<std::pair<Vec3, Vec3>> forces;
     for (const BodyDef& def : impl().body_defs) forces.emplace_back(def.force, def.torque);
     step::Transaction all(to);
-    state::keep_state(to, context::Undo::Depth::all);
+    state::save_state(to, context::Undo::Depth::all);
     std::vector<std::byte> copied;
     try {
         impl().copy_from(impl(other));
@@ -266,7 +266,7 @@ void WorldState::copy_from(const World& other) {
         throw;
     }
     all.done();
-    impl().systems.forget();
+    impl().systems.discard_actions();
     impl().outputs.forget_figures();
     if (impl().listener != nullptr) impl().listener->restored(copied);
 }
@@ -292,7 +292,7 @@ void WorldImpl::copy_from(const WorldImpl& other) {
     if (from.model.interactions.count() != to.model.interactions.count())
         split::follow_cuts(to.model);
     if (from.model.cuts.interfaces == to.model.cuts.interfaces &&
-        split::ask_for_cuts(to, from.model.cuts.asked) != Status::ok)
+        split::request_cuts(to, from.model.cuts.asked) != Status::ok)
         throw std::bad_alloc();
 }
 

@@ -29,7 +29,7 @@ struct Parts {
 [[nodiscard]] std::string part_name(const std::string& name, const char* part);
 
 /// Set a parameter if a value is given.
-void set_given(InteractionDef& def, std::string_view param, double value);
+void set_if_given(InteractionDef& def, std::string_view param, double value);
 /// Set the same compliance and damping time in every row.
 void set_rows(InteractionDef& def, double compliance, double damping_time);
 

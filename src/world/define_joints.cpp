@@ -21,7 +21,7 @@ std::string part_name(const std::string& name, const char* part) {
     return name.empty() ? name : name + "/" + part;
 }
 
-void set_given(InteractionDef& def, std::string_view param, double value) {
+void set_if_given(InteractionDef& def, std::string_view param, double value) {
     if (!std::isnan(value)) def.set(param, value);
 }
 
@@ -45,10 +45,10 @@ void set_frames(InteractionDef& def, const World& world, std::size_t count, cons
 }
 
 void set_motor(InteractionDef& def, const AxisMotor& motor) {
-    set_given(def, "speed", motor.speed);
-    set_given(def, "force_min", motor.force_min);
-    set_given(def, "force_max", motor.force_max);
-    set_given(def, "power", motor.power);
+    set_if_given(def, "speed", motor.speed);
+    set_if_given(def, "force_min", motor.force_min);
+    set_if_given(def, "force_max", motor.force_max);
+    set_if_given(def, "power", motor.power);
     def.compliance[0] = motor.compliance;
 }
 
@@ -134,14 +134,14 @@ class Joint {
         const bool lump = world_.body_def(out.body[slot]).kind == BodyKind::lump;
         // Positions are written with six decimals.
         if (lump && out.point[slot].norm() > 2e-6)
-            refuse("a lump is a point, " + number(out.point[slot].norm()) +
-                   " m away from there; put the joint at its position");
+            throw_def_error("a lump is a point, " + number(out.point[slot].norm()) +
+                            " m away from there; put the joint at its position");
     }
     /// Return a direction of the definition in world axes.
     [[nodiscard]] Vec3 direction(const Vec3& axis) const {
         const double length = axis.norm();
         if (!std::isfinite(length) || !(length > 1e-9))
-            refuse("its axis has no direction; give one of any length but 0");
+            throw_def_error("its axis has no direction; give one of any length but 0");
         return (in_a_ ? Vec3(pose_[0].orientation * axis) : axis) / length;
     }
     /// Set the frame of one side with z along a direction of the world.
@@ -154,14 +154,14 @@ class Joint {
     /// Set the frames of both sides about an axis, with the angle and distance of the coordinates.
     void set_axis(const Vec3& axis, double turned, double separation) {
         if (!std::isfinite(turned) || !std::isfinite(separation))
-            refuse("its coordinate is not a finite number");
+            throw_def_error("its coordinate is not a finite number");
         const Vec3 z = direction(axis);
         const Quat frame = turn_between(Vec3::UnitZ(), z);
         set_frame(0, frame);
         set_frame(1, frame * Quat(Eigen::AngleAxisd(turned, Vec3::UnitZ())));
         set_point(0, point_ - separation * z);
     }
-    [[noreturn]] void refuse(const std::string& what) const {
+    [[noreturn]] void throw_def_error(const std::string& what) const {
         throw DefError(std::string(kind_info(kind_).name) + " " +
                        (name_.empty() ? "(unnamed)" : "'" + name_ + "'") + ": " + what);
     }
@@ -195,7 +195,7 @@ JointIds add_driven(World& world, InteractionKind kind, const AxisKinds& kinds, 
     return ids;
 }
 
-InteractionId add_one(World& world, const InteractionDef& def) {
+InteractionId add_joint(World& world, const InteractionDef& def) {
     return world.add_interaction(def);
 }
 
@@ -232,15 +232,15 @@ InteractionId define(World& world, const UniversalDef& def) {
     const Vec3 a = joint.direction(def.axis_a), b = joint.direction(def.axis_b);
     // Axes are written with six decimals.
     if (std::abs(a.dot(b)) > 1e-6)
-        joint.refuse("its axes are not square to each other: their cosine is " +
-                     world::number(a.dot(b)));
+        joint.throw_def_error("its axes are not square to each other: their cosine is " +
+                              world::number(a.dot(b)));
     joint.set_frame(0, a);
     joint.set_frame(1, b);
-    return world::add_one(world, joint.out);
+    return world::add_joint(world, joint.out);
 }
 
 InteractionId define(World& world, const BallDef& def) {
-    return world::add_one(world, world::Joint(world, InteractionKind::Ball, def).out);
+    return world::add_joint(world, world::Joint(world, InteractionKind::Ball, def).out);
 }
 
 InteractionId define(World& world, const GearDef& def) {
@@ -258,7 +258,7 @@ InteractionId define(World& world, const GearDef& def) {
 InteractionId define(World& world, const LockDef& def) {
     world::Joint joint(world, InteractionKind::Lock, def);
     for (std::size_t b = 0; b < 2; ++b) joint.set_frame(b, Quat::Identity());
-    return world::add_one(world, joint.out);
+    return world::add_joint(world, joint.out);
 }
 
 }  // namespace hawser

@@ -11,7 +11,7 @@
 namespace hawser {
 namespace {
 
-using world::set_given;
+using world::set_if_given;
 
 /// Attach to a point of a body. A node must have the point 0.
 void attach(InteractionDef& def, const World& in, std::size_t slot, BodyId body,
@@ -31,15 +31,15 @@ InteractionDef line(const World& in, InteractionKind kind, const Def& def) {
     out.name = def.name;
     attach(out, in, 0, def.a, def.point_a);
     attach(out, in, 1, def.b, def.point_b);
-    set_given(out, "length", def.length);
+    set_if_given(out, "length", def.length);
     out.damping_time[0] = def.damping_time;
     return out;
 }
 
 template <class Def>
 void set_stretch(InteractionDef& out, const Def& def) {
-    set_given(out, "EA", def.EA);
-    set_given(out, "breaking_load", def.breaking_load);
+    set_if_given(out, "EA", def.EA);
+    set_if_given(out, "breaking_load", def.breaking_load);
     if (def.tension_only) out.set("tension_only", *def.tension_only ? 1.0 : 0.0);
 }
 
@@ -62,7 +62,7 @@ InteractionId define(World& world, const WinchStretchDef& def) {
     InteractionDef out = line(world, InteractionKind::WinchStretch, def);
     out.body[2] = def.drum;
     set_stretch(out, def);
-    set_given(out, "radius", def.radius);
+    set_if_given(out, "radius", def.radius);
     return world.add_interaction(out);
 }
 
@@ -73,8 +73,8 @@ InteractionId define(World& world, const BendDef& def) {
     attach(out, world, 0, def.first, def.point_first);
     attach(out, world, 1, def.middle, def.point_middle);
     attach(out, world, 2, def.last, def.point_last);
-    set_given(out, "EI", def.EI);
-    set_given(out, "length", def.length);
+    set_if_given(out, "EI", def.EI);
+    set_if_given(out, "length", def.length);
     out.damping_time.fill(def.damping_time);
     return world.add_interaction(out);
 }
@@ -85,8 +85,8 @@ InteractionId define(World& world, const TwistDef& def) {
     out.name = def.name;
     out.body = {def.a, def.b};
     world::set_frames(out, world, 2, def.axis, JointFrame::world);
-    set_given(out, "GJ", def.GJ);
-    set_given(out, "length", def.length);
+    set_if_given(out, "GJ", def.GJ);
+    set_if_given(out, "length", def.length);
     out.damping_time.fill(def.damping_time);
     return world.add_interaction(out);
 }
@@ -96,13 +96,13 @@ InteractionId define(World& world, const HydrostaticDef& def) {
     out.kind = InteractionKind::Hydrostatic;
     out.name = def.name;
     out.body[0] = def.body;
-    set_given(out, "heave_stiffness", def.heave_stiffness);
-    set_given(out, "roll_stiffness", def.roll_stiffness);
-    set_given(out, "pitch_stiffness", def.pitch_stiffness);
-    set_given(out, "heave_damping", def.heave_damping);
-    set_given(out, "roll_damping", def.roll_damping);
-    set_given(out, "pitch_damping", def.pitch_damping);
-    set_given(out, "rest_height", def.rest_height);
+    set_if_given(out, "heave_stiffness", def.heave_stiffness);
+    set_if_given(out, "roll_stiffness", def.roll_stiffness);
+    set_if_given(out, "pitch_stiffness", def.pitch_stiffness);
+    set_if_given(out, "heave_damping", def.heave_damping);
+    set_if_given(out, "roll_damping", def.roll_damping);
+    set_if_given(out, "pitch_damping", def.pitch_damping);
+    set_if_given(out, "rest_height", def.rest_height);
     return world.add_interaction(out);
 }
 

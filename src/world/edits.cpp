@@ -14,19 +14,19 @@
 
 namespace hawser {
 
-using world::claim;
 using world::claim_for;
+using world::claim_name;
 
 namespace {
 
 /// Return the index of the next object: a vacant one, or the end.
-std::int32_t next_place(std::int32_t vacant, int count) noexcept {
+std::int32_t next_index(std::int32_t vacant, int count) noexcept {
     return vacant < 0 ? count : vacant;
 }
 
 /// Store a definition at an index, at the end or not. Capacity has been reserved.
 template <class T>
-void put(std::vector<T>& list, std::int32_t place, T&& value) noexcept {
+void store_at(std::vector<T>& list, std::int32_t place, T&& value) noexcept {
     if (at(place) == list.size())
         list.push_back(std::forward<T>(value));
     else
@@ -43,7 +43,7 @@ void erase_id(std::vector<Id>& ids, Id id) noexcept {
     ids.erase(std::lower_bound(ids.begin(), ids.end(), id));
 }
 
-void refuse_beyond(std::size_t living, std::int32_t most, const char* what) {
+void throw_if_above(std::size_t living, std::int32_t most, const char* what) {
     if (living >= at(most))
         throw DefError(std::string("too many ") + what + "; raise max_" + what + " = " +
                        std::to_string(most));
@@ -56,22 +56,22 @@ BodyId World::add_body(const BodyDef& def) {
     world::check(def);
     Impl& m = *impl_;
     context::StepContext& c = m.ctx;
-    refuse_beyond(m.body_ids.size(), c.model.def.max_bodies, "bodies");
+    throw_if_above(m.body_ids.size(), c.model.def.max_bodies, "bodies");
     BodyDef kept = def;
     base::reserve_more(m.body_defs, 1);
     base::reserve_more(m.body_ids, 1);
     base::reserve_more(c.model.regroup.by_hand, 1);
     base::reserve_more(c.model.cuts.group, 1);
     c.model.bodies.reserve_more();
-    const std::int32_t place = next_place(c.model.bodies.place_for(def.kind), body_count());
+    const std::int32_t place = next_index(c.model.bodies.place_for(def.kind), body_count());
     std::int32_t group = -1;
     claim_for(m.body_names, def.name, place, "body", [&] { group = m.number_of_group(def.group); });
     // No call below throws.
     edit::begin_edit(c);
     (void)c.model.bodies.add(def);
-    put(m.body_defs, place, std::move(kept));
-    put(c.model.regroup.by_hand, place, std::int32_t{group});
-    put(c.model.cuts.group, place, std::int32_t{group});
+    store_at(m.body_defs, place, std::move(kept));
+    store_at(c.model.regroup.by_hand, place, std::int32_t{group});
+    store_at(c.model.cuts.group, place, std::int32_t{group});
     edit::settle_body(c, place);
     const BodyId id = c.model.bodies.id(place);
     insert_id(m.body_ids, id);
@@ -86,21 +86,21 @@ InteractionId World::add_interaction(const InteractionDef& def) {
     model::Interactions& all = c.model.interactions;
     world::check(def, c.model.bodies, body_count(),
                  std::span(all.def).first(at(interaction_count())), all.slots);
-    refuse_beyond(m.interaction_ids.size(), c.model.def.max_interactions, "interactions");
+    throw_if_above(m.interaction_ids.size(), c.model.def.max_interactions, "interactions");
     InteractionDef d = def;
     world::fill_in(d, c);
     all.reserve_more(d.kind);
     base::reserve_more(m.interaction_ids, 1);
     edit::reserve_edit(c);
-    const std::int32_t place = next_place(all.place_for(d.kind), interaction_count());
-    claim(m.interaction_names, d.name, place, "interaction");
+    const std::int32_t place = next_index(all.place_for(d.kind), interaction_count());
+    claim_name(m.interaction_names, d.name, place, "interaction");
     // No call below throws.
-    const InteractionId id = m.put_interaction(std::move(d));
+    const InteractionId id = m.store_interaction(std::move(d));
     if (m.listener != nullptr) m.listener->added(def);
     return id;
 }
 
-InteractionId WorldImpl::put_interaction(InteractionDef&& whole) noexcept {
+InteractionId WorldImpl::store_interaction(InteractionDef&& whole) noexcept {
     edit::begin_edit(ctx);
     model::Interactions& all = ctx.model.interactions;
     const std::int32_t place = all.add(std::move(whole), ctx.model.bodies, ctx.model.def.step);
@@ -120,12 +120,12 @@ ShapeId World::add_shape(const ShapeDef& def) {
     base::reserve_more(m.shape_defs, 1);
     edit::reserve_edit(m.ctx);
     base::reserve_more(m.shape_ids, 1);
-    const std::int32_t place = next_place(
+    const std::int32_t place = next_index(
         m.ctx.model.collider.slots.find_vacant([](std::int32_t) { return true; }), shape_count());
     claim_for(m.shape_names, def.name, place, "shape",
               [&] { m.ctx.model.collider.add(def, m.ctx.model.bodies); });
     // No call below throws.
-    put(m.shape_defs, place, std::move(kept));
+    store_at(m.shape_defs, place, std::move(kept));
     edit::begin_shape_edit(m.ctx);
     edit::settle_shape(m.ctx, place);
     const auto id = m.ctx.model.collider.slots.id<ShapeId>(place);
@@ -155,10 +155,10 @@ namespace {
 /// Remove one object with everything attached to it.
 /// @param call  Name of the function of World.
 template <class Impl, class Id>
-const Removed& remove_one(Impl& impl, Id id, const char* call) {
+const Removed& remove_object(Impl& impl, Id id, const char* call) {
     const world::Using use(impl.use, call);
-    (void)impl.place(id);
-    impl.refuse_held(id);
+    (void)impl.index_of(id);
+    impl.check_not_held(id);
     impl.reserve_removal();
     impl.remove(id);
     if (impl.listener != nullptr) impl.listener->removed(id);
@@ -167,12 +167,12 @@ const Removed& remove_one(Impl& impl, Id id, const char* call) {
 
 }  // namespace
 
-const Removed& World::remove_body(BodyId id) { return remove_one(*impl_, id, "remove_body"); }
+const Removed& World::remove_body(BodyId id) { return remove_object(*impl_, id, "remove_body"); }
 const Removed& World::remove_interaction(InteractionId id) {
-    return remove_one(*impl_, id, "remove_interaction");
+    return remove_object(*impl_, id, "remove_interaction");
 }
-const Removed& World::remove_shape(ShapeId id) { return remove_one(*impl_, id, "remove_shape"); }
-const Removed& World::remove_input(InputId id) { return remove_one(*impl_, id, "remove_input"); }
+const Removed& World::remove_shape(ShapeId id) { return remove_object(*impl_, id, "remove_shape"); }
+const Removed& World::remove_input(InputId id) { return remove_object(*impl_, id, "remove_input"); }
 
 /// Reserve capacity for all objects, because removing a hull may remove any of them.
 void WorldImpl::reserve_removal() {

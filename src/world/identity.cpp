@@ -25,7 +25,7 @@ class Digest {
         if (size > kRoom) {
             hash_ = base::checksum(data, size, hash_);
         } else if (size > 0) {
-            std::memcpy(room_ + used_, data, size);
+            std::memcpy(buffer_ + used_, data, size);
             used_ += size;
         }
     }
@@ -39,7 +39,7 @@ class Digest {
     }
     /// Add the first entries of an array.
     template <class A>
-    void front(const A& a, std::size_t count) {
+    void add_front(const A& a, std::size_t count) {
         bytes(a.data(), count * sizeof(a[0]));
     }
     [[nodiscard]] std::uint64_t result() {
@@ -50,12 +50,12 @@ class Digest {
   private:
     static constexpr std::size_t kRoom = 4096;
     void flush() {
-        hash_ = base::checksum(room_, used_, hash_);
+        hash_ = base::checksum(buffer_, used_, hash_);
         used_ = 0;
     }
     std::uint64_t hash_ = base::kFnvStart;
     std::size_t used_ = 0;
-    unsigned char room_[kRoom];
+    unsigned char buffer_[kRoom];
 };
 
 void add(const MaterialDef& m, Digest& to) {
@@ -120,10 +120,10 @@ std::uint64_t layout_of(const context::StepContext& ctx, std::size_t inputs) {
     // Only user objects count, because ghost bodies and duplicated rows of cuts follow from them.
     const auto bodies = static_cast<std::size_t>(context::body_count(ctx.model)),
                count = static_cast<std::size_t>(context::interaction_count(ctx.model));
-    to.front(ctx.model.bodies.kind, bodies);
-    to.front(ctx.model.regroup.by_hand, bodies);
-    to.front(ctx.model.interactions.body, kMaxInteractionBodies * count);
-    to.front(ctx.model.interactions.rows, count);
+    to.add_front(ctx.model.bodies.kind, bodies);
+    to.add_front(ctx.model.regroup.by_hand, bodies);
+    to.add_front(ctx.model.interactions.body, kMaxInteractionBodies * count);
+    to.add_front(ctx.model.interactions.rows, count);
     for (std::size_t i = 0; i < count; ++i) to.value(ctx.model.interactions.def[i].kind);
     for (const collide::Shape& s : ctx.model.collider.shapes()) {
         to.value(s.geometry.kind);
@@ -136,7 +136,7 @@ std::uint64_t layout_of(const context::StepContext& ctx, std::size_t inputs) {
                                                   : slots == &ctx.model.interactions.slots
                                                       ? count
                                                       : ctx.model.collider.shapes().size());
-        to.front(slots->generations(), n);
+        to.add_front(slots->generations(), n);
         to.array(slots->vacant());
     }
     to.value(ctx.model.def.step);
@@ -151,10 +151,10 @@ std::uint64_t parameters_of(const context::StepContext& ctx, const std::vector<B
     add(shapes, ctx.model.collider, to);
     const auto bodies = static_cast<std::size_t>(context::body_count(ctx.model)),
                count = static_cast<std::size_t>(context::interaction_count(ctx.model));
-    to.front(ctx.model.bodies.mass, bodies);
-    to.front(ctx.model.bodies.inertia, 9 * bodies);
-    to.front(ctx.model.bodies.damping, 6 * bodies);
-    to.front(ctx.model.bodies.weight, bodies);
+    to.add_front(ctx.model.bodies.mass, bodies);
+    to.add_front(ctx.model.bodies.inertia, 9 * bodies);
+    to.add_front(ctx.model.bodies.damping, 6 * bodies);
+    to.add_front(ctx.model.bodies.weight, bodies);
     for (std::size_t b = 0; b < std::min(bodies, defs.size()); ++b)
         if (ctx.model.bodies.slots.holds(static_cast<int>(b))) add(b, defs[b], to);
     for (const SettingInfo& s : setting_infos())

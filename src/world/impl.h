@@ -26,7 +26,7 @@
 
 namespace hawser {
 
-struct WorldImpl final : private world::InputDoor {
+struct WorldImpl final : private world::InputAccess {
     explicit WorldImpl(const WorldDef& def) : ctx(def), material_names{{"default", 0}} {}
     WorldImpl(const WorldImpl&) = delete;
     WorldImpl& operator=(const WorldImpl&) = delete;
@@ -45,17 +45,17 @@ struct WorldImpl final : private world::InputDoor {
 
     /// Return the index of an id.
     /// @throws DefError for an invalid id or a removed object.
-    [[nodiscard]] std::size_t place(BodyId id) const {
+    [[nodiscard]] std::size_t index_of(BodyId id) const {
         return world::place_of(id, ctx.model.bodies.slots, context::body_count(ctx.model), "body");
     }
-    [[nodiscard]] std::size_t place(InteractionId id) const {
+    [[nodiscard]] std::size_t index_of(InteractionId id) const {
         return world::place_of(id, ctx.model.interactions.slots,
                                context::interaction_count(ctx.model), "interaction");
     }
-    [[nodiscard]] std::size_t place(ShapeId id) const {
+    [[nodiscard]] std::size_t index_of(ShapeId id) const {
         return world::place_of(id, ctx.model.collider.slots, ctx.model.collider.count(), "shape");
     }
-    [[nodiscard]] std::size_t place(InputId id) const {
+    [[nodiscard]] std::size_t index_of(InputId id) const {
         return world::place_of(id, input_slots, input_slots.count(), "input");
     }
 
@@ -69,7 +69,7 @@ struct WorldImpl final : private world::InputDoor {
     void make_bodies(World& self, const Placed<BodyDef>& from);
     void make_shapes(World& self, const Structure& from);
     void make_interactions(World& self, const Placed<InteractionDef>& from);
-    void take_defined(const Structure& from);
+    void move_defined(const Structure& from);
     void make_inputs(World& self, const Placed<InputDef>& from);
     void make_wires(const Placed<WirePieces>& from);
 
@@ -87,7 +87,7 @@ struct WorldImpl final : private world::InputDoor {
     [[nodiscard]] Mark mark(BodyId from, BodyId to) const noexcept;
     void report_wire(const world::Wire& made) const noexcept;
     void take_back(const Mark& before, const world::Wire& made) noexcept;
-    [[nodiscard]] WireId keep_wire(world::Wire& wire);
+    [[nodiscard]] WireId store_wire(world::Wire& wire);
     /// Reserve capacity for one more wire and claim its name.
     /// @return the vacant index that it will use, −1: the end.
     /// @throws DefError, std::bad_alloc.
@@ -98,10 +98,10 @@ struct WorldImpl final : private world::InputDoor {
     // Helpers of insert_node() and remove_node(): the wire of an element, null if it has none;
     // updates of the definitions of bodies and elements about a node; the capsule of an element.
     [[nodiscard]] world::Wire* wire_with(InteractionId element) noexcept;
-    void know_wire_of(InteractionId element);
+    void update_wire_of(InteractionId element);
     void follow_definitions(const edit::NodeSurroundings& place) noexcept;
     void follow_inputs(std::int32_t element) noexcept;
-    void put_segment(ShapeId segment, BodyId first, BodyId second, const Vec3& point) noexcept;
+    void add_capsule(ShapeId segment, BodyId first, BodyId second, const Vec3& point) noexcept;
     void move_segment(ShapeId segment, std::size_t side, BodyId to) noexcept;
     void join_segments(ShapeId near, ShapeId far) noexcept;
     [[nodiscard]] ShapeId segment_between(std::int32_t a, std::int32_t b) const noexcept;
@@ -111,19 +111,19 @@ struct WorldImpl final : private world::InputDoor {
     /// Join a short element at a cut end with the next one, if its node can be removed.
     void join_short_end(World& world, InteractionId end, std::size_t side) noexcept;
     void check_cut_at_node(const std::string& where, edit::NodeSurroundings& place) const;
-    [[nodiscard]] bool carried(const world::Wire& wire, std::size_t element) const noexcept;
-    [[nodiscard]] std::pair<InteractionId, double> beside_carried(const world::Wire& wire,
-                                                                  std::size_t node,
-                                                                  double s) const noexcept;
-    void turn_bend(BodyId lump, BodyId from, BodyId to, const Vec3& point) noexcept;
+    [[nodiscard]] bool is_carried(const world::Wire& wire, std::size_t element) const noexcept;
+    [[nodiscard]] std::pair<InteractionId, double> cut_beside_carried(const world::Wire& wire,
+                                                                      std::size_t node,
+                                                                      double s) const noexcept;
+    void replace_bend_neighbour(BodyId lump, BodyId from, BodyId to, const Vec3& point) noexcept;
     void drop_folded(std::int32_t bend) noexcept;
     [[nodiscard]] world::Wire& wire_on_guide(InteractionId before, InteractionId behind,
                                              const InteractionDef& element);
-    void refuse_two_lines(BodyId node, const edit::NodeSurroundings& place) const;
-    [[nodiscard]] double stiffness_beside(const edit::NodeSurroundings& place,
-                                          const world::Wire* wire) const noexcept;
-    [[nodiscard]] std::int32_t check_node_goes(BodyId node, edit::NodeSurroundings& place,
-                                               double bend) const;
+    void check_one_line_type(BodyId node, const edit::NodeSurroundings& place) const;
+    [[nodiscard]] double bend_stiffness_near(const edit::NodeSurroundings& place,
+                                             const world::Wire* wire) const noexcept;
+    [[nodiscard]] std::int32_t check_node_removable(BodyId node, edit::NodeSurroundings& place,
+                                                    double bend) const;
     [[nodiscard]] std::optional<ShapeDef> next_segment(const edit::NodeSurroundings& place,
                                                        BodyId node, bool first,
                                                        const world::Wire* wire) const;
@@ -133,18 +133,18 @@ struct WorldImpl final : private world::InputDoor {
     [[nodiscard]] WireId id_of(const world::Wire& wire) const noexcept {
         return wires.slots.id<WireId>(static_cast<std::int32_t>(&wire - wires.wires.data()));
     }
-    void part_lump(const edit::NodeSurroundings& place, BodyId end) noexcept;
+    void split_wire_at_node(const edit::NodeSurroundings& place, BodyId end) noexcept;
     void divide_load(BodyId from, BodyId to, double share) noexcept;
     void follow_definition(BodyId lump) noexcept;
-    void turn_round(std::span<const std::int32_t> chain) noexcept;
+    void reverse_chain(std::span<const std::int32_t> chain) noexcept;
     [[nodiscard]] world::FreeEnd free_end(BodyId lump) const;
     [[nodiscard]] world::FreeEnd free_end(WireId id, int end) const;
     [[nodiscard]] Joint splice(World& world, BodyId a, BodyId b);
     [[nodiscard]] Joint hold(World& world, BodyId a, BodyId b, const Vec3& point,
                              const JoinDef& def);
-    [[nodiscard]] Joint put_plate(World& world, BodyId a, BodyId b, const JoinDef& def);
-    [[nodiscard]] InteractionDef link_of(const World& world, BodyId a, BodyId b, const Vec3& point,
-                                         const JoinDef& def) const;
+    [[nodiscard]] Joint add_joining_plate(World& world, BodyId a, BodyId b, const JoinDef& def);
+    [[nodiscard]] InteractionDef make_link(const World& world, BodyId a, BodyId b,
+                                           const Vec3& point, const JoinDef& def) const;
     void add_gear_mass(BodyId lump, double mass) noexcept;
     void open_gear(InteractionId element, BodyId lump);
     void free_node(World& world, InteractionId element, std::size_t side);
@@ -157,27 +157,28 @@ struct WorldImpl final : private world::InputDoor {
     void remove(InteractionId id) noexcept;
     /// Add a complete, checked definition as an interaction. Its name has been claimed and capacity
     /// reserved.
-    InteractionId put_interaction(InteractionDef&& whole) noexcept;
+    InteractionId store_interaction(InteractionDef&& whole) noexcept;
     void remove(ShapeId id) noexcept;
     void remove(InputId id) noexcept;
     /// Check that no system holds an object or the objects removed with it.
     /// @param stays  Interaction on the body that is not removed with it; invalid: all are removed.
     /// @throws DefError
-    void refuse_held(BodyId id, InteractionId stays = {}) const;
-    void refuse_held(InteractionId id) const;
-    void refuse_held(ShapeId id) const;
-    void refuse_held(InputId id) const;
+    void check_not_held(BodyId id, InteractionId stays = {}) const;
+    void check_not_held(InteractionId id) const;
+    void check_not_held(ShapeId id) const;
+    void check_not_held(InputId id) const;
 
     ChangeListener* listener = nullptr;
     /// Suspends the listener, for calls within a reported call.
-    class Untold {
+    class SilencedListener {
       public:
-        explicit Untold(WorldImpl& impl) noexcept : impl_(impl), listener_(impl.listener) {
+        explicit SilencedListener(WorldImpl& impl) noexcept
+            : impl_(impl), listener_(impl.listener) {
             impl.listener = nullptr;
         }
-        ~Untold() { impl_.listener = listener_; }
-        Untold(const Untold&) = delete;
-        Untold& operator=(const Untold&) = delete;
+        ~SilencedListener() { impl_.listener = listener_; }
+        SilencedListener(const SilencedListener&) = delete;
+        SilencedListener& operator=(const SilencedListener&) = delete;
 
       private:
         WorldImpl& impl_;
@@ -192,7 +193,7 @@ struct WorldImpl final : private world::InputDoor {
     // Saved states (snapshot.cpp, restore.cpp, structure.cpp) and the state of another world
     // (cuts.cpp).
     void write_saved(std::vector<std::byte>& out, bool with_systems);
-    void take_saved(World& self, std::span<const std::byte> bytes, bool variant);
+    void restore_saved_bytes(World& self, std::span<const std::byte> bytes, bool variant);
     void restore_saved(World& self, std::span<const std::byte> bytes, bool variant);
     static void restore(World& self, const Structure& made_of, std::span<const std::byte> bytes);
     void copy_from(const WorldImpl& other);
@@ -208,17 +209,17 @@ struct WorldImpl final : private world::InputDoor {
     [[nodiscard]] double user_force(std::size_t body, int component) const noexcept;
     /// Remove input forces from the bodies for a snapshot, and add them again. After reading a
     /// snapshot, bodies have the user forces only.
-    void leave_user_forces() noexcept;
+    void remove_user_forces() noexcept;
     void add_up_forces() noexcept;
-    void put_user_forces() noexcept;  ///< Restore user forces from the definitions.
-    void take_user_forces() noexcept;
+    void set_user_forces() noexcept;  ///< Restore user forces from the definitions.
+    void add_user_forces() noexcept;
 
     /// Inputs with forces in the frame of their body, in the order added. During a step the body's
     /// six previous forces are stored for each of them.
     std::vector<std::int32_t> local_inputs;
     std::vector<double> forces_before;
-    void turn_forces() noexcept override;
-    void unturn_forces() noexcept override;
+    void rotate_forces() noexcept override;
+    void unrotate_forces() noexcept override;
 
     /// Definitions, ids and names before the first edit of a system within a step.
     struct StepUndo {
@@ -247,17 +248,17 @@ struct WorldImpl final : private world::InputDoor {
     StepUndo attempt;  ///< Undo data of an Attempt.
     /// Return true if a rejected call of several edits is undone as a whole (Attempt). Edits of a
     /// system before a step undo their own additions, except with cuts.
-    [[nodiscard]] bool composite() const noexcept {
-        return context::has_cuts(ctx.model) || !systems.editing();
+    [[nodiscard]] bool undoes_as_whole() const noexcept {
+        return context::has_cuts(ctx.model) || !systems.edits_allowed();
     }
     /// Save the state for undo.
     /// @throws std::bad_alloc.
-    void keep_for_undo(StepUndo& u) const;
-    void put_back(StepUndo& u) noexcept;
+    void save_for_undo(StepUndo& u) const;
+    void restore_undo(StepUndo& u) noexcept;
     /// Undo all changes of a failed step and the edits of its systems.
     /// @param mark  Mark of the listener at the start of the step.
     void undo_step(std::size_t mark) noexcept;
-    [[nodiscard]] Status take_step() noexcept;
+    [[nodiscard]] Status run_step() noexcept;
 
     /// Scratch of save(), so that a second call allocates nothing.
     factor::KeptAnalysis saved_analysis;
@@ -274,8 +275,8 @@ struct WorldImpl final : private world::InputDoor {
   private:
     // Calls of systems within a step (world/systems.h).
     bool set(InputId id, double value, Before& before) noexcept override;
-    bool set_untold(InputId id, double value, Before& before) noexcept override {
-        const Untold untold(*this);
+    bool set_unreported(InputId id, double value, Before& before) noexcept override {
+        const SilencedListener untold(*this);
         return set(id, value, before);
     }
     [[nodiscard]] bool empties_range(std::int32_t input) const noexcept override;

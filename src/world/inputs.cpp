@@ -14,7 +14,7 @@
 
 namespace hawser {
 
-using world::claim;
+using world::claim_name;
 using world::lookup;
 
 namespace {
@@ -52,7 +52,7 @@ struct Followed {
     const char* unit = "";
 };
 
-Followed followed(const World& world, const InputDef& def) {
+Followed followed_target(const World& world, const InputDef& def) {
     if (!def.interaction.valid()) return {.unit = def.component < 3 ? "N" : "N m"};
     for (const ParamInfo& p : kind_info(world.interaction_def(def.interaction).kind).params)
         if (def.param == p.name) return {p.min, p.max, p.unit};
@@ -78,7 +78,7 @@ void check_pair(const World& world, const InputDef& def, double value) {
 }
 
 /// Reject a second input of a parameter. A restored world could not determine which was set last.
-void refuse_second(const InputDef& other, const InputDef& def, const world::Where& where) {
+void check_single_input(const InputDef& other, const InputDef& def, const world::Where& where) {
     if (other.interaction == def.interaction && other.param == def.param)
         throw DefError(where.text() + ": input '" + other.name + "' drives '" + def.param +
                        "' of the same interaction; one input a parameter");
@@ -102,9 +102,9 @@ InputId World::add_input(const InputDef& def) {
         value = d.get(def.param);
         limit_to_param(allowed, kind_info(d.kind), where);
         for (const InputId other : m.input_ids)
-            refuse_second(m.inputs[at(other.index)], def, where);
+            check_single_input(m.inputs[at(other.index)], def, where);
     } else {
-        const std::size_t b = impl_->place(def.body);
+        const std::size_t b = impl_->index_of(def.body);
         if (def.component < 0 || def.component > 5)
             throw DefError(where.text() + ": component must be 0 to 5");
         if (def.min > kMaxInputForce || def.max < -kMaxInputForce)
@@ -132,7 +132,7 @@ InputId World::add_input(const InputDef& def) {
         m.forces_before.resize(6 * (m.local_inputs.size() + 1));
     }
     std::int32_t place = m.input_slots.find_vacant([](std::int32_t) { return true; });
-    claim(m.input_names, def.name, place < 0 ? input_count() : place, "input");
+    claim_name(m.input_names, def.name, place < 0 ? input_count() : place, "input");
     // No call below throws.
     if (def.interaction.valid()) m.ctx.model.interactions.mark_driven(def.interaction.index);
     if (place < 0) {
@@ -158,17 +158,17 @@ InputId World::add_input(const InputDef& def) {
 
 int World::input_count() const noexcept { return static_cast<int>(impl_->inputs.size()); }
 std::span<const InputId> World::inputs() const noexcept { return impl_->input_ids; }
-const InputDef& World::input_def(InputId id) const { return impl_->inputs[impl_->place(id)]; }
+const InputDef& World::input_def(InputId id) const { return impl_->inputs[impl_->index_of(id)]; }
 InputId World::find_input(std::string_view name) const noexcept {
     return impl_->input_slots.id<InputId>(lookup(impl_->input_names, name));
 }
-double World::input(InputId id) const { return impl_->input_values[impl_->place(id)]; }
+double World::input(InputId id) const { return impl_->input_values[impl_->index_of(id)]; }
 
 void World::set_input(InputId id, double value) {
     const world::Using use(impl_->use, "set_input");
-    const std::size_t i = impl_->place(id);
+    const std::size_t i = impl_->index_of(id);
     const InputDef& def = impl_->inputs[i];
-    const Followed range = followed(*this, def);
+    const Followed range = followed_target(*this, def);
     if (!(value >= range.min && value <= range.max))
         throw DefError(
             world::label("input", def.name) + ": value = " + world::number(value) + " " +
@@ -215,12 +215,12 @@ double WorldImpl::applied(const InputDef& input) const {
 
 void WorldImpl::disturb(const InputDef& input) noexcept {
     if (!input.interaction.valid()) {
-        context::disturb(ctx.model, input.body.index);
+        context::wake_island(ctx.model, input.body.index);
         return;
     }
     const std::size_t first = kMaxInteractionBodies * at(input.interaction.index);
     for (std::size_t b = 0; b < ctx.model.interactions.bodies[at(input.interaction.index)]; ++b) {
-        context::disturb(ctx.model, ctx.model.interactions.body[first + b]);
+        context::wake_island(ctx.model, ctx.model.interactions.body[first + b]);
     }
 }
 
@@ -251,7 +251,7 @@ void WorldImpl::add_up_force(BodyId body, int component) noexcept {
     ctx.model.bodies.force[6 * at(body.index) + at(component)] = sum;
 }
 
-void WorldImpl::leave_user_forces() noexcept {
+void WorldImpl::remove_user_forces() noexcept {
     for (const ForceInput& input : force_inputs)
         ctx.model.bodies.force[6 * at(input.body) + at(input.component)] =
             user_force(at(input.body), input.component);
@@ -261,14 +261,14 @@ void WorldImpl::add_up_forces() noexcept {
     for (const ForceInput& input : force_inputs) add_up_force(BodyId{input.body}, input.component);
 }
 
-void WorldImpl::put_user_forces() noexcept {
+void WorldImpl::set_user_forces() noexcept {
     for (const BodyId id : body_ids)
         for (int c = 0; c < 6; ++c)
             ctx.model.bodies.force[6 * at(id.index) + at(c)] = user_force(at(id.index), c);
     add_up_forces();
 }
 
-void WorldImpl::take_user_forces() noexcept {
+void WorldImpl::add_user_forces() noexcept {
     for (const BodyId id : body_ids) {
         const double* force = &ctx.model.bodies.force[6 * at(id.index)];
         BodyDef& def = body_defs[at(id.index)];
@@ -278,7 +278,7 @@ void WorldImpl::take_user_forces() noexcept {
     add_up_forces();
 }
 
-void WorldImpl::turn_forces() noexcept {
+void WorldImpl::rotate_forces() noexcept {
     double* before = forces_before.data();
     for (const std::int32_t i : local_inputs) {
         const InputDef& def = inputs[at(i)];
@@ -290,7 +290,7 @@ void WorldImpl::turn_forces() noexcept {
     }
 }
 
-void WorldImpl::unturn_forces() noexcept {
+void WorldImpl::unrotate_forces() noexcept {
     // Reverse order, because several inputs may act on one body.
     for (std::size_t k = local_inputs.size(); k-- > 0;) {
         const InputDef& def = inputs[at(local_inputs[k])];

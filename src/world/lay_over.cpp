@@ -29,21 +29,21 @@ void check_parts(const world::Where& where, const InteractionDef& old, const Int
         return kind_info(d.kind).is(kAtGuide) && d.body[2] == before.body[2];
     };
     if (!ends(before) || !ends(behind))
-        world::refuse(where, "it is divided into parts of kind end_span with one slide");
+        world::throw_def_error(where, "it is divided into parts of kind end_span with one slide");
     if (before.body[0] != old.body[0] || behind.body[1] != old.body[1] ||
         before.body[1] != behind.body[0])
-        world::refuse(where, "its parts must have its ends and meet at one body");
+        world::throw_def_error(where, "its parts must have its ends and meet at one body");
     if (!(before.get("radius") < 0.0 && behind.get("radius") > 0.0))
-        world::refuse(where, "the slide must lengthen one part and shorten the other");
+        world::throw_def_error(where, "the slide must lengthen one part and shorten the other");
 }
 
 /// Return the mass of its half element that a node passes to the guide [kg]. This is all of it, or
 /// all but a hundredth if a drum or guide also loads the next element, because a body needs some
 /// mass (edit/node_drum.cpp). 0: not possible.
-double given_to_guide(const World& world, const world::Wire& wire, InteractionId element,
-                      std::size_t end, double half) {
+double mass_given_to_guide(const World& world, const world::Wire& wire, InteractionId element,
+                           std::size_t end, double half) {
     const double has = world.body_def(world.interaction_def(element).body[end]).mass;
-    if (edit::has_more_than(has, half)) return half;
+    if (edit::exceeds_half(has, half)) return half;
     const auto at = std::find(wire.elements.begin(), wire.elements.end(), element);
     if (end == 0 ? at == wire.elements.begin() : at + 1 == wire.elements.end()) return 0.0;
     const InteractionId next = end == 0 ? *(at - 1) : *(at + 1);
@@ -67,7 +67,7 @@ Parts add_parts(World& world, const WireTrim& trim, const InteractionDef& before
         for (const std::size_t k : {0U, 1U})
             out.element[k] = world.add_interaction(k == 0 ? before : behind);
         for (const std::size_t k : {0U, 1U})
-            if (const auto part = world::capsule_of(world, trim, k == 0 ? before : behind))
+            if (const auto part = world::element_capsule(world, trim, k == 0 ? before : behind))
                 out.capsule[k] = world.add_shape(*part);
         then();
     } catch (...) {
@@ -85,24 +85,26 @@ Parts add_parts(World& world, const WireTrim& trim, const InteractionDef& before
 std::array<InteractionId, 2> WorldWires::engage(InteractionId element, InteractionDef before,
                                                 const InteractionDef& behind) {
     const world::Using use(impl().use, "wires().engage");
-    const Attempt attempt(*world_, impl().composite());
+    const Attempt attempt(*world_, impl().undoes_as_whole());
     WorldImpl& m = impl();
     const InteractionDef old = world_->interaction_def(element);
     const world::Where where("interaction", old.name);
     if (!kind_info(old.kind).is(kWireElement) || kind_info(old.kind).is(kWoundUp))
-        world::refuse(where, "only an element of a wire that no drum or guide has can be divided");
-    if (!world_->intact(element)) world::refuse(where, "it is broken");
+        world::throw_def_error(
+            where, "only an element of a wire that no drum or guide has can be divided");
+    if (!world_->intact(element)) world::throw_def_error(where, "it is broken");
     check_parts(where, old, before, behind);
     world::Wire* wire = m.wire_with(element);
-    if (wire == nullptr) world::refuse(where, "it is of no wire");
+    if (wire == nullptr) world::throw_def_error(where, "it is of no wire");
     const double half = 0.5 * edit::mass_of_element(m.ctx, element.index);
     std::array<double, 2> given{};
     for (const std::size_t end : {0U, 1U}) {
         if (world_->body_def(old.body[end]).kind != BodyKind::lump || !(half > 0.0)) continue;
-        given[end] = given_to_guide(*world_, *wire, element, end, half);
-        if (!(given[end] > 0.0)) world::refuse(where, "a node at its end has less than half of it");
+        given[end] = mass_given_to_guide(*world_, *wire, element, end, half);
+        if (!(given[end] > 0.0))
+            world::throw_def_error(where, "a node at its end has less than half of it");
     }
-    m.refuse_held(element);
+    m.check_not_held(element);
     base::reserve_more(wire->elements, 1);
     base::reserve_more(wire->nodes, 1);
     base::reserve_more(wire->shapes, 2);
@@ -110,7 +112,7 @@ std::array<InteractionId, 2> WorldWires::engage(InteractionId element, Interacti
                                     edit::speed_of(m.ctx, element.index, 1, m.ctx.model.bodies.v)};
     std::array<InteractionId, 2> out;
     {
-        const WorldImpl::Untold untold(m);
+        const WorldImpl::SilencedListener untold(m);
         // The name moves after all checks.
         const std::string name_before = std::exchange(before.name, "");
         const Parts parts =
@@ -124,9 +126,9 @@ std::array<InteractionId, 2> WorldWires::engage(InteractionId element, Interacti
             m.remove(capsule);
             std::erase(wire->shapes, capsule);
         }
-        world::Names::Map::node_type name = m.interaction_names.take(old.name);
+        world::Names::Map::node_type name = m.interaction_names.extract_name(old.name);
         m.remove(element);
-        m.interaction_names.give(std::move(name), out[0].index);
+        m.interaction_names.insert_at(std::move(name), out[0].index);
         m.ctx.model.interactions.def[at(out[0].index)].name = old.name;
         (void)m.sorted_removal();
         const auto place = std::find(wire->elements.begin(), wire->elements.end(), element);
@@ -135,22 +137,24 @@ std::array<InteractionId, 2> WorldWires::engage(InteractionId element, Interacti
         wire->elements.insert(place + 1, out[1]);
         wire->nodes.insert(wire->nodes.begin() + k + 1, before.body[1]);
         for (const std::size_t side : {0U, 1U})  // its neighbour is now the guide
-            m.turn_bend(old.body[side], old.body[1 - side], before.body[1],
-                        edit::held_at(m.ctx, out[side].index, 1 - side));
+            m.replace_bend_neighbour(old.body[side], old.body[1 - side], before.body[1],
+                                     edit::attachment_point(m.ctx, out[side].index, 1 - side));
         std::erase_if(wire->bends, [&](InteractionId id) { return !world_->alive(id); });
         for (const std::size_t end : {0U, 1U})
             if (given[end] > 0.0)
                 set_mass(old.body[end], world_->body_def(old.body[end]).mass - given[end]);
-        world::stop_across(m.ctx, {out[0].index, out[1].index}, speed, 0.5 * (given[0] + given[1]));
+        world::apply_lateral_impulse(m.ctx, {out[0].index, out[1].index}, speed,
+                                     0.5 * (given[0] + given[1]));
     }
     if (m.listener != nullptr) m.listener->laid_over(element, before, behind);
     return out;
 }
 
 /// Replace a neighbour of the bend about a node by a body that holds it at a point of its frame.
-void WorldImpl::turn_bend(BodyId lump, BodyId from, BodyId to, const Vec3& point) noexcept {
+void WorldImpl::replace_bend_neighbour(BodyId lump, BodyId from, BodyId to,
+                                       const Vec3& point) noexcept {
     model::Interactions& in = ctx.model.interactions;
-    const std::int32_t bend = edit::bend_about(ctx, lump.index, from.index);
+    const std::int32_t bend = edit::bend_at_body(ctx, lump.index, from.index);
     if (bend < 0) return;
     const std::size_t slot = edit::end_of(ctx, bend, 0) == from.index ? 0 : 2;
     in.def[at(bend)].point[slot] = point;
@@ -175,41 +179,44 @@ world::Wire& WorldImpl::wire_on_guide(InteractionId before, InteractionId behind
     const world::Where where("interaction", a.name);
     if (!kind_info(a.kind).is(kAtGuide) || b.kind != a.kind || a.body[2] != b.body[2] ||
         a.body[1] != b.body[0])
-        world::refuse(where, "only two parts with one slide become an element again");
+        world::throw_def_error(where, "only two parts with one slide become an element again");
     if (!kind_info(element.kind).is(kWireElement) || kind_info(element.kind).is(kWoundUp) ||
         element.body[0] != a.body[0] || element.body[1] != b.body[1])
-        world::refuse(where, "the result must be an element of a wire between their ends");
+        world::throw_def_error(where, "the result must be an element of a wire between their ends");
     world::Wire* wire = wire_with(before);
-    if (wire == nullptr || wire != wire_with(behind)) world::refuse(where, "it is of no wire");
+    if (wire == nullptr || wire != wire_with(behind))
+        world::throw_def_error(where, "it is of no wire");
     return *wire;
 }
 
 InteractionId WorldWires::disengage(InteractionId before, InteractionId behind,
                                     InteractionDef element) {
     const world::Using use(impl().use, "wires().disengage");
-    const Attempt attempt(*world_, impl().composite());
+    const Attempt attempt(*world_, impl().undoes_as_whole());
     WorldImpl& m = impl();
     const InteractionDef a = world_->interaction_def(before), b = world_->interaction_def(behind);
     world::Wire& wire = m.wire_on_guide(before, behind, element);
-    m.refuse_held(a.body[2]);
+    m.check_not_held(a.body[2]);
     const std::string given = std::exchange(element.name, "");
-    const auto is_lump = [&](BodyId id) { return world_->body_def(id).kind == BodyKind::lump; };
+    const auto is_free_node = [&](BodyId id) {
+        return world_->body_def(id).kind == BodyKind::lump;
+    };
     const double half = std::isnan(element.get("mass")) ? 0.0 : 0.5 * element.get("mass");
     const BodyId ends[2] = {a.body[0], b.body[1]};
     const double had[2] = {world_->body_def(ends[0]).mass, world_->body_def(ends[1]).mass};
     const world::AtWheel wheel = world::at_wheel(m.ctx, {before.index, behind.index}, 2.0 * half);
     const auto weigh = [&](double more) {
         for (const std::size_t k : {0U, 1U})
-            if (half > 0.0 && is_lump(ends[k])) set_mass(ends[k], had[k] + more);
+            if (half > 0.0 && is_free_node(ends[k])) set_mass(ends[k], had[k] + more);
     };
     InteractionId out;
     {
-        const WorldImpl::Untold untold(m);
+        const WorldImpl::SilencedListener untold(m);
         weigh(half);  // An element with a mass needs nodes with that mass.
         ShapeId capsule;
         try {
             out = world_->add_interaction(element);
-            if (const auto segment = world::capsule_of(*world_, wire.trim, element)) {
+            if (const auto segment = world::element_capsule(*world_, wire.trim, element)) {
                 base::reserve_more(wire.shapes, 1);
                 capsule = world_->add_shape(*segment);
             }
@@ -226,9 +233,9 @@ InteractionId WorldWires::disengage(InteractionId before, InteractionId behind,
             m.remove(its);
             std::erase(wire.shapes, its);
         }
-        world::Names::Map::node_type name = m.interaction_names.take(a.name);
+        world::Names::Map::node_type name = m.interaction_names.extract_name(a.name);
         m.remove(a.body[2]);  // with the parts, their friction and its inputs
-        m.interaction_names.give(std::move(name), out.index);
+        m.interaction_names.insert_at(std::move(name), out.index);
         m.ctx.model.interactions.def[at(out.index)].name = a.name;
         (void)m.sorted_removal();
         if (capsule.valid()) wire.shapes.push_back(capsule);
@@ -240,11 +247,11 @@ InteractionId WorldWires::disengage(InteractionId before, InteractionId behind,
         for (const std::size_t side : {0U, 1U}) {
             const BodyId end = side == 0 ? a.body[0] : b.body[1],
                          far = side == 0 ? b.body[1] : a.body[0];
-            m.turn_bend(end, a.body[1], far, element.point[1 - side]);
+            m.replace_bend_neighbour(end, a.body[1], far, element.point[1 - side]);
         }
         std::erase_if(wire.bends, [&](InteractionId id) { return !world_->alive(id); });
         for (const std::size_t end : {0U, 1U})
-            if (half > 0.0 && is_lump(ends[end]))
+            if (half > 0.0 && is_free_node(ends[end]))
                 world::divide_momentum(m.ctx, ends[end].index, wheel, end);
     }
     element.name = given;

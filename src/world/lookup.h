@@ -69,7 +69,7 @@ class Names {
         known_ = true;
     }
     /// Return to a copy, which is invalid afterwards.
-    void go_back(Names& to) noexcept {
+    void restore_names(Names& to) noexcept {
         if (to.known_ && to.copied_ == changes_) return;
         map_.swap(to.map_);
         spare_.swap(to.spare_);
@@ -111,14 +111,14 @@ class Names {
         ++changes_;
     }
     /// Extract the entry of a name to give it to another index; empty if the name is unused.
-    [[nodiscard]] Map::node_type take(std::string_view name) noexcept {
+    [[nodiscard]] Map::node_type extract_name(std::string_view name) noexcept {
         const auto found = map_.find(name);
         if (found == map_.end()) return {};
         ++changes_;
         return map_.extract(found);
     }
-    /// Insert an entry from take() for another index. No entry may have been added since.
-    void give(Map::node_type entry, std::int32_t place) noexcept {
+    /// Insert an entry from extract_name() for another index. No entry may have been added since.
+    void insert_at(Map::node_type entry, std::int32_t place) noexcept {
         if (entry.empty()) return;
         entry.mapped() = place;
         map_.insert(std::move(entry));
@@ -133,7 +133,8 @@ class Names {
     bool known_ = false;
 };
 
-inline void claim(Names& names, const std::string& name, std::int32_t index, const char* what) {
+inline void claim_name(Names& names, const std::string& name, std::int32_t index,
+                       const char* what) {
     if (name.empty()) return;
     if (!names.add(name, index))
         throw DefError(std::string(what) + " '" + name +
@@ -143,7 +144,7 @@ inline void claim(Names& names, const std::string& name, std::int32_t index, con
 /// Claim a name and call f(). Release the claim if f() throws; f() undoes its own changes.
 template <class F>
 void claim_for(Names& names, const std::string& name, std::int32_t index, const char* what, F&& f) {
-    claim(names, name, index, what);
+    claim_name(names, name, index, what);
     try {
         f();
     } catch (...) {

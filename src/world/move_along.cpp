@@ -26,7 +26,8 @@ struct Part {
 
 Part part_at(const context::StepContext& ctx, InteractionId id, std::size_t place) noexcept {
     const InteractionDef& d = ctx.model.interactions.def[at(id.index)];
-    Part out{id.index, edit::bend_about(ctx, d.body[1 - place].index, d.body[place].index), place};
+    Part out{id.index, edit::bend_at_body(ctx, d.body[1 - place].index, d.body[place].index),
+             place};
     if (out.bend >= 0)
         out.slot = ctx.model.interactions.def[at(out.bend)].body[0] == d.body[place] ? 0 : 2;
     return out;
@@ -40,17 +41,17 @@ void check_move(const World& world, const model::Interactions& in, InteractionId
     const world::Where where("interaction", a.name);
     if (!kind_info(a.kind).is(kAtGuide) || b.kind != a.kind || a.body[2] != b.body[2] ||
         a.body[1] != b.body[0] || !(a.get("radius") < 0.0 && b.get("radius") > 0.0))
-        world::refuse(where,
-                      "only the turning point of two parts with one slide can move along an axis");
-    if (a.get("wheel") == 0.0) world::refuse(where, "an eye has no axis to move along");
+        world::throw_def_error(
+            where, "only the turning point of two parts with one slide can move along an axis");
+    if (a.get("wheel") == 0.0) world::throw_def_error(where, "an eye has no axis to move along");
     if (!std::isfinite(along) || !std::isfinite(fed))
-        world::refuse(where, "along = " + world::number(along) + " m, fed = " + world::number(fed) +
-                                 " m: give finite numbers");
+        world::throw_def_error(where, "along = " + world::number(along) + " m, fed = " +
+                                          world::number(fed) + " m: give finite numbers");
     const double rest[2] = {in.rest_length[at(before.index)], in.rest_length[at(behind.index)]};
     if (!(rest[0] + fed > 0.0 && rest[1] - fed > 0.0))
-        world::refuse(where, "fed = " + world::number(fed) + " m: its parts have " +
-                                 world::number(rest[0]) + " m and " + world::number(rest[1]) +
-                                 " m without tension");
+        world::throw_def_error(where, "fed = " + world::number(fed) + " m: its parts have " +
+                                          world::number(rest[0]) + " m and " +
+                                          world::number(rest[1]) + " m without tension");
 }
 
 }  // namespace
@@ -115,7 +116,7 @@ bool WorldWires::move_along(InteractionId before, InteractionId behind, double a
     c.state.ledger.friction += had.ledger - has.ledger;
     for (const Part& part : parts)
         for (std::size_t b = 0; b < in.bodies[at(part.id)]; ++b)
-            context::disturb(c.model, in.body[kMaxInteractionBodies * at(part.id) + b]);
+            context::wake_island(c.model, in.body[kMaxInteractionBodies * at(part.id) + b]);
     m.follow_inputs(before.index);
     m.follow_inputs(behind.index);
     // Damping fractions in an analysis depend on the directions of lines, so it must be repeated.

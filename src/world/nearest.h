@@ -14,8 +14,8 @@
 namespace hawser::world {
 
 /// Return "; did you mean 'x'?", or "; give one of a, b, c" if no name is near.
-[[nodiscard]] inline std::string remedy_of(std::string_view wrong,
-                                           std::span<const char* const> known) {
+[[nodiscard]] inline std::string name_suggestion(std::string_view wrong,
+                                                 std::span<const char* const> known) {
     const char* best = nullptr;
     std::size_t least = std::max<std::size_t>(2, wrong.size() / 3) + 1;
     std::string all;

@@ -15,36 +15,38 @@ namespace hawser {
 /// @throws DefError with the remedy.
 void WorldImpl::check_node(InteractionId element, double share, double mass) const {
     const model::Interactions& in = ctx.model.interactions;
-    const std::size_t e = place(element);
+    const std::size_t e = index_of(element);
     const world::Where where("interaction", in.def[e].name);
     if (!kind_info(in.def[e].kind).is(kWireElement) || in.parted[e] != 0)
-        world::refuse(where, "only elements of wires that are whole have nodes");
+        world::throw_def_error(where, "only elements of wires that are whole have nodes");
     if (systems.refuses_nodes(element))
-        world::refuse(where, "its winch inserts nodes there; choose an element farther away");
+        world::throw_def_error(where,
+                               "its winch inserts nodes there; choose an element farther away");
     if (!(share > 0.0 && share < 1.0))
-        world::refuse(where,
-                      "a node needs a fraction between 0 and 1, not " + world::number(share));
+        world::throw_def_error(
+            where, "a node needs a fraction between 0 and 1, not " + world::number(share));
     if (kind_info(in.def[e].kind).is(kWoundUp)) {
         if (!(mass > 0.0 && mass < 1e12))
-            world::refuse(where, "a drum pays it out: its mass must be given, not " +
-                                     world::number(mass) + " kg");
+            world::throw_def_error(where, "a drum pays it out: its mass must be given, not " +
+                                              world::number(mass) + " kg");
         const auto lump = [&](std::size_t slot) {
-            return edit::is_lump(ctx, edit::end_of(ctx, element.index, slot));
+            return edit::is_free_node(ctx, edit::end_of(ctx, element.index, slot));
         };
-        if (lump(0) && lump(1)) world::refuse(where, "its fairlead must not be on a point mass");
+        if (lump(0) && lump(1))
+            world::throw_def_error(where, "its fairlead must not be on a point mass");
     } else if (!std::isnan(mass)) {
-        world::refuse(where, "its mass is its own; leave it out");
+        world::throw_def_error(where, "its mass is its own; leave it out");
     } else if (!(edit::mass_of_element(ctx, element.index) > 0.0)) {
-        world::refuse(where, "it has no mass for a new node (give it `mass`)");
+        world::throw_def_error(where, "it has no mass for a new node (give it `mass`)");
     }
     if ((in.flags[e] & model::kFromLength) == 0)
-        world::refuse(where, "its compliance is not that of its length; leave it out");
+        world::throw_def_error(where, "its compliance is not that of its length; leave it out");
 }
 
 /// Check that two elements have one line type, so that one can replace both. Masses per length
 /// differ slightly by edits, which change rest lengths.
 /// @throws DefError.
-void WorldImpl::refuse_two_lines(BodyId node, const edit::NodeSurroundings& place) const {
+void WorldImpl::check_one_line_type(BodyId node, const edit::NodeSurroundings& place) const {
     constexpr double kSame = 0.1;
     const model::Interactions& in = ctx.model.interactions;
     const InteractionDef &a = in.def[at(place.first)], &b = in.def[at(place.second)];
@@ -52,30 +54,33 @@ void WorldImpl::refuse_two_lines(BodyId node, const edit::NodeSurroundings& plac
         if (edit::is_wound(ctx, id)) return;  // has the line type of the other one
     const double x = a.get("mass") * b.get("length"), y = b.get("mass") * a.get("length");
     if (a.get("EA") == b.get("EA") && std::abs(x - y) <= kSame * std::max(x, y)) return;
-    world::refuse(world::Where("body", body_defs[at(node.index)].name),
-                  "two line types meet at this node; remove nodes on either side of it instead");
+    world::throw_def_error(
+        world::Where("body", body_defs[at(node.index)].name),
+        "two line types meet at this node; remove nodes on either side of it instead");
 }
 
 /// Check that a node can be removed.
 /// @return the adjacent element that remains.
 /// @throws DefError with the remedy.
-std::int32_t WorldImpl::check_node_goes(BodyId node, edit::NodeSurroundings& place,
-                                        double bend) const {
+std::int32_t WorldImpl::check_node_removable(BodyId node, edit::NodeSurroundings& place,
+                                             double bend) const {
     const world::Where where("body", body_defs[at(node.index)].name);
-    if (body_defs[at(node.index)].kind != BodyKind::lump || !edit::find_place(ctx, place))
-        world::refuse(where, "it is no node between two elements of a wire, and nothing else");
+    if (body_defs[at(node.index)].kind != BodyKind::lump ||
+        !edit::complete_surroundings(ctx, place))
+        world::throw_def_error(where,
+                               "it is no node between two elements of a wire, and nothing else");
     const bool second = edit::is_wound(ctx, place.second);
     if (second && edit::is_wound(ctx, place.first))
-        world::refuse(where, "drums pay out both of its elements");
+        world::throw_def_error(where, "drums pay out both of its elements");
     for (const std::int32_t id : {place.first, place.second}) {
         if (edit::is_wound(ctx, id)
                 ? (ctx.model.interactions.flags[at(id)] & model::kFromLength) != 0
                 : edit::mass_of_element(ctx, id) > 0.0 && edit::is_of_material(ctx, id))
             continue;
-        world::refuse(
+        world::throw_def_error(
             where, "its elements have no `mass`, or a compliance that does not match their length");
     }
-    refuse_two_lines(node, place);
+    check_one_line_type(node, place);
     double own = 0.0;  // mass of the wire
     for (const std::int32_t id : {place.first, place.second})
         own += 0.5 * edit::mass_of_element(ctx, id);
@@ -85,14 +90,16 @@ std::int32_t WorldImpl::check_node_goes(BodyId node, edit::NodeSurroundings& pla
     const bool drum = second || edit::is_wound(ctx, place.first);
     const double more = drum ? kKept : 1e-6;  // otherwise rounding
     if (body_defs[at(node.index)].mass > (1.0 + more) * own)
-        world::refuse(where,
-                      "it has " + world::number(body_defs[at(node.index)].mass - own) +
-                          " kg of gear or a load in addition to the wire, which would be lost");
-    if (!(bend >= 0.0)) world::refuse(where, "bend must be an angle, not " + world::number(bend));
+        world::throw_def_error(
+            where, "it has " + world::number(body_defs[at(node.index)].mass - own) +
+                       " kg of gear or a load in addition to the wire, which would be lost");
+    if (!(bend >= 0.0))
+        world::throw_def_error(where, "bend must be an angle, not " + world::number(bend));
     const std::int32_t stays = second ? place.second : place.first;
     if (systems.refuses_nodes(ctx.model.interactions.id(stays)))
-        world::refuse(where, "its winch removes it when it hauls; choose one farther away");
-    refuse_held(node, ctx.model.interactions.id(stays));
+        world::throw_def_error(where,
+                               "its winch removes it when it hauls; choose one farther away");
+    check_not_held(node, ctx.model.interactions.id(stays));
     return stays;
 }
 

@@ -16,13 +16,13 @@ namespace hawser {
 namespace world {
 namespace {
 
-bool turns(const model::Bodies& b, std::int32_t body) noexcept {
+bool has_orientation(const model::Bodies& b, std::int32_t body) noexcept {
     return b.dof(body) == 6 || b.dof(body) == 0;
 }
 
 /// Return a vector of the body's frame in world axes.
-Vec3 turned(const model::Bodies& b, std::int32_t body, const Vec3& local) noexcept {
-    if (!turns(b, body)) return Vec3::Zero();
+Vec3 in_world_axes(const model::Bodies& b, std::int32_t body, const Vec3& local) noexcept {
+    if (!has_orientation(b, body)) return Vec3::Zero();
     const double* r = &b.r[9 * at(body)];
     Vec3 out;
     for (int i = 0; i < 3; ++i)
@@ -32,7 +32,7 @@ Vec3 turned(const model::Bodies& b, std::int32_t body, const Vec3& local) noexce
 
 Vec3 position_in_world(const model::Bodies& b, std::int32_t body, const Vec3& point) noexcept {
     const double* x = &b.x[3 * at(body)];
-    return Vec3(x[0], x[1], x[2]) + turned(b, body, point);
+    return Vec3(x[0], x[1], x[2]) + in_world_axes(b, body, point);
 }
 
 double pose_component(const model::Bodies& b, std::int32_t body, const Vec3& point,
@@ -61,7 +61,7 @@ double velocity_component(const model::Bodies& b, const OutputDef& def, int comp
     const Vec3 omega(v[3], v[4], v[5]);
     Vec3 out = omega;
     if (component < kTurning)
-        out = Vec3(v[0], v[1], v[2]) + omega.cross(turned(b, body, def.point));
+        out = Vec3(v[0], v[1], v[2]) + omega.cross(in_world_axes(b, body, def.point));
     const int axis = component % kTurning;
     if (!def.local) return out[axis];
     const double* r = &b.r[9 * at(body)];
@@ -125,7 +125,8 @@ double drum(const World& world, const context::StepContext& ctx, const Systems& 
            (ctx.model.bodies.x[3 * at(def.body[slot].index)] - def.get("drum_zero"));
 }
 
-double energy_of(const context::StepContext& ctx, const Energy& energy, int component) noexcept {
+double energy_output(const context::StepContext& ctx, const Energy& energy,
+                     int component) noexcept {
     switch (component) {
         case kAsleep:
             return ctx.work.stats.asleep;
@@ -160,19 +161,19 @@ OutputId Outputs::add(OutputDef def, int component) {
     base::reserve_more(values_, 1);
     base::reserve_more(signal_, 1);
     base::reserve_more(ids_, 1);
-    places_.reserve_more();
-    std::int32_t place = places_.find_vacant([](std::int32_t) { return true; });
-    claim(names_, def.name, place < 0 ? places_.count() : place, "output");
+    slots_.reserve_more();
+    std::int32_t place = slots_.find_vacant([](std::int32_t) { return true; });
+    claim_name(names_, def.name, place < 0 ? slots_.count() : place, "output");
     // No call below throws.
     needs_energy_ = needs_energy_ || (def.kind == OutputKind::statistic && component >= kGravity);
     if (place < 0) {
-        place = places_.append();
+        place = slots_.append();
         defs_.emplace_back();
         component_.push_back(0);
         values_.push_back(0.0);
         signal_.push_back(nullptr);
     } else {
-        places_.take(place);
+        slots_.take(place);
     }
     defs_[at(place)] = std::move(def);
     component_[at(place)] = static_cast<std::uint8_t>(component);
@@ -199,7 +200,7 @@ void Outputs::remove(std::size_t place) noexcept {
     signal_[place] = nullptr;
     values_[place] = std::numeric_limits<double>::quiet_NaN();
     std::erase(ids_, id(static_cast<std::int32_t>(place)));
-    places_.vacate(static_cast<std::int32_t>(place));
+    slots_.vacate(static_cast<std::int32_t>(place));
     needs_energy_ = false;
     for (std::size_t i = 0; i < defs_.size(); ++i)
         needs_energy_ =
@@ -220,11 +221,11 @@ void Outputs::bind(std::span<const SystemSignal> signals) noexcept {
                     signal_[i] = s.value;
 }
 
-std::size_t Outputs::place(OutputId id) const {
-    return place_of(id, places_, places_.count(), "output");
+std::size_t Outputs::index_of(OutputId id) const {
+    return place_of(id, slots_, slots_.count(), "output");
 }
 
-void Outputs::keep_figures(const StepStats& s) noexcept {
+void Outputs::store_figures(const StepStats& s) noexcept {
     figures_[kResidual] = s.momentum_residual;
     figures_[kRowResidual] = s.constraint_residual;
     figures_[kViolation] = s.violation_max;
@@ -242,7 +243,7 @@ void Outputs::evaluate(const World& world, const context::StepContext& ctx, cons
     for (std::size_t i = 0; i < defs_.size(); ++i) {
         const OutputDef& def = defs_[i];
         const int c = component_[i];
-        if (!places_.holds(static_cast<std::int32_t>(i)) || !world::alive(ctx, wires, def)) {
+        if (!slots_.holds(static_cast<std::int32_t>(i)) || !world::alive(ctx, wires, def)) {
             values_[i] = std::numeric_limits<double>::quiet_NaN();
             continue;
         }
@@ -276,7 +277,7 @@ void Outputs::evaluate(const World& world, const context::StepContext& ctx, cons
                                  .norm();
                 break;
             case OutputKind::statistic:
-                values_[i] = c < kStepFigures ? figures_[at(c)] : energy_of(ctx, energy, c);
+                values_[i] = c < kStepFigures ? figures_[at(c)] : energy_output(ctx, energy, c);
                 break;
             case OutputKind::signal:
                 values_[i] = *signal_[i];

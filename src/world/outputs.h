@@ -65,25 +65,25 @@ class Outputs {
     void remove_signals(std::string_view system) noexcept;
     /// Replace the signals by those of systems with the same definition, after a copy of the world.
     void bind(std::span<const SystemSignal> signals) noexcept;
-    [[nodiscard]] bool alive(OutputId id) const noexcept { return places_.names(id); }
+    [[nodiscard]] bool alive(OutputId id) const noexcept { return slots_.names(id); }
     [[nodiscard]] std::span<const OutputId> ids() const noexcept { return ids_; }
     [[nodiscard]] OutputId id(std::int32_t place) const noexcept {
-        return places_.id<OutputId>(place);
+        return slots_.id<OutputId>(place);
     }
     [[nodiscard]] const std::vector<OutputDef>& defs() const noexcept { return defs_; }
     /// Return the index of an id.
     /// @throws DefError if it does not exist.
-    [[nodiscard]] std::size_t place(OutputId id) const;
+    [[nodiscard]] std::size_t index_of(OutputId id) const;
     [[nodiscard]] const Names& names() const noexcept { return names_; }
     [[nodiscard]] const std::vector<double>& values() const noexcept { return values_; }
     /// Store the figures of a successful step.
-    void keep_figures(const StepStats& stats) noexcept;
+    void store_figures(const StepStats& stats) noexcept;
     /// Clear figures that belong to another state.
     void forget_figures() noexcept { figures_.fill(0.0); }
     /// Return true if an output needs an energy that requires a pass over all interactions.
-    [[nodiscard]] bool wants_energy() const noexcept { return needs_energy_; }
+    [[nodiscard]] bool needs_energy() const noexcept { return needs_energy_; }
     /// Evaluate all outputs.
-    /// @param energy  Used if wants_energy().
+    /// @param energy  Used if needs_energy().
     void evaluate(const World& world, const context::StepContext& ctx, const WireList& wires,
                   const Systems& systems, const Energy& energy) noexcept;
 
@@ -94,7 +94,7 @@ class Outputs {
     std::vector<double> values_;
     std::array<double, kStepFigures> figures_{};
     Names names_;
-    base::Slots places_;
+    base::Slots slots_;
     std::vector<OutputId> ids_;  ///< Ids of existing outputs, ascending.
     bool needs_energy_ = false;
 };

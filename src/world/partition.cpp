@@ -113,7 +113,7 @@ bool follow_separators(const assembly::PartGraph& g, std::span<const std::int64_
             b >= 0 && graph.edge(b).size() <= graph::Follower::kMaxMembers)
             follower.change(b, graph.edge(b));
     follower.copy_to(out);
-    return makespan(out) <= graph::Follower::kWorn * before.makespan_new;
+    return makespan(out) <= graph::Follower::kReplanRatio * before.makespan_new;
 }
 
 /// Check a request.
@@ -160,7 +160,7 @@ graph::Partition find_split(const assembly::PartGraph& g, const PartitionRequest
         p.parts = request.before->parts;
         p.part = request.before->part_of_body;
         p.worse_for = request.before->worse_for;
-        view.followed = splitter.follow(g.view(), options, p);
+        view.followed = splitter.split_from_previous(g.view(), options, p);
     } else {
         splitter.split(g.view(), options, p);
     }

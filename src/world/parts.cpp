@@ -50,7 +50,7 @@ void World::add_interactions(std::span<const InteractionDef> defs, std::span<Int
                 world::check_load(d, load, defs.front());
         InteractionDef whole = d;
         world::fill_in(whole, m.ctx);
-        world::claim(names, d.name, 0, "interaction");
+        world::claim_name(names, d.name, 0, "interaction");
         if (find_interaction(d.name).valid())
             throw DefError("interaction '" + d.name +
                            "': the name is in use; names must be unique");

@@ -15,7 +15,7 @@ namespace {
 
 /// Return the real id of a placeholder, or the id itself.
 template <class Id>
-Id real(Id id, const std::vector<Id>& made) {
+Id real_id(Id id, const std::vector<Id>& made) {
     if (id.index >= -1) return id;
     const std::size_t k = at(-2 - id.index);
     if (k >= made.size())
@@ -28,7 +28,7 @@ Id real(Id id, const std::vector<Id>& made) {
 }  // namespace
 
 template <class T>
-bool QueuedEdits::put(const T& edit) noexcept {
+bool QueuedEdits::queue_edit(const T& edit) noexcept {
     try {
         list_.push_back({edit, system_});
         return true;
@@ -39,16 +39,16 @@ bool QueuedEdits::put(const T& edit) noexcept {
 }
 
 BodyId QueuedEdits::add(const BodyDef& def) noexcept {
-    return put(def) ? BodyId{-2 - bodies_++} : BodyId{};
+    return queue_edit(def) ? BodyId{-2 - bodies_++} : BodyId{};
 }
 InteractionId QueuedEdits::add(const InteractionDef& def) noexcept {
-    return put(def) ? InteractionId{-2 - interactions_++} : InteractionId{};
+    return queue_edit(def) ? InteractionId{-2 - interactions_++} : InteractionId{};
 }
 ShapeId QueuedEdits::add(const ShapeDef& def) noexcept {
-    return put(def) ? ShapeId{-2 - shapes_++} : ShapeId{};
+    return queue_edit(def) ? ShapeId{-2 - shapes_++} : ShapeId{};
 }
 WireId QueuedEdits::add(const WireDef& def) noexcept {
-    return put(def) ? WireId{-2 - wires_++} : WireId{};
+    return queue_edit(def) ? WireId{-2 - wires_++} : WireId{};
 }
 
 void QueuedEdits::clear() noexcept {
@@ -72,31 +72,31 @@ struct Maker {
         made.bodies.push_back(world.add_body(def));
     }
     void operator()(InteractionDef def) const {
-        for (BodyId& body : def.body) body = real(body, made.bodies);
+        for (BodyId& body : def.body) body = real_id(body, made.bodies);
         for (FrictionLoad& load : def.load)
-            load.interaction = real(load.interaction, made.interactions);
+            load.interaction = real_id(load.interaction, made.interactions);
         made.interactions.reserve(made.interactions.size() + 1);
         made.interactions.push_back(world.add_interaction(def));
     }
     void operator()(ShapeDef def) const {
-        def.body = real(def.body, made.bodies);
-        def.body_b = real(def.body_b, made.bodies);
+        def.body = real_id(def.body, made.bodies);
+        def.body_b = real_id(def.body_b, made.bodies);
         made.shapes.reserve(made.shapes.size() + 1);
         made.shapes.push_back(world.add_shape(def));
     }
     void operator()(WireDef def) const {
-        def.from = real(def.from, made.bodies);
-        def.to = real(def.to, made.bodies);
+        def.from = real_id(def.from, made.bodies);
+        def.to = real_id(def.to, made.bodies);
         made.wires.reserve(made.wires.size() + 1);
         made.wires.push_back(world.wires().add(def));
     }
-    void operator()(BodyId id) const { (void)world.remove_body(real(id, made.bodies)); }
+    void operator()(BodyId id) const { (void)world.remove_body(real_id(id, made.bodies)); }
     void operator()(InteractionId id) const {
-        (void)world.remove_interaction(real(id, made.interactions));
+        (void)world.remove_interaction(real_id(id, made.interactions));
     }
-    void operator()(ShapeId id) const { (void)world.remove_shape(real(id, made.shapes)); }
-    void operator()(WireId id) const { (void)world.wires().remove(real(id, made.wires)); }
-    void operator()(Part part) const { world.wires().part(real(part.id, made.interactions)); }
+    void operator()(ShapeId id) const { (void)world.remove_shape(real_id(id, made.shapes)); }
+    void operator()(WireId id) const { (void)world.wires().remove(real_id(id, made.wires)); }
+    void operator()(Part part) const { world.wires().part(real_id(part.id, made.interactions)); }
 };
 
 }  // namespace

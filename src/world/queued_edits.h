@@ -20,11 +20,11 @@ class QueuedEdits final : public Edits::Hands {
     InteractionId add(const InteractionDef& def) noexcept override;
     ShapeId add(const ShapeDef& def) noexcept override;
     WireId add(const WireDef& def) noexcept override;
-    void remove(BodyId id) noexcept override { put(id); }
-    void remove(InteractionId id) noexcept override { put(id); }
-    void remove(ShapeId id) noexcept override { put(id); }
-    void remove(WireId id) noexcept override { put(id); }
-    void part(InteractionId id) noexcept override { put(Part{id}); }
+    void remove(BodyId id) noexcept override { queue_edit(id); }
+    void remove(InteractionId id) noexcept override { queue_edit(id); }
+    void remove(ShapeId id) noexcept override { queue_edit(id); }
+    void remove(WireId id) noexcept override { queue_edit(id); }
+    void part(InteractionId id) noexcept override { queue_edit(Part{id}); }
 
     /// Set the system of the following edits.
     void begin_system(std::string_view name) noexcept { system_ = name; }
@@ -56,7 +56,7 @@ class QueuedEdits final : public Edits::Hands {
         std::vector<WireId> wires;
     };
     template <class T>
-    bool put(const T& edit) noexcept;
+    bool queue_edit(const T& edit) noexcept;
     static void make(const Edit& edit, World& world, Made& made);
 
     std::vector<Entry> list_;

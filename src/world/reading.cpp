@@ -25,7 +25,7 @@ StateView WorldStateView::arrays() const noexcept {
 }
 
 Twist World::predicted_velocity(BodyId id) const {
-    const std::size_t b = impl_->place(id);
+    const std::size_t b = impl_->index_of(id);
     const model::Bodies& s = impl_->ctx.model.bodies;
     const int dof = s.dof(id.index);
     if (dof == 0) return velocity(id);

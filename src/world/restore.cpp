@@ -26,15 +26,15 @@ void WorldState::restore_variant(std::span<const std::byte> bytes) {
 void WorldImpl::restore_saved(World& self, std::span<const std::byte> bytes, bool variant) {
     std::vector<double> values = input_values;
     step::Transaction all(ctx);
-    state::keep_state(ctx, context::Undo::Depth::all);
+    state::save_state(ctx, context::Undo::Depth::all);
     try {
-        take_saved(self, bytes, variant);
+        restore_saved_bytes(self, bytes, variant);
     } catch (...) {
         input_values.swap(values);
         throw;
     }
     all.done();
-    systems.forget();
+    systems.discard_actions();
     outputs.forget_figures();
 }
 

@@ -41,7 +41,7 @@ void SavedState::read(std::span<const std::byte> from) {
 factor::AnalysisState capacity_for_order(const Header& header) {
     factor::AnalysisState s;
     s.elimination.order.resize(header.nodes);
-    s.between.resize(header.nodes);
+    s.at_branch_meeting.resize(header.nodes);
     factor::Chains& c = s.elimination.chains;
     c.nodes.resize(header.chained);
     c.unit_begin.resize(header.units + 1);

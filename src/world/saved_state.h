@@ -91,7 +91,7 @@ void visit_values(Context& ctx, F&& f) {
 /// Visit remembered contacts: f(array).
 template <class Context, class F>
 void visit_contacts(Context& ctx, F&& f) {
-    f(ctx.model.collider.kept());
+    f(ctx.model.collider.last_contacts());
     f(ctx.model.system.contacts.memory);
     f(ctx.model.system.contacts.resistances.memory);
     f(ctx.model.system.contacts.links);
@@ -109,11 +109,11 @@ void visit_state(Context& ctx, std::vector<double>& inputs, Order& order, F&& f)
     array(ctx.state.analysed_x);
     array(ctx.state.analysed_r);
     visit_contacts(ctx, array);
-    value(ctx.model.collider.kept_awake());
+    value(ctx.model.collider.last_awake_count());
     value(ctx.model.cuts.asked);
     // After repeated repairs the order of elimination depends on the past.
     array(order.elimination.order);
-    array(order.between);
+    array(order.at_branch_meeting);
     array(order.elimination.chains.nodes);
     array(order.elimination.chains.unit_begin);
     array(order.elimination.chains.begin);
@@ -155,8 +155,8 @@ struct SavedState {
         struct {
             base::Array<collide::KeptContact> contacts;
             std::uint64_t awake = 0;
-            [[nodiscard]] auto& kept() noexcept { return contacts; }
-            [[nodiscard]] auto& kept_awake() noexcept { return awake; }
+            [[nodiscard]] auto& last_contacts() noexcept { return contacts; }
+            [[nodiscard]] auto& last_awake_count() noexcept { return awake; }
         } collider;
         struct {
             struct {

@@ -80,7 +80,9 @@ std::span<const MaterialPairDef> World::material_pairs() const noexcept {
     return impl_->ctx.model.collider.materials.pairs();
 }
 int World::shape_count() const noexcept { return impl_->ctx.model.collider.count(); }
-const ShapeDef& World::shape_def(ShapeId id) const { return impl_->shape_defs[impl_->place(id)]; }
+const ShapeDef& World::shape_def(ShapeId id) const {
+    return impl_->shape_defs[impl_->index_of(id)];
+}
 ShapeId World::find_shape(std::string_view name) const noexcept {
     return impl_->ctx.model.collider.slots.id<ShapeId>(lookup(impl_->shape_names, name));
 }
@@ -94,10 +96,10 @@ std::vector<ContactView> World::contacts() const {
 void World::pressing(ShapeId id, std::vector<ShapeId>& out) const {
     const collide::Collider& collider = impl_->ctx.model.collider;
     const auto& memory = impl_->ctx.model.system.contacts.memory;
-    const auto shape = static_cast<std::int32_t>(impl_->place(id));
+    const auto shape = static_cast<std::int32_t>(impl_->index_of(id));
     out.clear();
-    for (std::size_t i = 0; i < collider.kept().size() && i < memory.size(); ++i) {
-        const std::int32_t* pair = collider.kept()[i].shape;
+    for (std::size_t i = 0; i < collider.last_contacts().size() && i < memory.size(); ++i) {
+        const std::int32_t* pair = collider.last_contacts()[i].shape;
         const double* lambda = memory[i].lambda;
         if ((pair[0] != shape && pair[1] != shape) ||
             (lambda[0] == 0.0 && lambda[1] == 0.0 && lambda[2] == 0.0))
@@ -109,7 +111,7 @@ void World::pressing(ShapeId id, std::vector<ShapeId>& out) const {
 void World::touching(std::vector<std::uint8_t>& out) const {
     const collide::Collider& collider = impl_->ctx.model.collider;
     out.assign(at(body_count()), 0);
-    for (const collide::KeptContact& contact : collider.kept())
+    for (const collide::KeptContact& contact : collider.last_contacts())
         for (const std::int32_t side : contact.shape) {
             const collide::Shape& shape = collider.shapes()[at(side)];
             if (shape.body[1] < 0) continue;

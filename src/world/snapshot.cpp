@@ -30,7 +30,7 @@ using world::visit_groups;
 using world::visit_state;
 
 /// Return true if the numbers of entries of a header fit into a number of bytes.
-bool fits(const Header& h, std::size_t bytes) {
+bool fits_into(const Header& h, std::size_t bytes) {
     const auto fit = [&](std::uint64_t n, std::size_t size) { return n <= bytes / size; };
     return fit(h.contacts, sizeof(collide::KeptContact) + sizeof(assembly::ContactMemory)) &&
            fit(h.resistances, sizeof(assembly::ResistanceMemory)) &&
@@ -41,7 +41,7 @@ bool fits(const Header& h, std::size_t bytes) {
 
 /// Resize arrays of the state with an entry per contact, and clear the visible contacts.
 void resize_contacts(context::StepContext& ctx, std::size_t count, std::size_t resistances) {
-    ctx.model.collider.kept().resize(count);
+    ctx.model.collider.last_contacts().resize(count);
     ctx.model.system.contacts.memory.resize(count);
     ctx.model.system.contacts.resistances.memory.resize(resistances);
     ctx.state.contacts.contacts.clear();
@@ -69,7 +69,7 @@ bool read_groups(const context::StepContext& ctx, const std::byte* from, context
 
 /// Apply saved groups with their ghost bodies and duplicated rows.
 /// @return true if the groups differed.
-bool take_groups(context::StepContext& ctx, const context::Regroup& saved) {
+bool apply_saved_groups(context::StepContext& ctx, const context::Regroup& saved) {
     if (ctx.model.regroup.parts.part == saved.parts.part) return false;
     ctx.model.regroup.parts.part = saved.parts.part;
     if (split::assign_groups(ctx.model) == 0) return false;
@@ -94,11 +94,12 @@ void analyse_as_saved(context::StepContext& ctx, const factor::AnalysisState& or
 /// States of systems, restored to the old ones unless they are kept.
 class SystemsAsSaved {
   public:
-    SystemsAsSaved(world::Systems& systems, std::size_t bytes) : systems_(systems), before_(bytes) {
-        systems_.save(before_.data());
+    SystemsAsSaved(world::Systems& systems, std::size_t bytes)
+        : systems_(systems), saved_states_(bytes) {
+        systems_.save(saved_states_.data());
     }
     ~SystemsAsSaved() {
-        if (!kept_) systems_.restore(before_.data());
+        if (!kept_) systems_.restore(saved_states_.data());
     }
     SystemsAsSaved(const SystemsAsSaved&) = delete;
     SystemsAsSaved& operator=(const SystemsAsSaved&) = delete;
@@ -106,15 +107,15 @@ class SystemsAsSaved {
 
   private:
     world::Systems& systems_;
-    std::vector<std::byte> before_;
+    std::vector<std::byte> saved_states_;
     bool kept_ = false;
 };
 
 /// Apply the checked arrays.
 /// @throws DefError for an elimination order that does not belong to this system. The state is then
 ///        invalid.
-void take_state(context::StepContext& ctx, std::vector<double>& inputs, const Header& header,
-                const std::byte* from, bool regrouped) {
+void apply_saved_arrays(context::StepContext& ctx, std::vector<double>& inputs,
+                        const Header& header, const std::byte* from, bool regrouped) {
     const auto analysed_x = ctx.state.analysed_x;
     const auto analysed_r = ctx.state.analysed_r;
     const auto links = ctx.model.system.contacts.links;
@@ -168,7 +169,7 @@ void WorldImpl::write_saved(std::vector<std::byte>& out, bool with_systems) {
     Header header;
     header.layout = layout_of(m.ctx, m.inputs.size());
     header.parameters = parameters_of(m.ctx, m.body_defs, m.inputs, m.shape_defs);
-    header.contacts = m.ctx.model.collider.kept().size();
+    header.contacts = m.ctx.model.collider.last_contacts().size();
     header.resistances = m.ctx.model.system.contacts.resistances.memory.size();
     header.links = m.ctx.model.system.contacts.links.size();
     m.ctx.model.system.analysis.keep(m.saved_analysis);
@@ -184,7 +185,7 @@ void WorldImpl::write_saved(std::vector<std::byte>& out, bool with_systems) {
     header.systems = with_systems ? m.systems.layout() : world::Systems::no_layout();
     header.system_bytes = with_systems ? m.systems.state_bytes() : 0;
     out.resize(sizeof header + header.bytes + header.system_bytes + sizeof(std::uint64_t));
-    m.leave_user_forces();  // input forces follow from their values
+    m.remove_user_forces();  // input forces follow from their values
     std::byte* to = out.data();
     auto put = [&](const void* from, std::size_t n) {
         if (n > 0) std::memcpy(to, from, n);
@@ -199,7 +200,7 @@ void WorldImpl::write_saved(std::vector<std::byte>& out, bool with_systems) {
     put(&sum, sizeof sum);
 }
 
-void WorldImpl::take_saved(World& self, std::span<const std::byte> bytes, bool variant) {
+void WorldImpl::restore_saved_bytes(World& self, std::span<const std::byte> bytes, bool variant) {
     WorldImpl& m = *this;
     Header header;
     const Header expected;
@@ -228,11 +229,11 @@ void WorldImpl::take_saved(World& self, std::span<const std::byte> bytes, bool v
     // after an undo.
     visit_groups(m.ctx.model.regroup, [&](const void*, std::size_t n) { size += n; });
     context::Regroup regroup;
-    if (header.grouped != m.ctx.model.regroup.parts.part.size() || !fits(header, bytes.size()) ||
-        bytes.size() < sizeof header + size + sizeof sum ||
+    if (header.grouped != m.ctx.model.regroup.parts.part.size() ||
+        !fits_into(header, bytes.size()) || bytes.size() < sizeof header + size + sizeof sum ||
         !read_groups(m.ctx, bytes.data() + sizeof header, regroup))
         throw damaged();
-    const bool regrouped = take_groups(m.ctx, regroup);
+    const bool regrouped = apply_saved_groups(m.ctx, regroup);
     world::SavedState state(m.ctx, m.input_values, header);
     size = state.size();
     const std::size_t system_bytes = m.systems.state_bytes();
@@ -244,17 +245,17 @@ void WorldImpl::take_saved(World& self, std::span<const std::byte> bytes, bool v
     SystemsAsSaved of_systems(m.systems, system_bytes);
     m.systems.restore(bytes.data() + sizeof header + size);
     m.systems.check_states(self);
-    take_state(m.ctx, m.input_values, header, bytes.data() + sizeof header, regrouped);
+    apply_saved_arrays(m.ctx, m.input_values, header, bytes.data() + sizeof header, regrouped);
     m.ctx.state.time = static_cast<double>(m.ctx.state.step) * m.ctx.model.def.step;
     m.ctx.work.stats.step = m.ctx.state.step;
     m.ctx.work.stats.time = m.ctx.state.time;
     // Parameters and forces follow their inputs, lines follow their drums.
     if (variant) {
-        m.put_user_forces();
+        m.set_user_forces();
         m.ctx.state.monitor.state = {};
         m.ctx.state.monitor.verdict = {};
     } else {
-        m.take_user_forces();
+        m.add_user_forces();
     }
     for (std::size_t i = 0; i < m.inputs.size(); ++i)
         if (m.inputs[i].interaction.valid()) m.apply_input(i, m.input_values[i]);

@@ -11,7 +11,7 @@
 namespace hawser {
 
 RowsView WorldSolverView::rows(InteractionId id) const {
-    const std::size_t i = impl().place(id);
+    const std::size_t i = impl().index_of(id);
     const context::StepContext& ctx = impl().ctx;
     const model::Interactions& in = ctx.model.interactions;
     const model::RowState state = in.row_state(id.index, ctx.model.bodies);
@@ -44,7 +44,7 @@ std::vector<ContactView> World::overlaps() const {
     ctx.model.collider.surfaces(ctx.model.def.step, found);
     // The collider remembers no result until keep().
     if (!ctx.model.collider.collide(ctx.model.bodies, ctx.model.def.step, found, ctx.pool)) {
-        const BoundMet met = ctx.model.collider.over();
+        const BoundMet met = ctx.model.collider.limit_reached();
         if (met.bound != Bound::none) throw LimitError(met);
         if (!ctx.model.collider.finite())
             throw DefError(

@@ -24,30 +24,30 @@ constexpr double kUnit = 1e-6;  ///< Tolerance of quaternion norms and entries o
 /// Largest number of steps at rest, see step/sleep.cpp.
 constexpr std::int32_t kMaxQuiet = 1'000'000'000;
 
-[[noreturn]] void refuse_state(const std::string& what) {
+[[noreturn]] void throw_state_error(const std::string& what) {
     throw DefError("snapshot: not a state that a world can have: " + what);
 }
 
 std::string entry(std::size_t i) { return " (entry " + std::to_string(i) + ")"; }
 
-void numbers(std::span<const double> array, const char* what, double most) {
+void check_numbers(std::span<const double> array, const char* what, double most) {
     for (std::size_t i = 0; i < array.size(); ++i)
         if (!(std::abs(array[i]) <= most))
-            refuse_state(
+            throw_state_error(
                 std::string(what) +
                 (std::isfinite(array[i]) ? " is out of range" : " is not a finite number") +
                 entry(i));
 }
 
-void number(double value, const char* what, double most = kHuge) {
-    numbers(std::span(&value, 1), what, most);
+void check_number(double value, const char* what, double most = kHuge) {
+    check_numbers(std::span(&value, 1), what, most);
 }
 
 template <class A>
-void flags(const A& array, const char* what) {
+void check_flags(const A& array, const char* what) {
     for (std::size_t i = 0; i < array.size(); ++i)
         if (array[i] != 0 && array[i] != 1)
-            refuse_state(std::string(what) + " is no flag" + entry(i));
+            throw_state_error(std::string(what) + " is no flag" + entry(i));
 }
 
 /// Return true if the norm of a quaternion is 1 to within `off`.
@@ -56,7 +56,7 @@ bool unit(const double* q, double off) {
     return std::abs(n - 1.0) <= off;
 }
 
-bool is_rotation_of(const double* r, const double* q) {
+bool rotation_matches(const double* r, const double* q) {
     const Mat3 m = Quat(q[0], q[1], q[2], q[3]).toRotationMatrix();
     for (int i = 0; i < 9; ++i)
         if (!(std::abs(r[i] - m(i / 3, i % 3)) <= kUnit)) return false;
@@ -64,62 +64,62 @@ bool is_rotation_of(const double* r, const double* q) {
 }
 
 void check_bodies(const context::StepContext& ctx, const SavedState& s) {
-    numbers(s.model.bodies.x, "a position", kFar);
-    numbers(s.model.bodies.v, "a velocity", kFar);
-    numbers(s.model.bodies.v_start, "a predicted velocity", kFar);
-    numbers(s.model.bodies.v_fixed, "a prescribed velocity", kFar);
-    numbers(s.model.bodies.spin_change, "a change of spin", kFar);
-    numbers(s.model.bodies.force, "an applied force", 1e300);  // the limit of the setters
-    numbers(s.state.analysed_x, "an analysed position", kFar);
-    numbers(s.state.analysed_r, "an analysed rotation", 2.0);
-    flags(s.model.bodies.asleep, "sleep");
+    check_numbers(s.model.bodies.x, "a position", kFar);
+    check_numbers(s.model.bodies.v, "a velocity", kFar);
+    check_numbers(s.model.bodies.v_start, "a predicted velocity", kFar);
+    check_numbers(s.model.bodies.v_fixed, "a prescribed velocity", kFar);
+    check_numbers(s.model.bodies.spin_change, "a change of spin", kFar);
+    check_numbers(s.model.bodies.force, "an applied force", 1e300);  // the limit of the setters
+    check_numbers(s.state.analysed_x, "an analysed position", kFar);
+    check_numbers(s.state.analysed_r, "an analysed rotation", 2.0);
+    check_flags(s.model.bodies.asleep, "sleep");
     for (std::size_t b = 0; b < at(ctx.model.bodies.count()); ++b) {
         const double* q = &s.model.bodies.q[4 * b];
-        if (!unit(q, kUnit)) refuse_state("an orientation is no rotation" + entry(b));
+        if (!unit(q, kUnit)) throw_state_error("an orientation is no rotation" + entry(b));
         // Also for nodes, because ghost bodies of cut lines copy theirs.
-        if (!is_rotation_of(&s.model.bodies.r[9 * b], q))
-            refuse_state("a rotation is not that of the orientation" + entry(b));
+        if (!rotation_matches(&s.model.bodies.r[9 * b], q))
+            throw_state_error("a rotation is not that of the orientation" + entry(b));
         if (s.model.bodies.asleep[b] != 0 && ctx.model.bodies.dof(static_cast<int>(b)) == 0)
-            refuse_state("a body that cannot move is asleep" + entry(b));
+            throw_state_error("a body that cannot move is asleep" + entry(b));
         if (s.model.bodies.quiet[b] < 0 || s.model.bodies.quiet[b] > kMaxQuiet)
-            refuse_state("a time at rest is out of range" + entry(b));
+            throw_state_error("a time at rest is out of range" + entry(b));
     }
-    numbers(s.model.bodies.r, "a rotation", 2.0);
+    check_numbers(s.model.bodies.r, "a rotation", 2.0);
 }
 
 void check_interactions(const context::StepContext& ctx, const SavedState& s) {
-    numbers(s.model.interactions.lambda, "an impulse", kHuge);
-    numbers(s.model.interactions.force, "a force", kHuge);
-    numbers(s.model.interactions.anchor, "an anchor of friction, or turns of a line", kFar);
+    check_numbers(s.model.interactions.lambda, "an impulse", kHuge);
+    check_numbers(s.model.interactions.force, "a force", kHuge);
+    check_numbers(s.model.interactions.anchor, "an anchor of friction, or turns of a line", kFar);
     for (const std::int32_t id : ctx.model.interactions.spans)
         if (const double turns = s.model.interactions.anchor[at(id)]; turns != std::round(turns))
-            refuse_state("turns of a line on its wheel are no whole number");
-    numbers(s.model.wires.energy_allowance, "the energy allowance of a wire", kHuge);
+            throw_state_error("turns of a line on its wheel are no whole number");
+    check_numbers(s.model.wires.energy_allowance, "the energy allowance of a wire", kHuge);
     for (std::size_t k = 0; k < s.model.wires.energy_allowance.size(); ++k)
         if (s.model.wires.energy_allowance[k] < 0.0 || s.model.wires.flag_steps[k] < 0 ||
             s.model.wires.flag_steps[k] > context::max_flag_steps(ctx.model.def.step) ||
             s.model.wires.recoil[k] < context::Wires::kBeginsToRecoil ||
             s.model.wires.recoil[k] > context::max_recoil(ctx.model.def.step))
-            refuse_state("a wire's guard is out of range" + entry(k));
-    flags(s.model.interactions.active, "which rows act");
-    flags(s.model.interactions.parted, "the flag of a broken line");
-    flags(s.model.interactions.saturated, "which motors are at a limit");
-    flags(s.model.interactions.repeats, "the flag of a redundant joint");
+            throw_state_error("a wire's guard is out of range" + entry(k));
+    check_flags(s.model.interactions.active, "which rows act");
+    check_flags(s.model.interactions.parted, "the flag of a broken line");
+    check_flags(s.model.interactions.saturated, "which motors are at a limit");
+    check_flags(s.model.interactions.repeats, "the flag of a redundant joint");
     for (std::size_t i = 0; i < s.model.interactions.parted.size(); ++i)
         if (s.model.interactions.parted[i] != 0 &&
             (ctx.model.interactions.gone(static_cast<int>(i)) ||
              !kind_info(ctx.model.interactions.def[i].kind).is(kWireElement)))
-            refuse_state("an interaction that cannot break is broken" + entry(i));
+            throw_state_error("an interaction that cannot break is broken" + entry(i));
 }
 
 /// Return true if a side of a contact remembers bodies of the side's shape.
-bool fits(const std::int32_t (&body)[2], const collide::Shape& shape) {
+bool fits_shape(const std::int32_t (&body)[2], const collide::Shape& shape) {
     const auto of_shape = [&](std::int32_t b) { return b == shape.body[0] || b == shape.body[1]; };
     return body[0] >= 0 && of_shape(body[0]) &&
            (body[1] == -1 || (body[1] >= 0 && of_shape(body[1])));
 }
 
-bool behind(const collide::KeptContact& a, const collide::KeptContact& b) {
+bool is_sorted_after(const collide::KeptContact& a, const collide::KeptContact& b) {
     return a.shape[0] != b.shape[0] ? a.shape[0] > b.shape[0] : a.shape[1] > b.shape[1];
 }
 
@@ -128,27 +128,27 @@ void check_contacts(const context::StepContext& ctx, const SavedState& s) {
     const auto& memory = s.model.system.contacts.memory;
     const std::vector<collide::Shape>& shapes = ctx.model.collider.shapes();
     if (s.model.collider.awake > kept.size())
-        refuse_state("the number of active contacts exceeds the number of contacts");
+        throw_state_error("the number of active contacts exceeds the number of contacts");
     for (std::size_t i = 0; i < kept.size(); ++i) {
         const collide::KeptContact& k = kept[i];
         const auto count = static_cast<std::int32_t>(shapes.size());
         if (k.shape[0] < 0 || k.shape[0] >= k.shape[1] || k.shape[1] >= count || k.zero != 0)
-            refuse_state("a contact is of shapes that there are not" + entry(i));
-        if (i > 0 && i != s.model.collider.awake && behind(kept[i - 1], k))
-            refuse_state("contacts are not in their order" + entry(i));
-        numbers(k.at, "the position of a contact", kFar);
+            throw_state_error("a contact is of shapes that there are not" + entry(i));
+        if (i > 0 && i != s.model.collider.awake && is_sorted_after(kept[i - 1], k))
+            throw_state_error("contacts are not in their order" + entry(i));
+        check_numbers(k.at, "the position of a contact", kFar);
         const assembly::ContactMemory& m = memory[i];
-        numbers(m.fraction, "the fraction of a contact between the nodes of its wire", 2.0);
-        numbers(m.anchor[0], "the anchor of a contact", kFar);
-        numbers(m.anchor[1], "the anchor of a contact", kFar);
-        numbers(m.rolled, "the violation of a contact", kFar);
-        numbers(m.lambda, "the impulse of a contact", kHuge);
+        check_numbers(m.fraction, "the fraction of a contact between the nodes of its wire", 2.0);
+        check_numbers(m.anchor[0], "the anchor of a contact", kFar);
+        check_numbers(m.anchor[1], "the anchor of a contact", kFar);
+        check_numbers(m.rolled, "the violation of a contact", kFar);
+        check_numbers(m.lambda, "the impulse of a contact", kHuge);
         const bool nothing =
             std::equal(&m.body[0][0], &m.body[0][0] + 4, &assembly::kNoMemory.body[0][0]);
-        const bool known =
-            fits(m.body[0], shapes[at(k.shape[0])]) && fits(m.body[1], shapes[at(k.shape[1])]);
+        const bool known = fits_shape(m.body[0], shapes[at(k.shape[0])]) &&
+                           fits_shape(m.body[1], shapes[at(k.shape[1])]);
         if (!nothing && !known)
-            refuse_state("a contact remembers bodies that it has not" + entry(i));
+            throw_state_error("a contact remembers bodies that it has not" + entry(i));
     }
 }
 
@@ -157,15 +157,15 @@ void check_resistances(const SavedState& s) {
     std::size_t i = 0;
     for (const assembly::ResistanceMemory& m : s.model.system.contacts.resistances.memory) {
         if (m.contact <= before || at(m.contact) >= s.model.collider.contacts.size())
-            refuse_state("a resistance is of a contact that there is not" + entry(i));
+            throw_state_error("a resistance is of a contact that there is not" + entry(i));
         before = m.contact;
         if (m.renewed != 0 && m.renewed != 1)
-            refuse_state("a resistance has no such flag" + entry(i));
-        numbers(m.reference, "the reference of a resistance", 2.0);
+            throw_state_error("a resistance has no such flag" + entry(i));
+        check_numbers(m.reference, "the reference of a resistance", 2.0);
         if (m.renewed == 0 && !unit(m.reference, kUnit))
-            refuse_state("the reference of a resistance is no rotation" + entry(i));
-        numbers(m.turned, "the turn of a resistance", kFar);
-        numbers(m.lambda, "the impulse of a resistance", kHuge);
+            throw_state_error("the reference of a resistance is no rotation" + entry(i));
+        check_numbers(m.turned, "the turn of a resistance", kFar);
+        check_numbers(m.lambda, "the impulse of a resistance", kHuge);
         ++i;
     }
 }
@@ -180,68 +180,69 @@ void check_links(const context::StepContext& ctx, const SavedState& s) {
         const auto [first, second] = links[i];
         if (first < 0 || first >= second || at(second) >= touches.size() ||
             touches[at(first)] == 0 || touches[at(second)] == 0)
-            refuse_state("bodies are linked that cannot touch" + entry(i));
+            throw_state_error("bodies are linked that cannot touch" + entry(i));
         if (i > 0 && !(links[i - 1] < links[i]))
-            refuse_state("links are not in their order" + entry(i));
+            throw_state_error("links are not in their order" + entry(i));
         const std::int64_t used = s.model.system.contacts.link_used[i];
-        if (used < 0 || used > s.state.step) refuse_state("a link was used at no step" + entry(i));
+        if (used < 0 || used > s.state.step)
+            throw_state_error("a link was used at no step" + entry(i));
     }
 }
 
 /// Check an elimination order as far as possible without the pattern.
 void check_order(const factor::AnalysisState& order) {
-    flags(order.between, "an index in the order of elimination");
+    check_flags(order.at_branch_meeting, "an index in the order of elimination");
     std::vector<std::uint8_t> seen(order.elimination.order.size(), 0);
     for (const std::int32_t node : order.elimination.order) {
         if (node < 0 || at(node) >= seen.size() || seen[at(node)] != 0)
-            refuse_state("the order of elimination is none");
+            throw_state_error("the order of elimination is none");
         seen[at(node)] = 1;
     }
-    if (order.planned_flops < 0) refuse_state("work is negative");
+    if (order.planned_flops < 0) throw_state_error("work is negative");
 }
 
 void check_counts(const context::StepContext& ctx, const SavedState& s) {
-    if (s.state.step < 0 || s.state.step > kMaxSteps) refuse_state("the step is out of range");
-    if (s.state.started > 1) refuse_state("the start is no flag");
+    if (s.state.step < 0 || s.state.step > kMaxSteps) throw_state_error("the step is out of range");
+    if (s.state.started > 1) throw_state_error("the start is no flag");
     const auto sleeps = [](std::uint8_t flag) { return flag != 0; };
     if (s.state.started == 0 &&
         (s.state.step != 0 || !s.model.collider.contacts.empty() ||
          std::any_of(s.model.bodies.asleep.begin(), s.model.bodies.asleep.end(), sleeps)))
-        refuse_state("something has happened before the start");
+        throw_state_error("something has happened before the start");
     if (s.state.refine_unasked < 0 || s.state.refine_unasked > 1'000'000)
-        refuse_state("refinements are out of range");
+        throw_state_error("refinements are out of range");
     for (const std::int64_t n : s.work.stats.event_count)
-        if (n < 0) refuse_state("a count of events is negative");
+        if (n < 0) throw_state_error("a count of events is negative");
     const context::MonitorState& j = s.state.monitor.state;
-    numbers(std::array{j.kinetic, j.potential, j.elastic, j.by_length, j.by_force, j.posed, j.held,
-                       j.given, j.exchanged, j.counted, j.age, j.closed, j.closed_elastic,
-                       j.unsolved, j.open_start, j.held_time},
-            "a value of the monitors", 1e300);
-    numbers(j.mean, "a value of the monitors", 1e300);
-    numbers(j.work, "a value of the monitors", 1e300);
-    numbers(j.stretched, "a value of the monitors", 1e300);
-    numbers(j.held_rise, "a value of the monitors", 1e300);
-    numbers(j.overlong, "a value of the monitors", 1e300);
-    numbers(j.wound, "a value of the monitors", 1e300);
-    numbers(j.beyond, "a value of the monitors", 1e300);
-    numbers(j.deep, "a value of the monitors", 1e300);
+    check_numbers(std::array{j.kinetic, j.potential, j.elastic, j.by_length, j.by_force, j.posed,
+                             j.held, j.given, j.exchanged, j.counted, j.age, j.closed,
+                             j.closed_elastic, j.unsolved, j.open_start, j.held_time},
+                  "a value of the monitors", 1e300);
+    check_numbers(j.mean, "a value of the monitors", 1e300);
+    check_numbers(j.work, "a value of the monitors", 1e300);
+    check_numbers(j.stretched, "a value of the monitors", 1e300);
+    check_numbers(j.held_rise, "a value of the monitors", 1e300);
+    check_numbers(j.overlong, "a value of the monitors", 1e300);
+    check_numbers(j.wound, "a value of the monitors", 1e300);
+    check_numbers(j.beyond, "a value of the monitors", 1e300);
+    check_numbers(j.deep, "a value of the monitors", 1e300);
     for (const auto& extremes : {j.now_extremes, j.mean_extremes})
         for (const context::DecayingExtremes& tide : extremes)
-            numbers(std::array{tide.least, tide.most}, "a value of the monitors", 1e300);
-    flags(std::span(j.reported).first(kJudgeCount), "a flag of the monitors");
+            check_numbers(std::array{tide.least, tide.most}, "a value of the monitors", 1e300);
+    check_flags(std::span(j.reported).first(kJudgeCount), "a flag of the monitors");
     if (j.step < 0 || j.step > s.state.step || j.begun < 0 || j.begun > s.state.step + 1)
-        refuse_state("the monitors have checked no step");
+        throw_state_error("the monitors have checked no step");
     const double energies[] = {
         s.state.ledger.work,         s.state.ledger.drag,           s.state.ledger.drive,
         s.state.ledger.friction,     s.state.ledger.contact,        s.state.ledger.damped,
         s.state.loads.work,          s.state.loads.water,           s.state.loads.added,
         s.state.ledger.edited.given, s.state.ledger.edited.strained};
-    numbers(energies, "an energy", 1e300);
+    check_numbers(energies, "an energy", 1e300);
     const auto& r = s.model.regroup;
     if (r.made < 0 || r.made > s.state.step || r.seen < -1 || r.seen > s.state.step ||
         r.parts.worse_for < 0 || r.parts.worse_for > kMaxQuiet ||
         r.parts.parts != ctx.model.regroup.parts.parts)
-        refuse_state("groups were made at no step");
+        throw_state_error("groups were made at no step");
 }
 
 }  // namespace
@@ -256,7 +257,7 @@ void check_state(const context::StepContext& ctx, const std::vector<InputDef>& i
     check_links(ctx, state);
     check_order(state.order);
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-        number(state.inputs[i], "an input", 1e300);
+        check_number(state.inputs[i], "an input", 1e300);
         // Without a set input the value may lie outside the input's range.
         const InteractionDef* d = inputs[i].interaction.valid()
                                       ? &ctx.model.interactions.def[at(inputs[i].interaction.index)]
@@ -265,8 +266,8 @@ void check_state(const context::StepContext& ctx, const std::vector<InputDef>& i
         for (const ParamInfo& p : kind_info(d->kind).params)
             if (inputs[i].param == p.name &&
                 !(state.inputs[i] >= p.min && state.inputs[i] <= p.max))
-                refuse_state("input '" + inputs[i].name +
-                             "' is outside the range of its parameter");
+                throw_state_error("input '" + inputs[i].name +
+                                  "' is outside the range of its parameter");
     }
 }
 

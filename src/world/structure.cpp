@@ -48,15 +48,17 @@ void renew_ids(std::vector<Id>& ids, const base::Slots& slots) noexcept {
 
 template <class Def>
 void check(const Placed<Def>& from, const char* what) {
-    const auto refuse = [&](const char* why) {
+    const auto throw_def_error = [&](const char* why) {
         throw DefError(std::string("structure: ") + what + " " + why);
     };
-    if (from.generations.size() != from.defs.size()) refuse("have as many generations as slots");
+    if (from.generations.size() != from.defs.size())
+        throw_def_error("have as many generations as slots");
     for (const std::int32_t g : from.generations)
-        if (g < 0) refuse("have generations from 0 on");
+        if (g < 0) throw_def_error("have generations from 0 on");
     std::int32_t last = -1;
     for (const std::int32_t k : from.vacant) {
-        if (k <= last || at(k) >= from.defs.size()) refuse("have their vacant slots in order");
+        if (k <= last || at(k) >= from.defs.size())
+            throw_def_error("have their vacant slots in order");
         last = k;
     }
 }
@@ -152,13 +154,13 @@ void WorldImpl::make_interactions(World& self, const Placed<InteractionDef>& fro
         const auto& loads = from.defs[at(id.index)].load;
         if (loads[0].interaction.valid() || loads[1].interaction.valid()) {
             for (const FrictionLoad& load : loads)
-                if (load.interaction.valid()) (void)place(load.interaction);
+                if (load.interaction.valid()) (void)index_of(load.interaction);
             in.set_loads(id.index, loads);
         }
     }
 }
 
-void WorldImpl::take_defined(const Structure& from) {
+void WorldImpl::move_defined(const Structure& from) {
     if (from.compliances.empty() && from.radii.empty()) return;
     model::Interactions& in = ctx.model.interactions;
     std::size_t row = 0, drum = 0;
@@ -203,12 +205,12 @@ void WorldImpl::make_wires(const Placed<WirePieces>& from) {
         if (is_vacant(from, k)) continue;
         const std::string where = world::label("wire", wire.name);
         if (wire.elements.empty() || wire.nodes.size() != wire.elements.size() + 1)
-            world::refuse(where, "it has a node more than elements");
+            world::throw_def_error(where, "it has a node more than elements");
         for (const InteractionId id : wire.elements)
             if (ctx.model.interactions.slots.names(id) &&
                 !kind_info(ctx.model.interactions.def[at(id.index)].kind).is(kWireElement))
-                world::refuse(where, "it is made of elements of wires");
-        world::claim(wires.names, wire.name, place, "wire");
+                world::throw_def_error(where, "it is made of elements of wires");
+        world::claim_name(wires.names, wire.name, place, "wire");
     }
     for (const std::int32_t k : from.vacant) wires.slots.vacate(k);
     wires.slots.set_generations(from.generations);
@@ -220,7 +222,7 @@ void WorldImpl::make(World& self, const Structure& from) {
     make_bodies(self, from.bodies);
     make_shapes(self, from);
     make_interactions(self, from.interactions);
-    take_defined(from);
+    move_defined(from);
     make_inputs(self, from.inputs);
     make_wires(from.wires);
     gear = from.gear;
@@ -256,16 +258,16 @@ void WorldImpl::restore(World& self, const Structure& made_of, std::span<const s
     WorldImpl& o = *out.impl_;
     o.make(out, made_of);
     o.outputs = m.outputs;
-    o.systems.take_all(m.systems);
+    o.systems.move_systems(m.systems);
     try {
         o.outputs.bind(o.systems.signals());
-        o.take_saved(out, bytes, false);
+        o.restore_saved_bytes(out, bytes, false);
     } catch (...) {
-        m.systems.take_all(o.systems);
+        m.systems.move_systems(o.systems);
         throw;
     }
     if (o.systems.count() > 0) o.ctx.actors = &o.systems;
-    o.systems.forget();
+    o.systems.discard_actions();
     o.outputs.forget_figures();
     o.listener = m.listener;
     std::swap(o.ctx.state.events, m.ctx.state.events);

@@ -16,33 +16,33 @@
 namespace hawser {
 namespace world {
 
-void Systems::keep_action(const context::StepContext& ctx) {
-    keep_states(action_.states);
-    action_.inputs.clear();
-    for (const InputDoor::Before& before : set_)
-        action_.inputs.emplace_back(door_.id_of(before.input), before.asked);
-    action_.reported = reported_;
-    action_.loads.clear();
+void Systems::save_action(const context::StepContext& ctx) {
+    save_states_to(pending_action_.states);
+    pending_action_.inputs.clear();
+    for (const InputAccess::Before& before : set_)
+        pending_action_.inputs.emplace_back(input_access_.id_of(before.input), before.asked);
+    pending_action_.reported = reported_;
+    pending_action_.loads.clear();
     for (const LoadView& load : ctx.state.loads.view()) {
-        SystemAction::Load& one = action_.loads.emplace_back();
+        SystemAction::Load& one = pending_action_.loads.emplace_back();
         one.body = load.body;
         for (const auto& part : {load.force, load.mass, load.damping, load.stiffness})
             one.numbers.insert(one.numbers.end(), part.begin(), part.end());
     }
-    action_.known = true;
+    pending_action_.is_known = true;
 }
 
 /// Repeat the recorded actions of the systems. Inputs and loads of removed objects are dropped.
 void Systems::repeat_action(context::StepContext& ctx) {
-    take_states(action_.states);
-    reported_ = action_.reported;
-    for (const auto& [id, value] : action_.inputs) {
-        InputDoor::Before before;
-        if (door_.set_untold(id, value, before)) set_.push_back(before);
+    restore_states(pending_action_.states);
+    reported_ = pending_action_.reported;
+    for (const auto& [id, value] : pending_action_.inputs) {
+        InputAccess::Before before;
+        if (input_access_.set_unreported(id, value, before)) set_.push_back(before);
     }
     Loads loads(ctx.state.loads);
     ctx.state.loads.begin_system(0);
-    for (const SystemAction::Load& load : action_.loads) {
+    for (const SystemAction::Load& load : pending_action_.loads) {
         if (!ctx.model.bodies.slots.names(load.body)) continue;
         const BodyLoad to = loads.of(load.body);
         const auto n = static_cast<std::size_t>(to.freedom), entries = n * (n + 1) / 2;
@@ -58,19 +58,19 @@ void Systems::repeat_action(context::StepContext& ctx) {
 }
 
 /// Access of a system through its NodeEdits.
-class Systems::NodeHands final : public NodeEdits::Hands {
+class Systems::NodeEditAccess final : public NodeEdits::Hands {
   public:
-    NodeHands(Systems& of, double time) : of_(of), time_(time) {}
+    NodeEditAccess(Systems& of, double time) : systems_(of), time_(time) {}
     bool begin() noexcept override {
         if (failed_) return false;
-        if (!of_.door_.begin_edits()) failed_ = true;
+        if (!systems_.input_access_.begin_edits()) failed_ = true;
         return !failed_;
     }
     void out_of_memory() noexcept override { failed_ = true; }
     void tell(const Event& event) noexcept override {
         try {
-            of_.reported_.push_back(event);
-            of_.reported_.back().time = time_;
+            systems_.reported_.push_back(event);
+            systems_.reported_.back().time = time_;
         } catch (const std::bad_alloc&) {
             failed_ = true;
         }
@@ -78,7 +78,7 @@ class Systems::NodeHands final : public NodeEdits::Hands {
     [[nodiscard]] bool failed() const noexcept { return failed_; }
 
   private:
-    Systems& of_;
+    Systems& systems_;
     double time_;
     bool failed_ = false;
 };
@@ -86,15 +86,15 @@ class Systems::NodeHands final : public NodeEdits::Hands {
 Status Systems::begin_step(World& world) noexcept {
     bad = {};
     reported_.clear();
-    forget();
+    discard_actions();
     begun_valid_ = false;
     try {
-        keep_states(begun_);
+        save_states_to(step_start_states_);
     } catch (const std::bad_alloc&) {
         return Status::out_of_memory;
     }
     begun_valid_ = true;
-    NodeHands hands(*this, world.time());
+    NodeEditAccess hands(*this, world.time());
     NodeEdits nodes(world, hands);
     editing_ = true;
     for (const auto& system : list_) system->before_step(nodes);
@@ -103,18 +103,18 @@ Status Systems::begin_step(World& world) noexcept {
 }
 
 void Systems::undo_step() noexcept {
-    if (begun_valid_) take_states(begun_);
+    if (begun_valid_) restore_states(step_start_states_);
     reported_.clear();
-    forget();
+    discard_actions();
 }
 
-void Systems::forget() noexcept {
+void Systems::discard_actions() noexcept {
     queue_.clear();
-    action_.known = false;
+    pending_action_.is_known = false;
 }
 
 Status Systems::make_edits(World& world) noexcept {
-    const auto refuse = [&](std::string_view system, const char* what) {
+    const auto throw_def_error = [&](std::string_view system, const char* what) {
         bad = {};
         bad.system = system;
         bad.of_edit = true;
@@ -124,7 +124,7 @@ Status Systems::make_edits(World& world) noexcept {
         } catch (const std::bad_alloc&) {
             bad.reason = "it requested an edit that the world rejects";
         }
-        forget();
+        discard_actions();
         return Status::bad_edit;
     };
     try {
@@ -133,7 +133,7 @@ Status Systems::make_edits(World& world) noexcept {
             try {
                 queue_.make_next(world);
             } catch (const DefError& error) {
-                return refuse(system, error.what());
+                return throw_def_error(system, error.what());
             }
         }
     } catch (const std::exception&) {
@@ -179,7 +179,7 @@ void NodeEdits::tell(EventKind kind, InteractionId interaction, double value) no
 Status WorldImpl::make_edits(World& world) noexcept {
     if (!begin_edits()) return Status::out_of_memory;
     try {
-        ctx.state.events.hold(systems.queued());
+        ctx.state.events.hold_back(systems.queued());
     } catch (const std::bad_alloc&) {
         return Status::out_of_memory;
     }
@@ -189,12 +189,12 @@ Status WorldImpl::make_edits(World& world) noexcept {
 namespace {
 
 template <class Id>
-bool has(const std::vector<Id>& list, Id id) {
+bool list_contains(const std::vector<Id>& list, Id id) {
     return std::find(list.begin(), list.end(), id) != list.end();
 }
 
-[[noreturn]] void refuse_held_by(std::string_view system, const char* what, std::int32_t index,
-                                 const std::string& name) {
+[[noreturn]] void throw_held_error(std::string_view system, const char* what, std::int32_t index,
+                                   const std::string& name) {
     throw DefError("system '" + std::string(system) + "' holds the " + what + " " +
                    (name.empty() ? std::to_string(index) : "'" + name + "'") +
                    ", or an object that would be removed with it; remove the system first");
@@ -202,8 +202,8 @@ bool has(const std::vector<Id>& list, Id id) {
 
 }  // namespace
 
-void WorldImpl::refuse_held(BodyId id, InteractionId stays) const {
-    systems.each_held([&](std::string_view system, const HoldTable& held) {
+void WorldImpl::check_not_held(BodyId id, InteractionId stays) const {
+    systems.for_each_held([&](std::string_view system, const HoldTable& held) {
         const auto on = [&](InteractionId i) {
             if (!ctx.model.interactions.slots.names(i) || i == stays) return false;
             const InteractionDef& def = ctx.model.interactions.def[at(i.index)];
@@ -218,37 +218,37 @@ void WorldImpl::refuse_held(BodyId id, InteractionId stays) const {
             const InputDef& def = inputs[at(k.index)];
             return def.body == id || (def.interaction.valid() && on(def.interaction));
         };
-        if (has(held.bodies, id) ||
+        if (list_contains(held.bodies, id) ||
             std::any_of(held.interactions.begin(), held.interactions.end(), on) ||
             std::any_of(held.shapes.begin(), held.shapes.end(), of) ||
             std::any_of(held.inputs.begin(), held.inputs.end(), drives))
-            refuse_held_by(system, "body", id.index, body_defs[at(id.index)].name);
+            throw_held_error(system, "body", id.index, body_defs[at(id.index)].name);
     });
 }
 
-void WorldImpl::refuse_held(InteractionId id) const {
-    systems.each_held([&](std::string_view system, const HoldTable& held) {
+void WorldImpl::check_not_held(InteractionId id) const {
+    systems.for_each_held([&](std::string_view system, const HoldTable& held) {
         const auto drives = [&](InputId k) {
             return input_slots.names(k) && inputs[at(k.index)].interaction == id;
         };
-        if (has(held.interactions, id) ||
+        if (list_contains(held.interactions, id) ||
             std::any_of(held.inputs.begin(), held.inputs.end(), drives))
-            refuse_held_by(system, "interaction", id.index,
-                           ctx.model.interactions.def[at(id.index)].name);
+            throw_held_error(system, "interaction", id.index,
+                             ctx.model.interactions.def[at(id.index)].name);
     });
 }
 
-void WorldImpl::refuse_held(ShapeId id) const {
-    systems.each_held([&](std::string_view system, const HoldTable& held) {
-        if (has(held.shapes, id))
-            refuse_held_by(system, "shape", id.index, shape_defs[at(id.index)].name);
+void WorldImpl::check_not_held(ShapeId id) const {
+    systems.for_each_held([&](std::string_view system, const HoldTable& held) {
+        if (list_contains(held.shapes, id))
+            throw_held_error(system, "shape", id.index, shape_defs[at(id.index)].name);
     });
 }
 
-void WorldImpl::refuse_held(InputId id) const {
-    systems.each_held([&](std::string_view system, const HoldTable& held) {
-        if (has(held.inputs, id))
-            refuse_held_by(system, "input", id.index, inputs[at(id.index)].name);
+void WorldImpl::check_not_held(InputId id) const {
+    systems.for_each_held([&](std::string_view system, const HoldTable& held) {
+        if (list_contains(held.inputs, id))
+            throw_held_error(system, "input", id.index, inputs[at(id.index)].name);
     });
 }
 

@@ -22,27 +22,27 @@ namespace {
 template <class F>
 class Visitor final : public StateVisitor {
   public:
-    Visitor(bool around_step, F f) : around_(around_step), f_(std::move(f)) {}
-    [[nodiscard]] bool around_step() const noexcept override { return around_; }
+    Visitor(bool around_step, F f) : around_step_(around_step), callback_(std::move(f)) {}
+    [[nodiscard]] bool around_step() const noexcept override { return around_step_; }
 
   private:
-    void bytes(void* data, std::size_t size) override { f_(data, size); }
-    bool around_;
-    F f_;
+    void bytes(void* data, std::size_t size) override { callback_(data, size); }
+    bool around_step_;
+    F callback_;
 };
 
 /// Finds a number of a state from which no system can continue.
 class NumberCheck final : public StateVisitor {
   public:
-    [[nodiscard]] bool good() const noexcept { return good_; }
+    [[nodiscard]] bool all_finite() const noexcept { return all_finite_; }
 
   private:
     void bytes(void*, std::size_t) override {}
     void numbers(std::span<double> values) override {
         constexpr double kMaxNumber = 1e300;
-        for (const double x : values) good_ = good_ && std::abs(x) <= kMaxNumber;
+        for (const double x : values) all_finite_ = all_finite_ && std::abs(x) <= kMaxNumber;
     }
-    bool good_ = true;
+    bool all_finite_ = true;
 };
 
 /// Call f(data, bytes) for the arrays of a system's state.
@@ -59,43 +59,45 @@ std::string full_name(const SystemSignal& s) { return s.system + "." + s.name; }
 namespace {
 
 /// Keeps the applied forces as set while it lives, because inputs may change them.
-class Unturned {
+class UnrotatedForces {
   public:
-    explicit Unturned(InputDoor& door) noexcept : door_(door) { door.unturn_forces(); }
-    ~Unturned() { door_.turn_forces(); }
-    Unturned(const Unturned&) = delete;
-    Unturned& operator=(const Unturned&) = delete;
+    explicit UnrotatedForces(InputAccess& door) noexcept : input_access_(door) {
+        door.unrotate_forces();
+    }
+    ~UnrotatedForces() { input_access_.rotate_forces(); }
+    UnrotatedForces(const UnrotatedForces&) = delete;
+    UnrotatedForces& operator=(const UnrotatedForces&) = delete;
 
   private:
-    InputDoor& door_;
+    InputAccess& input_access_;
 };
 
 }  // namespace
 
 /// Access of a system through its Prestep.
-class Systems::Hands final : public Prestep::Hands {
+class Systems::StepAccess final : public Prestep::Hands {
   public:
-    Hands(Systems& of, context::StepContext& ctx) : of_(of), ctx_(ctx) {}
+    StepAccess(Systems& of, context::StepContext& ctx) : systems_(of), ctx_(ctx) {}
     void set_input(InputId id, double value) noexcept override {
-        InputDoor::Before before;
-        if (!of_.door_.set(id, value, before)) {
-            if (of_.bad.reason[0] != '\0') return;
-            of_.bad.of_input = true;
-            of_.bad.input = id;
-            of_.bad.reason = std::isfinite(value)
-                                 ? "there is no such input; give an id of the world"
-                                 : "it is not finite; give a finite value";
+        InputAccess::Before before;
+        if (!systems_.input_access_.set(id, value, before)) {
+            if (systems_.bad.reason[0] != '\0') return;
+            systems_.bad.of_input = true;
+            systems_.bad.input = id;
+            systems_.bad.reason = std::isfinite(value)
+                                      ? "there is no such input; give an id of the world"
+                                      : "it is not finite; give a finite value";
             return;
         }
         for (const std::int32_t body : before.body)
             if (before.moved && body >= 0) ctx_.state.loads.alter(body);
-        for (InputDoor::Before& earlier : of_.set_) {
+        for (InputAccess::Before& earlier : systems_.set_) {
             if (earlier.input != before.input) continue;
             earlier.asked = before.asked;
             earlier.clamped = before.clamped;
             return;
         }
-        of_.set_.push_back(before);  // act() has reserved capacity for one of each
+        systems_.set_.push_back(before);  // act() has reserved capacity for one of each
     }
     void tell(EventKind kind, BodyId body, InteractionId interaction,
               double value) noexcept override {
@@ -106,9 +108,9 @@ class Systems::Hands final : public Prestep::Hands {
         event.interaction = interaction;
         event.value = value;
         try {
-            of_.reported_.push_back(event);
+            systems_.reported_.push_back(event);
         } catch (const std::bad_alloc&) {
-            of_.untold_ = true;  // no event is lost: the step ends and is retried
+            systems_.events_dropped_ = true;  // no event is lost: the step ends and is retried
         }
     }
     void run(int count, void (*task)(void*, int) noexcept, void* context) noexcept override {
@@ -119,7 +121,7 @@ class Systems::Hands final : public Prestep::Hands {
     }
 
   private:
-    Systems& of_;
+    Systems& systems_;
     context::StepContext& ctx_;
 };
 
@@ -151,7 +153,7 @@ std::unique_ptr<System> Systems::remove(const System& system) {
     if (found == list_.end()) throw DefError("remove_system: it is none of this world's systems");
     std::unique_ptr<System> out = std::move(*found);
     list_.erase(found);
-    forget();
+    discard_actions();
     std::erase_if(signals_, [&](const SystemSignal& s) { return s.system == out->name(); });
     if (bad.system == out->name()) bad = {};
     return out;
@@ -170,10 +172,10 @@ const SystemSignal& Systems::signal(std::string_view name) const {
     std::vector<const char*> known;
     for (const std::string& each : names) known.push_back(each.c_str());
     throw DefError("there is no signal '" + std::string(name) + "'" +
-                   (known.empty() ? ": no system has one" : remedy_of(name, known)));
+                   (known.empty() ? ": no system has one" : name_suggestion(name, known)));
 }
 
-void Systems::keep_states(std::vector<std::byte>& to) const {
+void Systems::save_states_to(std::vector<std::byte>& to) const {
     std::size_t size = 0;
     for (const auto& s : list_) visit(*s, true, [&](void*, std::size_t n) { size += n; });
     if (to.size() < size) to.resize(size);
@@ -185,7 +187,7 @@ void Systems::keep_states(std::vector<std::byte>& to) const {
         });
 }
 
-void Systems::take_states(const std::vector<std::byte>& from) const {
+void Systems::restore_states(const std::vector<std::byte>& from) const {
     const std::byte* next = from.data();
     for (const auto& s : list_)
         visit(*s, true, [&](void* to, std::size_t n) {
@@ -195,19 +197,19 @@ void Systems::take_states(const std::vector<std::byte>& from) const {
 }
 
 Status Systems::act_all(context::StepContext& ctx) {
-    keep_states(kept_);
-    if (set_.capacity() < door_.count()) set_.reserve(door_.count());
+    save_states_to(saved_states_);
+    if (set_.capacity() < input_access_.count()) set_.reserve(input_access_.count());
     constexpr std::size_t kEventsOfOne = 8;
     if (reported_.capacity() < kEventsOfOne * list_.size())
         reported_.reserve(kEventsOfOne * list_.size());
     drive_ = ctx.state.ledger.drive;
     acted_ = true;
-    const Unturned unturned(door_);
-    if (action_.known) {
+    const UnrotatedForces unturned(input_access_);
+    if (pending_action_.is_known) {
         repeat_action(ctx);
         return ctx.state.loads.out_of_memory() ? Status::out_of_memory : Status::ok;
     }
-    Hands hands(*this, ctx);
+    StepAccess hands(*this, ctx);
     Prestep now(*world_, ctx.state.time, ctx.model.def.step, ctx.state.step, hands, queue_);
     Loads loads(ctx.state.loads);
     for (std::size_t i = 0; i < list_.size(); ++i) {
@@ -215,7 +217,7 @@ Status Systems::act_all(context::StepContext& ctx) {
         queue_.begin_system(list_[i]->name());
         const std::size_t inputs = set_.size();
         list_[i]->prestep(now, loads);
-        if (ctx.state.loads.out_of_memory() || queue_.out_of_memory() || untold_)
+        if (ctx.state.loads.out_of_memory() || queue_.out_of_memory() || events_dropped_)
             return Status::out_of_memory;
         if (bad.reason[0] == '\0' && ctx.state.loads.touched())
             bad = ctx.state.loads.fault(ctx.pool);
@@ -225,16 +227,16 @@ Status Systems::act_all(context::StepContext& ctx) {
         return Status::bad_load;
     }
     if (queue_.size() == 0) return Status::ok;
-    keep_action(ctx);
+    save_action(ctx);
     return Status::bad_edit;
 }
 
 /// Find an input set from entry `first` of set_ on that leaves a range empty.
 void Systems::check_ranges(std::size_t first) noexcept {
     for (std::size_t i = first; i < set_.size() && bad.reason[0] == '\0'; ++i) {
-        if (!door_.empties_range(set_[i].input)) continue;
+        if (!input_access_.empties_range(set_[i].input)) continue;
         bad.of_input = true;
-        bad.input = door_.id_of(set_[i].input);
+        bad.input = input_access_.id_of(set_[i].input);
         bad.reason =
             "its range would be empty: the minimum is above the maximum; set the other end";
     }
@@ -242,7 +244,7 @@ void Systems::check_ranges(std::size_t first) noexcept {
 
 Status Systems::act(context::StepContext& ctx) noexcept {
     bad = {};
-    untold_ = false;
+    events_dropped_ = false;
     Status status = Status::ok;
     const Status room = context::guarded(ctx, [&] { status = act_all(ctx); });
     return room == Status::ok ? status : room;
@@ -254,21 +256,22 @@ void Systems::accept(context::StepContext& ctx) noexcept {
         ++ctx.work.stats.event_count[static_cast<std::size_t>(event.kind)];
     }
     reported_.clear();
-    for (const InputDoor::Before& before : set_)
-        if (before.clamped) door_.tell(before);
+    for (const InputAccess::Before& before : set_)
+        if (before.clamped) input_access_.tell(before);
     set_.clear();
-    forget();
+    discard_actions();
     acted_ = false;
 }
 
 void Systems::go_back(context::StepContext& ctx) noexcept {
     if (!acted_) return;
-    const Unturned unturned(door_);
-    for (auto before = set_.rbegin(); before != set_.rend(); ++before) door_.take_back(*before);
+    const UnrotatedForces unturned(input_access_);
+    for (auto before = set_.rbegin(); before != set_.rend(); ++before)
+        input_access_.take_back(*before);
     set_.clear();
     reported_.clear();
     ctx.state.ledger.drive = drive_;
-    take_states(kept_);
+    restore_states(saved_states_);
     acted_ = false;
 }
 
@@ -313,22 +316,23 @@ void Systems::restore(const std::byte* from) {
 }
 
 void Systems::check_states(const World& world) const {
-    const auto refuse = [](std::string_view system, const std::string& what) {
+    const auto throw_def_error = [](std::string_view system, const std::string& what) {
         throw DefError("snapshot: not a state that a world can have: system '" +
                        std::string(system) + "': " + what);
     };
     for (const auto& s : list_) {
         NumberCheck numbers;
         s->visit_state(numbers);
-        if (!numbers.good()) refuse(s->name(), "a number is not finite, or beyond 1e300");
+        if (!numbers.all_finite())
+            throw_def_error(s->name(), "a number is not finite, or beyond 1e300");
     }
     for (const SystemSignal& s : signals_)
         if (s.input && !(*s.value >= s.min && *s.value <= s.max))
-            refuse(s.system, "input '" + s.name + "' is outside its range");
+            throw_def_error(s.system, "input '" + s.name + "' is outside its range");
     for (const auto& s : list_) {
         StateRules rules;
         s->check_state(world, rules);
-        if (*rules.fault() != '\0') refuse(s->name(), rules.fault());
+        if (*rules.fault() != '\0') throw_def_error(s->name(), rules.fault());
     }
 }
 

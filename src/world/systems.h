@@ -21,9 +21,9 @@
 namespace hawser::world {
 
 /// Access of systems to the world between the start of a step and its end.
-class InputDoor {
+class InputAccess {
   public:
-    virtual ~InputDoor() = default;
+    virtual ~InputAccess() = default;
     /// Previous state of an input, for take_back().
     struct Before {
         std::int32_t input = -1;
@@ -39,7 +39,7 @@ class InputDoor {
     /// @return false if it does not exist or the value is not finite.
     virtual bool set(InputId id, double value, Before& before) noexcept = 0;
     /// Set an input without a report to the listener.
-    virtual bool set_untold(InputId id, double value, Before& before) noexcept = 0;
+    virtual bool set_unreported(InputId id, double value, Before& before) noexcept = 0;
     /// True if the input drives one end of a range whose minimum is above its maximum.
     [[nodiscard]] virtual bool empties_range(std::int32_t input) const noexcept = 0;
     [[nodiscard]] virtual InputId id_of(std::int32_t input) const noexcept = 0;
@@ -52,15 +52,15 @@ class InputDoor {
     [[nodiscard]] virtual bool begin_edits() noexcept = 0;
     /// Remove the forces of inputs in body frames from the applied forces, and add them again with
     /// the current inputs and poses. During a step they are rotated into world axes.
-    virtual void unturn_forces() noexcept = 0;
-    virtual void turn_forces() noexcept = 0;
+    virtual void unrotate_forces() noexcept = 0;
+    virtual void rotate_forces() noexcept = 0;
     /// Return the number of inputs of the world.
     [[nodiscard]] virtual std::size_t count() const noexcept = 0;
 };
 
 class Systems final : public context::Actors {
   public:
-    explicit Systems(InputDoor& door) : door_(door) {}
+    explicit Systems(InputAccess& door) : input_access_(door) {}
     virtual ~Systems() = default;
     Systems(const Systems&) = delete;
     Systems& operator=(const Systems&) = delete;
@@ -72,7 +72,7 @@ class Systems final : public context::Actors {
     /// @throws DefError.
     std::unique_ptr<System> remove(const System& system);
     /// Move all systems of a world to this one, which has none.
-    void take_all(Systems& from) noexcept {
+    void move_systems(Systems& from) noexcept {
         list_.swap(from.list_);
         signals_.swap(from.signals_);
     }
@@ -89,7 +89,7 @@ class Systems final : public context::Actors {
     /// Call f for the objects that each system holds, with its name.
     /// @throws std::bad_alloc, and exceptions of f.
     template <class F>
-    void each_held(F&& f) const {
+    void for_each_held(F&& f) const {
         for (const auto& s : list_) {
             held_.bodies.clear();
             held_.interactions.clear();
@@ -113,7 +113,7 @@ class Systems final : public context::Actors {
         return kDefault;
     }
     /// True while begin_step() runs.
-    [[nodiscard]] bool editing() const noexcept { return editing_; }
+    [[nodiscard]] bool edits_allowed() const noexcept { return editing_; }
     /// Return true if only systems may insert and remove nodes: a system that carries an element
     /// counts its length.
     [[nodiscard]] bool refuses_nodes(InteractionId element) const noexcept {
@@ -121,7 +121,9 @@ class Systems final : public context::Actors {
     }
     /// True if the step has ended and been undone because systems requested edits. They are made
     /// next, and the step is repeated with the recorded actions of the systems.
-    [[nodiscard]] bool wants_edits() const noexcept { return queue_.size() > 0 && action_.known; }
+    [[nodiscard]] bool has_requested_edits() const noexcept {
+        return queue_.size() > 0 && pending_action_.is_known;
+    }
     /// Make the requested edits.
     /// @return the fault, also in BadLoad; Status::ok if all are made.
     Status make_edits(World& world) noexcept;
@@ -137,7 +139,7 @@ class Systems final : public context::Actors {
     /// Undo a failed step: restore the states of systems at its start.
     void undo_step() noexcept;
     /// Discard the recorded actions for a step that was not taken, because the state has changed.
-    void forget() noexcept;
+    void discard_actions() noexcept;
     Status act(context::StepContext& ctx) noexcept override;
     void accept(context::StepContext& ctx) noexcept override;
     void go_back(context::StepContext& ctx) noexcept override;
@@ -157,9 +159,9 @@ class Systems final : public context::Actors {
     BadLoad bad;
 
   private:
-    class Hands;
+    class StepAccess;
     // The class is final; clang-tidy checks this declaration, which cannot say so.
-    class NodeHands;  // NOLINT(cppcoreguidelines-virtual-class-destructor)
+    class NodeEditAccess;  // NOLINT(cppcoreguidelines-virtual-class-destructor)
     /// Recorded actions of systems in a step that ended for their edits, to be repeated.
     struct SystemAction {
         struct Load {
@@ -170,31 +172,31 @@ class Systems final : public context::Actors {
         std::vector<std::pair<InputId, double>> inputs;
         std::vector<Load> loads;
         std::vector<Event> reported;
-        bool known = false;
+        bool is_known = false;
     };
     void check_ranges(std::size_t first) noexcept;
     Status act_all(context::StepContext& ctx);
-    void keep_states(std::vector<std::byte>& to) const;
-    void take_states(const std::vector<std::byte>& from) const;
-    void keep_action(const context::StepContext& ctx);
+    void save_states_to(std::vector<std::byte>& to) const;
+    void restore_states(const std::vector<std::byte>& from) const;
+    void save_action(const context::StepContext& ctx);
     void repeat_action(context::StepContext& ctx);
 
-    InputDoor& door_;
+    InputAccess& input_access_;
     const World* world_ = nullptr;
     std::vector<std::unique_ptr<System>> list_;
     std::vector<SystemSignal> signals_;
-    mutable HoldTable held_;              ///< Scratch of each_held(), with its memory kept.
-    bool acted_ = false;                  ///< True if systems have acted in the current step.
-    bool editing_ = false;                ///< True during begin_step().
-    std::vector<std::byte> begun_;        ///< States at the start of the step, …
-    bool begun_valid_ = false;            ///< … valid if there was memory for them.
-    std::vector<std::byte> kept_;         ///< States before prestep().
-    std::vector<InputDoor::Before> set_;  ///< Inputs set by prestep(), in order.
-    std::vector<Event> reported_;         ///< Events that systems reported.
-    bool untold_ = false;                 ///< True if there was no capacity for an event.
-    double drive_ = 0.0;                  ///< Ledger::drive before prestep().
+    mutable HoldTable held_;  ///< Scratch of for_each_held(), with its memory kept.
+    bool acted_ = false;      ///< True if systems have acted in the current step.
+    bool editing_ = false;    ///< True during begin_step().
+    std::vector<std::byte> step_start_states_;  ///< States at the start of the step, …
+    bool begun_valid_ = false;                  ///< … valid if there was memory for them.
+    std::vector<std::byte> saved_states_;       ///< States before prestep().
+    std::vector<InputAccess::Before> set_;      ///< Inputs set by prestep(), in order.
+    std::vector<Event> reported_;               ///< Events that systems reported.
+    bool events_dropped_ = false;               ///< True if there was no capacity for an event.
+    double drive_ = 0.0;                        ///< Ledger::drive before prestep().
     QueuedEdits queue_;
-    SystemAction action_;
+    SystemAction pending_action_;
     std::string edit_fault_;  ///< BadLoad::reason of an edit.
 };
 

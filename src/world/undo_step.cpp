@@ -11,26 +11,26 @@
 
 namespace hawser {
 
-Status WorldImpl::take_step() noexcept {
-    use.stepping(true);
-    turn_forces();
+Status WorldImpl::run_step() noexcept {
+    use.mark_stepping(true);
+    rotate_forces();
     const Status ended = step::step(ctx);
-    unturn_forces();
-    use.stepping(false);
+    unrotate_forces();
+    use.mark_stepping(false);
     return ended;
 }
 
 bool WorldImpl::begin_edits() noexcept {
     if (undo.holds) return true;
     try {
-        keep_for_undo(undo);
+        save_for_undo(undo);
     } catch (const std::bad_alloc&) {
         return false;
     }
     return true;
 }
 
-void WorldImpl::keep_for_undo(StepUndo& u) const {
+void WorldImpl::save_for_undo(StepUndo& u) const {
     u.model.keep(ctx);
     u.body_defs = body_defs;
     u.shape_defs = shape_defs;
@@ -57,7 +57,7 @@ void WorldImpl::keep_for_undo(StepUndo& u) const {
     u.holds = true;
 }
 
-void WorldImpl::put_back(StepUndo& u) noexcept {
+void WorldImpl::restore_undo(StepUndo& u) noexcept {
     u.holds = false;
     u.model.go_back(ctx);
     body_defs.swap(u.body_defs);
@@ -66,18 +66,18 @@ void WorldImpl::put_back(StepUndo& u) noexcept {
     input_values.swap(u.input_values);
     std::swap(input_slots, u.input_slots);
     input_ids.swap(u.input_ids);
-    groups.go_back(u.groups);
-    body_names.go_back(u.body_names);
-    interaction_names.go_back(u.interaction_names);
-    input_names.go_back(u.input_names);
-    material_names.go_back(u.material_names);
-    shape_names.go_back(u.shape_names);
+    groups.restore_names(u.groups);
+    body_names.restore_names(u.body_names);
+    interaction_names.restore_names(u.interaction_names);
+    input_names.restore_names(u.input_names);
+    material_names.restore_names(u.material_names);
+    shape_names.restore_names(u.shape_names);
     body_ids.swap(u.body_ids);
     interaction_ids.swap(u.interaction_ids);
     shape_ids.swap(u.shape_ids);
     wires.wires.swap(u.wires);
     std::swap(wires.slots, u.wire_places);
-    wires.names.go_back(u.wire_names);
+    wires.names.restore_names(u.wire_names);
     wires.ids.swap(u.wire_ids);
     gear.swap(u.gear);
     force_inputs.swap(u.force_inputs);
@@ -85,7 +85,7 @@ void WorldImpl::put_back(StepUndo& u) noexcept {
 }
 
 void WorldImpl::undo_step(std::size_t mark) noexcept {
-    if (undo.holds) put_back(undo);
+    if (undo.holds) restore_undo(undo);
     systems.undo_step();
     if (listener != nullptr) listener->undone(mark);
 }
@@ -95,7 +95,7 @@ Attempt::Attempt(World& world, bool wanted) : world_(world) {
     WorldImpl& m = *world.impl_;
     const world::Using use(m.use, "add");
     if (!wanted || !m.ctx.state.started || m.attempt.holds) return;
-    m.keep_for_undo(m.attempt);
+    m.save_for_undo(m.attempt);
     mark_ = m.listener != nullptr ? m.listener->mark() : 0;
     exceptions_ = std::uncaught_exceptions();
     holds_ = true;
@@ -108,7 +108,7 @@ Attempt::~Attempt() {
         m.attempt.holds = false;
         return;
     }
-    m.put_back(m.attempt);
+    m.restore_undo(m.attempt);
     if (m.listener != nullptr) m.listener->undone(mark_);
 }
 

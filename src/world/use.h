@@ -29,8 +29,8 @@ class Use {
     }
     void leave() noexcept { user_.store(kNobody, std::memory_order_release); }
     /// Mark the start or end of a step, by the thread that uses the world.
-    void stepping(bool on) noexcept { stepping_ = on; }
-    [[nodiscard]] bool is_mine() const noexcept {
+    void mark_stepping(bool on) noexcept { stepping_ = on; }
+    [[nodiscard]] bool is_held_by_this_thread() const noexcept {
         return user_.load(std::memory_order_relaxed) == this_thread();
     }
 
@@ -54,7 +54,7 @@ class Use {
 class Using {
   public:
     Using(Use& use, const char* call) : use_(use), granted_(use.take()) {
-        if (granted_ == 0) refuse(call);
+        if (granted_ == 0) throw_def_error(call);
     }
     ~Using() {
         if (granted_ == 1) use_.leave();
@@ -63,28 +63,29 @@ class Using {
     Using& operator=(const Using&) = delete;
 
   private:
-    [[noreturn]] void refuse(const char* call) const {
+    [[noreturn]] void throw_def_error(const char* call) const {
         throw UseError(std::string(call) +
-                       (use_.is_mine() ? ": called from within World::step(); do it between steps"
-                                       : ": the world is in use by another thread; let one thread "
-                                         "at a time use a world"));
+                       (use_.is_held_by_this_thread()
+                            ? ": called from within World::step(); do it between steps"
+                            : ": the world is in use by another thread; let one thread "
+                              "at a time use a world"));
     }
     Use& use_;
     int granted_;
 };
 
 /// The same for functions that may not throw.
-class MaybeUsing {
+class OptionalUse {
   public:
-    explicit MaybeUsing(Use& use) noexcept : use_(use), granted_(use.take()) {}
-    ~MaybeUsing() {
+    explicit OptionalUse(Use& use) noexcept : use_(use), granted_(use.take()) {}
+    ~OptionalUse() {
         if (granted_ == 1) use_.leave();
     }
-    MaybeUsing(const MaybeUsing&) = delete;
-    MaybeUsing& operator=(const MaybeUsing&) = delete;
-    [[nodiscard]] bool granted() const noexcept { return granted_ != 0; }
+    OptionalUse(const OptionalUse&) = delete;
+    OptionalUse& operator=(const OptionalUse&) = delete;
+    [[nodiscard]] bool is_granted() const noexcept { return granted_ != 0; }
     /// True if it is not within another call.
-    [[nodiscard]] bool alone() const noexcept { return granted_ == 1; }
+    [[nodiscard]] bool is_outermost() const noexcept { return granted_ == 1; }
 
   private:
     Use& use_;

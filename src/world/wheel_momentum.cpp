@@ -53,8 +53,8 @@ void divide_momentum(context::StepContext& ctx, std::int32_t lump, const AtWheel
     ctx.state.ledger.edited.given += edit::energy_of_body(ctx, lump);
 }
 
-void stop_across(context::StepContext& ctx, std::array<std::int32_t, 2> part,
-                 const std::array<Vec3, 2>& speed, double mass) noexcept {
+void apply_lateral_impulse(context::StepContext& ctx, std::array<std::int32_t, 2> part,
+                           const std::array<Vec3, 2>& speed, double mass) noexcept {
     model::Bodies& b = ctx.model.bodies;
     const model::Interactions& in = ctx.model.interactions;
     const std::int32_t body = edit::end_of(ctx, part[0], 1);

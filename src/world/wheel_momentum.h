@@ -45,7 +45,7 @@ void divide_momentum(context::StepContext& ctx, std::int32_t lump, const AtWheel
 /// Give the body of a guide the impulse of the half element that comes to lie on it.
 /// @param part  Parts of the element. @param speed  Speeds of the ends before the edit [m/s].
 /// @param mass  Mass of the half [kg].
-void stop_across(context::StepContext& ctx, std::array<std::int32_t, 2> part,
-                 const std::array<Vec3, 2>& speed, double mass) noexcept;
+void apply_lateral_impulse(context::StepContext& ctx, std::array<std::int32_t, 2> part,
+                           const std::array<Vec3, 2>& speed, double mass) noexcept;
 
 }  // namespace hawser::world

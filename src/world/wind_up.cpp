@@ -17,13 +17,13 @@ namespace hawser {
 
 void WorldWires::set_mass(BodyId lump, double mass) {
     const world::Using use(impl().use, "set_mass");
-    const std::size_t b = impl().place(lump);
+    const std::size_t b = impl().index_of(lump);
     BodyDef& def = impl().body_defs[b];
     const std::string where = world::label("body", def.name);
     if (def.kind != BodyKind::lump)
-        world::refuse(where, "it is not a node; only nodes change mass");
+        world::throw_def_error(where, "it is not a node; only nodes change mass");
     if (!(mass > 0.0 && mass <= 1e12))
-        world::refuse(where, "mass = " + world::number(mass) + " kg; give a positive one");
+        world::throw_def_error(where, "mass = " + world::number(mass) + " kg; give a positive one");
     context::StepContext& c = impl().ctx;
     edit::begin_edit(c);
     c.state.ledger.edited.given -= edit::energy_of_body(c, lump.index);
@@ -41,33 +41,36 @@ void WorldWires::set_mass(BodyId lump, double mass) {
         for (std::size_t slot = 0; slot < in.bodies[at(id.index)]; ++slot)
             if (in.def[at(id.index)].body[slot] == lump)
                 in.rewire(id.index, slot, lump, c.model.bodies);
-    context::disturb(c.model, lump.index);
+    context::wake_island(c.model, lump.index);
     if (impl().listener != nullptr) impl().listener->set_mass(lump, mass);
 }
 
 InteractionId WorldWires::spool(WireId id, int end, BodyId drum, double radius) {
     const world::Using use(impl().use, "wires().spool");
-    const Attempt attempt(*world_, impl().composite());
+    const Attempt attempt(*world_, impl().undoes_as_whole());
     const world::Wire& wire = impl().wire(id);
     const std::string where = world::label("wire", wire.name);
-    if (end != 0 && end != 1) world::refuse(where, "end must be 0, the first one, or 1");
+    if (end != 0 && end != 1) world::throw_def_error(where, "end must be 0, the first one, or 1");
     const std::size_t place = end == 0 ? 0 : wire.elements.size() - 1;
     const InteractionId old = wire.elements[place];
-    if (!world_->alive(old)) world::refuse(where, "the element at this end has been removed");
-    if (!world_->intact(old)) world::refuse(where, "the element at this end has parted");
+    if (!world_->alive(old))
+        world::throw_def_error(where, "the element at this end has been removed");
+    if (!world_->intact(old)) world::throw_def_error(where, "the element at this end has parted");
     InteractionDef d = world_->interaction_def(old);
     if (kind_info(d.kind).is(kWoundUp))
-        world::refuse(where, "this end lies on a drum already; one drum an end");
+        world::throw_def_error(where, "this end lies on a drum already; one drum an end");
     if (!world_->alive(drum) || world_->body_def(drum).kind != BodyKind::scalar)
-        world::refuse(where, "its drum must be a scalar body");
+        world::throw_def_error(where, "its drum must be a scalar body");
     if (!(radius >= -1e3 && radius <= 1e3))
-        world::refuse(where, "radius = " + world::number(radius) + " m; give -1000 to 1000");
+        world::throw_def_error(where,
+                               "radius = " + world::number(radius) + " m; give -1000 to 1000");
     const auto& in = impl().ctx.model.interactions;
     const double mass = edit::mass_of_element(impl().ctx, old.index);
     const BodyId beyond = d.body[end == 0 ? 1 : 0];
     const bool gives = mass > 0.0 && world_->body_def(beyond).kind == BodyKind::lump;
     if (gives && !(world_->body_def(beyond).mass > 0.5 * mass))
-        world::refuse(where, "the lump next to the drum has less than half of the element");
+        world::throw_def_error(where,
+                               "the lump next to the drum has less than half of the element");
     const InteractionDef stretch = d;
     d.kind = InteractionKind::WinchStretch;
     d.params.fill(kDefault);
@@ -82,15 +85,15 @@ InteractionId WorldWires::spool(WireId id, int end, BodyId drum, double radius) 
     world::check(whole, impl().ctx.model.bodies, world_->body_count(),
                  std::span(in.def).first(at(world_->interaction_count())), in.slots);
     world::fill_in(whole, impl().ctx);
-    impl().refuse_held(old);
+    impl().check_not_held(old);
     impl().reserve_removal();
     impl().ctx.model.interactions.reserve_more(d.kind);
     // No call below throws: the name moves with its table node.
-    world::Names::Map::node_type name = impl().interaction_names.take(d.name);
+    world::Names::Map::node_type name = impl().interaction_names.extract_name(d.name);
     impl().remove(old);
     if (impl().listener != nullptr) impl().listener->removed(old);
-    const InteractionId out = impl().put_interaction(std::move(whole));
-    impl().interaction_names.give(std::move(name), out.index);
+    const InteractionId out = impl().store_interaction(std::move(whole));
+    impl().interaction_names.insert_at(std::move(name), out.index);
     if (impl().listener != nullptr) impl().listener->added(d);
     (void)impl().sorted_removal();
     impl().wires.wires[at(id.index)].elements[place] = out;

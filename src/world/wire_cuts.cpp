@@ -54,7 +54,7 @@ class SecondPiece {
         wire.bends.reserve(whole.bends.size() + 2);
         wire.shapes.reserve(whole.shapes.size() + 2);
         constexpr std::size_t kComing = 4;
-        behind_.assign(at(bodies) + kComing, 0);
+        on_second_piece_.assign(at(bodies) + kComing, 0);
     }
     /// Move the objects behind a cut to the second piece.
     /// @param second  First element of the piece.
@@ -68,7 +68,7 @@ class SecondPiece {
         wire.nodes.assign(1, end);
         wire.nodes.insert(wire.nodes.end(), whole.nodes.begin() + k + 1, whole.nodes.end());
         whole.nodes.resize(static_cast<std::size_t>(k) + 1);
-        for (const BodyId id : wire.nodes) behind_[at(id.index)] = 1;
+        for (const BodyId id : wire.nodes) on_second_piece_[at(id.index)] = 1;
         move(whole.lumps, wire.lumps, [&](BodyId id) { return id.index; });
         move(whole.bends, wire.bends,
              [&](InteractionId id) { return in.body[kMaxInteractionBodies * at(id.index) + 1]; });
@@ -86,13 +86,14 @@ class SecondPiece {
     void move(std::vector<Id>& from, std::vector<Id>& to, F&& body_of) noexcept {
         const auto is_behind = [&](Id id) {
             const std::int32_t body = body_of(id);
-            return body >= 0 && at(body) < behind_.size() && behind_[at(body)] != 0;
+            return body >= 0 && at(body) < on_second_piece_.size() &&
+                   on_second_piece_[at(body)] != 0;
         };
         for (const Id id : from)
             if (is_behind(id)) to.push_back(id);
         std::erase_if(from, is_behind);
     }
-    std::vector<std::uint8_t> behind_;  ///< By body.
+    std::vector<std::uint8_t> on_second_piece_;  ///< By body.
 };
 
 /// Return a body like the adjacent node, or like the nodes at the ends of an element.
@@ -124,7 +125,7 @@ void WorldImpl::follow_definition(BodyId lump) noexcept {
 }
 
 /// Move the objects that begin at a node to another node at its position, which has been added.
-void WorldImpl::part_lump(const edit::NodeSurroundings& place, BodyId end) noexcept {
+void WorldImpl::split_wire_at_node(const edit::NodeSurroundings& place, BodyId end) noexcept {
     model::Interactions& in = ctx.model.interactions;
     const BodyId node = ctx.model.bodies.id(place.node), far = in.def[at(place.second)].body[1];
     const edit::NodeFraction part = edit::fraction_of(ctx, node.index, place.first, place.second);
@@ -144,7 +145,7 @@ void WorldImpl::part_lump(const edit::NodeSurroundings& place, BodyId end) noexc
 
 InteractionId WorldImpl::element_at(BodyId node, std::size_t side) noexcept {
     edit::NodeSurroundings place{.node = node.index};
-    (void)edit::find_place(ctx, place);
+    (void)edit::complete_surroundings(ctx, place);
     return ctx.model.interactions.id(side == 0 ? place.first : place.second);
 }
 
@@ -153,11 +154,11 @@ InteractionId WorldImpl::element_at(BodyId node, std::size_t side) noexcept {
 void WorldImpl::join_short_end(World& world, InteractionId end, std::size_t side) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     edit::NodeSurroundings place{.node = in.def[at(end.index)].body[1 - side].index};
-    if (!edit::is_lump(ctx, place.node) || !edit::find_place(ctx, place)) return;
+    if (!edit::is_free_node(ctx, place.node) || !edit::complete_surroundings(ctx, place)) return;
     const std::int32_t next = side == 0 ? place.second : place.first;
     if (in.rest_length[at(end.index)] >= kShort * in.rest_length[at(next)]) return;
     try {
-        const Untold untold(*this);
+        const SilencedListener untold(*this);
         (void)world.wires().remove_node(ctx.model.bodies.id(place.node), std::numbers::pi);
     } catch (const std::exception&) {
         return;  // an object that holds the node also keeps the element
@@ -165,23 +166,23 @@ void WorldImpl::join_short_end(World& world, InteractionId end, std::size_t side
 }
 
 /// Return true if a drum or guide has the mass of an element of a wire.
-bool WorldImpl::carried(const world::Wire& wire, std::size_t element) const noexcept {
+bool WorldImpl::is_carried(const world::Wire& wire, std::size_t element) const noexcept {
     return systems.carried_mass(wire.elements[element]) != 0.0;
 }
 
-/// Find the point of a cut next to an element that is carried(), whose nodes have no mass to
+/// Find the point of a cut next to an element with is_carried(), whose nodes have no mass to
 /// divide. The cut is a quarter into the nearest element beyond.
 /// @param node  Its index.
 /// @param s  [m].
 /// @return the element, and the fraction in it.
-std::pair<InteractionId, double> WorldImpl::beside_carried(const world::Wire& wire,
-                                                           std::size_t node,
-                                                           double s) const noexcept {
+std::pair<InteractionId, double> WorldImpl::cut_beside_carried(const world::Wire& wire,
+                                                               std::size_t node,
+                                                               double s) const noexcept {
     constexpr double kBeyond = 0.25;
     const model::Interactions& in = ctx.model.interactions;
     std::size_t first = node, last = node;  // range of carried elements
-    while (first > 0 && carried(wire, first - 1)) --first;
-    while (last < wire.elements.size() && carried(wire, last)) ++last;
+    while (first > 0 && is_carried(wire, first - 1)) --first;
+    while (last < wire.elements.size() && is_carried(wire, last)) ++last;
     double begin = 0.0, end = 0.0;
     for (std::size_t k = 0; k < last; ++k) {
         const InteractionId element = wire.elements[k];
@@ -199,16 +200,16 @@ std::pair<InteractionId, double> WorldImpl::beside_carried(const world::Wire& wi
 
 WireId WorldWires::cut(WireId id, double s) {
     const world::Using use(impl().use, "cut");
-    const Attempt attempt(*world_, impl().composite());
+    const Attempt attempt(*world_, impl().undoes_as_whole());
     const world::Wire& wire = impl().wire(id);
     const std::string where = world::label("wire", wire.name);
     const model::Interactions& in = impl().ctx.model.interactions;
     const double whole = length(id);
     if (!(s > 0.0 && s < whole))
-        world::refuse(where, "s = " + world::number(s) +
-                                 " m is not within it; give more than 0 and less than its "
-                                 "length, " +
-                                 world::number(whole) + " m");
+        world::throw_def_error(where, "s = " + world::number(s) +
+                                          " m is not within it; give more than 0 and less than its "
+                                          "length, " +
+                                          world::number(whole) + " m");
     std::size_t k = 0;
     double begin = 0.0, length = 0.0;
     for (;; ++k) {
@@ -223,47 +224,49 @@ WireId WorldWires::cut(WireId id, double s) {
                             edit::is_of_material(impl().ctx, element.index);
     if (takes_node && share > kNear && share < 1.0 - kNear) return cut(element, share);
     if (wire.elements.size() == 1)
-        world::refuse(where,
-                      "it is one element without mass of its own, in which no node can be "
-                      "put; give it more elements, or detach() an end");
+        world::throw_def_error(where,
+                               "it is one element without mass of its own, in which no node can be "
+                               "put; give it more elements, or detach() an end");
     if (k == 0 || (share > 0.5 && k + 1 < wire.elements.size())) ++k;
-    if (impl().carried(wire, k - 1) || impl().carried(wire, k)) {
-        const auto [beside, at_fraction] = impl().beside_carried(wire, k, s);
+    if (impl().is_carried(wire, k - 1) || impl().is_carried(wire, k)) {
+        const auto [beside, at_fraction] = impl().cut_beside_carried(wire, k, s);
         return cut(beside, at_fraction);
     }
     if (!world_->alive(wire.elements[k - 1]) || !world_->alive(wire.elements[k]))
-        world::refuse(where, "s = " + world::number(s) + " m is at a gap in it");
+        world::throw_def_error(where, "s = " + world::number(s) + " m is at a gap in it");
     return cut(wire.elements[k], 0.0);
 }
 
 /// Check that a wire can be cut at a node.
 /// @throws DefError with the remedy.
 void WorldImpl::check_cut_at_node(const std::string& where, edit::NodeSurroundings& place) const {
-    if (!edit::is_lump(ctx, place.node) || !edit::find_place(ctx, place))
-        world::refuse(where,
-                      "it does not begin at a node between two elements that nothing else "
-                      "holds; cut it elsewhere, or detach() an end");
+    if (!edit::is_free_node(ctx, place.node) || !edit::complete_surroundings(ctx, place))
+        world::throw_def_error(where,
+                               "it does not begin at a node between two elements that nothing else "
+                               "holds; cut it elsewhere, or detach() an end");
     for (const std::int32_t id : {place.first, place.second})
         if (systems.carried_mass(ctx.model.interactions.id(id)) != 0.0)
-            world::refuse(where,
-                          "the winch has the mass of what it pays out, and the lump next to it "
-                          "none to share; cut farther out, or detach() the end off the drum");
+            world::throw_def_error(
+                where,
+                "the winch has the mass of what it pays out, and the lump next to it "
+                "none to share; cut farther out, or detach() the end off the drum");
 }
 
 WireId WorldWires::cut(InteractionId element, double share) {
     const world::Using use(impl().use, "cut");
-    const Attempt attempt(*world_, impl().composite());
+    const Attempt attempt(*world_, impl().undoes_as_whole());
     WorldImpl& m = impl();
     context::StepContext& c = m.ctx;
     model::Interactions& in = c.model.interactions;
-    const std::size_t e = m.place(element);
+    const std::size_t e = m.index_of(element);
     const InteractionDef def = in.def[e];
     const std::string where = world::label("interaction", def.name);
     if (!kind_info(def.kind).is(kWireElement) || in.parted[e] != 0)
-        world::refuse(where, "only elements of wires that are whole are cut");
+        world::throw_def_error(where, "only elements of wires that are whole are cut");
     if (!(share >= 0.0 && share < 1.0))
-        world::refuse(where, "it is cut at a share from 0 to below 1, not " + world::number(share));
-    m.know_wire_of(element);
+        world::throw_def_error(
+            where, "it is cut at a share from 0 to below 1, not " + world::number(share));
+    m.update_wire_of(element);
     if (context::has_cuts(c.model)) edit::begin_edit(c);  // remove duplicated rows first
     edit::NodeSurroundings place{.node = def.body[0].index};
     if (share == 0.0) m.check_cut_at_node(where, place);
@@ -278,7 +281,7 @@ WireId WorldWires::cut(InteractionId element, double share) {
     BodyId node = def.body[0];
     bool claimed = false;
     try {
-        const WorldImpl::Untold untold(m);
+        const WorldImpl::SilencedListener untold(m);
         made.lumps.push_back(world_->add_body(end_body(*world_, def)));
         c.state.ledger.edited = edited;
         if (const world::Wire* wire = m.wire_with(element); wire != nullptr) {
@@ -300,10 +303,10 @@ WireId WorldWires::cut(InteractionId element, double share) {
         for (const std::size_t side : {0U, 1U})
             m.join_short_end(*world_, m.element_at(node, side), 1 - side);
     place = {.node = node.index};
-    (void)edit::find_place(c, place);
+    (void)edit::complete_surroundings(c, place);
     const double tension = edit::tension_of(c, place.first);
     context::begin_recoil(c.model, element.index, false);
-    m.part_lump(place, end);
+    m.split_wire_at_node(place, end);
     context::push_event(c, EventKind::cut, place.first, tension);
     WireId out{};
     if (second) {

@@ -21,12 +21,14 @@
 namespace hawser {
 
 world::FreeEnd WorldImpl::free_end(BodyId lump) const {
-    const edit::NodeLinks links = edit::links_of(ctx, lump.index);
+    const edit::NodeLinks links = edit::adjacent_elements(ctx, lump.index);
     const std::string where = world::label("body", body_defs[at(lump.index)].name);
-    if (!edit::is_lump(ctx, lump.index) || (links.before < 0) == (links.after < 0) || !links.plain)
-        world::refuse(where,
-                      "it is no free end of a wire: a lump that one whole element holds and "
-                      "nothing else; detach() what is taken");
+    if (!edit::is_free_node(ctx, lump.index) || (links.before < 0) == (links.after < 0) ||
+        !links.plain)
+        world::throw_def_error(
+            where,
+            "it is no free end of a wire: a lump that one whole element holds and "
+            "nothing else; detach() what is taken");
     const bool last = links.before >= 0;
     return {lump, ctx.model.interactions.id(last ? links.before : links.after), last ? 1U : 0U};
 }
@@ -34,49 +36,49 @@ world::FreeEnd WorldImpl::free_end(BodyId lump) const {
 world::FreeEnd WorldImpl::free_end(WireId id, int end) const {
     const world::Wire& of = wire(id);
     const std::string where = world::label("wire", of.name);
-    if (end != 0 && end != 1) world::refuse(where, "end must be 0, the first one, or 1");
+    if (end != 0 && end != 1) world::throw_def_error(where, "end must be 0, the first one, or 1");
     const BodyId node = end == 0 ? of.nodes.front() : of.nodes.back();
     if (!ctx.model.bodies.slots.names(node))
-        world::refuse(where, "the lump at this end has been removed");
+        world::throw_def_error(where, "the lump at this end has been removed");
     const std::string name = end == 0 ? "its first end" : "its last end";
-    if (!edit::is_lump(ctx, node.index))
-        world::refuse(where, name + " is taken by the " +
-                                 world::label("body", body_defs[at(node.index)].name) +
-                                 "; detach() it first");
-    const edit::NodeLinks links = edit::links_of(ctx, node.index);
+    if (!edit::is_free_node(ctx, node.index))
+        world::throw_def_error(where, name + " is taken by the " +
+                                          world::label("body", body_defs[at(node.index)].name) +
+                                          "; detach() it first");
+    const edit::NodeLinks links = edit::adjacent_elements(ctx, node.index);
     if ((links.before >= 0 && links.after >= 0) || !links.plain)
-        world::refuse(where, name + " is taken; detach() it first");
+        world::throw_def_error(where, name + " is taken; detach() it first");
     if (links.before < 0 && links.after < 0)
-        world::refuse(where, "the element at this end has parted or gone");
+        world::throw_def_error(where, "the element at this end has parted or gone");
     return free_end(node);
 }
 
 void WorldWires::detach(WireId id, int end) {
     const world::Using use(impl().use, "detach");
-    const Attempt attempt(*world_, impl().composite());
+    const Attempt attempt(*world_, impl().undoes_as_whole());
     const world::Wire& wire = impl().wire(id);
     const std::string where = world::label("wire", wire.name);
-    if (end != 0 && end != 1) world::refuse(where, "end must be 0, the first one, or 1");
+    if (end != 0 && end != 1) world::throw_def_error(where, "end must be 0, the first one, or 1");
     const InteractionId element = end == 0 ? wire.elements.front() : wire.elements.back();
     if (!world_->alive(element) || !world_->intact(element))
-        world::refuse(where, "the element at this end has parted or gone");
+        world::throw_def_error(where, "the element at this end has parted or gone");
     detach(element, end);
 }
 
 void WorldWires::detach(InteractionId element, int end) {
     const world::Using use(impl().use, "detach");
-    const Attempt attempt(*world_, impl().composite());
+    const Attempt attempt(*world_, impl().undoes_as_whole());
     WorldImpl& m = impl();
     const model::Interactions& in = m.ctx.model.interactions;
-    const std::size_t e = m.place(element);
+    const std::size_t e = m.index_of(element);
     const std::string where = world::label("interaction", in.def[e].name);
     if (!kind_info(in.def[e].kind).is(kWireElement) || in.parted[e] != 0)
-        world::refuse(where, "only elements of wires that are whole have ends");
-    if (end != 0 && end != 1) world::refuse(where, "end must be 0, the first one, or 1");
+        world::throw_def_error(where, "only elements of wires that are whole have ends");
+    if (end != 0 && end != 1) world::throw_def_error(where, "end must be 0, the first one, or 1");
     const BodyId body = in.def[e].body[at(end)];
-    m.know_wire_of(element);
+    m.update_wire_of(element);
     if (context::has_cuts(m.ctx.model)) edit::begin_edit(m.ctx);  // remove duplicated rows first
-    if (edit::is_lump(m.ctx, body.index))
+    if (edit::is_free_node(m.ctx, body.index))
         m.open_gear(element, body);
     else
         m.free_node(*world_, element, at(end));
@@ -91,10 +93,10 @@ void WorldImpl::open_gear(InteractionId element, BodyId lump) {
         return body[0] == lump.index || body[1] == lump.index;
     };
     if (std::none_of(gear.begin(), gear.end(), holds))
-        world::refuse(world::label("body", body_defs[at(lump.index)].name),
-                      "no gear holds this end of a wire");
+        world::throw_def_error(world::label("body", body_defs[at(lump.index)].name),
+                               "no gear holds this end of a wire");
     for (const world::GearInUse& g : gear)
-        if (holds(g)) refuse_held(g.id);
+        if (holds(g)) check_not_held(g.id);
     reserve_removal();
     // No call below throws.
     const double tension = edit::tension_of(ctx, element.index);
@@ -102,7 +104,7 @@ void WorldImpl::open_gear(InteractionId element, BodyId lump) {
     for (const world::GearInUse& g : gear)
         if (holds(g)) remove(g.id);
     std::erase_if(gear, [&](const world::GearInUse& g) { return !in.slots.names(g.id); });
-    context::disturb(ctx.model, lump.index);
+    context::wake_island(ctx.model, lump.index);
     context::push_event(ctx, EventKind::detach, element.index, tension);
 }
 
@@ -110,23 +112,24 @@ namespace {
 
 /// Return the node of a released end.
 BodyDef freed_body(const World& w, const context::StepContext& c, std::int32_t element,
-                   std::size_t side, const edit::NodeFraction& share) {
+                   std::size_t side, const edit::NodeFraction& node_fraction) {
     const BodyDef& next = w.body_def(c.model.interactions.def[at(element)].body[1 - side]);
     const bool lump = next.kind == BodyKind::lump;
     BodyDef out{.kind = BodyKind::lump, .position = edit::point_of(c, element, side)};
     out.velocity = edit::speed_of(c, element, side, c.model.bodies.v);
-    out.mass = share.mass;
+    out.mass = node_fraction.mass;
     if (!lump) return out;
-    out.linear_damping = share.share * next.linear_damping;
-    out.force = share.share * next.force;
+    out.linear_damping = node_fraction.share * next.linear_damping;
+    out.force = node_fraction.share * next.force;
     out.gravity = next.gravity;
     out.group = next.group;
     return out;
 }
 
 /// Return the element between other bodies without a drum, with the data of the next element.
-InteractionDef unwound(const context::StepContext& c, const std::array<std::int32_t, 2>& element,
-                       std::size_t side, BodyId lump, double mass) {
+InteractionDef element_without_drum(const context::StepContext& c,
+                                    const std::array<std::int32_t, 2>& element, std::size_t side,
+                                    BodyId lump, double mass) {
     const model::Interactions& in = c.model.interactions;
     const std::int32_t id = element[0];
     const InteractionDef& def = in.def[at(id)];
@@ -151,7 +154,7 @@ void reserve_end(world::Wire& wire) {
 }
 
 /// Copy the forces of one element to the element that replaces it.
-void go_on(model::Interactions& in, std::int32_t from, std::int32_t to) noexcept {
+void copy_forces(model::Interactions& in, std::int32_t from, std::int32_t to) noexcept {
     const auto before = at(in.row_begin[at(from)]), now = at(in.row_begin[at(to)]);
     in.lambda[now] = in.lambda[before];
     in.force[now] = in.force[before];
@@ -170,41 +173,43 @@ void end_at_node(world::Wire& wire, std::size_t side, const world::Wire& made, I
 
 /// Share of a node at the end of an element in a release.
 struct EndFraction {
-    edit::NodeFraction share;
-    double carried;       ///< Mass of the element that its winch carries [kg].
-    std::int32_t beyond;  ///< Element on the other side of the next node; −1: none.
-    bool node_next;       ///< True if the element's other end is a node.
+    edit::NodeFraction node_fraction;
+    double carried;             ///< Mass of the element that its winch carries [kg].
+    std::int32_t next_element;  ///< Element on the other side of the next node; −1: none.
+    bool node_next;             ///< True if the element's other end is a node.
 };
 
 EndFraction end_fraction(const context::StepContext& ctx, const world::Systems& systems,
                          InteractionId element, BodyId next) {
     const std::int32_t e = element.index;
-    EndFraction out{.share = {.mass = 0.5 * edit::mass_of_element(ctx, e)},
+    EndFraction out{.node_fraction = {.mass = 0.5 * edit::mass_of_element(ctx, e)},
                     .carried = systems.carried_mass(element),
-                    .beyond = -1,
-                    .node_next = edit::is_lump(ctx, next.index)};
+                    .next_element = -1,
+                    .node_next = edit::is_free_node(ctx, next.index)};
     if (out.node_next) {
-        const edit::NodeLinks links = edit::links_of(ctx, next.index);
-        out.beyond = links.before == e ? links.after : links.before;
+        const edit::NodeLinks links = edit::adjacent_elements(ctx, next.index);
+        out.next_element = links.before == e ? links.after : links.before;
         // The new end has half of the element like the body before it, for any other mass of the
         // next node.
-        const double half = out.share.mass;
-        out.share = half > 0.0
-                        ? edit::NodeFraction{half, half / ctx.model.bodies.mass[at(next.index)]}
-                        : edit::fraction_of(ctx, next.index, out.beyond, e);
+        const double half = out.node_fraction.mass;
+        out.node_fraction =
+            half > 0.0 ? edit::NodeFraction{half, half / ctx.model.bodies.mass[at(next.index)]}
+                       : edit::fraction_of(ctx, next.index, out.next_element, e);
     }
     if (out.carried > 0.0) {
-        out.share.mass = 0.5 * out.carried;
-        if (out.node_next) out.share.share = out.share.mass / ctx.model.bodies.mass[at(next.index)];
+        out.node_fraction.mass = 0.5 * out.carried;
+        if (out.node_next)
+            out.node_fraction.share =
+                out.node_fraction.mass / ctx.model.bodies.mass[at(next.index)];
     }
     return out;
 }
 
 /// Return the capsule for an end without one, like the capsule of the next element.
 template <class Impl>
-std::optional<ShapeDef> capsule_like(const Impl& m, std::int32_t beyond) {
-    const ShapeId its =
-        m.segment_between(edit::end_of(m.ctx, beyond, 0), edit::end_of(m.ctx, beyond, 1));
+std::optional<ShapeDef> capsule_like(const Impl& m, std::int32_t next_element) {
+    const ShapeId its = m.segment_between(edit::end_of(m.ctx, next_element, 0),
+                                          edit::end_of(m.ctx, next_element, 1));
     if (!its.valid()) return {};
     std::optional<ShapeDef> out = m.shape_defs[at(its.index)];
     out->name.clear();
@@ -214,7 +219,7 @@ std::optional<ShapeDef> capsule_like(const Impl& m, std::int32_t beyond) {
 
 /// Restore the mass to the last bit, which scaling back would not.
 template <class Impl>
-void put_back_mass(Impl& m, World& world, BodyId lump, const BodyDef& was) {
+void restore_mass(Impl& m, World& world, BodyId lump, const BodyDef& was) {
     BodyDef& now = m.body_defs[at(lump.index)];
     if (now.mass == was.mass) return;
     world.wires().set_mass(lump, was.mass);
@@ -236,11 +241,12 @@ void WorldImpl::free_node(World& world, InteractionId element, std::size_t side)
     const std::string where = world::label("interaction", in.def[at(e)].name);
     const BodyId held = in.def[at(e)].body[side], next = in.def[at(e)].body[1 - side];
     const bool wound = kind_info(in.def[at(e)].kind).is(kWoundUp);
-    const auto [share, carried, beyond, node_next] = end_fraction(ctx, systems, element, next);
-    world::check_end(where, share.mass, carried);
+    const auto [node_fraction, carried, next_element, node_next] =
+        end_fraction(ctx, systems, element, next);
+    world::check_end(where, node_fraction.mass, carried);
     const ShapeId own = segment_between(in.def[at(e)].body[0].index, in.def[at(e)].body[1].index);
     std::optional<ShapeDef> segment;
-    if (!own.valid() && beyond >= 0) segment = capsule_like(*this, beyond);
+    if (!own.valid() && next_element >= 0) segment = capsule_like(*this, next_element);
     world::Wire* wire = wire_with(element);
     if (wire != nullptr) reserve_end(*wire);
     world::Wire made;
@@ -248,17 +254,17 @@ void WorldImpl::free_node(World& world, InteractionId element, std::size_t side)
     const Mark before = mark(held, next);
     const context::Edited edited = ctx.state.ledger.edited;
     const context::Edited had = edit::splice_energy(ctx, next.index, -1, e, e);
-    const Untold untold(*this);
+    const SilencedListener untold(*this);
     const BodyDef was = body_defs[at(next.index)];
     try {
-        made.lumps.push_back(world.add_body(freed_body(world, ctx, e, side, share)));
+        made.lumps.push_back(world.add_body(freed_body(world, ctx, e, side, node_fraction)));
         const BodyId lump = made.lumps[0];
         // Before the element that needs it, since the material at a drum may be heavier than the
         // next element.
         if (carried > 0.0 && node_next) world.wires().set_mass(next, was.mass + 0.5 * carried);
         if (wound)
-            made.elements.push_back(
-                world.add_interaction(unwound(ctx, {e, beyond}, side, lump, carried)));
+            made.elements.push_back(world.add_interaction(
+                element_without_drum(ctx, {e, next_element}, side, lump, carried)));
         if (segment) {
             segment->body = side == 0 ? lump : next;
             segment->body_b = side == 0 ? next : lump;
@@ -266,30 +272,31 @@ void WorldImpl::free_node(World& world, InteractionId element, std::size_t side)
         }
     } catch (...) {
         take_back(before, made);
-        put_back_mass(*this, world, next, was);
+        restore_mass(*this, world, next, was);
         ctx.state.ledger.edited = edited;
         throw;
     }
     // No call below throws.
     const BodyId lump = made.lumps[0];
     const double tension = edit::tension_of(ctx, e);
-    const std::int32_t bend = edit::bend_about(ctx, next.index, held.index);
+    const std::int32_t bend = edit::bend_at_body(ctx, next.index, held.index);
     context::begin_recoil(ctx.model, e, false);
-    if (node_next && beyond >= 0)
-        context::begin_recoil(ctx.model, beyond, false);  // an element at a drum belongs to no wire
+    if (node_next && next_element >= 0)
+        context::begin_recoil(ctx.model, next_element,
+                              false);  // an element at a drum belongs to no wire
     edit::begin_edit(ctx);
     if (bend >= 0)
         edit::move_end(ctx, bend, edit::end_of(ctx, bend, 0) == held.index ? 0 : 2, lump.index);
     std::int32_t now = e;
     if (wound) {
         now = made.elements[0].index;
-        go_on(in, e, now);
+        copy_forces(in, e, now);
         split::part_all(ctx.model, e);
     } else {
         edit::move_end(ctx, e, side, lump.index);
     }
     if (own.valid()) move_segment(own, side, lump);
-    for (const BodyId id : {held, next, lump}) context::disturb(ctx.model, id.index);
+    for (const BodyId id : {held, next, lump}) context::wake_island(ctx.model, id.index);
     ctx.state.ledger.edited = edited + edit::splice_energy(ctx, next.index, -1, now, now) - had;
     ctx.state.ledger.edited.given += edit::energy_of_body(ctx, lump.index);
     context::push_event(ctx, EventKind::detach, now, tension);

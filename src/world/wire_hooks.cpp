@@ -22,20 +22,20 @@ void WorldWires::release(InteractionId hook) {
     const world::Using use(impl().use, "release");
     WorldImpl& m = impl();
     model::Interactions& in = m.ctx.model.interactions;
-    const std::size_t i = m.place(hook);
+    const std::size_t i = m.index_of(hook);
     const auto found =
         std::find_if(m.gear.begin(), m.gear.end(), [&](const auto& g) { return g.id == hook; });
     const std::string where = world::label("interaction", in.def[i].name);
     if (found == m.gear.end() || found->kind != Gear::pelican_hook)
-        world::refuse(where, "it is no pelican hook; detach() opens other gear");
-    if (in.parted[i] != 0) world::refuse(where, "it is open already");
-    m.know_wire_of(hook);
+        world::throw_def_error(where, "it is no pelican hook; detach() opens other gear");
+    if (in.parted[i] != 0) world::throw_def_error(where, "it is open already");
+    m.update_wire_of(hook);
     const double tension = edit::tension_of(m.ctx, hook.index);
     context::begin_recoil(m.ctx.model, hook.index, false);
     m.ctx.state.ledger.edited.given -= edit::energy_of_interaction(m.ctx, hook.index);
     edit::begin_edit(m.ctx);
     for (std::size_t b = 0; b < 2; ++b)
-        context::disturb(m.ctx.model, edit::end_of(m.ctx, hook.index, b));
+        context::wake_island(m.ctx.model, edit::end_of(m.ctx, hook.index, b));
     split::part_all(m.ctx.model, hook.index);
     context::push_event(m.ctx, EventKind::release, hook.index, tension);
     if (m.listener != nullptr) m.listener->released(hook);

@@ -22,12 +22,12 @@ void check(const JoinDef& def) {
     const Where where("gear", def.name);
     const auto check = [&](const char* what, double value, double least, double most) {
         if (!(value >= least && value <= most))
-            refuse(where, std::string(what) + " = " + number(value) + "; give " + number(least) +
-                              " to " + number(most));
+            throw_def_error(where, std::string(what) + " = " + number(value) + "; give " +
+                                       number(least) + " to " + number(most));
     };
     constexpr double kFar = 1e6, kHeavy = 1e12, kPull = 1e15, kSmall = 1e-3;
     if (static_cast<std::uint8_t>(def.gear) > static_cast<std::uint8_t>(Gear::pelican_hook))
-        refuse(where, "there is no such gear");
+        throw_def_error(where, "there is no such gear");
     const bool plate = def.gear == Gear::triplate;
     check("mass", def.mass, plate ? kSmall : 0.0, kHeavy);
     check("reach", def.reach, 0.0, kFar);
@@ -47,11 +47,12 @@ Vec3 triplate_hole(const JoinDef& def, int k) noexcept {
 
 namespace {
 
-void refuse_beyond(const std::string& where, double separation, double most) {
+void throw_if_above(const std::string& where, double separation, double most) {
     if (!(separation <= most))
-        world::refuse(where, "what is to be held is " + world::number(separation) +
-                                 " m apart, and gear and reach are " + world::number(most) +
-                                 " m; bring it nearer, or give a longer reach");
+        world::throw_def_error(where, "what is to be held is " + world::number(separation) +
+                                          " m apart, and gear and reach are " +
+                                          world::number(most) +
+                                          " m; bring it nearer, or give a longer reach");
 }
 
 /// Return the first unused of "tow/gear", "tow/gear2", …
@@ -66,21 +67,23 @@ std::string gear_name(const World& w, const std::string& wire) {
 
 Joint WorldWires::join(WireId a, int end_a, WireId b, int end_b, const JoinDef& def) {
     const world::Using use(impl().use, "join");
-    const Attempt attempt(*world_, impl().composite());
+    const Attempt attempt(*world_, impl().undoes_as_whole());
     world::check(def);
     const world::FreeEnd one = impl().free_end(a, end_a), other = impl().free_end(b, end_b);
     const world::Wire &first = impl().wire(a), &second = impl().wire(b);
     const std::string where = world::label("wire", first.name);
-    if (one.lump == other.lump) world::refuse(where, "an end is not joined to itself");
+    if (one.lump == other.lump) world::throw_def_error(where, "an end is not joined to itself");
     if (def.gear == Gear::splice) {
         if (a == b)
-            world::refuse(where, "a splice would close it to a ring; join its ends by gear");
+            world::throw_def_error(where,
+                                   "a splice would close it to a ring; join its ends by gear");
         if ((end_a == end_b) &&
             edit::chain_from(impl().ctx, other.element.index, other.slot).size() !=
                 second.elements.size())
-            world::refuse(world::label("wire", second.name),
-                          "it would have to be turned round, and is parted or held between its "
-                          "ends; join by gear");
+            world::throw_def_error(
+                world::label("wire", second.name),
+                "it would have to be turned round, and is parted or held between its "
+                "ends; join by gear");
     }
     JoinDef named = def;
     if (named.name.empty()) named.name = gear_name(*world_, first.name);
@@ -91,14 +94,15 @@ Joint WorldWires::join(WireId a, int end_a, WireId b, int end_b, const JoinDef& 
 
 Joint WorldWires::attach(WireId id, int end, BodyId body, const Vec3& point, const JoinDef& def) {
     const world::Using use(impl().use, "attach");
-    const Attempt attempt(*world_, impl().composite());
+    const Attempt attempt(*world_, impl().undoes_as_whole());
     world::check(def);
     const world::FreeEnd one = impl().free_end(id, end);
     const world::Wire& wire = impl().wire(id);
     if (!world_->alive(body) || world_->body_def(body).kind == BodyKind::scalar ||
         world_->body_def(body).kind == BodyKind::lump)
-        world::refuse(world::label("wire", wire.name),
-                      "attach() needs a body with an orientation; join() connects ends of wires");
+        world::throw_def_error(
+            world::label("wire", wire.name),
+            "attach() needs a body with an orientation; join() connects ends of wires");
     JoinDef named = def;
     if (named.name.empty()) named.name = gear_name(*world_, wire.name);
     Joint out = join(one.lump, body, point, named);
@@ -108,29 +112,31 @@ Joint WorldWires::attach(WireId id, int end, BodyId body, const Vec3& point, con
 
 Joint WorldWires::join(BodyId a, BodyId b, const Vec3& point, const JoinDef& def) {
     const world::Using use(impl().use, "join");
-    const Attempt attempt(*world_, impl().composite());
+    const Attempt attempt(*world_, impl().undoes_as_whole());
     WorldImpl& m = impl();
     world::check(def);
-    (void)m.place(a);
-    (void)m.place(b);
+    (void)m.index_of(a);
+    (void)m.index_of(b);
     const std::string where = world::label("gear", def.name);
     if (!point.allFinite() || !(point.norm() <= 1e7))
-        world::refuse(where, "point is not finite, or beyond 1e7 m");
-    if (a == b) world::refuse(where, "an end is not joined to itself");
+        world::throw_def_error(where, "point is not finite, or beyond 1e7 m");
+    if (a == b) world::throw_def_error(where, "an end is not joined to itself");
     (void)m.free_end(a);
     const BodyKind kind = world_->body_def(b).kind;
     const bool lump = kind == BodyKind::lump;
     if (lump) (void)m.free_end(b);
-    if (kind == BodyKind::scalar) world::refuse(where, "a scalar body holds no end of a wire");
+    if (kind == BodyKind::scalar)
+        world::throw_def_error(where, "a scalar body holds no end of a wire");
     if (context::has_cuts(m.ctx.model)) edit::begin_edit(m.ctx);  // remove duplicated rows first
     Joint out;
     if (def.gear == Gear::triplate) {
         if (!lump)
-            world::refuse(where, "a triplate joins two wires; a shackle holds an end to a body");
-        out = m.put_plate(*world_, a, b, def);
+            world::throw_def_error(where,
+                                   "a triplate joins two wires; a shackle holds an end to a body");
+        out = m.add_joining_plate(*world_, a, b, def);
     } else if (def.gear == Gear::splice && lump) {
-        refuse_beyond(where, (world_->pose(b).position - world_->pose(a).position).norm(),
-                      def.reach);
+        throw_if_above(where, (world_->pose(b).position - world_->pose(a).position).norm(),
+                       def.reach);
         out = m.splice(*world_, a, b);
         m.add_gear_mass(a, def.mass);
     } else {
@@ -151,8 +157,8 @@ void WorldImpl::add_gear_mass(BodyId lump, double mass) noexcept {
 }
 
 /// Return the link from a node to a body, in the direction of the node's wire.
-InteractionDef WorldImpl::link_of(const World& world, BodyId a, BodyId b, const Vec3& point,
-                                  const JoinDef& def) const {
+InteractionDef WorldImpl::make_link(const World& world, BodyId a, BodyId b, const Vec3& point,
+                                    const JoinDef& def) const {
     const world::FreeEnd end = free_end(a);
     const std::size_t slot = end.slot == 1 ? 1 : 0;
     InteractionDef out;
@@ -162,7 +168,7 @@ InteractionDef WorldImpl::link_of(const World& world, BodyId a, BodyId b, const 
     out.body[slot] = b;
     out.point[slot] = point;
     const double separation = (world.world_point(b, point) - world.pose(a).position).norm();
-    refuse_beyond(world::label("gear", def.name), separation, def.length + def.reach);
+    throw_if_above(world::label("gear", def.name), separation, def.length + def.reach);
     out.set("length", std::max(def.length, separation));
     out.set("EA", std::isnan(def.EA) ? world.interaction_def(end.element).get("EA") : def.EA);
     if (!std::isnan(def.breaking_load)) out.set("breaking_load", def.breaking_load);
@@ -173,21 +179,21 @@ Joint WorldImpl::hold(World& world, BodyId a, BodyId b, const Vec3& point, const
     const double separation = (world.world_point(b, point) - world.pose(a).position).norm();
     InteractionDef d;
     if (def.gear == Gear::splice) {
-        refuse_beyond(world::label("gear", def.name), separation, def.reach);
+        throw_if_above(world::label("gear", def.name), separation, def.reach);
         d.name = def.name;
         d.kind = InteractionKind::Ball;
         d.body = {b, a};
         d.point[0] = world.local_point(b, world.pose(a).position);
     } else {
-        d = link_of(world, a, b, point, def);
+        d = make_link(world, a, b, point, def);
     }
     std::erase_if(
         gear, [&](const world::GearInUse& g) { return !ctx.model.interactions.slots.names(g.id); });
     base::reserve_more(gear, 1);
-    const bool lump = edit::is_lump(ctx, b.index);
+    const bool lump = edit::is_free_node(ctx, b.index);
     Joint out;
     {
-        const Untold untold(*this);
+        const SilencedListener untold(*this);
         out.held[0] = world.add_interaction(d);
     }
     // No call below throws.
@@ -199,13 +205,13 @@ Joint WorldImpl::hold(World& world, BodyId a, BodyId b, const Vec3& point, const
 }
 
 /// Add a plate with its first two holes on the line of the ends and the third as low as possible.
-Joint WorldImpl::put_plate(World& world, BodyId a, BodyId b, const JoinDef& def) {
+Joint WorldImpl::add_joining_plate(World& world, BodyId a, BodyId b, const JoinDef& def) {
     const Vec3 pa = world.pose(a).position, pb = world.pose(b).position;
     const double separation = (pb - pa).norm();
     const Vec3 h[2] = {triplate_hole(def, 0), triplate_hole(def, 1)};
     const double wide = (h[1] - h[0]).norm();
-    refuse_beyond(world::label("gear", def.name), separation,
-                  wide + 2.0 * (def.length + def.reach));
+    throw_if_above(world::label("gear", def.name), separation,
+                   wide + 2.0 * (def.length + def.reach));
     const Vec3 u = separation > 0.0 ? Vec3((pb - pa) / separation) : Vec3::UnitX();
     Vec3 up = -ctx.model.def.gravity;
     if (!(up.cross(u).norm() > 1e-6 * up.norm())) up = u.unitOrthogonal();
@@ -233,13 +239,13 @@ Joint WorldImpl::put_plate(World& world, BodyId a, BodyId b, const JoinDef& def)
     const Mark before = mark(a, b);
     Joint out;
     try {
-        const Untold untold(*this);
+        const SilencedListener untold(*this);
         made.lumps.push_back(world.add_body(plate));
         for (std::size_t k = 0; k < 2; ++k) {
             JoinDef link = def;
             link.name = def.name.empty() ? "" : def.name + "/" + std::to_string(k);
             made.elements.push_back(
-                world.add_interaction(link_of(world, k == 0 ? a : b, made.lumps[0], h[k], link)));
+                world.add_interaction(make_link(world, k == 0 ? a : b, made.lumps[0], h[k], link)));
         }
     } catch (...) {
         take_back(before, made);

@@ -21,22 +21,22 @@ class Sections {
   public:
     explicit Sections(const WireDef& def) : list_(def.sections) {
         if (!list_.empty()) return;
-        one_ = {.elements = def.elements,
-                .length = def.length,
-                .EA = def.EA,
-                .mass_per_length = def.mass_per_length,
-                .EI = def.EI,
-                .axial_damping = def.axial_damping,
-                .breaking_load = def.breaking_load,
-                .drag = def.drag};
-        list_ = {&one_, 1};
+        single_section_ = {.elements = def.elements,
+                           .length = def.length,
+                           .EA = def.EA,
+                           .mass_per_length = def.mass_per_length,
+                           .EI = def.EI,
+                           .axial_damping = def.axial_damping,
+                           .breaking_load = def.breaking_load,
+                           .drag = def.drag};
+        list_ = {&single_section_, 1};
     }
     Sections(const Sections&) = delete;
     Sections& operator=(const Sections&) = delete;
 
     [[nodiscard]] std::span<const WireSection> list() const noexcept { return list_; }
     void set_length(double length) noexcept {
-        one_.length = length;
+        single_section_.length = length;
     }  ///< Length of the only section [m].
     [[nodiscard]] std::int64_t elements() const noexcept {
         std::int64_t sum = 0;
@@ -44,7 +44,7 @@ class Sections {
         return sum;
     }
     /// Return the section of element i.
-    [[nodiscard]] const WireSection& of(std::size_t i) const noexcept {
+    [[nodiscard]] const WireSection& section_of_element(std::size_t i) const noexcept {
         for (const WireSection& s : list_) {
             const auto here = static_cast<std::size_t>(s.elements);
             if (i < here) return s;
@@ -54,15 +54,15 @@ class Sections {
     }
 
   private:
-    WireSection one_{};
+    WireSection single_section_{};
     std::span<const WireSection> list_;
 };
 
-double element_of(const WireSection& s) noexcept { return s.length / s.elements; }
+double element_length_of_section(const WireSection& s) noexcept { return s.length / s.elements; }
 
 /// Compute the positions of the nodes: the path, or by length between the ends.
-void find_places(const World& w, const WireDef& def, const Sections& sections,
-                 std::vector<Vec3>& out) {
+void compute_node_positions(const World& w, const WireDef& def, const Sections& sections,
+                            std::vector<Vec3>& out) {
     out.assign(def.path.begin(), def.path.end());
     if (!def.path.empty()) return;
     const Vec3 a = w.world_point(def.from, def.from_point);
@@ -78,13 +78,13 @@ void find_places(const World& w, const WireDef& def, const Sections& sections,
     double before = 0.0;
     for (const WireSection& s : sections.list()) {
         for (int i = 1; i <= s.elements; ++i)
-            out.push_back(a + (b - a) * ((before + i * element_of(s)) / whole));
+            out.push_back(a + (b - a) * ((before + i * element_length_of_section(s)) / whole));
         before += s.length;
     }
     if (def.to.valid()) out.pop_back();
 }
 
-double length_of(const World& w, const WireDef& def, const std::vector<Vec3>& lumps) {
+double length_of_wire(const World& w, const WireDef& def, const std::vector<Vec3>& lumps) {
     if (!std::isnan(def.length)) return def.length;
     Vec3 last = w.world_point(def.from, def.from_point);
     double sum = 0.0;
@@ -100,11 +100,12 @@ class WireMaker {
   public:
     WireMaker(World& world, const WireDef& def, Wire& out, std::vector<Vec3>& lumps)
         : world_(world), def_(def), out_(out), lumps_(lumps), sections_(def) {
-        find_places(world, def, sections_, lumps);
-        if (def.sections.empty()) sections_.set_length(length_of(world, def, lumps_));
+        compute_node_positions(world, def, sections_, lumps);
+        if (def.sections.empty()) sections_.set_length(length_of_wire(world, def, lumps_));
         for (const WireSection& s : sections_.list())
-            if (!(element_of(s) > 0.0) || !std::isfinite(element_of(s)))
-                refuse(Where("wire", def.name), "its length must be positive");
+            if (!(element_length_of_section(s) > 0.0) ||
+                !std::isfinite(element_length_of_section(s)))
+                throw_def_error(Where("wire", def.name), "its length must be positive");
     }
 
     void make() {
@@ -128,15 +129,15 @@ class WireMaker {
         if (def_.to.valid()) out_.nodes.push_back(def_.to);
         for (std::size_t i = 0; i + 1 < out_.nodes.size(); ++i) add_element(i);
         for (std::size_t i = 1; i + 1 < out_.nodes.size(); ++i)
-            if (sections_.of(i - 1).EI > 0.0 && sections_.of(i).EI > 0.0 &&
-                out_.nodes[i - 1] != out_.nodes[i + 1])
+            if (sections_.section_of_element(i - 1).EI > 0.0 &&
+                sections_.section_of_element(i).EI > 0.0 && out_.nodes[i - 1] != out_.nodes[i + 1])
                 add_bend(i);
         for (std::size_t i = out_.trim.to_ends ? 0 : 1; i + 1 < out_.nodes.size(); ++i)
             add_segment(i);
     }
 
   private:
-    [[nodiscard]] std::string part(const char* what, std::size_t i) const {
+    [[nodiscard]] std::string numbered_part(const char* what, std::size_t i) const {
         return def_.name + "/" + what + std::to_string(i);
     }
     [[nodiscard]] Vec3 point(std::size_t i) const {
@@ -148,28 +149,30 @@ class WireMaker {
     /// free end.
     void add_lump(std::size_t i) {
         const bool end = !def_.to.valid() && i + 1 == lumps_.size();
-        const WireSection& before = sections_.of(i);
-        BodyDef body{.name = part("", i + 1), .kind = BodyKind::lump, .position = lumps_[i]};
+        const WireSection& before = sections_.section_of_element(i);
+        BodyDef body{
+            .name = numbered_part("", i + 1), .kind = BodyKind::lump, .position = lumps_[i]};
         body.velocity = def_.velocity;
         const auto add = [&](const WireSection& s, double share) {
             body.mass += s.mass_per_length * share;
             body.linear_damping += Vec3::Constant(s.drag * share);
         };
         body.mass = 0.0;
-        if (const WireSection& after = sections_.of(i + 1); !end && &after != &before) {
-            add(before, 0.5 * element_of(before));
-            add(after, 0.5 * element_of(after));
+        if (const WireSection& after = sections_.section_of_element(i + 1);
+            !end && &after != &before) {
+            add(before, 0.5 * element_length_of_section(before));
+            add(after, 0.5 * element_length_of_section(after));
         } else {
-            add(before, (end ? 0.5 : 1.0) * element_of(before));
+            add(before, (end ? 0.5 : 1.0) * element_length_of_section(before));
         }
         out_.lumps.push_back(world_.add_body(body));
         out_.nodes.push_back(out_.lumps.back());
     }
     void add_element(std::size_t i) {
-        const WireSection& s = sections_.of(i);
-        const double element = element_of(s);
+        const WireSection& s = sections_.section_of_element(i);
+        const double element = element_length_of_section(s);
         InteractionDef d;
-        d.name = part("s", i);
+        d.name = numbered_part("s", i);
         d.kind = InteractionKind::Stretch;
         d.body = {out_.nodes[i], out_.nodes[i + 1]};
         d.point = {point(i), point(i + 1), Vec3::Zero(), Vec3::Zero()};
@@ -183,15 +186,16 @@ class WireMaker {
     }
     void add_bend(std::size_t i) {
         InteractionDef d;
-        d.name = part("b", i);
+        d.name = numbered_part("b", i);
         d.kind = InteractionKind::Bend;
         d.body = {out_.nodes[i - 1], out_.nodes[i], out_.nodes[i + 1]};
         d.point = {point(i - 1), point(i), point(i + 1), Vec3::Zero()};
         // About the node both halves bend in series: sum their flexibilities.
-        const WireSection &before = sections_.of(i - 1), &after = sections_.of(i);
-        double length = element_of(before), EI = before.EI;
+        const WireSection &before = sections_.section_of_element(i - 1),
+                          &after = sections_.section_of_element(i);
+        double length = element_length_of_section(before), EI = before.EI;
         if (&before != &after) {
-            const double one = 0.5 * length, other = 0.5 * element_of(after);
+            const double one = 0.5 * length, other = 0.5 * element_length_of_section(after);
             length = one + other;
             EI = length / (one / before.EI + other / after.EI);
         }
@@ -199,7 +203,7 @@ class WireMaker {
         out_.bends.push_back(world_.add_interaction(d));
     }
     void add_segment(std::size_t i) {
-        const std::optional<ShapeDef> segment = capsule_of(
+        const std::optional<ShapeDef> segment = element_capsule(
             world_, out_.trim, {out_.nodes[i], out_.nodes[i + 1]}, {point(i), point(i + 1)});
         if (segment) out_.shapes.push_back(world_.add_shape(*segment));
     }
@@ -213,16 +217,16 @@ class WireMaker {
 
 void check(const Where& where, const WireSection& s) {
     if (s.elements < 1 || s.elements > kMostElements)
-        refuse(where, "elements must be 1 to 100000, not " + std::to_string(s.elements));
+        throw_def_error(where, "elements must be 1 to 100000, not " + std::to_string(s.elements));
     if (!(s.mass_per_length > 0.0) || !(s.mass_per_length <= 1e9))
-        refuse(where, "mass_per_length = " + number(s.mass_per_length) +
-                          " kg/m; its lumps need a positive mass");
-    if (!(s.EA > 0.0)) refuse(where, "EA must be given, in N");
+        throw_def_error(where, "mass_per_length = " + number(s.mass_per_length) +
+                                   " kg/m; its lumps need a positive mass");
+    if (!(s.EA > 0.0)) throw_def_error(where, "EA must be given, in N");
     for (const auto& [value, what] : {std::pair(s.EI, "EI"), std::pair(s.drag, "drag")})
         if (!(value >= 0.0) || !std::isfinite(value))
-            refuse(where, std::string(what) + " must be a number from 0 on");
+            throw_def_error(where, std::string(what) + " must be a number from 0 on");
     if (!std::isnan(s.axial_damping) && !(s.axial_damping >= 0.0 && s.axial_damping <= 1e3))
-        refuse(where, "axial_damping must be 0 to 1000");
+        throw_def_error(where, "axial_damping must be 0 to 1000");
 }
 
 }  // namespace
@@ -234,31 +238,33 @@ void check(const WireDef& def) {
     for (const WireSection& s : sections.list()) check(where, s);
     for (const WireSection& s : def.sections)
         if (!(s.length > 0.0) || !std::isfinite(s.length))
-            refuse(where, "each of its sections needs a length above 0, in m");
+            throw_def_error(where, "each of its sections needs a length above 0, in m");
     if (sections.elements() > kMostElements)
-        refuse(where, "elements must be 1 to 100000, not " + std::to_string(sections.elements()));
+        throw_def_error(where,
+                        "elements must be 1 to 100000, not " + std::to_string(sections.elements()));
     if (!def.to.valid() && sections.elements() < 2)
-        refuse(where, "a wire of one element needs a body at its last end");
+        throw_def_error(where, "a wire of one element needs a body at its last end");
     if (!(def.radius >= 0.0) || !std::isfinite(def.radius))
-        refuse(where, "radius must be a number from 0 on");
+        throw_def_error(where, "radius must be a number from 0 on");
     if (def.end_capsules && !(def.radius > 0.0))
-        refuse(where, "end_capsules: its capsules need a radius above 0");
+        throw_def_error(where, "end_capsules: its capsules need a radius above 0");
     if (!def.sections.empty() && (!std::isnan(def.length) || !std::isnan(def.EA) ||
                                   def.mass_per_length != 0.0 || def.EI != 0.0 || def.drag != 0.0 ||
                                   !std::isnan(def.axial_damping) || !std::isnan(def.breaking_load)))
-        refuse(where,
-               "length, EA, mass_per_length, EI, axial_damping, breaking_load and drag are those "
-               "of its "
-               "sections; leave them out");
+        throw_def_error(
+            where,
+            "length, EA, mass_per_length, EI, axial_damping, breaking_load and drag are those "
+            "of its "
+            "sections; leave them out");
     const auto lumps = static_cast<std::size_t>(sections.elements() - (def.to.valid() ? 1 : 0));
     if (!def.path.empty() && def.path.size() != lumps)
-        refuse(where, "path has " + std::to_string(def.path.size()) +
-                          " points; give one for each "
-                          "of its " +
-                          std::to_string(lumps) + " lumps, or none");
+        throw_def_error(where, "path has " + std::to_string(def.path.size()) +
+                                   " points; give one for each "
+                                   "of its " +
+                                   std::to_string(lumps) + " lumps, or none");
     if (def.path.empty() && !def.to.valid() && sections.list().size() == 1 &&
         std::isnan(sections.list()[0].length))
-        refuse(where, "a wire with a free end needs a length or a path");
+        throw_def_error(where, "a wire with a free end needs a length or a path");
 }
 
 void make_wire(World& world, const WireDef& def, Wire& out, std::vector<Vec3>& lumps) {

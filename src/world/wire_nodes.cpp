@@ -90,8 +90,8 @@ void WorldImpl::follow_inputs(std::int32_t element) noexcept {
 
 /// Return the EI of a bend added with a node on an element [N m²]. It is that of the bend at the
 /// first end, or at the last end if line types meet at the first.
-double WorldImpl::stiffness_beside(const edit::NodeSurroundings& place,
-                                   const world::Wire* wire) const noexcept {
+double WorldImpl::bend_stiffness_near(const edit::NodeSurroundings& place,
+                                      const world::Wire* wire) const noexcept {
     const model::Interactions& in = ctx.model.interactions;
     const auto same_line = [&](std::int32_t id) {
         return id < 0 || edit::is_wound(ctx, id) || edit::is_wound(ctx, place.first) ||
@@ -115,7 +115,7 @@ BodyId WorldWires::insert_node(InteractionId element, double share, double mass)
     const bool first = wound && edit::drum_side(m.ctx, element.index) == 1;
     const double whole = wound ? mass : edit::mass_of_element(m.ctx, element.index);
     if (context::has_cuts(m.ctx.model)) edit::begin_edit(m.ctx);  // remove duplicated rows first
-    (void)edit::find_place(m.ctx, place);
+    (void)edit::complete_surroundings(m.ctx, place);
     const BodyId a = in.def[at(element.index)].body[0], b = in.def[at(element.index)].body[1];
     const BodyDef body = world::node_body(*world_, in.def[at(element.index)],
                                           edit::node_on(m.ctx, element.index, share, whole));
@@ -128,12 +128,12 @@ BodyId WorldWires::insert_node(InteractionId element, double share, double mass)
     world::Wire& made = m.wires.coming;
     made.begin({}, true);
     reserve_node(made);
-    const double EI = m.stiffness_beside(place, wire);
+    const double EI = m.bend_stiffness_near(place, wire);
     InteractionDef bend = world::node_bend(in, element.index, EI);
     for (const std::size_t slot : {0U, 1U})
-        bend.point[2 * slot] = edit::held_at(m.ctx, element.index, slot);
+        bend.point[2 * slot] = edit::attachment_point(m.ctx, element.index, slot);
     try {
-        const WorldImpl::Untold untold(m);
+        const WorldImpl::SilencedListener untold(m);
         const BodyId node = world_->add_body(body);
         made.lumps.push_back(node);
         bend.body[1] = node;
@@ -166,10 +166,10 @@ bool WorldWires::remove_node(BodyId node, double bend) {
     const world::Using use(impl().use, "remove_node");
     Attempt attempt(*world_, context::has_cuts(impl().ctx.model));
     WorldImpl& m = impl();
-    (void)m.place(node);
+    (void)m.index_of(node);
     if (context::has_cuts(m.ctx.model)) edit::begin_edit(m.ctx);  // remove duplicated rows first
     edit::NodeSurroundings place{.node = node.index};
-    const std::int32_t stays = m.check_node_goes(node, place, bend);
+    const std::int32_t stays = m.check_node_removable(node, place, bend);
     model::Interactions& in = m.ctx.model.interactions;
     const InteractionId kept = in.id(stays),
                         gone = in.id(stays == place.first ? place.second : place.first);

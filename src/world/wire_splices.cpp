@@ -19,12 +19,12 @@ namespace {
 
 /// Append elements, nodes and other parts of one wire to those of another. Capacity has been
 /// reserved.
-void put_behind(world::Wire& to, const world::Wire& more, BodyId both) noexcept {
+void append_wire(world::Wire& to, const world::Wire& more, BodyId both) noexcept {
     to.nodes.back() = both;
     to.nodes.insert(to.nodes.end(), more.nodes.begin() + 1, more.nodes.end());
     to.elements.insert(to.elements.end(), more.elements.begin(), more.elements.end());
 }
-void put_before(world::Wire& to, const world::Wire& more, BodyId both) noexcept {
+void prepend_wire(world::Wire& to, const world::Wire& more, BodyId both) noexcept {
     to.nodes.front() = both;
     to.nodes.insert(to.nodes.begin(), more.nodes.begin(), more.nodes.end() - 1);
     to.elements.insert(to.elements.begin(), more.elements.begin(), more.elements.end());
@@ -50,12 +50,12 @@ void reserve_for(world::Wire& to, const world::Wire& more) {
 
 /// The joined node, and the one removed.
 struct Spliced {
-    BodyId both, gone;
+    BodyId both, removed_body;
 };
-void take_in(world::Wire& to, world::Wire& more, const Spliced& lumps, bool behind,
-             InteractionId bend) noexcept {
-    behind ? put_behind(to, more, lumps.both) : put_before(to, more, lumps.both);
-    std::erase(more.lumps, lumps.gone);
+void merge_wire(world::Wire& to, world::Wire& more, const Spliced& lumps, bool behind,
+                InteractionId bend) noexcept {
+    behind ? append_wire(to, more, lumps.both) : prepend_wire(to, more, lumps.both);
+    std::erase(more.lumps, lumps.removed_body);
     to.lumps.insert(to.lumps.end(), more.lumps.begin(), more.lumps.end());
     to.bends.insert(to.bends.end(), more.bends.begin(), more.bends.end());
     to.shapes.insert(to.shapes.end(), more.shapes.begin(), more.shapes.end());
@@ -66,7 +66,7 @@ void take_in(world::Wire& to, world::Wire& more, const Spliced& lumps, bool behi
 }  // namespace
 
 /// Reverse elements, bends and capsules of a chain.
-void WorldImpl::turn_round(std::span<const std::int32_t> chain) noexcept {
+void WorldImpl::reverse_chain(std::span<const std::int32_t> chain) noexcept {
     model::Interactions& in = ctx.model.interactions;
     for (std::size_t k = 0; k < chain.size(); ++k) {
         const std::int32_t id = chain[k];
@@ -74,16 +74,16 @@ void WorldImpl::turn_round(std::span<const std::int32_t> chain) noexcept {
         if (const ShapeId s = segment_between(ends[0], ends[1]); s.valid()) {
             const ShapeDef& def = shape_defs[at(s.index)];
             const Vec3 point = def.position;
-            put_segment(s, def.body_b, def.body, point);
+            add_capsule(s, def.body_b, def.body, point);
         }
         if (k > 0) {
             const std::int32_t* last = &in.body[kMaxInteractionBodies * at(chain[k - 1])];
             const std::int32_t node = last[0] == ends[0] || last[0] == ends[1] ? last[0] : last[1];
             const std::int32_t bend =
-                edit::bend_about(ctx, node, ends[0] == node ? ends[1] : ends[0]);
-            if (bend >= 0) edit::turn_round(ctx, bend);
+                edit::bend_at_body(ctx, node, ends[0] == node ? ends[1] : ends[0]);
+            if (bend >= 0) edit::reverse_ends(ctx, bend);
         }
-        edit::turn_round(ctx, id);
+        edit::reverse_ends(ctx, id);
     }
 }
 
@@ -92,37 +92,38 @@ Joint WorldImpl::splice(World& world, BodyId a, BodyId b) {
     const world::FreeEnd one = free_end(a), other = free_end(b);
     const std::int32_t ea = one.element.index, eb = other.element.index;
     const std::string where = world::label("body", body_defs[at(b.index)].name);
-    if (ea == eb) world::refuse(where, "both ends are of one element");
-    refuse_held(b);
+    if (ea == eb) world::throw_def_error(where, "both ends are of one element");
+    check_not_held(b);
     const double separation = (world.pose(b).position - world.pose(a).position).norm();
     const BodyId far_a = in.def[at(ea)].body[1 - one.slot],
                  far_b = in.def[at(eb)].body[1 - other.slot];
-    if (far_a == far_b) world::refuse(where, "both elements hold one body; join by gear");
+    if (far_a == far_b) world::throw_def_error(where, "both elements hold one body; join by gear");
     const std::vector<std::int32_t> chain = one.slot == other.slot
                                                 ? edit::chain_from(ctx, eb, other.slot)
                                                 : std::vector<std::int32_t>{};
     world::Wire* wire_a = wire_with(one.element);
     world::Wire* wire_b = wire_with(other.element);
-    if (wire_a != nullptr && wire_a == wire_b) world::refuse(where, "both are ends of one wire");
+    if (wire_a != nullptr && wire_a == wire_b)
+        world::throw_def_error(where, "both are ends of one wire");
     if (wire_a != nullptr && wire_b != nullptr) reserve_for(*wire_a, *wire_b);
     reserve_removal();
     wires.slots.reserve_more();
-    const std::int32_t near[2] = {edit::bend_about(ctx, far_a.index, a.index),
-                                  edit::bend_about(ctx, far_b.index, b.index)};
+    const std::int32_t near[2] = {edit::bend_at_body(ctx, far_a.index, a.index),
+                                  edit::bend_at_body(ctx, far_b.index, b.index)};
     const std::int32_t beside = near[0] >= 0 ? near[0] : near[1];
     InteractionId bend;
     const context::Edited edited = ctx.state.ledger.edited;
     const context::Edited had = edit::splice_energy(ctx, a.index, b.index, ea, eb);
     if (beside >= 0) {
         const double length = 0.5 * (in.rest_length[at(ea)] + in.rest_length[at(eb)]);
-        const Untold untold(*this);
+        const SilencedListener untold(*this);
         bend = world.add_interaction(bend_at_splice(in, beside, one.slot == 1 ? far_a : far_b, a,
                                                     one.slot == 1 ? far_b : far_a, length));
     }
     // No call below throws.
     edit::begin_edit(ctx);
     const Vec3 load = body_defs[at(b.index)].force;
-    turn_round(chain);
+    reverse_chain(chain);
     const ShapeId segment = one.slot == 1 ? segment_between(b.index, far_b.index)
                                           : segment_between(far_b.index, b.index);
     if (segment.valid()) move_segment(segment, one.slot == 1 ? 0 : 1, a);
@@ -145,7 +146,7 @@ Joint WorldImpl::splice(World& world, BodyId a, BodyId b) {
         if (wire_b != nullptr) std::replace(wire_b->nodes.begin(), wire_b->nodes.end(), b, a);
         return {};
     }
-    take_in(*wire_a, *wire_b, {a, b}, one.slot == 1, bend);
+    merge_wire(*wire_a, *wire_b, {a, b}, one.slot == 1, bend);
     forget_wire(id_of(*wire_b));
     return {};
 }

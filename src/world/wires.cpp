@@ -25,11 +25,12 @@ WireId WorldWires::add(const WireDef& def) {
     const world::Where where("wire", def.name);
     world::check(def);
     WorldImpl& m = impl();
-    if (!world_->alive(def.from)) world::refuse(where, "there is no body that holds its first end");
+    if (!world_->alive(def.from))
+        world::throw_def_error(where, "there is no body that holds its first end");
     if (def.to.valid() && !world_->alive(def.to))
-        world::refuse(where, "there is no body that holds its last end");
+        world::throw_def_error(where, "there is no body that holds its last end");
     if (m.wires.names.contains(def.name))
-        world::refuse(where, "the name is in use; names must be unique");
+        world::throw_def_error(where, "the name is in use; names must be unique");
     world::Wire& made = m.wires.coming;
     made.begin(def.name, true);
     made.trim.EI = def.sections.empty() ? def.EI : def.sections.front().EI;
@@ -37,9 +38,9 @@ WireId WorldWires::add(const WireDef& def) {
     const WorldImpl::Mark before = m.mark(def.from, def.to);
     WireId id;
     try {
-        const WorldImpl::Untold untold(m);
+        const WorldImpl::SilencedListener untold(m);
         world::make_wire(*world_, def, made, m.wires.lumps);
-        id = m.keep_wire(made);
+        id = m.store_wire(made);
     } catch (...) {
         m.take_back(before, made);
         throw;
@@ -89,16 +90,16 @@ void WorldImpl::take_back(const Mark& before, const world::Wire& made) noexcept 
     forget_removal();
     for (const ShapeId id : made.shapes) {
         remove(id);
-        ctx.model.collider.slots.step_back(id.index);
+        ctx.model.collider.slots.undo_vacate(id.index);
     }
     for (const auto* list : {&made.bends, &made.elements})
         for (const InteractionId id : *list) {
             remove(id);
-            ctx.model.interactions.slots.step_back(id.index);
+            ctx.model.interactions.slots.undo_vacate(id.index);
         }
     for (const BodyId id : made.lumps) {
         remove(id);
-        ctx.model.bodies.slots.step_back(id.index);
+        ctx.model.bodies.slots.undo_vacate(id.index);
     }
     ctx.model.collider.truncate(before.shapes);
     ctx.model.interactions.truncate(before.interactions, ctx.model.bodies);
@@ -122,27 +123,28 @@ WireId WorldWires::adopt(const std::string& name, std::span<const InteractionId>
     const world::Using use(impl().use, "wires().adopt");
     const std::string where = world::label("wire", name);
     if (name.empty()) throw DefError("a wire needs a name");
-    if (elements.empty()) world::refuse(where, "it has no elements");
+    if (elements.empty()) world::throw_def_error(where, "it has no elements");
     WorldImpl& m = impl();
     world::Wire& made = m.wires.coming;
     if (!(trim.EI >= 0.0) || !std::isfinite(trim.EI))
-        world::refuse(where, "EI must be a number from 0 on");
+        world::throw_def_error(where, "EI must be a number from 0 on");
     made.begin(name, false);
     made.trim = trim;
     for (const InteractionId id : elements) {
         const InteractionDef& d = world_->interaction_def(id);
         if (!kind_info(d.kind).is(kWireElement))
-            world::refuse(where, world::label("interaction", d.name) + " is no element of a wire");
+            world::throw_def_error(
+                where, world::label("interaction", d.name) + " is no element of a wire");
         if (made.nodes.empty()) made.nodes.push_back(d.body[0]);
         if (made.nodes.back() != d.body[0])
-            world::refuse(where, world::label("interaction", d.name) +
-                                     " does not begin where the element before it ends");
+            world::throw_def_error(where, world::label("interaction", d.name) +
+                                              " does not begin where the element before it ends");
         made.nodes.push_back(d.body[1]);
         made.elements.push_back(id);
     }
     if (m.wires.names.contains(name))
-        world::refuse(where, "the name is in use; names must be unique");
-    return m.keep_wire(made);
+        world::throw_def_error(where, "the name is in use; names must be unique");
+    return m.store_wire(made);
 }
 
 std::int32_t WorldImpl::claim_wire(const std::string& name) {
@@ -150,7 +152,7 @@ std::int32_t WorldImpl::claim_wire(const std::string& name) {
     base::reserve_more(wires.wires, 1);
     base::reserve_more(wires.ids, 1);
     const std::int32_t vacant = wires.slots.find_vacant([](std::int32_t) { return true; });
-    world::claim(wires.names, name, vacant < 0 ? wires.slots.count() : vacant, "wire");
+    world::claim_name(wires.names, name, vacant < 0 ? wires.slots.count() : vacant, "wire");
     return vacant;
 }
 
@@ -168,7 +170,7 @@ WireId WorldImpl::put_wire(world::Wire& wire, std::int32_t vacant) noexcept {
     return id;
 }
 
-WireId WorldImpl::keep_wire(world::Wire& wire) { return put_wire(wire, claim_wire(wire.name)); }
+WireId WorldImpl::store_wire(world::Wire& wire) { return put_wire(wire, claim_wire(wire.name)); }
 
 void WorldImpl::forget_wire(WireId id) noexcept {
     world::release(wires.names, wires.wires[at(id.index)].name);
@@ -250,7 +252,7 @@ double WorldWiresView::tension(WireId id, double s) const {
 
 /// Update the wire assignment for recoil of a new element.
 /// @throws std::bad_alloc.
-void WorldImpl::know_wire_of(InteractionId element) {
+void WorldImpl::update_wire_of(InteractionId element) {
     const std::vector<std::int32_t>& added = ctx.state.edits.interactions;
     if (!ctx.state.started || std::find(added.begin(), added.end(), element.index) != added.end())
         step::ready(ctx);
@@ -263,20 +265,20 @@ void WorldWires::part(WireId id, double s) {
 
 void WorldWires::part(InteractionId id) {
     const world::Using use(impl().use, "part");
-    const std::size_t i = impl().place(id);
+    const std::size_t i = impl().index_of(id);
     context::StepContext& c = impl().ctx;
     if (!kind_info(c.model.interactions.def[i].kind).is(kWireElement))
         throw DefError(
             world::label("interaction", c.model.interactions.def[i].name) +
             ": only elements of wires part; world_->remove_interaction() takes others away");
     if (c.model.interactions.parted[i] != 0) return;
-    impl().know_wire_of(id);
+    impl().update_wire_of(id);
     const double tension =
         std::max(0.0, -c.model.interactions.force[at(c.model.interactions.row_begin[i])]);
     c.state.ledger.damped += edit::energy_of_interaction(c, id.index);
     c.state.ledger.edited.given += edit::piece_energy(c, id.index);
     for (std::size_t b = 0; b < c.model.interactions.bodies[i]; ++b)
-        context::disturb(c.model, c.model.interactions.body[kMaxInteractionBodies * i + b]);
+        context::wake_island(c.model, c.model.interactions.body[kMaxInteractionBodies * i + b]);
     split::part_all(c.model, id.index);
     context::begin_recoil(c.model, id.index, c.state.changed == context::Changed::nothing);
     context::push_event(c, EventKind::line_break, id.index, tension);

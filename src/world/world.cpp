@@ -37,24 +37,24 @@ void World::prepare() {
 
 Status World::step() noexcept {
     Impl& m = *impl_;
-    const world::MaybeUsing use(m.use);
-    if (!use.alone()) return Status::in_use;
+    const world::OptionalUse use(m.use);
+    if (!use.is_outermost()) return Status::in_use;
     m.systems.use(*this);
     m.undo.holds = false;
     const std::size_t mark = m.listener != nullptr ? m.listener->mark() : 0;
     Status status = m.systems.begin_step(*this);
     m.ctx.work.limits.coarsening.possible = m.systems.coarsens();
-    if (status == Status::ok) status = m.take_step();
-    if (status == Status::bad_edit && m.systems.wants_edits()) {
+    if (status == Status::ok) status = m.run_step();
+    if (status == Status::bad_edit && m.systems.has_requested_edits()) {
         status = m.make_edits(*this);
-        if (status == Status::ok) status = m.take_step();
+        if (status == Status::ok) status = m.run_step();
     }
     m.ctx.work.stats.status = status;
     if (status != Status::ok) {
         m.undo_step(mark);
         return status;
     }
-    m.outputs.keep_figures(m.ctx.work.stats);
+    m.outputs.store_figures(m.ctx.work.stats);
     evaluate_outputs();
     return status;
 }
@@ -83,8 +83,8 @@ EventExtremes WorldEventsView::extremes(EventKind kind) const noexcept {
 const WorldDef& World::settings() const noexcept { return impl_->ctx.model.def; }
 
 Energy World::energy() const noexcept {
-    const world::MaybeUsing use(impl_->use);
-    if (!use.granted() || impl_->ctx.state.changed != context::Changed::nothing) return {};
+    const world::OptionalUse use(impl_->use);
+    if (!use.is_granted() || impl_->ctx.state.changed != context::Changed::nothing) return {};
     try {
         step::ready(impl_->ctx);
     } catch (const std::exception&) {
@@ -105,10 +105,11 @@ std::uint64_t WorldStateView::motion_hash() const noexcept {
 
 void World::set_force(BodyId body, const Vec3& force, const Vec3& torque) {
     const world::Using use(impl_->use, "set_force");
-    const std::size_t b = impl_->place(body);
+    const std::size_t b = impl_->index_of(body);
     world::check_force(world::Where("body", impl_->body_defs[b].name), force, torque);
     BodyDef& def = impl_->body_defs[b];
-    if (def.force != force || def.torque != torque) context::disturb(impl_->ctx.model, body.index);
+    if (def.force != force || def.torque != torque)
+        context::wake_island(impl_->ctx.model, body.index);
     def.force = force;
     def.torque = torque;
     for (int i = 0; i < 6; ++i) impl_->add_up_force(body, i);
@@ -116,20 +117,20 @@ void World::set_force(BodyId body, const Vec3& force, const Vec3& torque) {
 }
 
 int World::body_count() const noexcept { return context::body_count(impl_->ctx.model); }
-const BodyDef& World::body_def(BodyId id) const { return impl_->body_defs[impl_->place(id)]; }
+const BodyDef& World::body_def(BodyId id) const { return impl_->body_defs[impl_->index_of(id)]; }
 BodyId World::find_body(std::string_view name) const noexcept {
     return impl_->ctx.model.bodies.id(lookup(impl_->body_names, name));
 }
 
 Pose World::pose(BodyId id) const {
-    const std::size_t b = impl_->place(id);
+    const std::size_t b = impl_->index_of(id);
     const model::Bodies& s = impl_->ctx.model.bodies;
     const double* q = &s.q[4 * b];
     return {Vec3(s.x[3 * b], s.x[3 * b + 1], s.x[3 * b + 2]), Quat(q[0], q[1], q[2], q[3])};
 }
 
 Twist World::velocity(BodyId id) const {
-    const std::size_t b = impl_->place(id);
+    const std::size_t b = impl_->index_of(id);
     const model::Bodies& s = impl_->ctx.model.bodies;
     Twist t;
     const int dof = s.dof(id.index);
@@ -141,14 +142,14 @@ Twist World::velocity(BodyId id) const {
 
 void World::set_pose(BodyId id, const Pose& pose) {
     const world::Using use(impl_->use, "set_pose");
-    const std::size_t b = impl_->place(id);
+    const std::size_t b = impl_->index_of(id);
     world::check_pose(world::Where("body", impl_->body_defs[b].name), pose.position,
                       pose.orientation);
     model::Bodies& s = impl_->ctx.model.bodies;
     impl_->ctx.state.monitor.state.begun = 0;  // not the work of a force
     // Bodies that leaned on it are unsupported now.
-    if (s.dof(id.index) == 0 || s.asleep[b] != 0) context::disturb_all(impl_->ctx.model);
-    context::disturb(impl_->ctx.model, id.index);
+    if (s.dof(id.index) == 0 || s.asleep[b] != 0) context::wake_islands_of(impl_->ctx.model);
+    context::wake_island(impl_->ctx.model, id.index);
     for (int i = 0; i < 3; ++i) s.x[3 * b + at(i)] = pose.position[i];
     if (s.kind[b] == BodyKind::scalar)
         for (const std::int32_t w : impl_->ctx.model.interactions.winches)
@@ -163,18 +164,18 @@ void World::set_pose(BodyId id, const Pose& pose) {
 
 void World::set_velocity(BodyId id, const Twist& twist) {
     const world::Using use(impl_->use, "set_velocity");
-    const std::size_t b = impl_->place(id);
+    const std::size_t b = impl_->index_of(id);
     const world::Where where("body", impl_->body_defs[b].name);
     world::check_velocity(where, twist.linear, twist.angular);
     model::Bodies& s = impl_->ctx.model.bodies;
     const int dof = s.dof(id.index);
     if (s.kind[b] == BodyKind::fixed)
-        world::refuse(where, "velocity: a fixed body has none; a kinematic one has");
+        world::throw_def_error(where, "velocity: a fixed body has none; a kinematic one has");
     double* v = dof == 0 ? &s.v_fixed[6 * b] : &s.v[at(s.dof_begin[b])];
     const int count = dof == 0 ? 6 : dof;
     // A prescribed velocity wakes its contacts in the step (step/sleep.h).
     if (dof > 0) {
-        context::disturb(impl_->ctx.model, id.index);
+        context::wake_island(impl_->ctx.model, id.index);
         impl_->ctx.state.monitor.state.begun = 0;  // not the work of a force
     }
     for (int i = 0; i < count; ++i) v[i] = i < 3 ? twist.linear[i] : twist.angular[i - 3];
@@ -184,14 +185,14 @@ void World::set_velocity(BodyId id, const Twist& twist) {
 }
 
 bool World::asleep(BodyId id) const {
-    return impl_->ctx.model.bodies.asleep[impl_->place(id)] != 0;
+    return impl_->ctx.model.bodies.asleep[impl_->index_of(id)] != 0;
 }
 
 void World::wake(BodyId id) {
     const world::Using use(impl_->use, "wake");
-    (void)impl_->place(id);
-    if (impl_->ctx.model.bodies.dof(id.index) == 0) context::disturb_all(impl_->ctx.model);
-    context::disturb(impl_->ctx.model, id.index);
+    (void)impl_->index_of(id);
+    if (impl_->ctx.model.bodies.dof(id.index) == 0) context::wake_islands_of(impl_->ctx.model);
+    context::wake_island(impl_->ctx.model, id.index);
     if (impl_->listener != nullptr) impl_->listener->woken(id);
 }
 
@@ -204,20 +205,20 @@ int World::interaction_count() const noexcept {
     return context::interaction_count(impl_->ctx.model);
 }
 const InteractionDef& World::interaction_def(InteractionId id) const {
-    return impl_->ctx.model.interactions.def[impl_->place(id)];
+    return impl_->ctx.model.interactions.def[impl_->index_of(id)];
 }
 InteractionId World::find_interaction(std::string_view name) const noexcept {
     return impl_->ctx.model.interactions.id(lookup(impl_->interaction_names, name));
 }
 
 std::span<const double> World::force(InteractionId id) const {
-    const std::size_t i = impl_->place(id);
+    const std::size_t i = impl_->index_of(id);
     const model::Interactions& in = impl_->ctx.model.interactions;
     return {in.force.data() + in.row_begin[i], in.rows[i]};
 }
 
 std::array<double, kMaxInteractionRows> World::violation(InteractionId id) const {
-    const std::size_t i = impl_->place(id);
+    const std::size_t i = impl_->index_of(id);
     const model::Interactions& in = impl_->ctx.model.interactions;
     const model::RowState s = in.row_state(id.index, impl_->ctx.model.bodies);
     std::array<double, kMaxInteractionRows> g{};
@@ -227,11 +228,11 @@ std::array<double, kMaxInteractionRows> World::violation(InteractionId id) const
 }
 
 bool WorldSolverView::completed(InteractionId id) const {
-    return impl().ctx.model.interactions.completed[impl().place(id)] != 0;
+    return impl().ctx.model.interactions.completed[impl().index_of(id)] != 0;
 }
 
 std::array<double, kMaxInteractionRows> WorldSolverView::stiffness_force(InteractionId id) const {
-    const std::size_t i = impl().place(id);
+    const std::size_t i = impl().index_of(id);
     const model::Interactions& in = impl().ctx.model.interactions;
     const std::vector<double>& with = impl().ctx.model.completion.lambda_with;
     std::array<double, kMaxInteractionRows> f{};
@@ -243,13 +244,13 @@ std::array<double, kMaxInteractionRows> WorldSolverView::stiffness_force(Interac
 
 int WorldWiresView::damped_steps(InteractionId id) const {
     const context::Wires& wires = impl().ctx.model.wires;
-    const std::size_t i = impl().place(id);
+    const std::size_t i = impl().index_of(id);
     if (i >= wires.wire_of.size() || wires.wire_of[i] < 0) return 0;
     return wires.flag_steps[static_cast<std::size_t>(wires.wire_of[i])];
 }
 
 bool World::intact(InteractionId id) const {
-    return impl_->ctx.model.interactions.parted[impl_->place(id)] == 0;
+    return impl_->ctx.model.interactions.parted[impl_->index_of(id)] == 0;
 }
 
 SystemView WorldSolverView::matrix() const {

@@ -97,9 +97,9 @@ TEST(Sweeps, FoldSolveUnfoldSolvesTheSystem) {
                 Eigen::Map<Vector> x(v.folded.data(), f.scalars());
                 x = library.solve(x).eval();
             };
-            fold(s, f, inverse, v, serial);
+            fold_right_side(s, f, inverse, v, serial);
             solve();
-            unfold(s, f, inverse, v, serial);
+            unfold_solution(s, f, inverse, v, serial);
             const ReferenceSolution exact = solve_reference(s);
             const double first = relative_error(s, v.x, exact.x);
             fold_residual(s, f, v, serial);

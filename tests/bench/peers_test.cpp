@@ -128,7 +128,7 @@ TEST(Meter, BreaksOnGapPathAndNan) {
         std::vector<BodyState> now = start;
         change(now);
         meter.frame(start, now, 0.0);
-        return meter.why_not(600);
+        return meter.reason_unusable(600);
     };
     EXPECT_EQ(why([](auto&) {}), "");
     EXPECT_NE(why([](auto& b) { b[50].x.y() += 1.1e-3; }).find("gap"), std::string::npos);
@@ -139,7 +139,7 @@ TEST(Meter, BreaksOnGapPathAndNan) {
     for (Vec3& x : shifted.block) x.z() += 0.11;
     Meter meter(s, shifted, false);
     meter.frame(start, start, 0.0);
-    EXPECT_NE(meter.why_not(600).find("block"), std::string::npos);
+    EXPECT_NE(meter.reason_unusable(600).find("block"), std::string::npos);
 }
 
 /// Read the file of the scene with this name.
@@ -201,10 +201,10 @@ TEST(Meter, MeasuresTheTopOfAStackAndHowDeepACapsuleSinks) {
     tower.frame(state, before, 0.2);  // reports the largest value, not the last
     EXPECT_NEAR(tower.measures().drop.value(), 2e-4, 1e-12);
     EXPECT_NEAR(tower.measures().sideways.value(), 5e-4, 1e-12);
-    EXPECT_EQ(tower.why_not(600), "");
+    EXPECT_EQ(tower.reason_unusable(600), "");
     state[9].x.z() -= 1e-3;
     tower.frame(before, state, 0.3);
-    EXPECT_NE(tower.why_not(600).find("dropped"), std::string::npos);
+    EXPECT_NE(tower.reason_unusable(600).find("dropped"), std::string::npos);
 
     const Scene bed = mooring_seabed();
     Meter meter(bed, none, false);

@@ -148,7 +148,8 @@ TEST(Check, OptionsChangeWhatIsChecked) {
 
 /// Data for users come first, data of the solver last.
 TEST(Check, ReportBeginsWithTensionsAndMotions) {
-    const Outcome run = run_program({"run", "scenes/mooring.json", "--duration", "0.1"});
+    const Outcome run =
+        run_program({"run", "scenes/mooring.json", "--duration", "0.1", "--verbose"});
     ASSERT_EQ(run.code, 0) << run.err;
     std::size_t last = 0;
     for (const char* word : {"simulated", "of break", "moved at most", "events", "system", "matrix",

@@ -47,9 +47,9 @@ class Port {
     std::uint16_t number_ = 0;
 };
 
-/// Return the first line of a server's response to GET /, retried for some seconds; "" without a
+/// Return the first line of a server's response to GET PATH, retried for some seconds; "" without a
 /// response.
-std::string first_line(std::uint16_t port) {
+std::string first_line(std::uint16_t port, const std::string& path = "/") {
     for (int tried = 0; tried < 100; ++tried) {
         const int line = ::socket(AF_INET, SOCK_STREAM, 0);
         sockaddr_in at{};
@@ -59,7 +59,7 @@ std::string first_line(std::uint16_t port) {
         std::string got;
         if (::connect(line, reinterpret_cast<sockaddr*>(&at), sizeof at) == 0) {
             const std::string asked =
-                "GET / HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port) + "\r\n\r\n";
+                "GET " + path + " HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port) + "\r\n\r\n";
             if (::send(line, asked.data(), asked.size(), MSG_NOSIGNAL) > 0) {
                 char bytes[256];
                 const auto count = ::recv(line, bytes, sizeof bytes, 0);
@@ -140,8 +140,11 @@ TEST(View, ServesASceneUntilItIsInterrupted) {
         outcome = run_program({"view", "scenes/pendulum.json", "--port", port.text()}, 2.0);
     });
     EXPECT_EQ(first_line(port.number()), "HTTP/1.1 200 OK");
+    // A program without its page says how to build it; one with its page does not.
+    const bool page = first_line(port.number(), "/view.js") == "HTTP/1.1 200 OK";
     program.join();
     EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err.find("make view") == std::string::npos, page) << outcome.err;
     for (const char* role : {"instructor", "watcher"})
         EXPECT_TRUE(std::regex_search(
             outcome.out, std::regex(std::string(role) + " +http://127\\.0\\.0\\.1:" + port.text() +

@@ -70,7 +70,7 @@ TEST(Collider, BodiesBeyondAllNumbersAreSaidAndSorted) {
             x = far;
             EXPECT_FALSE(site.collide()) << far;
             EXPECT_FALSE(site.collider.finite());
-            EXPECT_EQ(site.collider.over().bound, Bound::none);
+            EXPECT_EQ(site.collider.limit_reached().bound, Bound::none);
             EXPECT_TRUE(site.set.contacts.empty());
             x = kept;
         }

@@ -23,13 +23,13 @@ int pairs_of(int quick, int full) {
 TEST_P(NarrowRandom, AgreesWithTheReference) {
     const auto [a, b] = GetParam();
     const int count = pairs_of(test::kSanitized ? 100 : 250, 3000);
-    const test::Score score = test::judge(a, b, count, test::first_seed(1'000'000));
+    const test::Score score = test::compare_pairs(a, b, count, test::first_seed(1'000'000));
     const std::string text = test::describe(a, b, score);
     if (count > 1) {
         EXPECT_GT(score.touching, count / 10) << text;
         EXPECT_GT(score.separated, count / 40) << text;
     }
-    EXPECT_EQ(score.wrong_verdicts, 0) << text;
+    EXPECT_EQ(score.wrong_results, 0) << text;
     EXPECT_EQ(score.bad_points, 0) << text;
     // Requirement: 1e-6 m and 1e-6 where the normal is unique. Hulls and triangles may have 1e-4,
     // but are as accurate.
@@ -50,7 +50,7 @@ TEST(NarrowRandomGround, AgreesWithTheReference) {
                 EXPECT_GT(score.separated, count / 10) << text;
                 EXPECT_GT(score.normals, count / 4) << text;
             }
-            EXPECT_EQ(score.wrong_verdicts, 0) << text;
+            EXPECT_EQ(score.wrong_results, 0) << text;
             EXPECT_EQ(score.bad_points, 0) << text;
             EXPECT_LE(score.worst_gap, 1e-6) << text;
             EXPECT_LE(score.worst_normal, 1e-6) << text;
@@ -64,9 +64,10 @@ TEST(NarrowRandomGround, AgreesWithTheReference) {
 TEST_P(NarrowRandom, AlignedShapesAgreeToo) {
     const auto [a, b] = GetParam();
     const int count = pairs_of(test::kSanitized ? 50 : 200, 1000);
-    const test::Score score = test::judge(a, b, count, test::first_seed(1), test::Draw::aligned);
+    const test::Score score =
+        test::compare_pairs(a, b, count, test::first_seed(1), test::Draw::aligned);
     const std::string text = test::describe(a, b, score);
-    EXPECT_EQ(score.wrong_verdicts, 0) << text;
+    EXPECT_EQ(score.wrong_results, 0) << text;
     EXPECT_EQ(score.bad_points, 0) << text;
     EXPECT_LE(score.worst_gap, 1e-6) << text;
     EXPECT_LE(score.worst_normal, 1e-6) << text;
@@ -75,9 +76,10 @@ TEST_P(NarrowRandom, AlignedShapesAgreeToo) {
 TEST_P(NarrowRandom, ExtremeSizesAgreeToo) {
     const auto [a, b] = GetParam();
     const int count = pairs_of(test::kSanitized ? 50 : 150, 1000);
-    const test::Score score = test::judge(a, b, count, test::first_seed(1), test::Draw::extreme);
+    const test::Score score =
+        test::compare_pairs(a, b, count, test::first_seed(1), test::Draw::extreme);
     const std::string text = test::describe(a, b, score);
-    EXPECT_EQ(score.wrong_verdicts, 0) << text;
+    EXPECT_EQ(score.wrong_results, 0) << text;
     EXPECT_EQ(score.bad_points, 0) << text;
     // Near the axis of a drum of 60 m all ways out are nearly equal: the one of a small cylinder
     // may be longer by 2e-5 of it. Otherwise 1e-7 of 100 m: the difference of a manifold's corner

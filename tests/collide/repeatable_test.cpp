@@ -104,7 +104,7 @@ TEST(Collider, TheOrderOfTheLastStepChangesNoBit) {
     strew(cold, 40, 20);
     cold.bodies.x = warm.bodies.x;
     cold.prepare();
-    cold.collider.kept() = warm.collider.kept();
+    cold.collider.last_contacts() = warm.collider.last_contacts();
     ASSERT_TRUE(warm.collide());
     ASSERT_TRUE(cold.collide());
     EXPECT_EQ(hash(cold.set.contacts), hash(warm.set.contacts));
@@ -124,10 +124,10 @@ void expect_all_pairs(std::uint32_t seed) {
     const auto& placed = site.collider.placed();
     for (std::size_t a = 0; a < shapes.size(); ++a)
         for (std::size_t b = a + 1; b < shapes.size(); ++b) {
-            if (!filter.allows(static_cast<int>(a), static_cast<int>(b))) continue;
+            if (!filter.may_touch(static_cast<int>(a), static_cast<int>(b))) continue;
             const int n = collide::touch(
                 shapes[a], placed[a], shapes[b], placed[b], site.h, site.collider.margin,
-                filter.of_one_host(static_cast<int>(a), static_cast<int>(b)), some.data());
+                filter.share_host(static_cast<int>(a), static_cast<int>(b)), some.data());
             for (int k = 0; k < n; ++k) {
                 some[static_cast<std::size_t>(k)].shape[0] = static_cast<int>(a);
                 some[static_cast<std::size_t>(k)].shape[1] = static_cast<int>(b);
@@ -155,13 +155,13 @@ TEST(Collider, AWarmStepDoesNotGrow) {
         ASSERT_TRUE(site.collide());
         site.collider.keep();
     }
-    const auto before = site.collider.growths();
+    const auto before = site.collider.growth_count();
     EXPECT_GT(before, 0);
     for (int i = 0; i < 10; ++i) {
         ASSERT_TRUE(site.collide());
         site.collider.keep();
     }
-    EXPECT_EQ(site.collider.growths(), before);
+    EXPECT_EQ(site.collider.growth_count(), before);
 }
 
 }  // namespace

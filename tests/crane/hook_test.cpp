@@ -244,7 +244,7 @@ TEST(Hooks, RefuseWhatCannotBe) {
           Row{{.name = "h", .body = block, .loads = {load}, .strength = 1e3, .latch = 2e3},
               "above strength"}}) {
         const auto hash = w.state().hash();
-        const std::string said = test::refusal_of(w, row.def);
+        const std::string said = test::error_message(w, row.def);
         EXPECT_NE(said.find(row.says), std::string::npos) << row.says << " in: " << said;
         EXPECT_EQ(said.find("crane"), std::string::npos) << said;
         EXPECT_TRUE(row.def.name.empty() || said.starts_with("hook 'h': ")) << said;

@@ -100,7 +100,7 @@ TEST(TensionCurves, BreakWhereTheRunGoesBack) {
     const record::Recording r = WinchScene::record(8.0, true);
     ASSERT_EQ(r.takes.size(), 1U);
     const record::Series series = record::collect_series(r);
-    const auto parts = record::stretches(series, series.cables[0].first);
+    const auto parts = record::continuous_intervals(series, series.cables[0].first);
     ASSERT_EQ(parts.size(), 2U);
     EXPECT_EQ(parts[0].second, r.takes[0].frames);
     for (const auto& [begin, end] : parts)

@@ -26,13 +26,13 @@ TEST(Commands, AreTheTimelinesAndNotThoseOfAWinchToItsMotor) {
     ASSERT_EQ(r.inner_inputs.size(), r.input_names.size());
     EXPECT_GT(std::count(r.inner_inputs.begin(), r.inner_inputs.end(), true), 0);
     EXPECT_GT(r.inputs.size(), 3U);
-    const auto commands = draw::commands_of(r);
+    const auto commands = draw::list_commands_by_time(r);
     ASSERT_EQ(commands.size(), 2U);
     EXPECT_NEAR(commands[0].time, 0.5, 1e-9);
-    EXPECT_EQ(commands[0].done, "hoist.mode speed");
+    EXPECT_EQ(commands[0].actions, "hoist.mode speed");
     EXPECT_EQ(commands[0].text, "hoist.speed 1");
     EXPECT_NEAR(commands[1].time, WinchScene::kCut, 1e-9);
-    EXPECT_EQ(commands[1].done, "cut fall at 5 m");
+    EXPECT_EQ(commands[1].actions, "cut fall at 5 m");
     EXPECT_EQ(commands[1].text, "");
     const auto drawing = draw::plot_tensions(r, record::collect_series(r));
     ASSERT_TRUE(drawing);
@@ -45,9 +45,9 @@ TEST(Commands, AreTheTimelinesAndNotThoseOfAWinchToItsMotor) {
 TEST(Commands, WhatATakeDoesAgainIsListedOnce) {
     const record::Recording r = WinchScene::record(WinchScene::kCut + 0.2, true);
     ASSERT_EQ(r.takes.size(), 1U);
-    const auto commands = draw::commands_of(r);
+    const auto commands = draw::list_commands_by_time(r);
     ASSERT_EQ(commands.size(), 2U);
-    EXPECT_EQ(commands[1].done, "cut fall at 5 m");
+    EXPECT_EQ(commands[1].actions, "cut fall at 5 m");
 }
 
 /// Controls move often; actions on wires are marked nevertheless.
@@ -59,9 +59,9 @@ TEST(Commands, WhatWasDoneIsMarkedBesideManyLevers) {
     for (int i = 0; i < 40; ++i) r.notes.push_back({i, record::kSetNote, lever});
     r.notes.push_back({200, record::kDoneNote, cut});
     r.notes.push_back({210, "exercise", cut});
-    const auto commands = draw::commands_of(r);
+    const auto commands = draw::list_commands_by_time(r);
     ASSERT_EQ(commands.size(), 7U);
-    EXPECT_EQ(commands[6].done, "cut tow at 1 m; 34 later changes are not marked");
+    EXPECT_EQ(commands[6].actions, "cut tow at 1 m; 34 later changes are not marked");
     EXPECT_NEAR(commands[6].time, 2.0, 1e-9);
 }
 

@@ -73,7 +73,7 @@ TEST(BlockGraphs, FollowASystem) {
     SmallScene scene;
     ASSERT_EQ(scene.world.step(), Status::ok);
     const SystemView view = scene.world.solver().matrix();
-    const BlockGraph g = draw::graph_of(view);
+    const BlockGraph g = draw::block_graph_of_world(view);
     const draw::MatrixCounts c =
         count(g, view.order, draw::factor_blocks(g.start, g.adjacent, view.order));
     EXPECT_EQ(c.nnz, view.matrix_nnz);

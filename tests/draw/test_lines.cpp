@@ -43,7 +43,7 @@ TEST(JoinedLines, AreThoseThatThereWereInEachFrame) {
         }
         legs += deck.lines[f].count("hook/leg1");
         strops += deck.lines[f].count("strop");
-        EXPECT_EQ(draw::is_gone(frame, 0), f > JoinedDeck::kStayGone) << f;
+        EXPECT_EQ(draw::is_removed(frame, 0), f > JoinedDeck::kStayGone) << f;
     }
     // Legs appear with the step after the one of the request, and disappear in the same way.
     EXPECT_NEAR(static_cast<double>(legs), JoinedDeck::kLetGo - JoinedDeck::kTaken, 2.0);

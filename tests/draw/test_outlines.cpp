@@ -99,7 +99,7 @@ TEST(Outlines, NonsenseIsRefused) {
     record::RecordedOutline good{.body = 1, .points = {Vec3::Zero()}};
     const auto accepted = [](const record::RecordedOutline& o) {
         record::ByteWriter out;
-        record::put_outlines(out, {o});
+        record::write_outlines(out, {o});
         record::ByteReader in(out.bytes());
         try {
             return record::get_outlines(in, 2).size() == 1;

@@ -74,7 +74,7 @@ TEST_F(Plots, CommandsAreMarkedAndListed) {
     // Repeated values are no commands. The first of many moments are listed, the rest are counted.
     recording->inputs.clear();
     for (int i = 0; i < 30; ++i) recording->inputs.push_back({i, 0, i < 10 ? 5.0 : 1.0 + i});
-    const auto commands = draw::commands_of(*recording);
+    const auto commands = draw::list_commands_by_time(*recording);
     ASSERT_EQ(commands.size(), 6u);
     EXPECT_EQ(commands[0].text, "box.push 5");
     EXPECT_DOUBLE_EQ(commands[1].time, 10.0 / 60.0);

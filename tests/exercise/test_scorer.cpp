@@ -21,7 +21,7 @@ struct Fed {
     Fed() { e.duration = 100.0; }
     void feed(double value, int times = 1, double other = 0.0) {
         if (!scorer) scorer = std::make_unique<Scorer>(e, 0.1);
-        std::vector<double> values(channels_of(e).size(), other);
+        std::vector<double> values(list_channels(e).size(), other);
         if (!values.empty()) values[0] = value;
         for (int i = 0; i < times; ++i) scorer->after_step(0.1 * ++step, values);
     }
@@ -94,7 +94,7 @@ TEST(Scorer, AlarmsSeeWhatDisplaysShow) {
     const Fault frozen{.name = "f", .text = "", .kind = FaultKind::output_frozen, .target = "x"};
     f.feed(0.0);
     f.scorer->fault(0.1, frozen, "instructor", true);
-    EXPECT_EQ(f.scorer->frozen("x"), 0.0);
+    EXPECT_EQ(f.scorer->frozen_value("x"), 0.0);
     f.feed(2.0, 9);
     EXPECT_EQ(f.r().alarms[0].times, 0);
     f.scorer->fault(1.0, frozen, "instructor", false);

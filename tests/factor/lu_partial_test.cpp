@@ -24,7 +24,7 @@ class Sequence {
   public:
     Sequence(const BlockMatrix& m, base::Executor& executor) : base_(m), now_(m), at_(executor) {
         s_ = factor::analyse(m.pattern, factor::plan_elimination(m.pattern));
-        factor::keep_updates(s_);
+        factor::separate_updates(s_);
         part_.reserve(s_, executor.threads(), true);
         full_.reserve(s_, executor.threads(), true);
         set_.reserve(s_);
@@ -129,7 +129,7 @@ TEST(Unsymmetric, NamesTheNodesOfWrongPivots) {
         numeric.reserve(s, 1, true);
         fill_both(bad, s, set, numeric, serial);
         const int wrong = numeric.factor(s, serial, &set);
-        const auto nodes = numeric.wrong_nodes();
+        const auto nodes = numeric.nodes_with_wrong_pivots();
         EXPECT_EQ(wrong > 0, !nodes.empty());
         EXPECT_LE(nodes.size(), static_cast<std::size_t>(std::max(wrong, 0)));
         // Nodes eliminated before it have valid pivots. The node may repair its own pivot; then a
@@ -143,7 +143,7 @@ TEST(Unsymmetric, NamesTheNodesOfWrongPivots) {
         }
         fill_both(good, s, set, numeric, serial);
         EXPECT_EQ(numeric.factor(s, serial, &set), 0);
-        EXPECT_TRUE(numeric.wrong_nodes().empty());
+        EXPECT_TRUE(numeric.nodes_with_wrong_pivots().empty());
     }
     const int cases = static_cast<int>(all.size());
     if (cases < 40) return;
@@ -165,8 +165,8 @@ TEST(Unsymmetric, NotANumberIsAWrongPivot) {
     numeric.reserve(s, 1, true);
     fill_both(m, s, set, numeric, serial);
     EXPECT_GT(numeric.factor(s, serial, &set), 0);
-    ASSERT_FALSE(numeric.wrong_nodes().empty());
-    EXPECT_EQ(numeric.wrong_nodes().front(), 7);
+    ASSERT_FALSE(numeric.nodes_with_wrong_pivots().empty());
+    EXPECT_EQ(numeric.nodes_with_wrong_pivots().front(), 7);
 }
 
 }  // namespace

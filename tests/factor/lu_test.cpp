@@ -50,7 +50,7 @@ TEST(Unsymmetric, SolvesWhatADenseFactorisationSolves) {
         numeric.reserve(s, 1, true);
         fill_both(c.m, s, set, numeric, serial);
         ASSERT_EQ(numeric.factor(s, serial, &set), 0);
-        EXPECT_TRUE(numeric.wrong_nodes().empty());
+        EXPECT_TRUE(numeric.nodes_with_wrong_pivots().empty());
         const Vector b = random_matrix(random, c.m.scalars(), 1);
         Vector y = Vector::Zero(b.size() + 8);
         y.head(b.size()) = permuted(c.m, s, b, false);

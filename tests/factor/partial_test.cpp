@@ -61,7 +61,7 @@ void expect_same_bits(const BlockMatrix& m, const Symbolic& s, factor::Numeric& 
 /// Factor a sequence of changes partially and fully. @return fraction of the flops.
 double compare_sequence(BlockMatrix m, Random& random, base::Executor& executor, int steps) {
     Symbolic s = factor::analyse(m.pattern, factor::plan_elimination(m.pattern));
-    factor::keep_updates(s);
+    factor::separate_updates(s);
     factor::Numeric part, full;
     part.reserve(s, executor.threads());
     full.reserve(s, executor.threads());
@@ -125,7 +125,7 @@ TEST(Partial, DoesOnlyThePathToTheRoot) {
     std::iota(order.begin(), order.end(), 0);
     const factor::Pattern pattern = factor::make_pattern(size, sign, from, to);
     Symbolic s = factor::analyse(pattern, order);
-    factor::keep_updates(s);
+    factor::separate_updates(s);
     DirtyParts dirty;
     dirty.reserve(s);
     const std::int32_t last[] = {kNodes - 1, kNodes - 1}, first[] = {0};
@@ -166,7 +166,7 @@ TEST(Partial, DoesABatchWhole) {
     const BlockMatrix m = make_blocks(size, sign, edges);
     Symbolic s = factor::analyse(m.pattern, factor::plan_elimination(m.pattern));
     ASSERT_EQ(s.batches.size(), 1U);
-    factor::keep_updates(s);
+    factor::separate_updates(s);
     DirtyParts dirty;
     dirty.reserve(s);
     const std::int32_t columns[] = {first[2] + 20};
@@ -187,7 +187,7 @@ TEST(Partial, ReportsWrongPivots) {
     base::SerialExecutor serial;
     BlockMatrix m = random_quasi_definite(random, 30, 0.1);
     Symbolic s = factor::analyse(m.pattern, factor::plan_elimination(m.pattern));
-    factor::keep_updates(s);
+    factor::separate_updates(s);
     factor::Numeric numeric;
     numeric.reserve(s, 1);
     numeric.clear(s, serial);

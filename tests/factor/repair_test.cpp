@@ -106,7 +106,7 @@ void check_sequence(const Pattern& first, Random& random, int steps, base::Execu
     const bool numbers_stay = random.chance(0.3), keep = random.chance(0.3);
     EditedGraph graph(first);
     Analysis analysis;
-    analysis.keep_updates(keep);
+    analysis.separate_updates(keep);
     analysis.use(team);
     analysis.plan(first);
     Pattern last = first;
@@ -125,7 +125,7 @@ void check_sequence(const Pattern& first, Random& random, int steps, base::Execu
         totals.unchanged_columns += next.nodes() - r.columns;
         EXPECT_EQ(analysis.elimination().chains.count(), chains - r.dissolved);
         Symbolic fresh = factor::analyse(next, analysis.elimination());
-        if (keep) factor::keep_updates(fresh);
+        if (keep) factor::separate_updates(fresh);
         ASSERT_TRUE(fresh == analysis.symbolic()) << "step " << step;
         expect_rows_behind_bodies(next, analysis.symbolic());
         // A node that changed its size is a new node.

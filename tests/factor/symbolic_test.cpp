@@ -220,12 +220,12 @@ std::vector<int> check_tasks(const Symbolic& s) {
         RC_ASSERT(from < to);
         RC_ASSERT(static_cast<std::size_t>(to) >= below || s.fronts[f].batch >= 0);
         const auto n = static_cast<std::size_t>(from), m = static_cast<std::size_t>(to);
-        const auto first = s.graph.up.next.begin();
-        RC_ASSERT(std::find(first + s.graph.up.start[n], first + s.graph.up.start[n + 1], to) !=
-                  first + s.graph.up.start[n + 1]);
-        const auto last = s.graph.down.next.begin();
-        RC_ASSERT(std::find(last + s.graph.down.start[m], last + s.graph.down.start[m + 1], from) !=
-                  last + s.graph.down.start[m + 1]);
+        const auto first = s.graph.upward.next.begin();
+        RC_ASSERT(std::find(first + s.graph.upward.start[n], first + s.graph.upward.start[n + 1],
+                            to) != first + s.graph.upward.start[n + 1]);
+        const auto last = s.graph.downward.next.begin();
+        RC_ASSERT(std::find(last + s.graph.downward.start[m], last + s.graph.downward.start[m + 1],
+                            from) != last + s.graph.downward.start[m + 1]);
     }
     return owner;
 }

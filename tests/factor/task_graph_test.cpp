@@ -54,7 +54,7 @@ void expect_in_order(const TaskGraph& graph, bool up, base::Executor& executor, 
             ended[v] = clock.fetch_add(1);
         };
         queue.run(graph, up ? TaskPass::factor : TaskPass::backward, executor, node);
-        const TaskGraph::Way& way = up ? graph.up : graph.down;
+        const TaskGraph::Way& way = up ? graph.upward : graph.downward;
         for (std::size_t v = 0; v < n; ++v) {
             ASSERT_GE(begun[v], 0) << "node " << v << " was left out";
             for (std::int32_t e = way.start[v]; e < way.start[v + 1]; ++e)
@@ -147,10 +147,10 @@ TEST(TaskGraph, RanksByTheWorkThatIsLeft) {
     // 2 (9) ──────────┴ 4 (1)
     const TaskGraph graph =
         graph_of({5, 3, 9, 2, 1}, {{0, 3}, {1, 3}, {3, 4}, {2, 4}, {0, 3}});  // one edge twice
-    EXPECT_EQ(graph.up.by_rank, (std::vector<std::int32_t>{2, 0, 1, 3, 4}));
-    EXPECT_EQ(graph.up.waits, (std::vector<std::int32_t>{0, 0, 0, 2, 2}));
-    EXPECT_EQ(graph.down.by_rank, (std::vector<std::int32_t>{4, 2, 3, 0, 1}));
-    EXPECT_EQ(graph.down.waits, (std::vector<std::int32_t>{1, 1, 1, 1, 0}));
+    EXPECT_EQ(graph.upward.by_rank, (std::vector<std::int32_t>{2, 0, 1, 3, 4}));
+    EXPECT_EQ(graph.upward.waits, (std::vector<std::int32_t>{0, 0, 0, 2, 2}));
+    EXPECT_EQ(graph.downward.by_rank, (std::vector<std::int32_t>{4, 2, 3, 0, 1}));
+    EXPECT_EQ(graph.downward.waits, (std::vector<std::int32_t>{1, 1, 1, 1, 0}));
     EXPECT_EQ(graph.path, 10);
 }
 

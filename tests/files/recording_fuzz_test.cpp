@@ -29,7 +29,7 @@ constexpr std::size_t kMagicBytes = 12;
 std::vector<Chunk> chunks_of(std::span<const std::byte> file) {
     std::vector<Chunk> out;
     record::ByteReader in(file.subspan(kMagicBytes));
-    while (in.left() > 0) {
+    while (in.bytes_left() > 0) {
         Chunk chunk;
         std::memcpy(chunk.kind.data(), in.take(4).data(), 4);
         const auto payload = in.take(in.get<std::uint32_t>());
@@ -43,12 +43,12 @@ std::vector<Chunk> chunks_of(std::span<const std::byte> file) {
 /// Write a file of some chunks, each with a valid checksum.
 std::vector<std::byte> file_of(std::span<const std::byte> magic, const std::vector<Chunk>& chunks) {
     record::ByteWriter out;
-    out.put_bytes(magic);
+    out.write_bytes(magic);
     for (const Chunk& chunk : chunks) {
         const std::size_t from = out.bytes().size();
-        out.put_bytes(chunk.kind);
+        out.write_bytes(chunk.kind);
         out.put(static_cast<std::uint32_t>(chunk.payload.size()));
-        out.put_bytes(chunk.payload);
+        out.write_bytes(chunk.payload);
         out.put(record::crc32(out.bytes().subspan(from)));
     }
     return {out.bytes().begin(), out.bytes().end()};

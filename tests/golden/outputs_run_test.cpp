@@ -82,7 +82,8 @@ TEST_P(RunOutputs, AreThoseOfTheFiles) {
         const std::string& argument = c.arguments[i];
         arguments.push_back(argument.starts_with("$OUT/") ? out(argument.substr(5)) : argument);
     }
-    for (const std::string& word : {std::string("--summary"), out("summary.json")})
+    for (const std::string& word :
+         {std::string("--verbose"), std::string("--summary"), out("summary.json")})
         arguments.push_back(word);
     if (!c.every.empty())
         for (const std::string& word :

@@ -116,7 +116,7 @@ TEST(PartitionFuzz, NoInteractionIsLost) {
         // inside a part.
         expect_split(h.graph, p);
         for (std::int32_t& w : h.graph.node_weight) w = hostile_weight(random);
-        splitter.follow(h.view(), h.options, p);
+        splitter.split_from_previous(h.view(), h.options, p);
         expect_split(h.graph, p);
     });
 }

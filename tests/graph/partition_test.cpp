@@ -165,12 +165,12 @@ TEST(Partition, CutsSlideToTheLowestWeight) {
                 }
         if (low <= cheap && high > cheap) g.edge_weight[at(e)] = 10;
     }
-    splitter.follow(g.view(), {2}, p);
+    splitter.split_from_previous(g.view(), {2}, p);
     EXPECT_EQ(cut_at(), cheap);
     // More expensive now, but still by far the cheapest cut: it does not move.
     g.node_weight[at(wire[at(cheap)])] = 100;
     const auto kept = p.part;
-    splitter.follow(g.view(), {2}, p);
+    splitter.split_from_previous(g.view(), {2}, p);
     EXPECT_EQ(p.part, kept);
 }
 
@@ -209,7 +209,7 @@ TEST(Partition, AnyGraphSplits) {
                 const int last = static_cast<int>(g.size.size()) - 1;
                 g.edge({random.integer(0, last), random.integer(0, last)}, kNeverCut);
             }
-            splitter.follow(g.view(), options, p);
+            splitter.split_from_previous(g.view(), options, p);
             expect_split(g, p);
             if (HasFatalFailure()) return;
         }

@@ -337,7 +337,7 @@ class Headless {
         int mark = 0;
     };
     void keep(const std::string& name) {
-        drags_.lift(own_.session->world());
+        drags_.remove_forces(own_.session->world());
         const World& world = own_.session->world();
         points_[name] = {world.state().structure(), world.state().save(), own_.run->mark()};
     }

@@ -232,10 +232,10 @@ TEST(LiveFrame, keeps_its_scene_while_nodes_come_and_go_and_takes_another_for_a_
     ASSERT_EQ(world.wires().nodes(wire).size(), nodes + 1);
     EXPECT_FALSE(before.current(world));
     const live::FramePlan after = live::FramePlan::of(scene);
-    EXPECT_TRUE(after.same_scene(before));
+    EXPECT_TRUE(after.is_same_scene(before));
     (void)world.wires().cut(wire, 0.5 * world.wires().length(wire));
     const live::FramePlan cut = live::FramePlan::of(scene);
-    EXPECT_FALSE(cut.same_scene(after));
+    EXPECT_FALSE(cut.is_same_scene(after));
     EXPECT_EQ(cut.wires.size(), after.wires.size() + 1);
 }
 

@@ -37,7 +37,7 @@ TEST(LiveThreads, a_ring_keeps_order_and_says_when_it_is_full) {
         ++k;
     }
     writer.join();
-    EXPECT_EQ(ring.room(), 64U);
+    EXPECT_EQ(ring.free_slots(), 64U);
     for (int k = 0; k < 64; ++k) EXPECT_TRUE(ring.push("x"));
     EXPECT_FALSE(ring.push("y"));
 }
@@ -56,7 +56,7 @@ TEST(LiveThreads, frames_are_whole_and_never_go_back) {
     });
     std::uint32_t last = 0, seen = 0;
     while (last < kFrames) {
-        const live::Bytes* frame = swap.take();
+        const live::Bytes* frame = swap.newest_frame();
         if (!frame) continue;
         std::uint32_t first = 0;
         std::memcpy(&first, frame->data(), sizeof first);
@@ -69,7 +69,7 @@ TEST(LiveThreads, frames_are_whole_and_never_go_back) {
     }
     writer.join();
     EXPECT_GT(seen, 0U);
-    EXPECT_EQ(swap.take(), nullptr);
+    EXPECT_EQ(swap.newest_frame(), nullptr);
 }
 
 }  // namespace

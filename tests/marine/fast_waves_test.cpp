@@ -151,6 +151,40 @@ TEST(FastWaves, KinematicsAreWithinTheirTolerance) {
     EXPECT_GT(worst.velocity, 1e-10) << "single precision was compared";
 }
 
+/// Polynomials of the decay have degrees from 2 to 7 by the width of a group in k times the depth.
+/// Depths of each order of size, and groups of few and of many components, use them all.
+TEST(FastWaves, DecayIsWithinItsToleranceAtEveryDepth) {
+    std::mt19937 dice(first_seed(23));
+    Errors worst;
+    for (const int components : {17, 40, 200, 400}) {
+        SeaDef def{.depth = 400.0};
+        def.waves.push_back({.kind = WaveKind::jonswap,
+                             .height = 5.0,
+                             .period = 11.0,
+                             .spreading = 6.0,
+                             .components = components,
+                             .highest = 5.0});
+        const Sea sea(def);
+        marine::WaterField field(sea, def.current);
+        const SeaMoment now = sea.at(321.0);
+        field.begin(now);
+        ASSERT_TRUE(field.fast().on());
+        std::uniform_real_distribution<double> unit(0.0, 1.0);
+        std::vector<marine::FieldPoint> points;
+        for (int i = 0; i < marine::WaterField::kMostPoints; ++i) {
+            const double depth = 0.01 * std::pow(4e4, i / (marine::WaterField::kMostPoints - 1.0));
+            const Vec3 at(5.0 * unit(dice), 5.0 * unit(dice), -depth);
+            points.emplace_back(at, at.z());
+        }
+        compare(sea, field, points, worst);
+    }
+    for (const double error :
+         {worst.elevation, worst.velocity, worst.acceleration, worst.pressure}) {
+        EXPECT_LT(error, marine::kKinematicTolerance);
+        EXPECT_GT(error, 0.0);
+    }
+}
+
 /// With few components the bits equal those of Sea::water().
 TEST(FastWaves, FewComponentsStayInDoublePrecision) {
     SeaDef def{.depth = 40.0};

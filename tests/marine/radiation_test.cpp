@@ -6,6 +6,8 @@
 #include "marine/floater.h"
 #include "verify/sea_loads.h"
 
+#include "support/sanitizer.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -53,6 +55,7 @@ Complex response(RadiationKind kind, double omega) {
 }
 
 TEST(Radiation, HeaveIsThatOfItsFrequency) {
+    HAWSER_SKIP_IF_SAMPLED();
     for (const double omega : {0.5, 0.8, 1.2}) {
         const double a = 8e5 + bell_added(omega, 4e6, 0.5), b = bell(omega, 4e6, 0.5);
         const Complex exact = 1.0 / Complex(1e6 - omega * omega * (1e6 + a), omega * b);
@@ -67,6 +70,7 @@ TEST(Radiation, HeaveIsThatOfItsFrequency) {
 }
 
 TEST(Radiation, NeitherMemoryMakesEnergy) {
+    HAWSER_SKIP_IF_SAMPLED();
     // Released far from rest, with steps much too long for it: motions decay.
     for (const RadiationKind kind : {RadiationKind::convolution, RadiationKind::state_space})
         for (const double step : {1.0 / 60.0, 0.25}) {
@@ -91,6 +95,7 @@ TEST(Radiation, NeitherMemoryMakesEnergy) {
 }
 
 TEST(Radiation, DriftIsTheTablesAndSlowAtTheDifference) {
+    HAWSER_SKIP_IF_SAMPLED();
     // The mean is Σ a² D; two waves add 2 a₁ a₂ √(D₁ D₂) at the difference of their frequencies.
     WaveCoefficients c = coupled();
     add_waves(c);

@@ -72,6 +72,7 @@ struct Platform {
 };
 
 TEST(RodsWorld, AStormMakesNoEnergyOfNothing) {
+    HAWSER_SKIP_IF_SAMPLED();
     Platform p;
     double fastest = 0.0;
     for (int i = 0; i < (kSanitized ? 300 : 3'600); ++i) {

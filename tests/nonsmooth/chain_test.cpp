@@ -168,8 +168,8 @@ TEST(BlockChain, SolvesWhatADenseSolverSolves) {
         for (std::size_t r = 0; r < n; ++r) {
             const auto row = static_cast<Eigen::Index>(3 * r);
             fill(rows[r].diagonal, row, row, 6.0);  // no exchange of pivots is needed
-            if (r > 0) fill(rows[r].before, row, row - 3, 0.0);
-            if (r + 1 < n) fill(rows[r].behind, row, row + 3, 0.0);
+            if (r > 0) fill(rows[r].block_before, row, row - 3, 0.0);
+            if (r + 1 < n) fill(rows[r].block_behind, row, row + 3, 0.0);
             for (int i = 0; i < 3; ++i) b[row + i] = rows[r].x[i] = random.uniform(-1, 1);
         }
         ASSERT_TRUE(solve_block_chain(n, rows.data()));

@@ -216,11 +216,11 @@ TEST(Linearise, HoldsWhatTurnsRound) {
         const Law other = linearise(turned, slides);
         ASSERT_EQ(slides, Touch::slip);
         if (std::fabs(cosine) > 1e-6) {
-            ASSERT_EQ(turned_round(law, other), cosine < 0.0) << trial;
+            ASSERT_EQ(sliding_reversed(law, other), cosine < 0.0) << trial;
         }
         // The law in its place requires r = 0.
-        const Law held = hold_law(c);
-        ASSERT_FALSE(turned_round(law, held));
+        const Law held = sticking_law(c);
+        ASSERT_FALSE(sliding_reversed(law, held));
         for (int i = 0; i < 3; ++i) {
             const double sigma = i == 0 ? c.sigma_n : c.sigma_t;
             double lambda = held.p[i];

@@ -43,7 +43,7 @@ Thing read(std::span<const std::byte> bytes, std::span<const FieldInfo<Thing>> r
     ByteReader in(bytes);
     Thing out;
     GetFields{in}.table(out, out.colour, 3, rows, kFirstNamed);
-    EXPECT_EQ(0U, in.left());
+    EXPECT_EQ(0U, in.bytes_left());
     return out;
 }
 

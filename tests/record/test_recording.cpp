@@ -125,7 +125,7 @@ TEST(Recording, HostileChunksAreRefused) {
         std::vector<std::byte> bad(bytes.begin(), bytes.begin() + 12);
         const std::span<const std::byte> all(bytes);
         record::ByteReader in(all.subspan(12));
-        while (in.left() > 0) {
+        while (in.bytes_left() > 0) {
             auto head = in.take(8);
             record::ByteReader size(head.subspan(4));
             const auto payload = in.take(size.get<std::uint32_t>());
@@ -139,10 +139,10 @@ TEST(Recording, HostileChunksAreRefused) {
             }
             if (random() % 20 == 0) changed.resize(random() % (changed.size() + 1));
             record::ByteWriter out;
-            out.put_bytes(head.first(4));
+            out.write_bytes(head.first(4));
             out.put(std::uint32_t(changed.size()));
             const std::uint32_t crc = record::crc32(changed, record::crc32(out.bytes()));
-            out.put_bytes(changed);
+            out.write_bytes(changed);
             out.put(crc);
             bad.insert(bad.end(), out.bytes().begin(), out.bytes().end());
         }

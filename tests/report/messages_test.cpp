@@ -16,9 +16,9 @@ TEST(MessageNames, OfPartsSayWhoMadeThem) {
     int made = 0;
     for (const BodyId id : scene.world.bodies()) {
         const std::string name = scene.world.body_def(id).name;
-        const std::string said =
-            record::sentence(scene.world, Judge::speed,
-                             {.value = 21.0, .time = 1.0, .interaction = {}, .body = id}, name);
+        const std::string said = record::finding_sentence(
+            scene.world, Judge::speed, {.value = 21.0, .time = 1.0, .interaction = {}, .body = id},
+            name);
         const bool inner = name.find("/slide") != std::string::npos;
         made += inner ? 1 : 0;
         const std::string maker = " (made by \"" + name.substr(0, name.rfind('/')) + "\")";
@@ -31,8 +31,8 @@ TEST(MessageNames, OfPartsSayWhoMadeThem) {
 TEST(MessageEnergy, SaysWhetherItWasLostOrGained) {
     const World world;
     const auto said = [&](double value) {
-        return record::sentence(world, Judge::energy,
-                                {.value = value, .time = 1.5, .interaction = {}, .body = {}}, "");
+        return record::finding_sentence(
+            world, Judge::energy, {.value = value, .time = 1.5, .interaction = {}, .body = {}}, "");
     };
     EXPECT_EQ(said(2500.0),
               "the whole world had gained 2.5 kJ of mechanical energy without a cause at 1.5 s");

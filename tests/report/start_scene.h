@@ -24,7 +24,7 @@ struct Started {
     report::start::Findings found;
 
     explicit Started(scene::Scene loaded) : scene(std::move(loaded)) {
-        info = record::info_of(scene);
+        info = record::make_scene_info(scene);
         found = report::start::check_start(info, scene.world);
     }
 

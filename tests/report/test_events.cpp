@@ -24,7 +24,7 @@ report::Summary run_with_events(SmallScene& scene) {
 TEST(ReportedEvents, FirstAndWorstInWords) {
     SmallScene scene;
     const report::Summary summary = run_with_events(scene);
-    const std::string text = report::events_in_words(summary);
+    const std::string text = report::event_lines(summary);
     EXPECT_NE(text.find("inputs were limited to their range 120 times: first at 0 s, the input "
                         "\"box.push\", 100"),
               std::string::npos)
@@ -53,9 +53,9 @@ TEST(ReportedEvents, SignalsByTheirNames) {
     ASSERT_EQ(scene.world.step(), Status::ok);
     collector.after_step(scene.world, scene.world.events().take());
     const report::Summary summary = collector.result(scene.world);
-    EXPECT_NE(report::events_in_words(summary).find("the input \"sea.waves\", 1e+06"),
+    EXPECT_NE(report::event_lines(summary).find("the input \"sea.waves\", 1e+06"),
               std::string::npos)
-        << report::events_in_words(summary);
+        << report::event_lines(summary);
     ASSERT_EQ(summary.events.size(), 1U);
     EXPECT_EQ(summary.events[0].where, "sea.waves");
 }
@@ -75,7 +75,8 @@ TEST(ReportedEvents, LinesInWordsAndListsOfTheirOwn) {
     report::Summary summary = collector.result(scene.world);
     ASSERT_EQ(summary.events.size(), report::kListedEvents + 1);
     EXPECT_EQ(summary.events.back().kind, "line_break");
-    EXPECT_NE(report::to_text(summary).find("events       none"), std::string::npos)
+    EXPECT_NE(report::to_text(summary, report::Detail::solver).find("events       none"),
+              std::string::npos)
         << "the world itself had none";
     EXPECT_EQ(record::interaction_in_words(scene.world, scene.info.cables[0].elements[1]),
               "the stretch \"wire/s1\" between \"wire/1\" and \"box & <friends>\"");
@@ -102,7 +103,8 @@ TEST(ReportedEvents, WhatTheTimelineDidIsListedWhole) {
     EXPECT_EQ(list[1]["where"], "cut wire at 2 m");
     EXPECT_EQ(list[2]["kind"], "range");
     EXPECT_EQ(list.back()["where"], "release hook");
-    EXPECT_NE(report::to_text(summary).find("timeline     0.25 s: the winch hauls: set"),
+    EXPECT_NE(report::to_text(summary, report::Detail::solver)
+                  .find("timeline     0.25 s: the winch hauls: set"),
               std::string::npos);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Warnings about the task of an exercise: phases, goals and stations.
 #include <hawser/exercise.h>
+#include <hawser/hawser.h>
 
 #include "report/start/parts.h"
 
@@ -58,6 +59,26 @@ TEST(StartTask, GoalThatNoControlReachesInTime) {
     const Findings over = findings_of(two_goals(101.0, 0.0, 50.0));
     ASSERT_EQ(over.list.size(), 2U);
     EXPECT_NE(over.list[0].text.find("/goals/0/hold: "), std::string::npos) << over.list[0].text;
+}
+
+TEST(StartTask, ControlsWithoutARange) {
+    const scene::Scene scene = scene::load_text(
+        R"({"version": 1, "name": "box",
+            "bodies": [{"name": "hull", "mass": 1e6, "box": [20, 5, 2], "gravity": false}],
+            "inputs": [{"name": "push", "body": "hull", "component": "force_x"},
+                       {"name": "side", "body": "hull", "component": "force_y", "min": -1e5,
+                        "max": 1e5}]})",
+        "box.json");
+    exercise::Exercise e = two_goals(1.0, 1.0, 50.0);
+    e.stations = {{.name = "bridge", .inputs = {"side", "push"}}};
+    Findings found;
+    report::start::check_controls(e, scene, found);
+    ASSERT_EQ(found.list.size(), 1U);
+    EXPECT_EQ(found.list[0].kind, FindingKind::range);
+    EXPECT_FALSE(found.list[0].error);
+    EXPECT_NE(found.list[0].text.find("/stations/0/inputs/1: the control \"push\" has no range"),
+              std::string::npos)
+        << found.list[0].text;
 }
 
 TEST(StartTask, StationWithoutInputs) {

@@ -37,8 +37,9 @@ TEST(Degradations, CountWhatWasInForceWithItsDefect) {
     const auto json = nlohmann::json::parse(report::to_json(summary));
     EXPECT_EQ(json["degradations"]["coupling"]["momentum_defect_max"], 0.3);
     EXPECT_EQ(json["degradations"]["coupling"]["cut_defect_max"], 3.0);
-    EXPECT_NE(report::to_text(summary).find("momentum defect of compliant cuts"),
-              std::string::npos);
+    EXPECT_NE(
+        report::to_text(summary, report::Detail::solver).find("momentum defect of compliant cuts"),
+        std::string::npos);
 }
 
 TEST(Samples, QuantilesOfAFewAndOfMany) {
@@ -101,7 +102,7 @@ TEST(Summary, JsonHasAllFields) {
     EXPECT_EQ(json["state_hash"].get<std::string>().size(), 16u);
     // The box oscillates: losses of elements and the step's damping are small.
     EXPECT_LT(std::abs(json["energy"]["drift_relative"].get<double>()), 0.1);
-    EXPECT_NE(report::to_text(summary).find("wire"), std::string::npos);
+    EXPECT_NE(report::to_text(summary, report::Detail::solver).find("wire"), std::string::npos);
 }
 
 }  // namespace hawser::test

@@ -52,8 +52,8 @@ TEST(ReportedWires, ListThePiecesOfWiresThatAreCut) {
     }
     const report::Summary s = collector.result(h.w);
     ASSERT_EQ(s.wires.size(), 2U);
-    EXPECT_FALSE(s.wires[0].came);
-    EXPECT_TRUE(s.wires[1].came);
+    EXPECT_FALSE(s.wires[0].is_cut_piece);
+    EXPECT_TRUE(s.wires[1].is_cut_piece);
     EXPECT_EQ(s.wires[1].name, "rope/2");
     // The cut is in the thirteenth step and sampled after it.
     EXPECT_NEAR(s.wires[1].since, 13.0 / 60.0, 1e-12);
@@ -63,7 +63,7 @@ TEST(ReportedWires, ListThePiecesOfWiresThatAreCut) {
     // It falls freely: it carries at most the weight that hung below it, with the recoil of that.
     EXPECT_GE(s.wires[1].tension.least, 0.0);
     EXPECT_LT(s.wires[1].tension.greatest, 2.0 * 17.0 * 4.0 * 9.81);
-    const std::string text = report::to_text(s);
+    const std::string text = report::to_text(s, report::Detail::user);
     EXPECT_NE(text.find("\n  rope/2  "), std::string::npos) << "in the table of cables: " << text;
     EXPECT_NE(text.find("\"rope/2\", a piece since 216.7 ms"), std::string::npos) << text;
     EXPECT_NEAR(nlohmann::json::parse(report::to_json(s))["wires"]["rope/2"]["since"].get<double>(),
@@ -79,17 +79,17 @@ TEST(ReportedWires, TellWhereTheyPart) {
         collector.after_step(h.w, h.w.events().take());
     }
     const report::Summary s = collector.result(h.w);
-    ASSERT_EQ(s.parted.size(), 1U);
-    EXPECT_EQ(s.parted[0].wire, "rope");
-    EXPECT_EQ(s.parted[0].element, "rope/s3");
-    EXPECT_DOUBLE_EQ(s.parted[0].s, 35.0);
-    EXPECT_DOUBLE_EQ(s.parted[0].length, 50.0);
-    EXPECT_NEAR(s.parted[0].time, 12.0 / 60.0, 1e-12);
+    ASSERT_EQ(s.broken_wires.size(), 1U);
+    EXPECT_EQ(s.broken_wires[0].wire, "rope");
+    EXPECT_EQ(s.broken_wires[0].element, "rope/s3");
+    EXPECT_DOUBLE_EQ(s.broken_wires[0].s, 35.0);
+    EXPECT_DOUBLE_EQ(s.broken_wires[0].length, 50.0);
+    EXPECT_NEAR(s.broken_wires[0].time, 12.0 / 60.0, 1e-12);
     // One and a half nodes of 40 kg hang below it.
-    EXPECT_NEAR(s.parted[0].tension, 60.0 * 9.81, 0.02 * 60.0 * 9.81);
+    EXPECT_NEAR(s.broken_wires[0].tension, 60.0 * 9.81, 0.02 * 60.0 * 9.81);
     ASSERT_EQ(s.wires.size(), 1U);
-    EXPECT_EQ(s.wires[0].parted.size(), 1U);
-    const std::string text = report::to_text(s);
+    EXPECT_EQ(s.wires[0].broken_wires.size(), 1U);
+    const std::string text = report::to_text(s, report::Detail::user);
     EXPECT_NE(text.find("the wire \"rope\" at s = 35 m of 50 m, element \"rope/s3\", at 0.2 s"),
               std::string::npos)
         << text;
@@ -127,7 +127,8 @@ TEST(ReportedWires, FollowNodesThatComeAndGo) {
         EXPECT_LE(f.along[k].mean, f.along[k].greatest);
         EXPECT_NEAR(f.along[k].mean, weight, 0.06 * weight) << k;
     }
-    EXPECT_NE(report::to_text(s).find("\"rope\": nodes 6 (6 to 7)"), std::string::npos);
+    EXPECT_NE(report::to_text(s, report::Detail::user).find("\"rope\": nodes 6 (6 to 7)"),
+              std::string::npos);
     const auto json = nlohmann::json::parse(report::to_json(s));
     EXPECT_EQ(json["wires"]["rope"]["nodes"]["most"], 7.0);
     EXPECT_EQ(json["wires"]["rope"]["tension_along"]["mean"].size(), 5U);
@@ -164,7 +165,7 @@ TEST(ReportedWires, AreNoneWhereThereIsNone) {
     (void)w.add_body({.kind = BodyKind::fixed});
     const report::WireWatch watch(w);
     EXPECT_TRUE(watch.result(w).empty());
-    EXPECT_EQ(report::wires_in_words({}, {}), "");
+    EXPECT_EQ(report::wire_lines({}, {}), "");
 }
 
 /// docs/cli.md has a row for each key of a summary of wires.

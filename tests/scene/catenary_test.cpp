@@ -48,7 +48,7 @@ TEST(Catenary, hangs_at_rest_in_many_shapes) {
                 }
                 const Vec3 a(1, 2, 3);
                 const double length = slack * b.norm();
-                const auto nodes = hang(a, a + b, length, n, kDown);
+                const auto nodes = hanging_nodes(a, a + b, length, n, kDown);
                 ASSERT_TRUE(nodes) << b.transpose() << " " << slack << " " << n;
                 ASSERT_EQ(nodes->size(), static_cast<std::size_t>(n) + 1);
                 EXPECT_EQ(nodes->front(), a);
@@ -62,31 +62,33 @@ TEST(Catenary, hangs_at_rest_in_many_shapes) {
 TEST(Catenary, tends_to_the_smooth_one) {
     // Span 80, length 100: a = 33.820188, sag 26.543751 (closed form). A chain of n elements
     // differs by O(1/n²): 5 ppm at n = 400.
-    const auto nodes = hang({0, 0, 0}, {80, 0, 0}, 100.0, 400, kDown);
+    const auto nodes = hanging_nodes({0, 0, 0}, {80, 0, 0}, 100.0, 400, kDown);
     ASSERT_TRUE(nodes);
     EXPECT_NEAR((*nodes)[200].z(), -26.543751, 26.5 * 1e-5);
 }
 
 TEST(Catenary, follows_gravity) {
     const Vec3 down(1, 0, 0);
-    const auto nodes = hang({0, 0, 0}, {0, 50, 0}, 70.0, 20, down);
+    const auto nodes = hanging_nodes({0, 0, 0}, {0, 50, 0}, 70.0, 20, down);
     ASSERT_TRUE(nodes);
     EXPECT_GT((*nodes)[10].x(), 10.0);
     expect_at_rest(*nodes, 70.0, down);
 }
 
 TEST(Catenary, is_straight_when_taut) {
-    const auto nodes = hang({0, 0, 0}, {30, 0, 40}, 50.0, 5, kDown);
+    const auto nodes = hanging_nodes({0, 0, 0}, {30, 0, 40}, 50.0, 5, kDown);
     ASSERT_TRUE(nodes);
     EXPECT_TRUE((*nodes)[1].isApprox(Vec3(6, 0, 8), 1e-12));
 }
 
 TEST(Catenary, refuses_what_does_not_exist) {
-    EXPECT_FALSE(hang({0, 0, 0}, {10, 0, 0}, 9.99, 10, kDown));      // too short
-    EXPECT_FALSE(hang({0, 0, 0}, {0, 0, 10}, 20.0, 10, kDown));      // one vertical line: folds
-    EXPECT_FALSE(hang({0, 0, 0}, {10, 0, 0}, 20.0, 1, kDown));       // one rigid element
-    EXPECT_FALSE(hang({0, 0, 0}, {0.001, 0, 5}, 100.0, 10, kDown));  // nearly folded
-    EXPECT_FALSE(hang({0, 0, 0}, {80, 0, -60}, 200.0, 2, kDown));    // would be in compression
+    EXPECT_FALSE(hanging_nodes({0, 0, 0}, {10, 0, 0}, 9.99, 10, kDown));  // too short
+    EXPECT_FALSE(
+        hanging_nodes({0, 0, 0}, {0, 0, 10}, 20.0, 10, kDown));          // one vertical line: folds
+    EXPECT_FALSE(hanging_nodes({0, 0, 0}, {10, 0, 0}, 20.0, 1, kDown));  // one rigid element
+    EXPECT_FALSE(hanging_nodes({0, 0, 0}, {0.001, 0, 5}, 100.0, 10, kDown));  // nearly folded
+    EXPECT_FALSE(
+        hanging_nodes({0, 0, 0}, {80, 0, -60}, 200.0, 2, kDown));  // would be in compression
 }
 
 }  // namespace

@@ -28,11 +28,11 @@ TEST(Suggestion, names_the_nearest_or_lists_a_few) {
     EXPECT_EQ(suggestion("entirely_different", many), "");
 }
 
-TEST(Place, escapes_the_pointer) {
-    const Place place{"f.json", ""};
+TEST(SourceLocation, escapes_the_pointer) {
+    const SourceLocation place{"f.json", ""};
     EXPECT_EQ((place / "bodies" / std::size_t{3} / "a/b~c").path, "/bodies/3/a~1b~0c");
     try {
-        refuse(place / "x", "message");
+        throw_error(place / "x", "message");
         FAIL();
     } catch (const SceneError& error) {
         EXPECT_STREQ(error.what(), "f.json: /x: message");

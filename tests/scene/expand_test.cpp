@@ -36,7 +36,7 @@ TEST(Templates, stand_on_a_moving_body) {
 
 TEST(Templates, texts_with_parameters) {
     const Json parameters = Json::parse(R"({"n": 3, "x": 0.5, "s": "ab", "v": [1, 2]})");
-    const Place place{"f", ""};
+    const SourceLocation place{"f", ""};
     EXPECT_EQ(substitute("${n}", parameters, place), 3);
     EXPECT_EQ(substitute("${v}", parameters, place), Json::parse("[1, 2]"));
     EXPECT_EQ(substitute("a${n}b${s}", parameters, place), "a3bab");
@@ -97,7 +97,7 @@ TEST(Includes, bring_line_types_and_templates) {
     // The text needs no other file.
     EXPECT_EQ(load_text(scene.text, "elsewhere.json").hash, scene.hash);
 
-    const auto refusal_of = [&](const std::string& name) {
+    const auto error_message = [&](const std::string& name) {
         try {
             (void)load_file(folder.path / name);
         } catch (const SceneError& error) {
@@ -107,7 +107,7 @@ TEST(Includes, bring_line_types_and_templates) {
     };
     const auto scene_with = [&](const std::string& includes) {
         folder.write("s.json", R"({"version": 1, "name": "s", "include": [)" + includes + "]}");
-        return refusal_of("s.json");
+        return error_message("s.json");
     };
     folder.write("cycle.json", R"({"version": 1, "include": ["cycle.json"]})");
     EXPECT_NE(scene_with("\"cycle.json\"").find("cycle.json: /include/0: the file"),
@@ -137,7 +137,7 @@ TEST(Includes, bring_line_types_and_templates) {
         "parameters": {"m": 1}, "bodies": [{"name": "b", "mass": "${m}", "sphere": 1}]}}})");
     folder.write("use.json", R"({"version": 1, "name": "s", "include": ["heavy.json"],
         "instances": [{"template": "heavy", "name": "one", "parameters": {"m": -1}}]})");
-    EXPECT_NE(refusal_of("use.json").find("heavy.json: /templates/heavy/bodies/0/mass"),
+    EXPECT_NE(error_message("use.json").find("heavy.json: /templates/heavy/bodies/0/mass"),
               std::string::npos);
 }
 

@@ -138,7 +138,7 @@ inline constexpr std::string_view kSite = R"({
                         "from": {"body": "rig", "point": [0, 35, 0]},
                         "to": {"body": "rig", "point": [0, -35, 0]}}]},
   "plot": {"tensions": ["moor", "tow"], "motions": ["rig", "port/boom"],
-           "view_box": [-400, -50, -100, 400, 50, 60]}
+           "view_box": [-400, -50, -100, 400, 50, 60], "light": "night", "visibility": 2000, "sun_azimuth_deg": 90, "sun_elevation_deg": 30}
 })";
 
 /// One interaction of every kind.

@@ -13,7 +13,7 @@ namespace {
 
 /// Load a text. @return the message of the rejection, which comes before anything is built. @param
 /// most  Time limit [s].
-std::string refusal_of(const std::string& text, double most = 1.0) {
+std::string error_message(const std::string& text, double most = 1.0) {
     const auto start = std::chrono::steady_clock::now();
     std::string said = "taken";
     try {
@@ -47,33 +47,33 @@ void expect_part(const std::string& said, const char* part) {
 TEST(HostileSize, ElementsAreCountedBeforeTheyAreMade) {
     // max_bodies of scenes is 2,000,000. Bodies here: the body, the nodes between the ends, and the
     // fixed end.
-    expect_part(refusal_of(scene_of(cable_of("c", 2'000'000))), "2000001 bodies");
-    expect_part(refusal_of(scene_of(cable_of("c", 1'200'000) + "," + cable_of("d", 1'200'000))),
+    expect_part(error_message(scene_of(cable_of("c", 2'000'000))), "2000001 bodies");
+    expect_part(error_message(scene_of(cable_of("c", 1'200'000) + "," + cable_of("d", 1'200'000))),
                 "2400001 bodies");
-    expect_part(refusal_of(scene_of(cable_of("c", 300'000),
-                                    R"(, "repeat": {"copies": 7, "offset": [0, 9, 0]})")),
+    expect_part(error_message(scene_of(cable_of("c", 300'000),
+                                       R"(, "repeat": {"copies": 7, "offset": [0, 9, 0]})")),
                 "2100007 bodies");
     // A stretch per element and a bend per node; the default limit of each is 4,000,000.
-    expect_part(refusal_of(scene_of(cable_of("c", 600'000, "stiff"),
-                                    R"(, "settings": {"max_interactions": 1000000})")),
+    expect_part(error_message(scene_of(cable_of("c", 600'000, "stiff"),
+                                       R"(, "settings": {"max_interactions": 1000000})")),
                 "1199999 interactions");
     const std::string instances =
         R"(, "templates": {"t": {"cables": [)" + cable_of("c", 500'000) + R"(]},
             "two": {"instances": [{"template": "t", "name": "x"}, {"template": "t", "name": "y"}]}},
             "instances": [{"template": "two", "name": "p"}, {"template": "two", "name": "q"},
                           {"template": "t", "name": "r"}])";
-    expect_part(refusal_of(scene_of("", instances)), "2500001 bodies");
+    expect_part(error_message(scene_of("", instances)), "2500001 bodies");
 }
 
 TEST(HostileSize, NumbersUnderAnUnknownKeyAreNotRead) {
     std::string numbers = "1";
     for (int i = 0; i < 2'000'000; ++i) numbers += ",1";
-    expect_part(refusal_of(scene_of("", ", \"foo\": [" + numbers + "]")),
+    expect_part(error_message(scene_of("", ", \"foo\": [" + numbers + "]")),
                 "there is no key \"foo\", and it holds more than 10000 values");
-    expect_part(refusal_of(scene_of("", ", \"plot\": {\"foo\": [" + numbers + "]}")),
+    expect_part(error_message(scene_of("", ", \"plot\": {\"foo\": [" + numbers + "]}")),
                 "an array of more than 2000000 entries");
     std::string twice = scene_of("", ", \"foo\": [[1, 2, 3]]");
-    expect_part(refusal_of(twice), "foo");  // little is read, and rejected like any unknown key
+    expect_part(error_message(twice), "foo");  // little is read, and rejected like any unknown key
 }
 
 TEST(HostileSize, ValuesOfAFileAreCounted_full) {
@@ -83,7 +83,7 @@ TEST(HostileSize, ValuesOfAFileAreCounted_full) {
     std::string rows = row;
     for (int i = 0; i < 10'100; ++i) rows += "," + row;
     // 10,000,000 values at about 100 ns each, on a busy machine.
-    expect_part(refusal_of(scene_of("", ", \"plot\": {\"foo\": [" + rows + "]}"), 10.0),
+    expect_part(error_message(scene_of("", ", \"plot\": {\"foo\": [" + rows + "]}"), 10.0),
                 "more than 10000000 values");
 }
 

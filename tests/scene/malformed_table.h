@@ -366,6 +366,8 @@ inline constexpr Mistake kSceneMistakes[] = {
 {kPendulum, R"([{"op":"add","path":"/plot/tensions","value":["rod"]}])", "/plot/tensions/0", "no cable"},
 {kPendulum, R"([{"op":"add","path":"/plot/view_box","value":[0,0,0,1,1]}])", "/plot/view_box", "six numbers"},
 {kPendulum, R"([{"op":"add","path":"/plot/view_box","value":[0,0,0,1,1,0]}])", "/plot/view_box", "corner"},
+{kPendulum, R"([{"op":"add","path":"/plot/light","value":"noon"}])", "/plot/light", "night"},
+{kPendulum, R"([{"op":"add","path":"/plot/visibility","value":5}])", "/plot/visibility", "50"},
 };
 // clang-format on
 

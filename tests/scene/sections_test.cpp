@@ -33,7 +33,7 @@ std::string mooring_with(const std::string& from, const std::string& to) {
     return text;
 }
 
-std::string refusal_of(const std::string& text) {
+std::string error_message(const std::string& text) {
     try {
         (void)load_text(text, "mooring.json");
     } catch (const SceneError& error) {
@@ -185,7 +185,7 @@ TEST(Sections, HaveAResolutionOfTheirOwn) {
 }
 
 TEST(Sections, AreRefusedByTheirPlace) {
-    EXPECT_EQ(refusal_of(kMooring), "");
+    EXPECT_EQ(error_message(kMooring), "");
     struct Row {
         const char *from, *to, *path, *message;
     };
@@ -203,7 +203,7 @@ TEST(Sections, AreRefusedByTheirPlace) {
           Row{"\"cables\"", "\"timeline\": [{\"at\": 1, \"cut\": \"leg\", \"s\": 300}], \"cables\"",
               "/timeline/0/s", "216.88"},
           Row{"\"length\": 150", "\"length\": -1", "/cables/0/sections/1/length", ""}}) {
-        const std::string r = refusal_of(mooring_with(row.from, row.to));
+        const std::string r = error_message(mooring_with(row.from, row.to));
         EXPECT_TRUE(r.starts_with(std::string(row.path) + ": ") &&
                     r.find(row.message) != std::string::npos)
             << row.to << " -> " << r;

@@ -27,7 +27,7 @@ std::string ship_text(const std::string& control) {
            control + "}]}";
 }
 
-std::string refusal_of(const std::string& control) {
+std::string error_message(const std::string& control) {
     try {
         (void)load_text(ship_text(control), "dp.json");
     } catch (const SceneError& error) {
@@ -60,20 +60,20 @@ TEST(SceneVesselControl, RefusesWithThePlaceAndTheNearestName) {
     const auto has = [](const std::string& text, const char* part) {
         return text.find(part) != std::string::npos;
     };
-    EXPECT_EQ(refusal_of("{}"), "");
+    EXPECT_EQ(error_message("{}"), "");
     const std::string zone =
-        refusal_of(R"({"zones": [{"propulsor": "prot", "from_deg": 0, "to_deg": 9}]})");
+        error_message(R"({"zones": [{"propulsor": "prot", "from_deg": 0, "to_deg": 9}]})");
     EXPECT_TRUE(has(zone, "/vessels/0/control/zones/0/propulsor")) << zone;
     EXPECT_TRUE(has(zone, "port")) << zone;
-    const std::string key = refusal_of(R"({"bandwith": [1, 1, 1]})");
+    const std::string key = error_message(R"({"bandwith": [1, 1, 1]})");
     EXPECT_TRUE(has(key, "bandwidth")) << key;
-    const std::string mode = refusal_of(R"({"mode": "positon"})");
+    const std::string mode = error_message(R"({"mode": "positon"})");
     EXPECT_TRUE(has(mode, "position")) << mode;
-    const std::string target = refusal_of(R"({"mode": "follow"})");
+    const std::string target = error_message(R"({"mode": "follow"})");
     EXPECT_TRUE(has(target, "/vessels/0/control/mode")) << target;
     EXPECT_TRUE(has(target, "no target")) << target;
     const std::string failure =
-        refusal_of(R"({"failures": [{"name": "a", "propulsors": ["bwo"]}]})");
+        error_message(R"({"failures": [{"name": "a", "propulsors": ["bwo"]}]})");
     EXPECT_TRUE(has(failure, "/vessels/0/control/failures/0/propulsors/0")) << failure;
 }
 

@@ -4,6 +4,7 @@
 #include <hawser/session.h>
 
 #include "support/repeat.h"
+#include "support/sanitizer.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -82,6 +83,7 @@ struct Pulled {
 };
 
 TEST(OpenGuide, LetsGoOfAWireThatIsPulledUpAndTakesItAgain) {
+    HAWSER_SKIP_IF_SAMPLED();
     for (const double step : {1.0 / 60.0, 0.05})
         for (const double radius : {0.3, 1.0}) {
             SCOPED_TRACE(fmt::format("step {}, radius {}", step, radius));

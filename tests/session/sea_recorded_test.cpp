@@ -295,7 +295,7 @@ std::uintmax_t record_with(record::LoadStorage storage, const std::filesystem::p
     scene::Scene scene = scene::load_text(kWire, "wire");
     World& world = scene.world;
     world.prepare();
-    const record::SceneInfo info = record::info_of(scene);
+    const record::SceneInfo info = record::make_scene_info(scene);
     {
         record::RecordingWriter out(file, info, world,
                                     {.step = world.settings().step,

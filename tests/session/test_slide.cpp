@@ -5,6 +5,7 @@
 #include <hawser/session.h>
 
 #include "support/repeat.h"
+#include "support/sanitizer.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -65,6 +66,7 @@ std::string with_edge_of(const std::string& kind, const std::string& more) {
 }
 
 TEST(SessionSlide, GoesAlongEdgesOfHullsAndMeshesAlike) {
+    HAWSER_SKIP_IF_SAMPLED();
     const auto place = [](const SessionDef& def) {
         Session session(def);
         for (int k = 0; k < kSteps; ++k) EXPECT_EQ(session.step(), Status::ok) << k;

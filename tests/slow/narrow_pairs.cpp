@@ -17,9 +17,9 @@ TEST(NarrowPairs, AHundredThousandOfEachAgreeWithTheReference_long) {
     pairs.insert(pairs.end(), more.begin(), more.end());
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const auto [a, b] = pairs[i];
-        const test::Score score = test::judge(a, b, 100'000, 1000);
+        const test::Score score = test::compare_pairs(a, b, 100'000, 1000);
         std::printf("    %s\n", test::describe(a, b, score).c_str());
-        EXPECT_EQ(score.wrong_verdicts, 0);
+        EXPECT_EQ(score.wrong_results, 0);
         EXPECT_EQ(score.bad_points, 0);
         // Requirement: 1e-6 m and 1e-6 where the normal is unique. For hulls and meshes 1e-4: one
         // pair of hull and mesh in 100,000 has an error of 1.1e-6 m.
@@ -35,7 +35,7 @@ TEST(NarrowPairs, AHundredThousandOnGroundAgreeWithTheReference_long) {
             const auto score = test::check_ground(kind, ground, 100'000, 1000);
             std::printf("    %s\n", test::describe(kind, ground, score).c_str());
             std::fflush(stdout);
-            EXPECT_EQ(score.wrong_verdicts, 0);
+            EXPECT_EQ(score.wrong_results, 0);
             EXPECT_EQ(score.bad_points, 0);
             EXPECT_LE(score.worst_gap, 1e-6);
             EXPECT_LE(score.worst_normal, 1e-6);

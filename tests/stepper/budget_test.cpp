@@ -49,34 +49,34 @@ std::unique_ptr<context::StepContext> pile(const WorldDef& def) {
 TEST(Budget, AssumesThatTheNextIterationCostsWhatTheLastDid) {
     budget::Budget b;
     b.begin({.seconds = 10.0}, {1.0, 0.0});
-    EXPECT_TRUE(b.another({3.0, 0.0}, 1));   // next one ends at 5
-    EXPECT_TRUE(b.another({6.5, 0.0}, 2));   // next one ends at 10
-    EXPECT_TRUE(b.another({7.0, 0.0}, 3));   // at 7.5
-    EXPECT_FALSE(b.another({9.0, 0.0}, 4));  // at 11
+    EXPECT_TRUE(b.allows_iteration({3.0, 0.0}, 1));   // next one ends at 5
+    EXPECT_TRUE(b.allows_iteration({6.5, 0.0}, 2));   // next one ends at 10
+    EXPECT_TRUE(b.allows_iteration({7.0, 0.0}, 3));   // at 7.5
+    EXPECT_FALSE(b.allows_iteration({9.0, 0.0}, 4));  // at 11
     EXPECT_EQ(b.cause(), DegradedBy::clock);
     EXPECT_EQ(b.foreseen(), 11.0);
-    EXPECT_TRUE(b.hasty());
-    b.finished(11.0);  // 2 after the last reading: stored for the next step
+    EXPECT_TRUE(b.exits_early());
+    b.record_end_of_solve(11.0);  // 2 after the last reading: stored for the next step
     b.begin({.seconds = 10.0}, {});
-    EXPECT_FALSE(b.another({4.5, 0.0}, 1));  // 9 + 2
+    EXPECT_FALSE(b.allows_iteration({4.5, 0.0}, 1));  // 9 + 2
     b.begin({.work = 100.0}, {});
-    EXPECT_FALSE(b.hasty());
-    EXPECT_TRUE(b.another({1e9, 50.0}, 1));
-    EXPECT_FALSE(b.another({1e9, 80.0}, 2));
+    EXPECT_FALSE(b.exits_early());
+    EXPECT_TRUE(b.allows_iteration({1e9, 50.0}, 1));
+    EXPECT_FALSE(b.allows_iteration({1e9, 80.0}, 2));
     EXPECT_EQ(b.cause(), DegradedBy::work);
     b.begin({.seconds = 1e9, .most = 2, .foreseen = 7.0}, {});
-    EXPECT_TRUE(b.another({1.0, 1.0}, 1));
-    EXPECT_FALSE(b.another({2.0, 1.0}, 2));
+    EXPECT_TRUE(b.allows_iteration({1.0, 1.0}, 1));
+    EXPECT_FALSE(b.allows_iteration({2.0, 1.0}, 2));
     EXPECT_EQ(b.cause(), DegradedBy::prediction);
     EXPECT_EQ(b.foreseen(), 7.0);
     b.begin({.seconds = 1e-9, .work = 1e-9, .imposed = {3, false}}, {});  // limits have no effect
     EXPECT_FALSE(b.needs_time());
-    EXPECT_FALSE(b.hasty());
-    EXPECT_TRUE(b.another({1.0, 1.0}, 2));
-    EXPECT_FALSE(b.another({1.0, 1.0}, 3));
+    EXPECT_FALSE(b.exits_early());
+    EXPECT_TRUE(b.allows_iteration({1.0, 1.0}, 2));
+    EXPECT_FALSE(b.allows_iteration({1.0, 1.0}, 3));
     EXPECT_EQ(b.cause(), DegradedBy::order);
     b.end();
-    EXPECT_TRUE(b.another({1e9, 1e9}, 1000));
+    EXPECT_TRUE(b.allows_iteration({1e9, 1e9}, 1000));
 }
 
 TEST(Budget, CutsWithTheClockAndRepeatsWithoutIt) {

@@ -8,7 +8,7 @@ namespace hawser::budget {
 namespace {
 
 int level_after(Coarsening& c, int steps, double demand, double factor = 1.0) {
-    for (int i = 0; i < steps; ++i, demand *= factor) c.learn(demand);
+    for (int i = 0; i < steps; ++i, demand *= factor) c.add_sample(demand);
     return c.level();
 }
 

@@ -171,7 +171,7 @@ TEST(DeadlineCuts, ChangeNothingWhileTheyAreNotAskedFor) {
 TEST(DeadlineCuts, AreNotTakenWhereTheySaveNothing) {
     budget::Deadline d;
     const budget::Load load{1e-9, 1000.0};  // almost no rows
-    for (int i = 0; i < 100; ++i) d.learn(load, {0.0, 1.0, 1.0, 1.0, 1, false});
+    for (int i = 0; i < 100; ++i) d.add_sample(load, {0.0, 1.0, 1.0, 1.0, 1, false});
     budget::CutLevels levels;
     levels.set({{0, 1000.0}, {1, 1100.0}, {3, 980.0}});
     EXPECT_EQ(levels.choose(d, load, 0.5, 0), 0U);  // 2 % do not justify a cut
@@ -191,7 +191,7 @@ TEST(DeadlineCuts, AreNotTakenWhereTheySaveNothing) {
 TEST(DeadlineCuts, AreTakenBackWhenALoadThatCameWithThemGoes) {
     budget::Deadline d;
     const budget::Load load{1e-9, 1000.0};
-    for (int i = 0; i < 100; ++i) d.learn(load, {0.0, 1.0, 1.0, 1.0, 1, false});
+    for (int i = 0; i < 100; ++i) d.add_sample(load, {0.0, 1.0, 1.0, 1.0, 1, false});
     budget::CutLevels levels;
     levels.set({{0, 1000.0}, {1, 700.0}});
     std::uint64_t asked = 0;

@@ -27,7 +27,7 @@ Laps laps(int iterations, double next, double scale = 1.0) {
 
 Deadline taught(double next) {
     Deadline d;
-    for (int i = 0; i < 200; ++i) d.learn(kLoad, laps(1 + i % 3, next));
+    for (int i = 0; i < 200; ++i) d.add_sample(kLoad, laps(1 + i % 3, next));
     return d;
 }
 
@@ -46,7 +46,7 @@ TEST(Deadline, LearnsStagesAndScalesThemWithWork) {
 
 TEST(Deadline, ReckonsWithScatter) {
     Deadline d;
-    for (int i = 0; i < 400; ++i) d.learn(kLoad, laps(1, 0.0, i % 2 == 0 ? 0.8 : 1.2));
+    for (int i = 0; i < 400; ++i) d.add_sample(kLoad, laps(1, 0.0, i % 2 == 0 ? 0.8 : 1.2));
     // Mean 3.5 ms, mean deviation 0.7 ms: the slower half fits within 2 deviations.
     EXPECT_GT(d.predict(kLoad, 1), 1.2 * 3.5e-3);
     EXPECT_LT(d.predict(kLoad, 1), 1.5 * 3.5e-3);
@@ -54,11 +54,11 @@ TEST(Deadline, ReckonsWithScatter) {
 
 TEST(Deadline, ForgetsOneStepThatTookAHundredTimesAsLong) {
     Deadline d = taught(1e-3);
-    d.learn(kLoad, laps(3, 1e-3, 100.0));
+    d.add_sample(kLoad, laps(3, 1e-3, 100.0));
     // The sample counts as four times the mean: + 3/8 of the mean, and twice 3/4 of it by its
     // deviation.
     EXPECT_LT(d.predict(kLoad, 1), 3.0 * 3.5e-3);
-    for (int i = 0; i < 30; ++i) d.learn(kLoad, laps(3, 1e-3));
+    for (int i = 0; i < 30; ++i) d.add_sample(kLoad, laps(3, 1e-3));
     EXPECT_LT(d.predict(kLoad, 1), 1.05 * 3.5e-3);
 }
 
@@ -71,18 +71,18 @@ TEST(Deadline, DoesNotLearnFromAnalyses) {
     touch.last += 20e-3;
     touch.end += 20e-3;
     touch.analysed = true;
-    d.learn(kLoad, touch);
+    d.add_sample(kLoad, touch);
     EXPECT_NEAR(d.predict(kLoad, 2), before, 1e-12);
 }
 
 TEST(Deadline, LearnsOfContactsAfterStepsWithoutAny) {
     Deadline d;
     // All 4 ms after the start are one factorisation without an iteration.
-    for (int i = 0; i < 100; ++i) d.learn(kLoad, {1e-3, 1e-3, 1e-3, 5e-3, 0, false});
-    EXPECT_TRUE(d.settled());
+    for (int i = 0; i < 100; ++i) d.add_sample(kLoad, {1e-3, 1e-3, 1e-3, 5e-3, 0, false});
+    EXPECT_TRUE(d.has_enough_samples());
     EXPECT_NEAR(d.predict(kLoad, 1), 5e-3, 1e-9);
     EXPECT_GT(d.predict_next(kLoad), 0.0);
-    for (int i = 0; i < 200; ++i) d.learn(kLoad, laps(1 + i % 3, 1e-3));
+    for (int i = 0; i < 200; ++i) d.add_sample(kLoad, laps(1 + i % 3, 1e-3));
     EXPECT_NEAR(d.predict(kLoad, 1), 3.5e-3, 1e-9);
     EXPECT_NEAR(d.predict(kLoad, 4), 6.5e-3, 1e-9);
 }
@@ -92,12 +92,12 @@ TEST(Deadline, TriesAgainWhatItHasGivenUp) {
     EXPECT_EQ(d.iterations_by(6e-3, kLoad), 1);
     int refused = 0;
     while (d.iterations_by(6e-3, kLoad) == 1 && refused < 1000) {
-        d.refused();
+        d.record_refusal();
         ++refused;
     }
     // 3.5 ms + 5 ms 0.99^n ≤ 6 ms: n = 69.
     EXPECT_EQ(refused, 69);
-    for (int i = 0; i < 1000; ++i) d.refused();
+    for (int i = 0; i < 1000; ++i) d.record_refusal();
     EXPECT_GE(d.predict_next(kLoad), 0.99 * 0.25 * 2e-3);  // its lower bound
 }
 

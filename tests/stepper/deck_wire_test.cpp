@@ -151,7 +151,7 @@ TEST(ConvexPhase, LineSearchFindsTheZeroOfASlope) {
             return t <= kink ? low * t : low * kink + high * (t - kink);
         };
         const auto slope = [&](double t) { return piecewise(t) - piecewise(zero); };
-        const double t = contact::fraction_without_slope(slope);
+        const double t = contact::zero_slope_fraction(slope);
         if (zero >= 1.0)
             ASSERT_EQ(t, 1.0) << trial;
         else

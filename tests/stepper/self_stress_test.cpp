@@ -23,7 +23,8 @@ void join(World& world, BodyId a, const Vec3& at_a, BodyId b, const Vec3& at_b) 
 /// Add rigid links that hang from a float at the origin to an anchor.
 void moor(World& world, BodyId from, BodyId anchor, const Vec3& foot, int links) {
     const Vec3 top = Vec3::Zero();
-    const auto nodes = scene::hang(top, foot, links * kLength, links, Vec3(0.0, 0.0, -1.0));
+    const auto nodes =
+        scene::hanging_nodes(top, foot, links * kLength, links, Vec3(0.0, 0.0, -1.0));
     ASSERT_TRUE(nodes);
     BodyId before = from;
     Vec3 hold = top;
@@ -32,7 +33,7 @@ void moor(World& world, BodyId from, BodyId anchor, const Vec3& foot, int links)
         const Vec3 a = (*nodes)[i], b = (*nodes)[i + 1];
         BodyDef link;
         link.position = 0.5 * (a + b);
-        link.orientation = Quat::FromTwoVectors(Vec3::UnitX(), b - a);
+        link.orientation = turn_between(Vec3::UnitX(), b - a);
         link.mass = kMass;
         const double thin = kMass * 0.05 * 0.05, flat = kMass * kLength * kLength / 12.0;
         link.inertia = Vec3(thin, thin + flat, thin + flat).asDiagonal();

@@ -27,8 +27,8 @@ struct SameBits {
 /// World. @param before  Changes a deck before step i, from 0 on. @param at_end  Called with a deck
 /// that ran without a restore. @return state hashes after each step.
 template <class Make, class Before, class AtEnd>
-std::vector<std::uint64_t> hashes_of(const Make& make, int steps, const Before& before, int threads,
-                                     int restored, const AtEnd& at_end) {
+std::vector<std::uint64_t> run_hashes(const Make& make, int steps, const Before& before,
+                                      int threads, int restored, const AtEnd& at_end) {
     std::vector<std::uint64_t> out;
     const auto run = [&](auto& deck, int from, int to) {
         for (int i = from; i < to; ++i) {
@@ -57,7 +57,7 @@ template <class Make, class Before, class AtEnd>
 void expect_same_bits(const SameBits& look, const Make& make, const Before& before,
                       const AtEnd& at_end) {
     const auto hashes = [&](int threads, int restored) {
-        return hashes_of(make, look.steps, before, threads, restored, at_end);
+        return run_hashes(make, look.steps, before, threads, restored, at_end);
     };
     const std::vector<std::uint64_t> one = hashes(1, 0);
     EXPECT_EQ(one.size(), static_cast<std::size_t>(look.steps));
@@ -67,7 +67,7 @@ void expect_same_bits(const SameBits& look, const Make& make, const Before& befo
 
 /// Return the message of a World that rejects a definition; "" if it accepts it.
 template <class Def>
-std::string refusal_of(World& w, const Def& def) {
+std::string error_message(World& w, const Def& def) {
     try {
         (void)w.add(def);
     } catch (const DefError& error) {

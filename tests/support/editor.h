@@ -32,10 +32,12 @@ class Editor {
     /// Return the kinds and counts of edits in one line.
     [[nodiscard]] std::string summary() const;
     /// Return the removed bodies.
-    [[nodiscard]] const std::vector<BodyId>& gone() const noexcept { return gone_.bodies; }
+    [[nodiscard]] const std::vector<BodyId>& removed_bodies() const noexcept {
+        return removed_.bodies;
+    }
     /// Return the number of removed ids, and the number of these that a world still accepts.
-    [[nodiscard]] std::size_t gone_count() const noexcept;
-    [[nodiscard]] std::size_t not_refused(World& world) const;
+    [[nodiscard]] std::size_t removed_count() const noexcept;
+    [[nodiscard]] std::size_t accepted_removed_count(World& world) const;
     /// Replace one of the worlds.
     void replace(std::size_t index, World& world) noexcept { worlds_[index] = &world; }
 
@@ -72,8 +74,8 @@ class Editor {
 
     Random random_;
     std::vector<World*> worlds_;
-    Removed gone_;
-    std::vector<WireId> wires_gone_;
+    Removed removed_;
+    std::vector<WireId> removed_wires_;
     std::vector<InputId> inputs_;
     BodyId floor_;
     int edits_ = 0, names_ = 0;

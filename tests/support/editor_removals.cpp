@@ -131,19 +131,19 @@ bool Editor::remove(Id id, F&& call) {
             const auto add = [](auto& to, const auto& from) {
                 to.insert(to.end(), from.begin(), from.end());
             };
-            add(gone_.bodies, removed.bodies);
-            add(gone_.interactions, removed.interactions);
-            add(gone_.shapes, removed.shapes);
-            add(gone_.inputs, removed.inputs);
+            add(removed_.bodies, removed.bodies);
+            add(removed_.interactions, removed.interactions);
+            add(removed_.shapes, removed.shapes);
+            add(removed_.inputs, removed.inputs);
         }
         const auto ends_with = [](const auto& all, const auto& last) {
             return all.size() >= last.size() &&
                    std::equal(last.rbegin(), last.rend(), all.rbegin());
         };
-        EXPECT_TRUE(ends_with(gone_.bodies, removed.bodies) &&
-                    ends_with(gone_.interactions, removed.interactions) &&
-                    ends_with(gone_.shapes, removed.shapes) &&
-                    ends_with(gone_.inputs, removed.inputs));
+        EXPECT_TRUE(ends_with(removed_.bodies, removed.bodies) &&
+                    ends_with(removed_.interactions, removed.interactions) &&
+                    ends_with(removed_.shapes, removed.shapes) &&
+                    ends_with(removed_.inputs, removed.inputs));
     }
     return true;
 }
@@ -162,7 +162,7 @@ bool Editor::remove_wire() {
     const auto wires = first().wires().ids();
     if (wires.empty()) return false;
     const WireId id = any(wires);
-    wires_gone_.push_back(id);
+    removed_wires_.push_back(id);
     return remove(id, [&](World& w) -> const Removed& { return w.wires().remove(id); });
 }
 
@@ -186,12 +186,12 @@ bool Editor::remove_any() {
     return remove(id, [&](World& w) -> const Removed& { return w.remove_input(id); });
 }
 
-std::size_t Editor::gone_count() const noexcept {
-    return gone_.bodies.size() + gone_.interactions.size() + gone_.shapes.size() +
-           gone_.inputs.size() + wires_gone_.size();
+std::size_t Editor::removed_count() const noexcept {
+    return removed_.bodies.size() + removed_.interactions.size() + removed_.shapes.size() +
+           removed_.inputs.size() + removed_wires_.size();
 }
 
-std::size_t Editor::not_refused(World& world) const {
+std::size_t Editor::accepted_removed_count(World& world) const {
     std::size_t count = 0;
     const auto ask = [&](auto id, auto&& use) {
         try {
@@ -201,12 +201,13 @@ std::size_t Editor::not_refused(World& world) const {
             if (world.alive(id)) ++count;
         }
     };
-    for (const BodyId id : gone_.bodies) ask(id, [&](BodyId i) { (void)world.pose(i); });
-    for (const InteractionId id : gone_.interactions)
+    for (const BodyId id : removed_.bodies) ask(id, [&](BodyId i) { (void)world.pose(i); });
+    for (const InteractionId id : removed_.interactions)
         ask(id, [&](InteractionId i) { (void)world.force(i); });
-    for (const ShapeId id : gone_.shapes) ask(id, [&](ShapeId i) { (void)world.shape_def(i); });
-    for (const InputId id : gone_.inputs) ask(id, [&](InputId i) { world.set_input(i, 1.0); });
-    for (const WireId id : wires_gone_) ask(id, [&](WireId i) { (void)world.wires().length(i); });
+    for (const ShapeId id : removed_.shapes) ask(id, [&](ShapeId i) { (void)world.shape_def(i); });
+    for (const InputId id : removed_.inputs) ask(id, [&](InputId i) { world.set_input(i, 1.0); });
+    for (const WireId id : removed_wires_)
+        ask(id, [&](WireId i) { (void)world.wires().length(i); });
     return count;
 }
 

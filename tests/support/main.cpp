@@ -74,7 +74,7 @@ void configure_rapidcheck() {
     using hawser::test::Tier;
     constexpr std::uint32_t kFixed = 20261129;
     std::uint32_t seed = kFixed;
-    if (!hawser::test::given_seed(seed) && hawser::test::tier() != Tier::quick)
+    if (!hawser::test::seed_from_environment(seed) && hawser::test::tier() != Tier::quick)
         seed = std::random_device{}();
     const int cases = hawser::test::by_tier(100, 500, 5000);
     const std::string text =

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/tier.h"
 
+#include "support/sanitizer.h"
+
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -20,12 +22,14 @@ Tier tier() {
     std::exit(2);
 }
 
+bool sampled() { return kSanitized && std::getenv("HAWSER_SANITIZER_SAMPLE") != nullptr; }
+
 int by_tier(int quick, int full, int long_runs) {
     const Tier now = tier();
     return now == Tier::quick ? quick : now == Tier::full ? full : long_runs;
 }
 
-bool given_seed(std::uint32_t& seed) {
+bool seed_from_environment(std::uint32_t& seed) {
     const char* given = std::getenv("HAWSER_SEED");
     if (given == nullptr) return false;
     seed = static_cast<std::uint32_t>(std::strtoul(given, nullptr, 0));
@@ -34,7 +38,7 @@ bool given_seed(std::uint32_t& seed) {
 
 std::uint32_t first_seed(std::uint32_t fixed) {
     std::uint32_t seed = fixed;
-    if (given_seed(seed) || tier() == Tier::quick) return seed;
+    if (seed_from_environment(seed) || tier() == Tier::quick) return seed;
     seed = std::random_device{}() & 0x7fffffffU;
     const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
     std::printf("%s.%s: seed %u\n", test != nullptr ? test->test_suite_name() : "?",
@@ -45,7 +49,7 @@ std::uint32_t first_seed(std::uint32_t fixed) {
 
 int seed_count(int quick, int full, int long_runs) {
     std::uint32_t seed = 0;
-    return given_seed(seed) ? 1 : by_tier(quick, full, long_runs);
+    return seed_from_environment(seed) ? 1 : by_tier(quick, full, long_runs);
 }
 
 std::vector<std::uint32_t> seeds(std::uint32_t fixed, int quick, int full, int long_runs) {

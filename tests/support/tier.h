@@ -27,7 +27,7 @@ Tier tier();
 int by_tier(int quick, int full, int long_runs);
 
 /// Read the seed in HAWSER_SEED. @return false if there is none.
-bool given_seed(std::uint32_t& seed);
+bool seed_from_environment(std::uint32_t& seed);
 
 /// Return the first seed of a random suite: HAWSER_SEED, or `fixed` in the quick tier. Otherwise a
 /// fresh one, which is printed with the name of the running test. Fresh seeds are in [0, 2^31).

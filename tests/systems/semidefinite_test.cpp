@@ -75,6 +75,28 @@ TEST(Semidefinite, TakesComponentsWhoseSquaresUnderflow) {
     }
 }
 
+/// tr M⁻¹ S of three rows, the damping of most loads, against the inverse by cofactors.
+TEST(Semidefinite, TraceIsThatOfTheInverse) {
+    Random random(first_seed(4));
+    const int cases = by_tier(2'000, 50'000, 500'000);
+    for (int i = 0; i < cases; ++i) {
+        const Vec3 t = any_direction(random), u = any_direction(random);
+        const double added = std::pow(10.0, random.uniform(-4, 3));
+        const Mat3 m = Mat3::Identity() + added * (Mat3::Identity() - t * t.transpose());
+        const Mat3 s = u * u.transpose() + 0.1 * Mat3::Identity();
+        double low[6], damping[6];
+        for (int r = 0, k = 0; r < 3; ++r)
+            for (int c = 0; c <= r; ++c, ++k) {
+                low[k] = m(r, c);
+                damping[k] = s(r, c);
+            }
+        // (E + a (E − t tᵀ))⁻¹ = (E + a t tᵀ)/(1 + a), up to the length of t.
+        const Mat3 inverse = (Mat3::Identity() + added * t * t.transpose()) / (1.0 + added);
+        const double want = (inverse * s).trace();
+        ASSERT_NEAR(assembly::trace_over(low, damping, 3), want, 1e-11 * want) << i;
+    }
+}
+
 /// Sums of outer products of six rows, of any rank and with rows of very different units.
 TEST(Semidefinite, TakesSumsOfOuterProducts) {
     Random random(first_seed(2));

@@ -22,10 +22,10 @@ TEST(Use, OneThreadAtATimeAndNoneWithinAStep) {
     EXPECT_EQ(use.take(), 1);
     EXPECT_EQ(elsewhere(), 0);
     EXPECT_EQ(use.take(), 2);  // a call within a call
-    use.stepping(true);
+    use.mark_stepping(true);
     EXPECT_EQ(use.take(), 0);  // a change within a step
     EXPECT_THROW(world::Using(use, "add_body"), UseError);
-    use.stepping(false);
+    use.mark_stepping(false);
     EXPECT_EQ(use.take(), 2);
     use.leave();
     {

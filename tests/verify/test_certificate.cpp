@@ -142,7 +142,8 @@ TEST(Certificate, SummaryBalancesEnergyAndCountsContacts) {
     EXPECT_EQ(json["contacts"]["median"], 32.0);  // four per box
     EXPECT_EQ(json["equations_with_contacts"]["median"], 8 * 6 + 3 * 32.0);
     EXPECT_FALSE(json.contains("budget"));
-    EXPECT_NE(report::to_text(summary).find("natural map"), std::string::npos);
+    EXPECT_NE(report::to_text(summary, report::Detail::solver).find("natural map"),
+              std::string::npos);
 }
 
 }  // namespace

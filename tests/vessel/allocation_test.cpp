@@ -78,7 +78,7 @@ std::vector<AllocatedThruster> random_ship(std::mt19937& rng, bool zones) {
     std::vector<AllocatedThruster> out;
     for (const double side : {-1.0, 1.0}) {
         AllocatedThruster t;
-        t.turns = true;
+        t.is_azimuth = true;
         t.x = -40.0 + 5.0 * any(rng);
         t.y = side * (4.0 + 3.0 * any(rng));
         t.ahead = 2e5 + 3e5 * any(rng);
@@ -155,11 +155,11 @@ double searched_cost(const std::vector<AllocatedThruster>& ship, const Vec3& tau
             std::vector<double> g = f;
             for (std::size_t i = 0; i < ship.size(); ++i) {
                 const double s = step * ship[i].ahead;
-                if (ship[i].turns) g[2 * i] += s * any(rng);
+                if (ship[i].is_azimuth) g[2 * i] += s * any(rng);
                 g[2 * i + 1] += s * any(rng);
-                if (!ship[i].turns)
+                if (!ship[i].is_azimuth)
                     g[2 * i + 1] = std::clamp(g[2 * i + 1], -ship[i].astern, ship[i].ahead);
-                if (ship[i].turns && !allowed(ship[i], g[2 * i], g[2 * i + 1], 0.0)) {
+                if (ship[i].is_azimuth && !allowed(ship[i], g[2 * i], g[2 * i + 1], 0.0)) {
                     g[2 * i] = f[2 * i];
                     g[2 * i + 1] = f[2 * i + 1];
                 }
@@ -191,7 +191,8 @@ TEST(Allocation, NoSearchBeatsTheProgramOnRandomShips) {
         for (std::size_t i = 0; i < ship.size(); ++i) {
             f.push_back(allocation.x(i));
             f.push_back(allocation.y(i));
-            EXPECT_TRUE(!ship[i].turns || allowed(ship[i], allocation.x(i), allocation.y(i), 1e-6))
+            EXPECT_TRUE(!ship[i].is_azimuth ||
+                        allowed(ship[i], allocation.x(i), allocation.y(i), 1e-6))
                 << trial << " " << i;
         }
         EXPECT_LT((effect(ship, f) - allocation.total()).norm(), 1e-6 * tau.norm());
@@ -212,7 +213,7 @@ TEST(Allocation, MeetsWhatIsPossibleAndKeepsOutOfZones) {
         allocation.allocate(tau, nullptr, sectors.data());
         // q of 1e6: off by about cost/q of the sum of capacities.
         EXPECT_LT(allocation.scaled_norm(Vec3(allocation.total() - tau)), 3e-6) << trial;
-        EXPECT_EQ(allocation.authority(), 3);
+        EXPECT_EQ(allocation.independent_axes(), 3);
     }
 }
 
@@ -245,8 +246,8 @@ TEST(Allocation, AFractionOfTheCapacityIsALimit) {
     }
     // On the centre line all thrust goes ahead; the polygon of the disc has a vertex there.
     std::vector<AllocatedThruster> line(2);
-    line[0] = {.turns = true, .x = -30.0, .ahead = 3e5, .astern = 2e5};
-    line[1] = {.turns = true, .x = 20.0, .ahead = 2e5, .astern = 1e5};
+    line[0] = {.is_azimuth = true, .x = -30.0, .ahead = 3e5, .astern = 2e5};
+    line[1] = {.is_azimuth = true, .x = 20.0, .ahead = 2e5, .astern = 1e5};
     Allocation allocation(line);
     const double available[] = {0.5, 1.0};
     std::int32_t sectors[] = {-1, -1};
@@ -257,14 +258,14 @@ TEST(Allocation, AFractionOfTheCapacityIsALimit) {
 
 TEST(Allocation, ThrustersMakeUpForAnAzimuthThatStillTurns) {
     std::vector<AllocatedThruster> ship(3);
-    ship[0] = {.turns = true, .x = -30.0, .y = 0.0, .ahead = 3e5, .astern = 2e5};
+    ship[0] = {.is_azimuth = true, .x = -30.0, .y = 0.0, .ahead = 3e5, .astern = 2e5};
     ship[1] = {.x = 30.0, .axis = 0.5 * kAlPi, .ahead = 2e5, .astern = 2e5};
     ship[2] = {.x = -20.0, .axis = 0.5 * kAlPi, .ahead = 2e5, .astern = 2e5};
     Allocation allocation(ship);
     // The azimuth points ahead, and 1e5 N to starboard without moment are wanted.
     const ThrusterNow now[] = {{0.0, 0.0, 3e5}, {0.5 * kAlPi, -2e5, 2e5}, {0.5 * kAlPi, -2e5, 2e5}};
     double thrusts[3];
-    allocation.reach(Vec3(0.0, 1e5, 0.0), now, thrusts);
+    allocation.thrust_at_fixed_angles(Vec3(0.0, 1e5, 0.0), now, thrusts);
     EXPECT_NEAR(thrusts[0], 0.0, 100.0);
     EXPECT_NEAR(thrusts[1], 0.4e5, 200.0);  // levers 30 and 20 m
     EXPECT_NEAR(thrusts[2], 0.6e5, 200.0);
@@ -273,8 +274,8 @@ TEST(Allocation, ThrustersMakeUpForAnAzimuthThatStillTurns) {
 TEST(Allocation, AShaftAloneHasNoAuthorityInSwayAndYaw) {
     std::vector<AllocatedThruster> ship(1);
     ship[0] = {.x = -30.0, .ahead = 3e5, .astern = 2e5};
-    EXPECT_EQ(Allocation(ship).authority(), 1);
-    EXPECT_EQ(Allocation(ship).largest()[2], 0.0);
+    EXPECT_EQ(Allocation(ship).independent_axes(), 1);
+    EXPECT_EQ(Allocation(ship).largest_axis_forces()[2], 0.0);
 }
 
 }  // namespace

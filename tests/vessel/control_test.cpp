@@ -3,6 +3,8 @@
 #include <hawser/hawser.h>
 #include <hawser/vessel_ships.h>
 
+#include "support/sanitizer.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -67,6 +69,7 @@ SeaDef current_of(double speed, double direction_deg) {
 }
 
 TEST(Control, AutoPositionMovesToItsOrderAndStays) {
+    HAWSER_SKIP_IF_SAMPLED();
     const SeaDef sea = current_of(0.5, 140.0);
     Positioned s({}, &sea);
     s.set("mode", 3.0);
@@ -115,6 +118,7 @@ TEST(Control, EngagingKeepsThePresentPosition) {
 }
 
 TEST(Control, JoystickPushesAlongItsAxes) {
+    HAWSER_SKIP_IF_SAMPLED();
     for (const auto& [x, y, n] : {std::array{0.3, 0.0, 0.0}, {0.0, 0.2, 0.0}, {0.0, 0.0, -0.2}}) {
         Positioned s;
         s.set("mode", 1.0);
@@ -141,6 +145,7 @@ TEST(Control, AutoHeadingTurnsTheShorterWay) {
 }
 
 TEST(Control, AutopilotSteersByTheRudder) {
+    HAWSER_SKIP_IF_SAMPLED();
     World world(WorldDef{.step = 1.0 / 10.0});
     PublishedShip ship = kvlcc2(KvlccScale::full);
     ship.vessel.control.active = true;
@@ -162,6 +167,7 @@ TEST(Control, AutopilotSteersByTheRudder) {
 }
 
 TEST(Control, FollowKeepsTheDistance) {
+    HAWSER_SKIP_IF_SAMPLED();
     World world(WorldDef{.step = 1.0 / 60.0});
     PublishedShip ship = osv();
     ship.vessel.control.active = true;
@@ -263,6 +269,7 @@ TEST(Control, ConsequenceIsTheShortfallOfTheWorstFailure) {
 // Beam current of 0.5 m/s: the ship holds its place without a bow thruster, and also if that one
 // keeps its thrust or runs at full thrust.
 TEST(Control, HoldsItsPositionAfterTheLossOfAThruster) {
+    HAWSER_SKIP_IF_SAMPLED();
     const SeaDef sea = current_of(0.5, 90.0);
     for (const double failure : {1.0, 2.0, 3.0}) {
         SCOPED_TRACE(failure);
@@ -395,6 +402,7 @@ TEST(Control, StateIsSavedRestoredCopiedAndRepeatsForAnyThreads) {
 
 // Tension feed-forward holds against a line before the integral does.
 TEST(Control, LineTensionIsFedForward) {
+    HAWSER_SKIP_IF_SAMPLED();
     const auto moved = [](bool feed) {
         World world(WorldDef{.step = 1.0 / 60.0});
         PublishedShip ship = osv();

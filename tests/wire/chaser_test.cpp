@@ -181,7 +181,7 @@ TEST(Chasers, RefuseWhatCannotBe) {
                            Row{{.name = "c", .body = d.ring, .reach = 0.0}, "reach = 0"},
                            Row{{.name = "c", .body = d.ring, .friction = -0.1}, "friction = -0.1"},
                            Row{{.name = "c", .body = d.ring, .element = -1.0}, "element = -1"}}) {
-        const std::string said = test::refusal_of(d.w, row.def);
+        const std::string said = test::error_message(d.w, row.def);
         EXPECT_NE(said.find(row.says), std::string::npos) << row.says << " in: " << said;
     }
 }

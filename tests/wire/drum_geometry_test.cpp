@@ -25,7 +25,7 @@ TEST(DrumGeometry, AnyLengthEndsInALayer) {
     const double none = std::nan(""), inf = HUGE_VAL;
     for (const double length :
          {1e308, inf, 1e12, 1e7, 0.0, -0.0, -1.0, -1e308, -inf, none, 5e-324}) {
-        const DrumGeometry::Place at = kDrum.place(length);
+        const DrumGeometry::Place at = kDrum.wire_end(length);
         EXPECT_GE(at.layer, 1) << length;
         EXPECT_LE(at.layer, DrumGeometry::kMaxLayers) << length;
         EXPECT_TRUE(std::isfinite(at.radius) && at.radius >= kDrum.radius(1)) << length;
@@ -54,14 +54,14 @@ TEST(DrumGeometry, CountsLayersAsASumWrapByWrap) {
         left -= here;
         if (left <= 0.0) break;
     }
-    const DrumGeometry::Place at = kDrum.place(length);
+    const DrumGeometry::Place at = kDrum.wire_end(length);
     EXPECT_EQ(layer, 9);
     EXPECT_EQ(at.layer, layer);
     EXPECT_EQ(kDrum.wraps_a_layer(), 31);
     EXPECT_EQ(static_cast<int>(at.wraps), wraps);
     EXPECT_NEAR(at.radius, 0.638 + 8.0 * 0.076, 1e-12);
     EXPECT_NEAR(kDrum.inertia(length, 25.0) / inertia, 1.0, 1e-12);
-    EXPECT_NEAR(kDrum.length_of(9), 2.0 * M_PI * 31.0 * (9.0 * 0.638 + 0.076 * 36.0), 1e-9);
+    EXPECT_NEAR(kDrum.length_in_layers(9), 2.0 * M_PI * 31.0 * (9.0 * 0.638 + 0.076 * 36.0), 1e-9);
     EXPECT_EQ(kDrum.layers(), 10);
 }
 
@@ -70,22 +70,22 @@ TEST(DrumGeometry, AnglesAndLengthsAreEachOthersInverse) {
         ASSERT_NEAR(kDrum.length(kDrum.angle(l)), l, 1e-9 * (1.0 + l));
     // Along the wire the angle increases by 1/r.
     for (double l = 1.0; l < 1700.0; l += 7.3) {
-        const double d = 1e-6, r = kDrum.place(l).radius;
-        if (kDrum.place(l + d).layer != kDrum.place(l).layer) continue;
+        const double d = 1e-6, r = kDrum.wire_end(l).radius;
+        if (kDrum.wire_end(l + d).layer != kDrum.wire_end(l).layer) continue;
         ASSERT_NEAR((kDrum.angle(l + d) - kDrum.angle(l)) / d * r, 1.0, 1e-5);
     }
 }
 
 TEST(DrumGeometry, LayersEndWhereTheyAreFull) {
     for (int k = 1; k <= 10; ++k) {
-        const double full = kDrum.length_of(k);
-        EXPECT_EQ(kDrum.place(full * (1.0 - 1e-12)).layer, k);
-        EXPECT_EQ(kDrum.place(full * (1.0 + 1e-12)).layer, k + 1);
+        const double full = kDrum.length_in_layers(k);
+        EXPECT_EQ(kDrum.wire_end(full * (1.0 - 1e-12)).layer, k);
+        EXPECT_EQ(kDrum.wire_end(full * (1.0 + 1e-12)).layer, k + 1);
         // Back and forth: the first layer ends at one flange, the second at the other.
-        EXPECT_NEAR(kDrum.place(full * (1.0 - 1e-12)).across, k % 2 == 1 ? 1.162 : -1.162, 1e-6);
+        EXPECT_NEAR(kDrum.wire_end(full * (1.0 - 1e-12)).across, k % 2 == 1 ? 1.162 : -1.162, 1e-6);
     }
-    EXPECT_EQ(kDrum.place(0.0).layer, 1);
-    EXPECT_EQ(kDrum.place(-3.0).wraps, 0.0);
+    EXPECT_EQ(kDrum.wire_end(0.0).layer, 1);
+    EXPECT_EQ(kDrum.wire_end(-3.0).wraps, 0.0);
     EXPECT_EQ(kDrum.inertia(0.0, 25.0), 0.0);
 }
 
@@ -106,8 +106,8 @@ TEST(BandBrake, RatioIsThatOfTheTensionAlongTheBand) {
     for (int i = 0; i < pieces; ++i) tension *= 1.0 + mu * angle / pieces;
     const double pulled = tension - 1.0, slackened = 1.0 - 1.0 / tension;
     EXPECT_NEAR(wire::band_ratio(mu, angle), slackened / pulled, 1e-5);
-    EXPECT_NEAR(wire::behind_wraps(1e6, 0.1, 5.0), 1e6 * std::exp(-M_PI), 1e-6);
-    EXPECT_EQ(wire::behind_wraps(1e6, 0.1, -1.0), 1e6);
+    EXPECT_NEAR(wire::tension_behind_wraps(1e6, 0.1, 5.0), 1e6 * std::exp(-M_PI), 1e-6);
+    EXPECT_EQ(wire::tension_behind_wraps(1e6, 0.1, -1.0), 1e6);
 }
 
 }  // namespace

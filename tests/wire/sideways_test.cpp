@@ -19,7 +19,7 @@ void expect_at_bound(test::Random& random, bool inside) {
     const wire::Crossing c{{random.uniform(-5.0, 5.0), random.uniform(-5.0, 5.0)},
                            {random.uniform(0.1, 20.0), random.uniform(0.1, 20.0)}};
     const double bound = random.chance(0.2) ? 0.0 : random.uniform(0.0, 0.5);
-    const double now = wire::lean(c, 0.0), way = wire::way_sideways(c, bound);
+    const double now = wire::sideways_balance(c, 0.0), way = wire::sideways_displacement(c, bound);
     if (std::abs(now) <= bound) {
         EXPECT_EQ(way, 0.0);
         return;
@@ -27,7 +27,7 @@ void expect_at_bound(test::Random& random, bool inside) {
     double low = -1e3, high = 1e3;  // f increases from −∞ to ∞
     for (int i = 0; i < 200; ++i) {
         const double s = 0.5 * (low + high);
-        (wire::lean(c, s) > (now > 0.0 ? bound : -bound) ? high : low) = s;
+        (wire::sideways_balance(c, s) > (now > 0.0 ? bound : -bound) ? high : low) = s;
     }
     const double most = 0.25 * std::min(c.across[0], c.across[1]);
     // Within a billionth of the distance, which keeps it inside the bound; smaller moves are not
@@ -36,7 +36,7 @@ void expect_at_bound(test::Random& random, bool inside) {
     if (std::abs(wanted) < 1e-7) return;
     EXPECT_NEAR(way, wanted, 1e-7 + 2e-9 * (5.0 + std::abs(wanted)));
     if (inside && std::abs(way) < most) {
-        EXPECT_LE(std::abs(wire::lean(c, way)), bound + 1e-12) << "to rounding";
+        EXPECT_LE(std::abs(wire::sideways_balance(c, way)), bound + 1e-12) << "to rounding";
     }
 }
 
@@ -52,13 +52,13 @@ TEST(Sideways, GoToTheBoundOfFriction) {
 TEST(Sideways, KeepTheRatioOfTensions) {
     const auto strain = [](double path, double rest) { return (path - rest) / rest; };
     wire::Parts p{{5.0, 3.0}, {0.01, 0.003}, {0.2, -0.203}};
-    const double fed = wire::fed_between(p);
+    const double fed = wire::length_to_feed(p);
     const double path[2] = {5.01 + 0.2, 3.003 - 0.203};
     EXPECT_NEAR(strain(path[0], 5.0 + fed) / strain(path[1], 3.0 - fed), 2.0, 1e-9);
     EXPECT_LT(strain(path[0], 5.0 + fed), 2e-3);
     // If they become too short to be taut, both are slack by equal fractions.
     p.changes[1] = -0.3;
-    const double slack = wire::fed_between(p);
+    const double slack = wire::length_to_feed(p);
     EXPECT_NEAR(strain(5.21, 5.0 + slack), strain(2.703, 3.0 - slack), 1e-12);
     EXPECT_LT(strain(5.21, 5.0 + slack), 0.0);
 }

@@ -134,6 +134,7 @@ TEST(Slides, StayToTheBitBelowTheBound) {
 }
 
 TEST(Slides, LieAtCoulombsAngle) {
+    HAWSER_SKIP_IF_SAMPLED();
     // Around half a radian, where a node's force differs from that of an arc, and around an eighth.
     for (const auto& [down, side] : {std::pair(6e4, 4e4), {6e4, -4e4}, {1.3e4, -2e4}})
         for (const double friction : {0.1, 0.3}) {
@@ -165,6 +166,7 @@ TEST(Slides, LieAtCoulombsAngle) {
 }
 
 TEST(Slides, GoTheShortestWayWithoutFriction) {
+    HAWSER_SKIP_IF_SAMPLED();
     Stern d(0.0);
     d.lower();
     d.pull({1e5, 2e4, -6e4});
@@ -206,6 +208,7 @@ TEST(Slides, ComeOffAtTheEnd) {
 /// is balanced. The row of friction along the wire stores F²ε/2 with 1e-12 m/N while it sticks,
 /// which is part of it and returns as the pull decreases.
 TEST(Slides, TakeEnergyAndMakeNone) {
+    HAWSER_SKIP_IF_SAMPLED();
     for (const double friction : {0.0, 0.15, 0.3}) {
         Stern d(friction);
         d.lower();

@@ -201,7 +201,7 @@ TEST(Stoppers, RefuseWhatCannotBe) {
           Row{{.name = "j", .body = d.ship, .outboard = Vec3::Zero(), .rated_load = 1e6},
               "no direction"},
           Row{{.name = "j", .body = d.ship, .rated_load = 1e6, .pitch = 0.01}, "pitch = 0.01"}}) {
-        const std::string said = test::refusal_of(d.w, row.def);
+        const std::string said = test::error_message(d.w, row.def);
         EXPECT_NE(said.find(row.says), std::string::npos) << row.says << " in: " << said;
     }
 }
@@ -242,11 +242,11 @@ TEST(Stoppers, DoNotHoldOneNodeTogether) {
 TEST(Stoppers, RefuseTwoThatStartClosedOnOneNode) {
     Deck d({.closed = true});
     const auto refusal = [&](double x, bool closed) {
-        return test::refusal_of(d.w, StopperDef{.name = "at" + std::to_string(x),
-                                                .body = d.ship,
-                                                .point = {x, 0, 1.0},
-                                                .rated_load = 1e6,
-                                                .closed = closed});
+        return test::error_message(d.w, StopperDef{.name = "at" + std::to_string(x),
+                                                   .body = d.ship,
+                                                   .point = {x, 0, 1.0},
+                                                   .rated_load = 1e6,
+                                                   .closed = closed});
     };
     EXPECT_NE(refusal(1.85, true).find("node that stopper 'jaw' holds"), std::string::npos)
         << refusal(1.85, true);

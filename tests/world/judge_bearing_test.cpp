@@ -89,7 +89,7 @@ TEST(EnergyAccounts, FrictionOfJointsIsNotDriven) {
     const BodyId g = r.ground(), b = r.rigid({0, 0, 0}, Quat::Identity(), 10.0, {1, 1, 1});
     r.bodies.back().velocity = {3.0, 0, 0};
     InteractionDef slide = r.at(InteractionKind::Prismatic, {g, b}, {0, 0, 0});
-    slide.frame[0] = slide.frame[1] = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3::UnitX());
+    slide.frame[0] = slide.frame[1] = turn_between(Vec3::UnitZ(), Vec3::UnitX());
     r.add(slide);
     InteractionDef friction = r.at(InteractionKind::SlideFriction, {g, b}, {0, 0, 0});
     friction.frame[0] = friction.frame[1] = slide.frame[0];

@@ -16,7 +16,7 @@ namespace {
 const double kNoNumber = std::nan("");
 
 /// Return the message of the DefError of f; "" if it throws nothing.
-std::string refusal_of(const std::function<void()>& f) {
+std::string error_message(const std::function<void()>& f) {
     try {
         f();
     } catch (const DefError& e) {
@@ -52,7 +52,7 @@ TEST(Setters, HaveTheRangesOfDefinitions) {
     const std::uint64_t before = w.state().hash();
     const auto expect_refused = [&](std::initializer_list<const char*> words,
                                     const std::function<void()>& f) {
-        const std::string message = refusal_of(f);
+        const std::string message = error_message(f);
         for (const char* word : words)
             EXPECT_NE(message.find(word), std::string::npos) << word << ": " << message;
         EXPECT_EQ(w.state().hash(), before) << message;

@@ -66,22 +66,22 @@ class Client : public std::enable_shared_from_this<Client> {
         });
     }
 
-    [[nodiscard]] bool known() const { return role_ != nullptr; }
+    [[nodiscard]] bool has_role() const { return role_ != nullptr; }
     [[nodiscard]] const Role* role() const { return role_; }
     [[nodiscard]] const std::string& address() const { return address_; }
 
     void send(Text text) {
-        if (!known() || closing_) return;
+        if (!has_role() || closing_) return;
         push(std::move(text));
     }
     void send_scene(const std::string& scene) {
         send(std::make_shared<const std::string>("{\"role\":" + role_text(*role_) + "," + scene));
     }
     void show(const Frame& frame) {
-        if (!known() || closing_) return;
-        if (frame_) floor_.left_out_.fetch_add(1, std::memory_order_relaxed);
+        if (!has_role() || closing_) return;
+        if (frame_) floor_.frames_skipped_.fetch_add(1, std::memory_order_relaxed);
         frame_ = frame;
-        pump();
+        send_queued();
     }
     void close(websocket::close_code code, const std::string& reason) {
         if (closing_) return;
@@ -89,12 +89,12 @@ class Client : public std::enable_shared_from_this<Client> {
         close_reason_ = {code, std::string(shortened(reason, 120))};
         closing_since_ = clock_now();
         frame_.reset();
-        pump();
+        send_queued();
     }
     /// Disconnect a client that sends no hello or reads no frames in time. Called once a second.
     void check_time_limits(double now) {
         const ServerOptions& o = floor_.options_;
-        if (!known() && !closing_ && now - born_ > o.handshake_seconds) {
+        if (!has_role() && !closing_ && now - born_ > o.handshake_seconds) {
             fault("no hello within " + std::to_string(static_cast<int>(o.handshake_seconds)) + " s",
                   true);
         } else if (writing_ && now - writing_since_ > o.slow_seconds) {
@@ -103,27 +103,27 @@ class Client : public std::enable_shared_from_this<Client> {
             floor_.dropped_.fetch_add(1, std::memory_order_relaxed);
             drop();
         } else if (closing_ &&
-                   now - closing_since_ > (known() ? o.handshake_seconds : kStrangersGoodbye)) {
+                   now - closing_since_ > (has_role() ? o.handshake_seconds : kStrangersGoodbye)) {
             drop();
         }
     }
     void drop() {
-        if (gone_) return;
-        gone_ = closing_ = true;
+        if (disconnected_) return;
+        disconnected_ = closing_ = true;
         Error ignored;
         (void)beast::get_lowest_layer(socket_).socket().close(ignored);
-        floor_.left(number_);
+        floor_.client_left(number_);
     }
 
   private:
     void read() {
         socket_.async_read_some(
             buffer_, kMaxMessage + 1 - buffer_.size(),
-            [self = shared_from_this()](Error error, std::size_t) { self->got(error); });
+            [self = shared_from_this()](Error error, std::size_t) { self->on_read(error); });
     }
 
-    void got(Error error) {
-        if (gone_) return;
+    void on_read(Error error) {
+        if (disconnected_) return;
         if (error) return drop();
         if (buffer_.size() > kMaxMessage) too_big();  // of several frames
         if (closing_) {                               // data after the close frame is discarded
@@ -137,15 +137,15 @@ class Client : public std::enable_shared_from_this<Client> {
         } else if (!socket_.got_text()) {
             fault("a message that is no text");
         } else {
-            take({static_cast<const char*>(bytes.data()), bytes.size()});
+            handle_message({static_cast<const char*>(bytes.data()), bytes.size()});
         }
         buffer_.consume(buffer_.size());
         read();
     }
 
     void too_big() {
-        if (gone_ || closing_) return;
-        floor_.refuse(from_ + ": a message of more than 16 kB; closed");
+        if (disconnected_ || closing_) return;
+        floor_.record_rejection(from_ + ": a message of more than 16 kB; closed");
         close(websocket::close_code::too_big, "a message has at most 16 kB");
     }
 
@@ -160,17 +160,17 @@ class Client : public std::enable_shared_from_this<Client> {
         return true;
     }
 
-    void take(std::string_view text) {
+    void handle_message(std::string_view text) {
         Request request;
         std::string reason;
         if (!parse(text, request, reason)) return fault(reason, false, request.id, request.kind);
-        if (request.hello) return hello(request);
-        if (!known()) return fault("the first message is a hello", true);
+        if (request.hello) return handle_hello(request);
+        if (!has_role()) return fault("the first message is a hello", true);
         for (Command& command : request.commands)
-            if (std::string why = forbidden(*role_, command, floor_.options_.recording);
+            if (std::string why = reason_against(*role_, command, floor_.options_.recording);
                 !why.empty())
                 return fault(why, false, request.id, request.kind);
-        if (floor_.hub_.commands.room() < request.commands.size())
+        if (floor_.hub_.commands.free_slots() < request.commands.size())
             return error("too many commands are waiting; try again", request.id, request.kind);
         for (Command& command : request.commands) {
             command.client = number_;
@@ -180,13 +180,13 @@ class Client : public std::enable_shared_from_this<Client> {
         }
     }
 
-    void hello(const Request& request) {
-        if (known()) return fault("hello has been said");
+    void handle_hello(const Request& request) {
+        if (has_role()) return fault("hello has been said");
         if (request.version != kVersionOfHello)
             return fault("this server speaks version 1 of the protocol", true);
         const Role* role = role_of(floor_.options_.roles, request.token);
         if (!role) return fault("no role has this token", true);
-        if (!floor_.has_place(*role)) return turn_away();
+        if (!floor_.has_free_slot(*role)) return reject_full();
         role_ = role;
         floor_.hub_.clients.fetch_add(1, std::memory_order_relaxed);
         if (floor_.scene_) send_scene(*floor_.scene_);
@@ -199,10 +199,10 @@ class Client : public std::enable_shared_from_this<Client> {
 
     /// Disconnect the client because the server is full. This is no fault, and the client may try
     /// again later.
-    void turn_away() {
+    void reject_full() {
         const std::string reason = "all places for clients are taken (--clients " +
                                    std::to_string(floor_.options_.clients) + ")";
-        floor_.refuse(from_ + ": " + reason);
+        floor_.record_rejection(from_ + ": " + reason);
         error(reason, kNoId, CommandKind::none);
         close(websocket::close_code::try_again_later, reason);
     }
@@ -212,8 +212,8 @@ class Client : public std::enable_shared_from_this<Client> {
                CommandKind of = CommandKind::none) {
         ++faults_;
         last = last || faults_ >= kMaxFaults;
-        floor_.refuse(from_ + (role_ ? " (" + role_->name + ")" : std::string()) + ": " + reason +
-                      (last ? "; closed" : ""));
+        floor_.record_rejection(from_ + (role_ ? " (" + role_->name + ")" : std::string()) + ": " +
+                                reason + (last ? "; closed" : ""));
         error(reason, id, of);
         if (last) close(websocket::close_code::policy_error, reason);
     }
@@ -230,7 +230,7 @@ class Client : public std::enable_shared_from_this<Client> {
     }
 
     void push(Text text) {
-        if (gone_) return;
+        if (disconnected_) return;
         waiting_bytes_ += text->size();
         texts_.push_back(std::move(text));
         if (texts_.size() > kMaxWaiting ||
@@ -239,11 +239,11 @@ class Client : public std::enable_shared_from_this<Client> {
             floor_.dropped_.fetch_add(1, std::memory_order_relaxed);
             return drop();
         }
-        pump();
+        send_queued();
     }
 
-    void pump() {
-        if (writing_ || gone_) return;
+    void send_queued() {
+        if (writing_ || disconnected_) return;
         if (!texts_.empty()) {
             write_text();
         } else if (closing_) {
@@ -262,9 +262,10 @@ class Client : public std::enable_shared_from_this<Client> {
         waiting_bytes_ -= text->size();
         begin_write();
         socket_.text(true);
-        socket_.async_write(
-            asio::buffer(*text),
-            [self = shared_from_this(), text](Error error, std::size_t) { self->wrote(error); });
+        socket_.async_write(asio::buffer(*text),
+                            [self = shared_from_this(), text](Error error, std::size_t) {
+                                self->on_written(error);
+                            });
     }
 
     void write_frame() {
@@ -273,19 +274,20 @@ class Client : public std::enable_shared_from_this<Client> {
         begin_write();
         floor_.sent_.fetch_add(1, std::memory_order_relaxed);
         socket_.binary(true);
-        socket_.async_write(
-            asio::buffer(*frame),
-            [self = shared_from_this(), frame](Error error, std::size_t) { self->wrote(error); });
+        socket_.async_write(asio::buffer(*frame),
+                            [self = shared_from_this(), frame](Error error, std::size_t) {
+                                self->on_written(error);
+                            });
     }
 
     void begin_write() {
         writing_ = true;
         writing_since_ = clock_now();
     }
-    void wrote(Error error) {
+    void on_written(Error error) {
         writing_ = false;
         if (error) return drop();
-        pump();
+        send_queued();
     }
 
     static constexpr double kVersionOfHello = 1.0;
@@ -298,7 +300,7 @@ class Client : public std::enable_shared_from_this<Client> {
     std::deque<Text> texts_;
     std::size_t waiting_bytes_ = 0;
     Frame frame_;  ///< Frame that waits to be sent.
-    bool writing_ = false, closing_ = false, gone_ = false;
+    bool writing_ = false, closing_ = false, disconnected_ = false;
     int faults_ = 0;
     double born_, writing_since_ = 0.0, closing_since_ = 0.0;
     double allowance_ = kMaxRate, allowance_since_;

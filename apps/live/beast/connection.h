@@ -29,7 +29,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
         (void)stream_.socket().set_option(Tcp::no_delay(true), error);
         (void)stream_.socket().set_option(asio::socket_base::send_buffer_size(kSendBuffer), error);
     }
-    ~Connection() { leave(); }
+    ~Connection() { disconnect(); }
     Connection(const Connection&) = delete;
     Connection& operator=(const Connection&) = delete;
 
@@ -40,48 +40,49 @@ class Connection : public std::enable_shared_from_this<Connection> {
             std::chrono::milliseconds(static_cast<int>(1e3 * floor_.options_.handshake_seconds)));
         http::async_read(
             stream_, buffer_, parser_,
-            [self = shared_from_this()](Error error, std::size_t) { self->got(error); });
+            [self = shared_from_this()](Error error, std::size_t) { self->on_read(error); });
     }
 
   private:
     /// Close the connection from outside. Pending operations end with an error.
     void drop() {
-        leave();
+        disconnect();
         Error ignored;
         (void)stream_.socket().close(ignored);
     }
-    void leave() {
+    void disconnect() {
         if (!at_) return;
         floor_.connections_.erase(*at_);
         at_.reset();
     }
 
-    void got(Error error) {
+    void on_read(Error error) {
         if (error == asio::error::operation_aborted) return;
         if (error == beast::error::timeout)
-            return floor_.refuse(from_ + ": no complete request in time");
+            return floor_.record_rejection(from_ + ": no complete request in time");
         if (error == http::error::end_of_stream || error == asio::error::eof ||
             error == asio::error::connection_reset || error == http::error::partial_message)
             return;
         if (error) {
-            floor_.refuse(from_ + ": a request that makes no sense (" + error.message() + ")");
+            floor_.record_rejection(from_ + ": a request that makes no sense (" + error.message() +
+                                    ")");
             return answer(http::status::bad_request, "This is no request.\n");
         }
         const auto& request = parser_.get();
         host_ = std::string(view_of(request[http::field::host]));
         if (!host_allowed(floor_.names_, host_)) {
-            floor_.refuse(from_ + ": foreign Host " + shown(host_));
+            floor_.record_rejection(from_ + ": foreign Host " + shown(host_));
             host_.clear();
             return answer(http::status::forbidden, "This server is not called so.\n");
         }
         if (websocket::is_upgrade(request)) return upgrade();
         if (request.method() != http::verb::get && request.method() != http::verb::head) {
-            floor_.refuse(from_ + ": method " + shown(view_of(request.method_string())));
+            floor_.record_rejection(from_ + ": method " + shown(view_of(request.method_string())));
             return answer(http::status::method_not_allowed, "Only GET and HEAD.\n");
         }
         const PageFile* file = file_at(view_of(request.target()));
         if (!file) {
-            floor_.refuse(from_ + ": no file " + shown(view_of(request.target())));
+            floor_.record_rejection(from_ + ": no file " + shown(view_of(request.target())));
             return answer(http::status::not_found, "There is no such file.\n");
         }
         send_file(*file, request.method() == http::verb::head);
@@ -91,11 +92,11 @@ class Connection : public std::enable_shared_from_this<Connection> {
         const auto& request = parser_.get();
         const std::string_view origin = view_of(request[http::field::origin]);
         if (!origin_allowed(origin, host_)) {
-            floor_.refuse(from_ + ": foreign Origin " + shown(origin));
+            floor_.record_rejection(from_ + ": foreign Origin " + shown(origin));
             return answer(http::status::forbidden, "This page may not connect.\n");
         }
         if (request.target() != "/live") {
-            floor_.refuse(from_ + ": no socket " + shown(view_of(request.target())));
+            floor_.record_rejection(from_ + ": no socket " + shown(view_of(request.target())));
             return answer(http::status::not_found, "The socket is /live.\n");
         }
         free_stranger_slot();
@@ -111,18 +112,18 @@ class Connection : public std::enable_shared_from_this<Connection> {
         int strangers = 0, most = 0;
         std::map<std::string, int> by_address;
         for (const auto& [number, client] : floor_.clients_) {
-            if (client->known()) continue;
+            if (client->has_role()) continue;
             ++strangers;
             most = std::max(most, ++by_address[client->address()]);
         }
         if (strangers < kMaxStrangers) return;
         std::shared_ptr<Client> oldest;  // in the order of rising numbers
         for (const auto& [number, client] : floor_.clients_) {
-            if (client->known() || by_address[client->address()] < most) continue;
+            if (client->has_role() || by_address[client->address()] < most) continue;
             oldest = client;
             break;
         }
-        floor_.refuse(from_ + ": too many sockets without a hello; the oldest is closed");
+        floor_.record_rejection(from_ + ": too many sockets without a hello; the oldest is closed");
         oldest->drop();
     }
 

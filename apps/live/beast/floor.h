@@ -60,7 +60,7 @@ class Floor {
     std::list<OpenConnection> connections_;  ///< Connections, oldest first.
     Text scene_, state_, timeline_, exercise_, faults_;
     Frame newest_;
-    std::atomic<std::int64_t> sent_{0}, left_out_{0}, refused_{0}, dropped_{0};
+    std::atomic<std::int64_t> sent_{0}, frames_skipped_{0}, rejected_{0}, dropped_{0};
 
     /// Write one line to the log. If too many lines follow each other, only count them.
     void log(const std::string& line) {
@@ -68,23 +68,23 @@ class Floor {
         constexpr double kWhile = 10.0;  // Interval for counting lines [s].
         const double now = clock_now();
         if (now - log_since_ > kWhile) {
-            if (unsaid_ > 0 && options_.log)
-                options_.log("and " + std::to_string(unsaid_) + " more refusals");
+            if (lines_omitted_ > 0 && options_.log)
+                options_.log("and " + std::to_string(lines_omitted_) + " more refusals");
             log_since_ = now;
-            lines_ = unsaid_ = 0;
+            lines_ = lines_omitted_ = 0;
         }
         if (++lines_ > kMaxLines)
-            ++unsaid_;
+            ++lines_omitted_;
         else if (options_.log)
             options_.log(line);
     }
-    void refuse(const std::string& line) {
-        refused_.fetch_add(1, std::memory_order_relaxed);
+    void record_rejection(const std::string& line) {
+        rejected_.fetch_add(1, std::memory_order_relaxed);
         log("refused: " + line);
     }
     /// True if one more client with this role may connect. A role with control has one additional
     /// slot, so that the instructor can always connect.
-    [[nodiscard]] bool has_place(const Role& role) const {
+    [[nodiscard]] bool has_free_slot(const Role& role) const {
         const int kept = role.control ? 1 : 0;
         return hub_.clients.load(std::memory_order_relaxed) < options_.clients + kept;
     }
@@ -97,17 +97,18 @@ class Floor {
             most = std::max(most, ++by_address[one.address]);
         for (const OpenConnection& one : connections_) {
             if (by_address[one.address] < most) continue;
-            refuse("a connection of " + one.address + ": too many are open; its oldest is closed");
+            record_rejection("a connection of " + one.address +
+                             ": too many are open; its oldest is closed");
             const std::function<void()> drop = one.drop;
             return drop();
         }
     }
-    virtual void left(std::uint32_t number) = 0;
+    virtual void client_left(std::uint32_t number) = 0;
     virtual std::uint32_t next_number() = 0;
 
   private:
     double log_since_ = -1e9;
-    int lines_ = 0, unsaid_ = 0;
+    int lines_ = 0, lines_omitted_ = 0;
 };
 
 }  // namespace hawser::live::net

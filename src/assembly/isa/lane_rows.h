@@ -97,9 +97,9 @@ struct LaneRows {
                 from[l] = view.dof_begin[body[b][l]];
             }
             V8 x[D];
-            load_lanes_of_three(view.x, place, follow_each_other<3>(place), x);
+            load_lanes_of_three(view.x, place, are_contiguous<3>(place), x);
             refs[b].x = {x[0], x[1], x[2]};
-            const bool in_turn = follow_each_other<3>(from);
+            const bool in_turn = are_contiguous<3>(from);
             load_lanes_of_three(view.v, from, in_turn, v[b]);
             load_lanes_of_three(view.v_ahead, from, in_turn, start[b]);
         }

@@ -130,8 +130,8 @@ bool eight_gains(const View& view, const std::int32_t* ids, LineGain* sum) {
         pulls[l] = view.flags[id] & 1 ? 1.0 : 0.0;
         acts[l] = view.active[id] != 0.0 || (view.flags[id] & 1) ? 1.0 : 0.0;
     }
-    const bool points[2] = {follow_each_other<3>(x[0]), follow_each_other<3>(x[1])};
-    const bool speeds[2] = {follow_each_other<3>(v[0]), follow_each_other<3>(v[1])};
+    const bool points[2] = {are_contiguous<3>(x[0]), are_contiguous<3>(x[1])};
+    const bool speeds[2] = {are_contiguous<3>(v[0]), are_contiguous<3>(v[1])};
     V8 at[2][3];
     auto separation = [&](const double* base, const std::int32_t(&from)[2][kLanes],
                           const bool(&in_turn)[2]) {
@@ -144,7 +144,7 @@ bool eight_gains(const View& view, const std::int32_t* ids, LineGain* sum) {
     V8 f[kLanes], line[kLanes];
     load_lanes(view.geo_force, force, f);
     load_lanes(view.jacobian, jac, line);
-    const bool rows = follow_each_other<1>(row);
+    const bool rows = are_contiguous<1>(row);
     const auto of_rows = [&](const double* values) {
         return rows ? W8(load(values + row[0])) : W8(gather_range(values, row, 0, kLanes));
     };

@@ -10,7 +10,7 @@
 namespace hawser::collide::narrow {
 namespace {
 
-double reach(const V3& half, const V3& n) {
+double half_extent_along(const V3& half, const V3& n) {
     return half.x * std::fabs(n.x) + half.y * std::fabs(n.y) + half.z * std::fabs(n.z);
 }
 
@@ -30,13 +30,14 @@ Separation best_axis(const Convex& a, const Convex& b, double enough) {
     for (int i = 0; i < 3; ++i) {
         const V3 row{across[i][0], across[i][1], across[i][2]};
         const double along = component(da, i);
-        propose(axis(a.r, i), along, std::fabs(along) - component(a.half, i) - reach(b.half, row));
+        propose(axis(a.r, i), along,
+                std::fabs(along) - component(a.half, i) - half_extent_along(b.half, row));
     }
     for (int j = 0; j < 3; ++j) {
         const V3 column{across[0][j], across[1][j], across[2][j]};
         const double along = component(db, j);
         propose(axis(b.r, j), along,
-                std::fabs(along) - component(b.half, j) - reach(a.half, column));
+                std::fabs(along) - component(b.half, j) - half_extent_along(a.half, column));
     }
     if (best.s > enough) return best;
     for (int i = 0; i < 3; ++i)
@@ -47,7 +48,8 @@ Separation best_axis(const Convex& a, const Convex& b, double enough) {
             const V3 n = (1.0 / length) * m;
             const double along = dot(n, d);
             propose(n, along,
-                    std::fabs(along) - reach(a.half, tmul(a.r, n)) - reach(b.half, tmul(b.r, n)));
+                    std::fabs(along) - half_extent_along(a.half, tmul(a.r, n)) -
+                        half_extent_along(b.half, tmul(b.r, n)));
         }
     return best;
 }

@@ -38,13 +38,14 @@ V3 crossing_normal(const Segment& a, const Segment& b) {
     if (a.half > 0.0 && b.half > 0.0 && length > 1e-9)
         n = (1.0 / length) * n;
     else
-        n = any_across(a.half > 0.0 ? a.d : b.d);
+        n = any_perpendicular(a.half > 0.0 ? a.d : b.d);
     return dot(b.c - a.c, n) < 0.0 ? -n : n;
 }
 
 /// Return the contact that separates two intersecting segments by the shortest way: perpendicular
 /// to both, or along a past an end.
-Point pushed_apart(const Segment& a, double ra, const Segment& b, double rb, double s, double t) {
+Point separating_contact(const Segment& a, double ra, const Segment& b, double rb, double s,
+                         double t) {
     return contact(a, ra, b, rb, s, t, crossing_normal(a, b), 0);
 }
 
@@ -56,7 +57,7 @@ HAWSER_PAIR(capsule_capsule) {
     const double ra = a.radius, rb = b.radius;
     double s = 0.0, t = 0.0;
     nearest(p, q, s, t);
-    const Point deepest = pushed_apart(p, ra, q, rb, s, t);
+    const Point deepest = separating_contact(p, ra, q, rb, s, t);
     if (!(deepest.gap < margin)) return;
     const V3 across = cross(p.d, q.d);
     const double size = p.half + q.half + ra + rb;
@@ -130,7 +131,7 @@ double nearest_to_box(const V3& c, const V3& d, double length, const V3& half) {
 
 /// Compute the signed distance of a segment that intersects the box, along six axes. The normal
 /// points out of the box.
-Separation leave_box(const V3& c, const V3& d, double length, const V3& half) {
+Separation separate_from_box(const V3& c, const V3& d, double length, const V3& half) {
     Separation best{{0, 0, 1}, -1e300};
     const double tie = 1e-9 * norm(half);
     for (int k = 0; k < 3; ++k) {
@@ -176,7 +177,7 @@ HAWSER_PAIR(capsule_box) {
     if (distance > 1e-9 * (norm(half) + a.half_length))
         apart.n = (1.0 / distance) * over;
     else
-        apart = leave_box(c, d, a.half_length, half);
+        apart = separate_from_box(c, d, a.half_length, half);
     if (!(apart.s - a.radius < margin)) return;
     const Convex s = make_convex(a, pa, pb.x), box = make_convex(b, pb, pb.x);
     Points points;

@@ -7,7 +7,7 @@
 
 namespace hawser::collide::narrow {
 
-V3 any_across(const V3& v) {
+V3 any_perpendicular(const V3& v) {
     // Use the axis along which v has the smallest component.
     const double x = std::fabs(v.x), y = std::fabs(v.y), z = std::fabs(v.z);
     const V3 least = x <= y && x <= z ? V3{1, 0, 0} : (y <= z ? V3{0, 1, 0} : V3{0, 0, 1});
@@ -63,7 +63,7 @@ namespace {
 
 /// Return the vertex of a hull furthest along m. Climbs from vertex to neighbour: on a convex
 /// surface a local maximum is global. A hull of up to 32 vertices is searched completely.
-int furthest(const ShapeData& hull, const V3& m) {
+int support_vertex(const ShapeData& hull, const V3& m) {
     const int count = static_cast<int>(hull.vertices.size());
     int best = 0;
     double most = dot(hull.vertices[0], m);
@@ -157,7 +157,7 @@ void cylinder_facing(const Convex& s, const V3& m, double tilt, Poly& out) {
 void hull_facing(const Convex& s, const V3& m, double tilt, Poly& out) {
     const ShapeData& hull = *s.data;
     const auto place = [&](int v) { return s.c + s.r * hull.vertices[v]; };
-    const int v = furthest(hull, m);
+    const int v = support_vertex(hull, m);
     int face = -1, edge = -1;
     double best = std::sqrt(1.0 - tilt * tilt), least = tilt;
     for (int k = hull.star[v]; k < hull.star[v + 1]; ++k) {
@@ -221,7 +221,7 @@ V3 support(const Convex& s, const V3& n) {
         case ShapeKind::cylinder:
             return s.c + s.r * cylinder_support(s, tmul(s.r, n));
         case ShapeKind::hull:
-            return s.c + s.r * s.data->vertices[furthest(*s.data, tmul(s.r, n))];
+            return s.c + s.r * s.data->vertices[support_vertex(*s.data, tmul(s.r, n))];
         default: {
             int best = 0;
             for (int k = 1; k < 3; ++k)
@@ -231,7 +231,7 @@ V3 support(const Convex& s, const V3& n) {
     }
 }
 
-void facing(const Convex& s, const V3& n, double tilt, Poly& out) {
+void facing_polygon(const Convex& s, const V3& n, double tilt, Poly& out) {
     out.count = 0;
     switch (s.kind) {
         case ShapeKind::sphere:

@@ -33,7 +33,7 @@ inline double clamp(double x, double low, double high) {
     return x < low ? low : (x > high ? high : x);
 }
 /// Return a unit vector perpendicular to v. It depends on v alone.
-V3 any_across(const V3& v);
+V3 any_perpendicular(const V3& v);
 
 struct Convex {
     ShapeKind kind;         ///< sphere: a point; capsule: a segment; mesh: one triangle.
@@ -68,6 +68,6 @@ struct Poly {
 /// up to asin(tilt) to the plane perpendicular to n are included. The cap of a cylinder is a
 /// polygon of kCapPoints.
 inline constexpr int kCapPoints = 16;
-void facing(const Convex& shape, const V3& n, double tilt, Poly& out);
+void facing_polygon(const Convex& shape, const V3& n, double tilt, Poly& out);
 
 }  // namespace hawser::collide::narrow

@@ -13,7 +13,7 @@ constexpr int kVertices = 192, kFaces = 2 * kVertices;
 struct Polytope {
     struct Face {
         std::int16_t v[3];
-        bool alive;
+        bool is_alive;
         V3 n;      ///< Unit normal, outward.
         double d;  ///< Distance of the plane from the origin along n.
     };
@@ -30,7 +30,7 @@ struct Polytope {
         f.v[0] = static_cast<std::int16_t>(i);
         f.v[1] = static_cast<std::int16_t>(j);
         f.v[2] = static_cast<std::int16_t>(k);
-        f.alive = true;
+        f.is_alive = true;
         f.n = (1.0 / length) * n;
         f.d = dot(f.n, w[i]);
         return true;
@@ -42,13 +42,13 @@ struct Polytope {
     int nearest() const {
         int best = -1;
         for (int i = 0; i < faces; ++i)
-            if (face[i].alive && (best < 0 || face[i].d < face[best].d)) best = i;
+            if (face[i].is_alive && (best < 0 || face[i].d < face[best].d)) best = i;
         return best;
     }
     void compact() {
         int kept = 0;
         for (int i = 0; i < faces; ++i)
-            if (face[i].alive) face[kept++] = face[i];
+            if (face[i].is_alive) face[kept++] = face[i];
         faces = kept;
     }
 };
@@ -71,7 +71,7 @@ bool Polytope::expand(const V3& p, int start, double tolerance) {
         edge[edges++][1] = j;
     };
     const auto remove = [&](Face& f) {
-        f.alive = false;
+        f.is_alive = false;
         for (int k = 0; k < 3; ++k) toggle(f.v[k], f.v[(k + 1) % 3]);
     };
     remove(face[start]);
@@ -79,7 +79,7 @@ bool Polytope::expand(const V3& p, int start, double tolerance) {
         grown = false;
         for (int i = 0; i < faces; ++i) {
             Face& f = face[i];
-            if (!f.alive || dot(f.n, p) - f.d <= tolerance) continue;
+            if (!f.is_alive || dot(f.n, p) - f.d <= tolerance) continue;
             bool next = false;
             for (int k = 0; k < edges && !next; ++k)
                 for (int m = 0; m < 3; ++m)
@@ -95,7 +95,7 @@ bool Polytope::expand(const V3& p, int start, double tolerance) {
     return true;
 }
 
-V3 difference(const Convex& a, const Convex& b, const V3& m) {
+V3 support_difference(const Convex& a, const Convex& b, const V3& m) {
     return support(b, m) - support(a, -m);
 }
 
@@ -108,16 +108,16 @@ bool start(const Convex& a, const Convex& b, double size, Polytope& out) {
     const auto find = [&](const V3* ways, int count, V3& best, auto&& measure) {
         double most = -1.0;
         for (int i = 0; i < 2 * count; ++i) {
-            const V3 q = difference(a, b, i % 2 ? -ways[i / 2] : ways[i / 2]);
+            const V3 q = support_difference(a, b, i % 2 ? -ways[i / 2] : ways[i / 2]);
             const double x = measure(q);
             if (x > most) most = x, best = q;
         }
         return most > flat;
     };
     const V3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    p[0] = difference(a, b, axes[0]);
+    p[0] = support_difference(a, b, axes[0]);
     if (!find(axes, 3, p[1], [&](const V3& q) { return norm(q - p[0]); })) return false;
-    const V3 u = normalized(p[1] - p[0]), v = any_across(u), across[2] = {v, cross(u, v)};
+    const V3 u = normalized(p[1] - p[0]), v = any_perpendicular(u), across[2] = {v, cross(u, v)};
     if (!find(across, 2, p[2], [&](const V3& q) { return norm(cross(q - p[0], u)); })) return false;
     const V3 n = normalized(cross(p[1] - p[0], p[2] - p[0]));
     if (!find(&n, 1, p[3], [&](const V3& q) { return std::fabs(dot(q - p[0], n)); })) return false;
@@ -133,14 +133,14 @@ bool start(const Convex& a, const Convex& b, double size, Polytope& out) {
 V3 epa(const Convex& a, const Convex& b) {
     const double size = a.size + b.size;
     Polytope polytope;
-    V3 best = normalized(any_across(a.c - b.c + V3{1e-30, 0, 0}));
+    V3 best = normalized(any_perpendicular(a.c - b.c + V3{1e-30, 0, 0}));
     if (!start(a, b, size, polytope)) return best;
     double least = 1e300;
     for (;;) {
         const int i = polytope.nearest();
         if (i < 0) return best;
         const V3 n = polytope.face[i].n;
-        const V3 w = difference(a, b, n);
+        const V3 w = support_difference(a, b, n);
         const double reach = dot(w, n);  // Support −s(−n).
         if (reach < least) least = reach, best = -n;
         if (reach - polytope.face[i].d <= 1e-12 * size) return best;

@@ -110,7 +110,7 @@ GjkResult gjk(const Convex& a, const Convex& b, double enough) {
         last = now;
         v = next;
     }
-    result.apart = true;
+    result.separated = true;
     result.distance = norm(v);
     result.n = (1.0 / result.distance) * v;
     return result;

@@ -10,7 +10,7 @@
 namespace hawser::collide::narrow {
 
 struct GjkResult {
-    bool apart;       ///< False if the cores overlap or are nearer than 1e-10 of their size.
+    bool separated;   ///< False if the cores overlap or are nearer than 1e-10 of their size.
     V3 n;             ///< Unit normal from a to b; valid if apart.
     double distance;  ///< Distance of the cores [m]; a lower bound if it exceeds `enough`.
 };

@@ -39,7 +39,7 @@ struct Ground {
 
 int node_of(const Ground& g, int i, int j) { return i * g.data.columns + j; }
 
-int ring(const SurfaceTriangle& t, int corner, V3* out);
+int fan_around_corner(const SurfaceTriangle& t, int corner, V3* out);
 
 /// Return a triangle of cell (i, j) with the third corners of its neighbours.
 SurfaceTriangle triangle_of(const Ground& g, int i, int j, bool upper) {
@@ -59,11 +59,11 @@ SurfaceTriangle triangle_of(const Ground& g, int i, int j, bool upper) {
     out.surface = &g;
     out.index = 2 * node_of(g, i, j) + upper;
     out.name = static_cast<std::uint32_t>(out.index);
-    out.ring = ring;
+    out.ring = fan_around_corner;
     return out;
 }
 
-int ring(const SurfaceTriangle& t, int corner, V3* out) {
+int fan_around_corner(const SurfaceTriangle& t, int corner, V3* out) {
     const Ground& g = *static_cast<const Ground*>(t.surface);
     const int node = t.index / 2, upper = t.index % 2;
     const int i = node / g.data.columns + (corner == 0 ? 0 : (corner == 1 ? upper : 1));
@@ -77,20 +77,20 @@ int ring(const SurfaceTriangle& t, int corner, V3* out) {
 
 /// Range of cells under a shape, both ends included.
 struct Cells {
-    int i0, i1, j0, j1;
+    int first_i, last_i, first_j, last_j;
 };
 
 /// Add the contact of a shape in the ground that no triangle accepted; see the head of this file.
-void claim(const Convex& shape, const Ground& g, const Cells& cells, Points& out) {
+void add_ground_contact(const Convex& shape, const Ground& g, const Cells& cells, Points& out) {
     const V3 local = middle_of(shape), middle = local + g.centre;
     const double u = middle.x / g.data.cell[0] + 0.5 * (g.data.columns - 1);
     const double v = middle.y / g.data.cell[1] + 0.5 * (g.data.rows - 1);
     Point found{};
-    for (int i = cells.i0; i <= cells.i1; ++i)
-        for (int j = cells.j0; j <= cells.j1; ++j)
+    for (int i = cells.first_i; i <= cells.last_i; ++i)
+        for (int j = cells.first_j; j <= cells.last_j; ++j)
             for (const bool upper : {false, true}) {
                 const SurfaceTriangle t = triangle_of(g, i, j, upper);
-                const Point p = along_face(shape, t, t.triangle.face);
+                const Point p = deepest_along_normal(shape, t, t.triangle.face);
                 if (p.gap >= 0.0 || (found.gap < 0.0 && p.gap <= found.gap)) continue;
                 const bool above = std::floor(v) == i && std::floor(u) == j &&
                                    (v - i > u - j) == upper &&
@@ -106,21 +106,22 @@ void claim(const Convex& shape, const Ground& g, const Cells& cells, Points& out
 void make_heightfield(const ShapeDef& def, ShapeData& out) {
     const long nodes = static_cast<long>(def.rows) * def.columns;
     if (def.rows < 2 || def.columns < 2)
-        refuse(def, "rows = " + std::to_string(def.rows) + ", columns = " +
-                        std::to_string(def.columns) + "; a heightfield needs 2 of each or more");
+        throw_shape_error(def, "rows = " + std::to_string(def.rows) +
+                                   ", columns = " + std::to_string(def.columns) +
+                                   "; a heightfield needs 2 of each or more");
     if (nodes > kMaxNodes)
-        refuse(def, "rows × columns = " + std::to_string(nodes) + "; at most " +
-                        std::to_string(kMaxNodes));
+        throw_shape_error(def, "rows × columns = " + std::to_string(nodes) + "; at most " +
+                                   std::to_string(kMaxNodes));
     if (static_cast<long>(def.heights.size()) != nodes)
-        refuse(def, "heights has " + std::to_string(def.heights.size()) +
-                        " entries; rows × columns = " + std::to_string(nodes));
+        throw_shape_error(def, "heights has " + std::to_string(def.heights.size()) +
+                                   " entries; rows × columns = " + std::to_string(nodes));
     for (int k = 0; k < 2; ++k)
         if (!(def.cell[k] > 0.0) || !std::isfinite(def.cell[k]))
-            refuse(def, "cell[" + std::to_string(k) + "] = " + std::to_string(def.cell[k]) +
-                            " must be positive");
+            throw_shape_error(def, "cell[" + std::to_string(k) +
+                                       "] = " + std::to_string(def.cell[k]) + " must be positive");
     for (std::size_t i = 0; i < def.heights.size(); ++i)
         if (!std::isfinite(def.heights[i]))
-            refuse(def, "heights[" + std::to_string(i) + "] is not finite");
+            throw_shape_error(def, "heights[" + std::to_string(i) + "] is not finite");
     out.rows = def.rows;
     out.columns = def.columns;
     out.cell[0] = def.cell[0];
@@ -138,24 +139,24 @@ void make_heightfield(const ShapeDef& def, ShapeData& out) {
 HAWSER_PAIR(convex_heightfield) {
     out.count = 0;
     const ShapeData& data = *b.data;
-    const Placement local = seen_from(pa, pb);
+    const Placement local = view_from(pa, pb);
     const Bounds box = bounds(a, local);
     if (box.low[2] >= data.high[2] + margin) return;
     const auto cell = [&](double x, int axis_index, int count) {
         const double i = std::floor(x / data.cell[axis_index] + 0.5 * (count - 1));
         return static_cast<int>(clamp(i, -1.0, static_cast<double>(count - 1)));
     };
-    const int j0 = std::max(0, cell(box.low[0] - margin, 0, data.columns));
-    const int j1 = std::min(data.columns - 2, cell(box.high[0] + margin, 0, data.columns));
-    const int i0 = std::max(0, cell(box.low[1] - margin, 1, data.rows));
-    const int i1 = std::min(data.rows - 2, cell(box.high[1] + margin, 1, data.rows));
+    const int first_j = std::max(0, cell(box.low[0] - margin, 0, data.columns));
+    const int last_j = std::min(data.columns - 2, cell(box.high[0] + margin, 0, data.columns));
+    const int first_i = std::max(0, cell(box.low[1] - margin, 1, data.rows));
+    const int last_i = std::min(data.rows - 2, cell(box.high[1] + margin, 1, data.rows));
     const Ground ground{data, generic::load3(local.x)};
     const Convex shape = make_convex(a, local, local.x);
     const double lowest = box.low[2] - margin - local.x[2];
     Points points;
     Point nearest{};  // unused for a solid
-    for (int i = i0; i <= i1; ++i)
-        for (int j = j0; j <= j1; ++j) {
+    for (int i = first_i; i <= last_i; ++i)
+        for (int j = first_j; j <= last_j; ++j) {
             const double top = std::max({ground.node(i, j).z, ground.node(i, j + 1).z,
                                          ground.node(i + 1, j).z, ground.node(i + 1, j + 1).z});
             if (top <= lowest) continue;
@@ -164,7 +165,8 @@ HAWSER_PAIR(convex_heightfield) {
                 touch_triangle(shape, triangle_of(ground, i, j, upper), margin, points, nearest);
             }
         }
-    if (none_overlaps(points)) claim(shape, ground, {i0, i1, j0, j1}, points);
+    if (none_overlaps(points))
+        add_ground_contact(shape, ground, {first_i, last_i, first_j, last_j}, points);
     finish_surface(points, pb, ground.centre, shape, out);
 }
 

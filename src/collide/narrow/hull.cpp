@@ -23,7 +23,7 @@ struct Triangle {
     V3 n;
     double d;
     std::vector<int> outside;  ///< Points above this triangle and above no earlier one.
-    bool alive = true;
+    bool is_alive = true;
 };
 
 class Builder {
@@ -33,13 +33,13 @@ class Builder {
     void triangles() {
         start();
         for (std::size_t f = 0; f < faces_.size(); ++f)
-            while (faces_[f].alive && !faces_[f].outside.empty()) expand(f);
-        std::erase_if(faces_, [](const Triangle& t) { return !t.alive; });
+            while (faces_[f].is_alive && !faces_[f].outside.empty()) expand(f);
+        std::erase_if(faces_, [](const Triangle& t) { return !t.is_alive; });
     }
     void merge(ShapeData& out);
 
   private:
-    double over(const Triangle& t, int i) const { return dot(t.n, p_[i]) - t.d; }
+    double height_above(const Triangle& t, int i) const { return dot(t.n, p_[i]) - t.d; }
     bool add(int i, int j, int k) {
         const V3 n = cross(p_[j] - p_[i], p_[k] - p_[i]);
         const double length = norm(n);
@@ -50,10 +50,10 @@ class Builder {
         return true;
     }
     /// Assign each point to the first triangle from `first` on that it is above.
-    void deal(const std::vector<int>& points, std::size_t first) {
+    void assign_points(const std::vector<int>& points, std::size_t first) {
         for (const int i : points)
             for (std::size_t f = first; f < faces_.size(); ++f)
-                if (over(faces_[f], i) > tolerance_) {
+                if (height_above(faces_[f], i) > tolerance_) {
                     faces_[f].outside.push_back(i);
                     break;
                 }
@@ -81,14 +81,14 @@ void Builder::start() {
     size_ = norm(p_[b] - p_[a]);
     tolerance_ = 1e-9 * size_;
     const char* const flat = "vertices lie in one plane; a hull needs four that do not";
-    if (!(size_ > 0.0)) refuse(def_, flat);
+    if (!(size_ > 0.0)) throw_shape_error(def_, flat);
     const V3 u = normalized(p_[b] - p_[a]);
     const int c = furthest([&](const V3& q) { return norm(cross(q - p_[a], u)); });
-    if (norm(cross(p_[c] - p_[a], u)) < 1e-6 * size_) refuse(def_, flat);
+    if (norm(cross(p_[c] - p_[a], u)) < 1e-6 * size_) throw_shape_error(def_, flat);
     const V3 n = normalized(cross(p_[b] - p_[a], p_[c] - p_[a]));
     const int d = furthest([&](const V3& q) { return std::fabs(dot(q - p_[a], n)); });
     const double height = dot(p_[d] - p_[a], n);
-    if (std::fabs(height) < 1e-6 * size_) refuse(def_, flat);
+    if (std::fabs(height) < 1e-6 * size_) throw_shape_error(def_, flat);
     const int x = height > 0.0 ? c : b, y = height > 0.0 ? b : c;
     add(a, x, y);
     add(a, y, d);
@@ -96,18 +96,18 @@ void Builder::start() {
     add(x, a, d);
     std::vector<int> all(p_.size());
     for (int i = 0; i < count; ++i) all[i] = i;
-    deal(all, 0);
+    assign_points(all, 0);
 }
 
 void Builder::expand(std::size_t seed) {
     int apex = faces_[seed].outside[0];
     for (const int i : faces_[seed].outside)
-        if (over(faces_[seed], i) > over(faces_[seed], apex)) apex = i;
+        if (height_above(faces_[seed], i) > height_above(faces_[seed], apex)) apex = i;
     // Grow the patch below the apex from the seed over shared edges.
     std::map<std::pair<int, int>, int> rim;
     std::vector<int> loose;
     const auto remove = [&](Triangle& t) {
-        t.alive = false;
+        t.is_alive = false;
         loose.insert(loose.end(), t.outside.begin(), t.outside.end());
         t.outside.clear();
         for (int k = 0; k < 3; ++k) {
@@ -119,17 +119,17 @@ void Builder::expand(std::size_t seed) {
     for (bool grown = true; grown;) {
         grown = false;
         for (Triangle& t : faces_) {
-            if (!t.alive || over(t, apex) <= 1e-3 * tolerance_) continue;
-            for (int k = 0; k < 3 && t.alive; ++k)
+            if (!t.is_alive || height_above(t, apex) <= 1e-3 * tolerance_) continue;
+            for (int k = 0; k < 3 && t.is_alive; ++k)
                 if (rim.contains({t.v[(k + 1) % 3], t.v[k]})) remove(t), grown = true;
         }
     }
     const std::size_t first = faces_.size();
     for (const auto& [edge, one] : rim)
         if (!add(edge.first, edge.second, apex))
-            refuse(def_, "vertices are too close to each other for a hull");
+            throw_shape_error(def_, "vertices are too close to each other for a hull");
     std::erase(loose, apex);
-    deal(loose, first);
+    assign_points(loose, first);
 }
 
 /// Merge coplanar triangles into faces, largest triangles first.
@@ -165,7 +165,7 @@ void Builder::merge(ShapeData& out) {
                 if (group[g] >= 0) continue;
                 bool flat = dot(faces_[g].n, faces_[seed].n) > 0.99;
                 for (const int i : faces_[g].v)
-                    flat = flat && std::fabs(over(faces_[seed], i)) < 10.0 * tolerance_;
+                    flat = flat && std::fabs(height_above(faces_[seed], i)) < 10.0 * tolerance_;
                 if (flat) group[g] = seed, members.push_back(g);
             }
         }
@@ -204,7 +204,7 @@ void link(const ShapeDef& def, ShapeData& out) {
         }
     }
     const std::size_t v = out.vertices.size(), e = out.edges.size(), f = out.faces.size();
-    if (v + f != e + 2) refuse(def, "vertices are too close to each other for a hull");
+    if (v + f != e + 2) throw_shape_error(def, "vertices are too close to each other for a hull");
     out.star.assign(v + 1, 0);
     for (const HullEdge& edge : out.edges)
         for (const int i : edge.vertex) ++out.star[i + 1];
@@ -219,19 +219,19 @@ void link(const ShapeDef& def, ShapeData& out) {
 
 void make_hull(const ShapeDef& def, ShapeData& out) {
     if (def.vertices.size() < 4)
-        refuse(def, "vertices has " + std::to_string(def.vertices.size()) +
-                        " points; a hull needs four that do not lie in one plane");
+        throw_shape_error(def, "vertices has " + std::to_string(def.vertices.size()) +
+                                   " points; a hull needs four that do not lie in one plane");
     if (def.vertices.size() > kMaxInput)
-        refuse(def, "vertices has " + std::to_string(def.vertices.size()) + " points; at most " +
-                        std::to_string(kMaxInput));
+        throw_shape_error(def, "vertices has " + std::to_string(def.vertices.size()) +
+                                   " points; at most " + std::to_string(kMaxInput));
     std::vector<V3> points;
     for (const Vec3& v : def.vertices) points.push_back({v.x(), v.y(), v.z()});
     Builder builder(def, std::move(points));
     builder.triangles();
     builder.merge(out);
     if (out.vertices.size() > kMaxHull)
-        refuse(def, "vertices has " + std::to_string(out.vertices.size()) +
-                        " points on its hull; at most " + std::to_string(kMaxHull));
+        throw_shape_error(def, "vertices has " + std::to_string(out.vertices.size()) +
+                                   " points on its hull; at most " + std::to_string(kMaxHull));
     link(def, out);
     for (const V3& v : out.vertices) out.middle = out.middle + v;
     out.middle = (1.0 / static_cast<double>(out.vertices.size())) * out.middle;

@@ -20,10 +20,10 @@ constexpr double kDeeper = 1e-8;
 constexpr double kFlat = 1e-6;
 
 /// Return the point of smallest gap in the overlap of the parts that face each other exactly.
-Point deepest(const Convex& a, const Convex& b, const V3& n, double separation, double size) {
+Point deepest_point(const Convex& a, const Convex& b, const V3& n, double separation, double size) {
     Poly pa, pb;
-    facing(a, n, kFlat, pa);
-    facing(b, -n, kFlat, pb);
+    facing_polygon(a, n, kFlat, pa);
+    facing_polygon(b, -n, kFlat, pb);
     Points found;
     overlap(pa, pb, n, separation, kSnap * size, found);
     const std::uint32_t name = feature(3, pa.vertex[0], pb.vertex[0]);
@@ -127,13 +127,13 @@ void add_points(const Convex& a, const Convex& b, const V3& n, double separation
     if (separation - rounding >= margin) return;
     const double size = a.size + b.size + rounding;
     Poly pa, pb;
-    facing(a, n, kTilt, pa);
-    facing(b, -n, kTilt, pb);
+    facing_polygon(a, n, kTilt, pa);
+    facing_polygon(b, -n, kTilt, pb);
     const int first = out.count;
     overlap(pa, pb, n, separation, kSnap * size, out);
     double least = separation + 1.0 + size;
     for (int i = first; i < out.count; ++i) least = std::fmin(least, out.p[i].gap);
-    if (least > separation + kDeeper * size) out.add(deepest(a, b, n, separation, size));
+    if (least > separation + kDeeper * size) out.add(deepest_point(a, b, n, separation, size));
     int kept = first;
     for (int i = first; i < out.count; ++i) {
         Point p = out.p[i];

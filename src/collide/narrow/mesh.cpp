@@ -57,7 +57,7 @@ struct TreeBuilder {
 };
 
 /// Sort the triangles in the order of the tree.
-void plant(ShapeData& mesh) {
+void sort_by_tree(ShapeData& mesh) {
     const int count = static_cast<int>(mesh.triangles.size() / 3);
     TreeBuilder tree{mesh, std::vector<int>(count), std::vector<V3>(count)};
     for (int t = 0; t < count; ++t) {
@@ -145,10 +145,10 @@ SurfaceTriangle triangle_of(const Seen& seen, int t) {
 }  // namespace
 
 void make_mesh(const ShapeDef& def, ShapeData& out) {
-    if (def.triangles.empty()) refuse(def, "triangles is empty");
+    if (def.triangles.empty()) throw_shape_error(def, "triangles is empty");
     if (def.triangles.size() > kMaxTriangles || def.vertices.size() > kMaxTriangles)
-        refuse(def, "a mesh has at most " + std::to_string(kMaxTriangles) +
-                        " triangles and as many vertices");
+        throw_shape_error(def, "a mesh has at most " + std::to_string(kMaxTriangles) +
+                                   " triangles and as many vertices");
     for (const Vec3& v : def.vertices) out.vertices.push_back({v.x(), v.y(), v.z()});
     const int count = static_cast<int>(def.vertices.size());
     for (std::size_t t = 0; t < def.triangles.size(); ++t) {
@@ -156,8 +156,8 @@ void make_mesh(const ShapeDef& def, ShapeData& out) {
         const std::string where = "triangles[" + std::to_string(t) + "]";
         for (const std::int32_t i : corners) {
             if (i < 0 || i >= count)
-                refuse(def, where + " names vertex " + std::to_string(i) + "; there are " +
-                                std::to_string(count));
+                throw_shape_error(def, where + " names vertex " + std::to_string(i) +
+                                           "; there are " + std::to_string(count));
             out.triangles.push_back(i);
         }
         const V3 &a = out.vertices[corners[0]], &b = out.vertices[corners[1]],
@@ -165,16 +165,16 @@ void make_mesh(const ShapeDef& def, ShapeData& out) {
         const double longest = std::max({norm(b - a), norm(c - b), norm(a - c)});
         // Thinner triangles have no well-defined normal.
         if (!(norm(cross(b - a, c - a)) > 1e-9 * longest * longest))
-            refuse(def, where + " has no area; leave it out");
+            throw_shape_error(def, where + " has no area; leave it out");
     }
-    plant(out);
+    sort_by_tree(out);
     find_neighbours(out);
 }
 
 HAWSER_PAIR(convex_mesh) {
     out.count = 0;
     const ShapeData& mesh = *b.data;
-    const Placement local = seen_from(pa, pb);
+    const Placement local = view_from(pa, pb);
     const Bounds box = bounds(a, local);
     // Use coordinates relative to the centre of the shape, so that a large mesh loses no digits.
     const Convex shape = make_convex(a, local, local.x);

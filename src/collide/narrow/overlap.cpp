@@ -22,9 +22,9 @@ struct Shadow {
 
 struct View {
     V3 n, u, v, centre;
-    Flat flatten(const V3& p) const { return {dot(p - centre, u), dot(p - centre, v)}; }
+    Flat project_to_view(const V3& p) const { return {dot(p - centre, u), dot(p - centre, v)}; }
     /// Return the point over q on the plane of a polygon.
-    V3 lift(const Flat& q, const Shadow& s) const {
+    V3 lift_to_polygon(const Flat& q, const Shadow& s) const {
         const V3 foot = centre + q.x * u + q.y * v;
         return foot + (dot(s.normal, s.base - foot) / dot(s.normal, n)) * n;
     }
@@ -33,7 +33,7 @@ struct View {
 void project(const View& view, const Poly& poly, Shadow& out) {
     out.count = poly.count;
     for (int i = 0; i < poly.count; ++i) {
-        out.p[i] = view.flatten(poly.p[i]);
+        out.p[i] = view.project_to_view(poly.p[i]);
         out.vertex[i] = poly.vertex[i];
         out.edge[i] = poly.edge[i];
     }
@@ -100,11 +100,12 @@ int clip(const Corner* in, int count, const Flat& p, const Flat& q, int clip_edg
     return kept;
 }
 
-void put(const V3& on0, const V3& on1, const V3& n, std::uint32_t name, Points& out) {
+void add_point(const V3& on0, const V3& on1, const V3& n, std::uint32_t name, Points& out) {
     out.add({on0, on1, n, dot(on1 - on0, n), name});
 }
 
-void polygons(const View& view, const Shadow& a, const Shadow& b, double snap, Points& out) {
+void intersect_polygons(const View& view, const Shadow& a, const Shadow& b, double snap,
+                        Points& out) {
     Corner buffer[2][2 * kMaxPoly];
     Corner *now = buffer[0], *next = buffer[1];
     int count = a.count;
@@ -115,14 +116,15 @@ void polygons(const View& view, const Shadow& a, const Shadow& b, double snap, P
         std::swap(now, next);
     }
     for (int i = 0; i < count; ++i)
-        put(view.lift(now[i].p, a), view.lift(now[i].p, b), view.n, now[i].name, out);
+        add_point(view.lift_to_polygon(now[i].p, a), view.lift_to_polygon(now[i].p, b), view.n,
+                  now[i].name, out);
 }
 
 /// Add the part of the segment s over the polygon. @param first  True if the segment belongs to
 /// shape 0.
 void segment_polygon(const View& view, const Poly& s, const Shadow& polygon, bool first,
                      double snap, Points& out) {
-    const Flat p = view.flatten(s.p[0]), q = view.flatten(s.p[1]);
+    const Flat p = view.project_to_view(s.p[0]), q = view.project_to_view(s.p[1]);
     const unsigned own = first ? 0U : 1U;
     // Two cuts at one corner of the polygon differ only by rounding; the first edge applies.
     const double same = snap / norm(s.p[1] - s.p[0]);
@@ -148,15 +150,15 @@ void segment_polygon(const View& view, const Poly& s, const Shadow& polygon, boo
     if (t[0] > t[1] + same) return;
     for (int end = 0; end < 2; ++end) {
         const V3 on = s.p[0] + t[end] * (s.p[1] - s.p[0]);
-        const V3 other = view.lift(view.flatten(on), polygon);
-        put(first ? on : other, first ? other : on, view.n, name[end], out);
+        const V3 other = view.lift_to_polygon(view.project_to_view(on), polygon);
+        add_point(first ? on : other, first ? other : on, view.n, name[end], out);
         if (t[1] - t[0] <= same) return;
     }
 }
 
 void segments(const View& view, const Poly& a, const Poly& b, double snap, Points& out) {
-    const Flat p = view.flatten(a.p[0]), p1 = view.flatten(a.p[1]);
-    const Flat q = view.flatten(b.p[0]), q1 = view.flatten(b.p[1]);
+    const Flat p = view.project_to_view(a.p[0]), p1 = view.project_to_view(a.p[1]);
+    const Flat q = view.project_to_view(b.p[0]), q1 = view.project_to_view(b.p[1]);
     const Flat d{p1.x - p.x, p1.y - p.y}, e{q1.x - q.x, q1.y - q.y}, w{q.x - p.x, q.y - p.y};
     const double dd = d.x * d.x + d.y * d.y, ee = e.x * e.x + e.y * e.y;
     const double turn = d.x * e.y - d.y * e.x;
@@ -167,8 +169,8 @@ void segments(const View& view, const Poly& a, const Poly& b, double snap, Point
         const double s = (w.x * e.y - w.y * e.x) / turn, t = (w.x * d.y - w.y * d.x) / turn;
         const double ds = snap / std::sqrt(dd), dt = snap / std::sqrt(ee);
         if (s < -ds || s > 1.0 + ds || t < -dt || t > 1.0 + dt) return;
-        return put(a.p[0] + clamp(s, 0.0, 1.0) * da, b.p[0] + clamp(t, 0.0, 1.0) * db, view.n,
-                   feature(2, a.edge[0], b.edge[0]), out);
+        return add_point(a.p[0] + clamp(s, 0.0, 1.0) * da, b.p[0] + clamp(t, 0.0, 1.0) * db, view.n,
+                         feature(2, a.edge[0], b.edge[0]), out);
     }
     // Project the ends of b on a.
     double s[2] = {0.0, 1.0};
@@ -182,8 +184,8 @@ void segments(const View& view, const Poly& a, const Poly& b, double snap, Point
     if (r[1 - low] < s[1] - ds) s[1] = r[1 - low], name[1] = feature(1, b.vertex[1 - low], 0);
     if (s[0] > s[1]) return;
     for (int end = 0; end < 2; ++end)
-        put(a.p[0] + s[end] * da, b.p[0] + clamp((s[end] - r[0]) / along, 0.0, 1.0) * db, view.n,
-            name[end], out);
+        add_point(a.p[0] + s[end] * da, b.p[0] + clamp((s[end] - r[0]) / along, 0.0, 1.0) * db,
+                  view.n, name[end], out);
 }
 
 }  // namespace
@@ -191,10 +193,12 @@ void segments(const View& view, const Poly& a, const Poly& b, double snap, Point
 void overlap(const Poly& a, const Poly& b, const V3& n, double separation, double snap,
              Points& out) {
     if (a.count == 1)
-        return put(a.p[0], a.p[0] + separation * n, n, feature(0, a.vertex[0], b.vertex[0]), out);
+        return add_point(a.p[0], a.p[0] + separation * n, n, feature(0, a.vertex[0], b.vertex[0]),
+                         out);
     if (b.count == 1)
-        return put(b.p[0] - separation * n, b.p[0], n, feature(1, b.vertex[0], a.vertex[0]), out);
-    View view{n, any_across(n), {}, a.p[0]};
+        return add_point(b.p[0] - separation * n, b.p[0], n, feature(1, b.vertex[0], a.vertex[0]),
+                         out);
+    View view{n, any_perpendicular(n), {}, a.p[0]};
     view.v = cross(n, view.u);
     if (a.count == 2 && b.count == 2) return segments(view, a, b, snap, out);
     Shadow shadow[2];
@@ -202,7 +206,7 @@ void overlap(const Poly& a, const Poly& b, const V3& n, double separation, doubl
     if (b.count > 2) project(view, b, shadow[1]);
     if (a.count == 2) return segment_polygon(view, a, shadow[1], true, snap, out);
     if (b.count == 2) return segment_polygon(view, b, shadow[0], false, snap, out);
-    polygons(view, shadow[0], shadow[1], snap, out);
+    intersect_polygons(view, shadow[0], shadow[1], snap, out);
 }
 
 }  // namespace hawser::collide::narrow

@@ -70,7 +70,7 @@ V3 gradient(const Convex& a, const Convex& b, const V3& n) {
 
 /// Find the maximum of s(n) over n perpendicular to e, near the guess. Bisection on the slope along
 /// the circle also finds kinks. @return false if no maximum is nearby.
-bool around(const Convex& a, const Convex& b, const V3& e, const V3& guess, V3& n) {
+bool maximum_around_edge(const Convex& a, const Convex& b, const V3& e, const V3& guess, V3& n) {
     const V3 across = guess - dot(guess, e) * e;
     const V3 u = normalized(across), v = cross(e, u);
     const auto slope = [&](double x) {
@@ -126,9 +126,9 @@ void add_curvature(const Convex& s, const V3& n, const V3& u, const V3& v, doubl
 }
 
 /// Find a maximum of s on the sphere by Newton's method, where s is smooth.
-V3 newton(const Convex& a, const Convex& b, V3 n) {
+V3 newton_maximum(const Convex& a, const Convex& b, V3 n) {
     for (int i = 0; i < 8; ++i) {
-        const V3 u = any_across(n), v = cross(n, u), g = gradient(a, b, n);
+        const V3 u = any_perpendicular(n), v = cross(n, u), g = gradient(a, b, n);
         double h[3] = {0.0, 0.0, 0.0};
         add_curvature(a, n, u, v, h);
         add_curvature(b, n, u, v, h);
@@ -184,12 +184,12 @@ Separation polish(const Convex& a, const Convex& b, const V3& guess, double most
         const double s = separation_along(a, b, n);
         if (s > best.s + (exact ? tie : -tie)) best = {n, s};
     };
-    refine(newton(a, b, guess));
+    refine(newton_maximum(a, b, guess));
     V3 n;
     for (int i = 0; i < of_a.edges; ++i)
-        if (around(a, b, of_a.edge[i], guess, n)) refine(n);
+        if (maximum_around_edge(a, b, of_a.edge[i], guess, n)) refine(n);
     for (int i = 0; i < of_b.edges; ++i)
-        if (around(a, b, of_b.edge[i], guess, n)) refine(n);
+        if (maximum_around_edge(a, b, of_b.edge[i], guess, n)) refine(n);
     return best;
 }
 

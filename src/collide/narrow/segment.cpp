@@ -17,7 +17,7 @@ bool over(const Convex& t, const V3& p) {
 
 /// Return the vector from the nearest point of a solid cylinder to p, in its frame. @param rate
 /// Output: second derivative of half its square along d.
-V3 excess(const V3& p, const V3& d, double radius, double half_length, double& rate) {
+V3 distance_to_cylinder(const V3& p, const V3& d, double radius, double half_length, double& rate) {
     V3 by{0, 0, 0};
     rate = 0.0;
     const double across = std::sqrt(p.x * p.x + p.y * p.y);
@@ -75,7 +75,7 @@ bool segment_cylinder(const Segment& a, const Convex& cylinder, Separation& out)
     // Half of the squared distance is convex along the segment. Its slope is zero at the nearest
     // point. Newton's method within a bracket.
     double low = -a.half, high = a.half, t = clamp(-dot(c, d), low, high), rate = 0.0;
-    V3 by = excess(c + t * d, d, cylinder.radius, cylinder.half_length, rate);
+    V3 by = distance_to_cylinder(c + t * d, d, cylinder.radius, cylinder.half_length, rate);
     for (int i = 0; i < 90; ++i) {
         const double slope = dot(by, d);
         if (slope == 0.0) break;
@@ -87,7 +87,7 @@ bool segment_cylinder(const Segment& a, const Convex& cylinder, Separation& out)
         if (!(next < high)) next = i > 0 && high < a.half ? 0.5 * (low + high) : high;
         if (next == t) break;
         t = next;
-        by = excess(c + t * d, d, cylinder.radius, cylinder.half_length, rate);
+        by = distance_to_cylinder(c + t * d, d, cylinder.radius, cylinder.half_length, rate);
     }
     const double distance = norm(by);
     if (!(distance > kTouching * (a.half + cylinder.size))) return false;
@@ -95,7 +95,7 @@ bool segment_cylinder(const Segment& a, const Convex& cylinder, Separation& out)
     return true;
 }
 
-Separation leave_cylinder(const Convex& a, const Convex& cylinder) {
+Separation separate_from_cylinder(const Convex& a, const Convex& cylinder) {
     Separation best = polish(a, cylinder, epa(a, cylinder), 0.0);
     const V3 z = axis(cylinder.r, 2);
     const auto propose = [&](V3 n) {

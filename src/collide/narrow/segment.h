@@ -40,6 +40,6 @@ bool segment_triangle(const Segment& a, const Convex& triangle, Separation& out)
 bool segment_cylinder(const Segment& a, const Convex& cylinder, Separation& out);
 /// Compute the separation if a segment and a cylinder intersect. Returns the best of the expanding
 /// polytope and of the exits through the curved surface, which may be nearly equally short.
-Separation leave_cylinder(const Convex& segment, const Convex& cylinder);
+Separation separate_from_cylinder(const Convex& segment, const Convex& cylinder);
 
 }  // namespace hawser::collide::narrow

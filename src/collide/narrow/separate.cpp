@@ -71,11 +71,11 @@ Separation separate(const Convex& a, const Convex& b, double enough) {
     if (first_thin && b.kind == ShapeKind::mesh)
         return segment_triangle(segment_of(a), b, closed) ? closed : part_flat(a, b);
     if (first_thin && b.kind == ShapeKind::cylinder)
-        return segment_cylinder(segment_of(a), b, closed) ? closed : leave_cylinder(a, b);
+        return segment_cylinder(segment_of(a), b, closed) ? closed : separate_from_cylinder(a, b);
     const GjkResult apart = gjk(a, b, enough);
-    if (apart.apart && apart.distance > enough) return {apart.n, apart.distance};
-    if (!apart.apart && is_flat(a) && is_flat(b)) return part_flat(a, b);
-    if (!apart.apart) return part_solid(a, b);
+    if (apart.separated && apart.distance > enough) return {apart.n, apart.distance};
+    if (!apart.separated && is_flat(a) && is_flat(b)) return part_flat(a, b);
+    if (!apart.separated) return part_solid(a, b);
     const Separation best = polish(a, b, apart.n, apart.distance);
     // If GJK could not distinguish separation from contact, its normal is inaccurate.
     const double size = a.size + b.size;

@@ -9,7 +9,7 @@
 namespace hawser::collide {
 namespace narrow {
 
-void refuse(const ShapeDef& def, const std::string& what) {
+void throw_shape_error(const ShapeDef& def, const std::string& what) {
     throw DefError((def.name.empty() ? "shape" : "shape '" + def.name + "'") + ": " + what);
 }
 
@@ -21,7 +21,7 @@ std::unique_ptr<ShapeData> make_shape_data(const ShapeDef& def) {
         return nullptr;
     for (std::size_t i = 0; i < def.vertices.size(); ++i)
         if (!def.vertices[i].allFinite())
-            narrow::refuse(def, "vertices[" + std::to_string(i) + "] is not finite");
+            narrow::throw_shape_error(def, "vertices[" + std::to_string(i) + "] is not finite");
     auto out = std::make_unique<ShapeData>();
     out->kind = def.kind;
     if (def.kind == ShapeKind::hull) narrow::make_hull(def, *out);

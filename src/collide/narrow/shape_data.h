@@ -68,7 +68,7 @@ void make_hull(const ShapeDef& def, ShapeData& out);
 void make_mesh(const ShapeDef& def, ShapeData& out);
 void make_heightfield(const ShapeDef& def, ShapeData& out);
 /// Throw a DefError about a field of the shape.
-[[noreturn]] void refuse(const ShapeDef& def, const std::string& what);
+[[noreturn]] void throw_shape_error(const ShapeDef& def, const std::string& what);
 }  // namespace narrow
 
 }  // namespace hawser::collide

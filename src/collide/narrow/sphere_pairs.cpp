@@ -8,16 +8,16 @@ namespace {
 
 /// Nearest point on the surface of a solid, and the outward normal there.
 struct Nearest {
-    V3 on, n;
+    V3 nearest_point, n;
     double distance;  ///< Signed distance [m]; negative inside.
 };
 
-void emit(const V3& centre, double radius, const Nearest& to, double margin, const double* origin,
-          Manifold& out) {
+void add_contact_point(const V3& centre, double radius, const Nearest& to, double margin,
+                       const double* origin, Manifold& out) {
     const double gap = to.distance - radius;
     out.count = 0;
     if (!(gap < margin)) return;
-    finish({centre - radius * to.n, to.on, -to.n, gap, 0}, origin, out);
+    finish({centre - radius * to.n, to.nearest_point, -to.n, gap, 0}, origin, out);
 }
 
 /// Compute the nearest point for a core without volume. If both points coincide, the normal is
@@ -30,11 +30,11 @@ Nearest from_point(const V3& p, const V3& core, double radius, const V3& fallbac
 }
 
 Nearest from_box(const V3& p, const V3& half) {
-    const V3 on{clamp(p.x, -half.x, half.x), clamp(p.y, -half.y, half.y),
-                clamp(p.z, -half.z, half.z)};
-    const V3 d = p - on;
+    const V3 nearest_point{clamp(p.x, -half.x, half.x), clamp(p.y, -half.y, half.y),
+                           clamp(p.z, -half.z, half.z)};
+    const V3 d = p - nearest_point;
     const double length = norm(d);
-    if (length > 0.0) return {on, (1.0 / length) * d, length};
+    if (length > 0.0) return {nearest_point, (1.0 / length) * d, length};
     // The point is inside: use the nearest face.
     const double x = half.x - std::fabs(p.x), y = half.y - std::fabs(p.y),
                  z = half.z - std::fabs(p.z);
@@ -59,12 +59,12 @@ Nearest from_cylinder(const V3& p, double radius, double half_length) {
         if (over_cap >= over_rim) return {{p.x, p.y, s * half_length}, {0, 0, s}, over_cap};
         return {{radius * out.x, radius * out.y, p.z}, out, over_rim};
     }
-    const V3 on{clamp(across, 0.0, radius) * out.x, clamp(across, 0.0, radius) * out.y,
-                clamp(p.z, -half_length, half_length)};
+    const V3 nearest_point{clamp(across, 0.0, radius) * out.x, clamp(across, 0.0, radius) * out.y,
+                           clamp(p.z, -half_length, half_length)};
     const V3 d =
         (over_rim > 0.0 ? over_rim : 0.0) * out + V3{0, 0, over_cap > 0.0 ? s * over_cap : 0.0};
     const double length = norm(d);
-    return {on, (1.0 / length) * d, length};
+    return {nearest_point, (1.0 / length) * d, length};
 }
 
 /// Collide a sphere at p with a solid, in the frame of the solid.
@@ -74,9 +74,9 @@ void in_frame(const Geometry& a, const Placement& pa, const Placement& pb, doubl
     const M3 r = generic::load9(pb.r);
     const V3 d = generic::load3(pa.x) - generic::load3(pb.x);
     Nearest to = solid(tmul(r, d));
-    to.on = r * to.on;
+    to.nearest_point = r * to.nearest_point;
     to.n = r * to.n;
-    emit(d, a.radius, to, margin, pb.x, out);
+    add_contact_point(d, a.radius, to, margin, pb.x, out);
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ void in_frame(const Geometry& a, const Placement& pa, const Placement& pb, doubl
 HAWSER_PAIR(sphere_sphere) {
     const V3 d = generic::load3(pa.x) - generic::load3(pb.x);
     const V3 up = axis(generic::load9(pb.r), 2);
-    emit(d, a.radius, from_point(d, {0, 0, 0}, b.radius, up), margin, pb.x, out);
+    add_contact_point(d, a.radius, from_point(d, {0, 0, 0}, b.radius, up), margin, pb.x, out);
 }
 
 HAWSER_PAIR(sphere_capsule) {
@@ -109,7 +109,7 @@ HAWSER_PAIR(sphere_plane) {
     const V3 n = axis(generic::load9(pb.r), 2);
     const V3 d = generic::load3(pa.x) - generic::load3(pb.x);
     const double height = dot(n, d);
-    emit(d, a.radius, {d - height * n, n, height}, margin, pb.x, out);
+    add_contact_point(d, a.radius, {d - height * n, n, height}, margin, pb.x, out);
 }
 
 }  // namespace hawser::collide::narrow

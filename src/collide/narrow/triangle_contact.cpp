@@ -18,9 +18,9 @@ constexpr double kDeeperFace = 1e-8;
 
 /// True if m (unit, out of the surface) is an admissible normal at the part of the triangle that
 /// faces it.
-bool allowed(const SurfaceTriangle& t, const V3& m) {
+bool is_admissible_normal(const SurfaceTriangle& t, const V3& m) {
     Poly part;
-    facing(t.triangle, m, 1e-5, part);
+    facing_polygon(t.triangle, m, 1e-5, part);
     if (part.count == 3) return true;
     const V3& v = part.p[0];
     const auto rises = [&](const V3& w) {
@@ -53,15 +53,15 @@ bool over_triangle(const Convex& t, const V3& p, double snap) {
 }
 
 /// Add the points that lie over the triangle along its normal n.
-void along_normal(const Convex& shape, const SurfaceTriangle& t, const V3& n, double margin,
-                  Points& out) {
+void add_points_along_normal(const Convex& shape, const SurfaceTriangle& t, const V3& n,
+                             double margin, Points& out) {
     Poly below, face;
-    facing(t.triangle, n, kTilt, face);
+    facing_polygon(t.triangle, n, kTilt, face);
     const double snap = kSamePoint * (shape.size + t.triangle.size);
     // If no flat part touches, accept a facing part with a larger tilt: an edge deep across a
     // ridge.
     for (const double tilt : {kTilt, 0.5}) {
-        facing(shape, -n, tilt, below);
+        facing_polygon(shape, -n, tilt, below);
         Points found;
         if (below.count == 1) {
             const double s = dot(n, below.p[0] - t.triangle.corner[0]);
@@ -95,7 +95,7 @@ V3 middle_of(const Convex& shape) {
     return shape.c + shape.r * shape.data->middle;
 }
 
-Point along_face(const Convex& shape, const SurfaceTriangle& t, const V3& n) {
+Point deepest_along_normal(const Convex& shape, const SurfaceTriangle& t, const V3& n) {
     const V3 p = support(shape, -n) - shape.rounding * n;
     const double gap = dot(n, p - t.triangle.corner[0]);
     return {p, p - gap * n, -n, gap, t.name};
@@ -129,14 +129,14 @@ void touch_triangle(const Convex& shape, const SurfaceTriangle& t, double margin
     // may lie in the plane.
     if (!t.solid && dot(m, n) < -0.5) n = -n;
     if (!t.solid && best.s < shape.rounding) {
-        const Point p = along_face(shape, t, n);
+        const Point p = deepest_along_normal(shape, t, n);
         if (nearest.gap == 0.0 || p.gap > nearest.gap) nearest = p;
     }
     Points found;
-    if (!below && allowed(t, m))
+    if (!below && is_admissible_normal(t, m))
         add_points(shape, triangle, best.n, best.s, margin, found);
     else
-        along_normal(shape, t, n, margin, found);
+        add_points_along_normal(shape, t, n, margin, found);
     const double same = 4.0 * kSamePoint * (shape.size + shape.rounding + triangle.size);
     // A shape separated from a two-sided triangle but with deep points lies over its other side.
     if (!t.solid && best.s > shape.rounding + same && !none_overlaps(found)) return;
@@ -175,7 +175,7 @@ void sort_by_gap(Points& points) {
 }
 
 /// Keep at most `most` points of each group.
-void thin(Points& points, const Convex& shape, int most) {
+void reduce_groups(Points& points, const Convex& shape, int most) {
     const double size = shape.size + shape.rounding;
     const bool row = shape.kind == ShapeKind::capsule;
     int of[kMaxPoints];
@@ -206,15 +206,15 @@ void thin(Points& points, const Convex& shape, int most) {
 void reduce_if_full(Points& points, const Convex& shape) {
     // One triangle adds at most twelve points.
     if (points.count <= kMaxPoints - 16) return;
-    thin(points, shape, 4);
-    if (points.count > kMaxPoints / 2) thin(points, shape, 1);
+    reduce_groups(points, shape, 4);
+    if (points.count > kMaxPoints / 2) reduce_groups(points, shape, 1);
     if (points.count > kMaxPoints / 2) {
         sort_by_gap(points);
         points.count = kMaxPoints / 2;
     }
 }
 
-Placement seen_from(const Placement& shape, const Placement& surface) noexcept {
+Placement view_from(const Placement& shape, const Placement& surface) noexcept {
     const M3 r = generic::load9(surface.r);
     Placement local{};
     generic::store3(local.x, tmul(r, generic::load3(shape.x) - generic::load3(surface.x)));
@@ -239,7 +239,7 @@ void finish_surface(Points& points, const Placement& surface, const V3& centre, 
     });
     int of[kMaxPoints];
     const int groups = group(points, of);
-    if (points.count > 2) thin(points, shape, groups <= 2 ? 4 : (groups <= 4 ? 2 : 1));
+    if (points.count > 2) reduce_groups(points, shape, groups <= 2 ? 4 : (groups <= 4 ? 2 : 1));
     if (points.count > kMaxManifold) {
         sort_by_gap(points);
         points.count = kMaxManifold;

@@ -42,7 +42,8 @@ void touch_triangle(const Convex& shape, const SurfaceTriangle& surface, double 
                     Point& nearest);
 
 /// Return the deepest point of a shape along the normal n of the triangle. Its gap may be positive.
-[[nodiscard]] Point along_face(const Convex& shape, const SurfaceTriangle& t, const V3& n);
+[[nodiscard]] Point deepest_along_normal(const Convex& shape, const SurfaceTriangle& t,
+                                         const V3& n);
 /// True if no point is deep.
 [[nodiscard]] bool none_overlaps(const Points& points);
 /// Return the middle of a shape. For a hull this is the mean of the vertices, because its frame may
@@ -50,7 +51,7 @@ void touch_triangle(const Convex& shape, const SurfaceTriangle& surface, double 
 [[nodiscard]] V3 middle_of(const Convex& shape);
 
 /// Return the placement of a shape in the frame of a surface.
-[[nodiscard]] Placement seen_from(const Placement& shape, const Placement& surface) noexcept;
+[[nodiscard]] Placement view_from(const Placement& shape, const Placement& surface) noexcept;
 
 /// Transform points about `centre` from the frame of the surface to the world, reduce them to at
 /// most kMaxManifold, sort and write them. Points with one normal (within 8 degrees) form a group.

@@ -9,8 +9,8 @@ namespace hawser::draw {
 namespace {
 
 /// Return the subgraph of the nodes in `chosen`, in their new order.
-BlockGraph induced(const BlockGraph& from, std::span<const std::int32_t> chosen,
-                   std::vector<std::int32_t>& number) {
+BlockGraph induced_subgraph(const BlockGraph& from, std::span<const std::int32_t> chosen,
+                            std::vector<std::int32_t>& number) {
     BlockGraph out;
     number.assign(from.size.size(), -1);
     for (std::size_t k = 0; k < chosen.size(); ++k)
@@ -30,7 +30,8 @@ BlockGraph induced(const BlockGraph& from, std::span<const std::int32_t> chosen,
 
 }  // namespace
 
-BlockGraph graph_of(const SystemView& view, std::span<const std::int32_t> part_of_body) {
+BlockGraph block_graph_of_world(const SystemView& view,
+                                std::span<const std::int32_t> part_of_body) {
     BlockGraph g;
     g.start = view.edge_start;
     g.adjacent = view.edges;
@@ -63,7 +64,7 @@ BlockGraph split_graph(const BlockGraph& whole, std::int32_t parts) {
                                              }))
                 chosen.push_back(v);
         }
-        const BlockGraph piece = induced(whole, chosen, number);
+        const BlockGraph piece = induced_subgraph(whole, chosen, number);
         const std::int32_t first = out.nodes();
         const auto base = static_cast<std::int32_t>(out.adjacent.size());
         out.size.insert(out.size.end(), piece.size.begin(), piece.size.end());
@@ -81,7 +82,7 @@ BlockGraph part_graph(const BlockGraph& split, std::int32_t part) {
     std::vector<std::int32_t> chosen, number;
     for (std::int32_t v = 0; v < split.nodes(); ++v)
         if (split.part[at(v)] == part) chosen.push_back(v);
-    BlockGraph out = induced(split, chosen, number);
+    BlockGraph out = induced_subgraph(split, chosen, number);
     out.part.assign(out.size.size(), part);
     return out;
 }

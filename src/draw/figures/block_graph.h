@@ -35,8 +35,8 @@ struct BlockGraph {
 
 /// Return the matrix of a world's last step. @param part_of_body  Part of each body; empty: no
 /// parts.
-[[nodiscard]] BlockGraph graph_of(const SystemView& view,
-                                  std::span<const std::int32_t> part_of_body = {});
+[[nodiscard]] BlockGraph block_graph_of_world(const SystemView& view,
+                                              std::span<const std::int32_t> part_of_body = {});
 
 /// Return the graph part by part: all bodies of the part, then all rows that act on one of them.
 /// Rows that act on bodies of several parts occur in each of these parts, without the bodies of the

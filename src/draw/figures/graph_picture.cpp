@@ -25,13 +25,13 @@ struct Scope {
     double half = 1.0;  ///< Half the side [m].
     Box frame;
 
-    [[nodiscard]] Point see(const Vec3& p) const {
+    [[nodiscard]] Point to_page(const Vec3& p) const {
         const double s = 0.5 * frame.width / half;
         return {frame.x + 0.5 * frame.width + s * (p[view.right] - middle.x),
                 frame.y + 0.5 * frame.height - s * (view.up_sign * p[view.up] - middle.y)};
     }
-    [[nodiscard]] bool shows(const Vec3& p) const {
-        const Point q = see(p);
+    [[nodiscard]] bool is_visible(const Vec3& p) const {
+        const Point q = to_page(p);
         return q.x >= frame.x && q.x <= frame.right() && q.y >= frame.y && q.y <= frame.bottom();
     }
 };
@@ -49,7 +49,7 @@ View widest_view(const Vec3& extent) {
     });
 }
 
-Scope scope_of(const Bounds& bounds, const Box& frame, double margin) {
+Scope visible_scope(const Bounds& bounds, const Box& frame, double margin) {
     const Vec3 extent = bounds.high - bounds.low, middle = 0.5 * (bounds.low + bounds.high);
     Scope s{.view = widest_view(extent), .middle = {}, .frame = frame};
     s.middle = {middle[s.view.right], middle[s.view.up]};
@@ -62,7 +62,7 @@ double radius(const GraphNode& n, double scale) {
     return scale * r;
 }
 
-void disc(Drawing& d, Point at, double r, Color fill, Color stroke, double width) {
+void draw_disc(Drawing& d, Point at, double r, Color fill, Color stroke, double width) {
     Path p{.points = {}, .stroke = stroke, .width = width, .fill = fill, .closed = true};
     const int corners = r < 2.5 ? 8 : 20;
     for (int k = 0; k < corners; ++k) {
@@ -89,14 +89,14 @@ void draw_edges(Drawing& d, const InteractionGraph& g, const Scope& s, bool part
             std::vector<Point> at_nodes;
             bool seen = false;
             for (const std::int32_t n : e.nodes) {
-                at_nodes.push_back(s.see(g.nodes[at(n)].position));
-                seen |= s.shows(g.nodes[at(n)].position);
+                at_nodes.push_back(s.to_page(g.nodes[at(n)].position));
+                seen |= s.is_visible(g.nodes[at(n)].position);
             }
             if (!seen) continue;
             const Color color = edge_color(g, e, parts);
             const double width = scale * (pass == 2 ? 2.6 : wide ? 4.2 : 1.1);
             for (const Vec3& p : e.fixed) {
-                const Point q = s.see(p);
+                const Point q = s.to_page(p);
                 d.line(at_nodes.front(), q, kLoose.with_alpha(170), 0.8 * scale);
                 const double r = 2.2 * scale;
                 d.box({q.x - r, q.y - r, 2 * r, 2 * r}, kWhite, kLoose, 1.0);
@@ -112,14 +112,15 @@ void draw_nodes(Drawing& d, const InteractionGraph& g, const Scope& s, bool part
     for (const bool large : {false, true})
         for (const GraphNode& n : g.nodes) {
             const bool small = n.kind == BodyKind::lump && !n.separator;
-            if (small == large || !s.shows(n.position)) continue;
+            if (small == large || !s.is_visible(n.position)) continue;
             Color fill = kInk;
             if (parts) fill = n.separator ? kWhite : n.part >= 0 ? part_color(n.part) : kLoose;
             const double r = radius(n, scale);
             if (parts && n.separator)
-                disc(d, s.see(n.position), std::max(r, 3.2 * scale), fill, kInk, 1.8);
+                draw_disc(d, s.to_page(n.position), std::max(r, 3.2 * scale), fill, kInk, 1.8);
             else
-                disc(d, s.see(n.position), r, fill, small ? kNoColor : kWhite, small ? 0.0 : 0.8);
+                draw_disc(d, s.to_page(n.position), r, fill, small ? kNoColor : kWhite,
+                          small ? 0.0 : 0.8);
         }
     if (!parts) return;
     for (const GraphEdge& e : g.edges) {
@@ -127,8 +128,8 @@ void draw_nodes(Drawing& d, const InteractionGraph& g, const Scope& s, bool part
         Vec3 middle = Vec3::Zero();
         for (const std::int32_t n : e.nodes) middle += g.nodes[at(n)].position;
         middle /= static_cast<double>(e.nodes.size());
-        if (!s.shows(middle)) continue;
-        const Point p = s.see(middle);
+        if (!s.is_visible(middle)) continue;
+        const Point p = s.to_page(middle);
         const double r = 6.5 * scale;
         d.line({p.x - r, p.y - r}, {p.x + r, p.y + r}, kCutColor, 2.4 * scale);
         d.line({p.x - r, p.y + r}, {p.x + r, p.y - r}, kCutColor, 2.4 * scale);
@@ -136,7 +137,7 @@ void draw_nodes(Drawing& d, const InteractionGraph& g, const Scope& s, bool part
 }
 
 /// Find dense groups of bodies other than wire nodes, most crowded first.
-std::vector<Bounds> crowds(const InteractionGraph& g, double reach, std::size_t most) {
+std::vector<Bounds> dense_groups(const InteractionGraph& g, double reach, std::size_t most) {
     std::vector<bool> taken(g.nodes.size(), false);
     std::vector<Bounds> out;
     const auto counts = [&](const GraphNode& n) { return n.kind != BodyKind::lump; };
@@ -165,21 +166,21 @@ std::vector<Bounds> crowds(const InteractionGraph& g, double reach, std::size_t 
 
 void draw_insets(Drawing& d, const InteractionGraph& g, const Scope& main, const Box& strip,
                  bool parts) {
-    const std::vector<Bounds> places = crowds(g, 0.14 * main.half, 3);
+    const std::vector<Bounds> places = dense_groups(g, 0.14 * main.half, 3);
     double x = strip.x;
     const char* name = "A";
     static constexpr std::array<const char*, 3> kNames{"A", "B", "C"};
     for (std::size_t k = 0; k < places.size(); ++k, x += kInsetSize + 28) {
         name = kNames[k];
         const Box box{x, strip.y, kInsetSize, kInsetSize};
-        const Scope s = scope_of(places[k], box, 1.3);
+        const Scope s = visible_scope(places[k], box, 1.3);
         d.box(box, kWhite);
         d.add(Clip{box});
         draw_edges(d, g, s, parts, 1.0);
         draw_nodes(d, g, s, parts, 1.25);
         d.add(Clip{});
         d.box(box, kNoColor, kSoft);
-        const Point p = main.see(0.5 * (places[k].low + places[k].high));
+        const Point p = main.to_page(0.5 * (places[k].low + places[k].high));
         d.add(Text{.at = {p.x + 9, p.y - 9}, .text = name, .size = 15, .bold = true, .halo = true});
         d.add(Text{
             .at = {box.x + 6, box.y + 17}, .text = name, .size = 15, .bold = true, .halo = true});
@@ -226,7 +227,7 @@ Drawing draw_graph(const InteractionGraph& graph, const GraphPicture& picture) {
     for (const GraphEdge& e : graph.edges)
         for (const Vec3& p : e.fixed) bounds.add(p);
     if (bounds.empty()) bounds.add(Vec3::Zero());
-    const Scope main = scope_of(bounds, square, 1.08);
+    const Scope main = visible_scope(bounds, square, 1.08);
     d.box(square, kWhite, kSoft);
     d.add(Clip{square});
     draw_edges(d, graph, main, picture.parts, 1.0);

@@ -15,7 +15,7 @@ bool moves(const BodyDef& def) {
 }
 
 /// Place drums at the mean position of their neighbours.
-void place_scalars(InteractionGraph& g, std::vector<std::int32_t>& number) {
+void place_drums(InteractionGraph& g, std::vector<std::int32_t>& number) {
     std::vector<Vec3> sum(g.nodes.size(), Vec3::Zero());
     std::vector<double> count(g.nodes.size(), 0.0);
     for (const GraphEdge& e : g.edges)
@@ -82,7 +82,7 @@ InteractionGraph interaction_graph(const World& world) {
     add_contacts(world, number, g);
     for (const GraphEdge& e : g.edges)
         for (const std::int32_t n : e.nodes) ++g.nodes[at(n)].degree;
-    place_scalars(g, number);
+    place_drums(g, number);
     return g;
 }
 

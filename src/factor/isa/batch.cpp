@@ -33,7 +33,7 @@ struct Columns {
 };
 
 /// Mark wrong pivots, except padding.
-HAWSER_INLINE void mark_wrong(const Columns<2>& m, int c, const V8& bad) {
+HAWSER_INLINE void mark_wrong_pivots(const Columns<2>& m, int c, const V8& bad) {
     if (!any(bad)) return;
     for (int lane_ = 0; lane_ < factor::kLaneCount; ++lane_)
         if (const std::int32_t i = m.index[8 * c + lane_]; i >= 0 && lane(bad, lane_) != 0)
@@ -106,7 +106,7 @@ inline void factor_columns(const Columns<kSides> m, int c, int n, V8& bad) {
     V8 wrong[N];
     for (int h = 0; h < kParts; ++h) factor_triangle<N, kSides>(m, c, h, t[h], wrong);
     for (int j = 0; j < N; ++j) {
-        if constexpr (kSides == 2) mark_wrong(m, c + j, wrong[j]);
+        if constexpr (kSides == 2) mark_wrong_pivots(m, c + j, wrong[j]);
         bad += wrong[j];
     }
     for (int r = c + N; r < n; r += kTile)
@@ -119,9 +119,9 @@ inline void factor_columns(const Columns<kSides> m, int c, int n, V8& bad) {
 inline void update_window(const double* l, const double* w, long stride, const BatchStep& step,
                           const Shift& shift, const double* window, double* next) {
     for (int i = 0; i < step.q / kTile; ++i) {
-        const int row = shift.from(i);
+        const int row = shift.earlier_tile(i);
         for (int j = 0; j <= i; ++j) {
-            const int column = shift.from(j);
+            const int column = shift.earlier_tile(j);
             const double* old = row < 0 || column < 0 ? nullptr : window + tile_at(row, column);
             for (int h = 0; h < kParts; ++h) {
                 const int lanes = kPartLanes * h;
@@ -154,7 +154,7 @@ inline void add_window(double* panel, const BatchStep& step, const Shift& shift,
         for (int i = j; i < shift.body; ++i)
             add(kTile * i, kTile * j, window + tile_at(i, j), i == j ? 0 : kTile);
         for (int i = 0; i < step.q / kTile; ++i)
-            if (const int row = shift.from(i); row >= 0)
+            if (const int row = shift.earlier_tile(i); row >= 0)
                 add(step.p + kTile * i, kTile * j, window + tile_at(row, j), kTile);
     }
 }
@@ -167,7 +167,7 @@ struct SlotRecord {
 constexpr int kRecordSize = sizeof(SlotRecord) / sizeof(double);  ///< Size in doubles.
 
 /// Store the SlotRecord of each slot.
-inline void write_places(int slots, double* room) {
+inline void write_slot_records(int slots, double* room) {
     for (int i = 0; i < slots; ++i) {
         const SlotRecord p{
             static_cast<std::int32_t>(tile_at(i / kTile, 0)) + kLanes * kTile * (i % kTile),
@@ -175,7 +175,7 @@ inline void write_places(int slots, double* room) {
         std::memcpy(room + kRecordSize * i, &p, sizeof p);
     }
 }
-HAWSER_INLINE SlotRecord place_of(const double* room, int slot) {
+HAWSER_INLINE SlotRecord read_slot_record(const double* room, int slot) {
     SlotRecord p;
     std::memcpy(&p, room + kRecordSize * slot, sizeof p);
     return p;
@@ -187,7 +187,7 @@ HAWSER_INLINE SlotRecord place_of(const double* room, int slot) {
 template <int kSides>
 inline void store_tails(const FactorView& view, const Batch& batch, double* const (&window)[kSides],
                         double* room) {
-    write_places(batch.max_q, room);
+    write_slot_records(batch.max_q, room);
     for (int lane = 0; lane < factor::kLaneCount; ++lane) {
         if (batch.front[lane] < 0) continue;
         const Front& front = view.fronts[batch.front[lane]];
@@ -196,9 +196,9 @@ inline void store_tails(const FactorView& view, const Batch& batch, double* cons
         if constexpr (kSides == 2) update[1] = view.upper_work + front.update;
         for (int j = 0; j < front.q; ++j) {
             const long column = static_cast<long>(j) * front.ldu;
-            const SlotRecord at_j = place_of(room, slot[j]);
+            const SlotRecord at_j = read_slot_record(room, slot[j]);
             for (int i = j; i < front.q; ++i) {
-                const SlotRecord at_i = place_of(room, slot[i]);
+                const SlotRecord at_i = read_slot_record(room, slot[i]);
                 const bool turned = at_i.row < at_j.row;
                 const long entry =
                     lane + (turned ? at_j.row + at_i.column : at_i.row + at_j.column);

@@ -52,7 +52,7 @@ HAWSER_INLINE void with_size(int n, F&& f) {
 struct Shift {
     int body, window, before;  ///< Tiles of a body; of the window; of the update slots before.
     /// Return the earlier tile, −1: new in this step.
-    [[nodiscard]] HAWSER_INLINE int from(int tile) const {
+    [[nodiscard]] HAWSER_INLINE int earlier_tile(int tile) const {
         if (tile < window) return tile + body < window && before > 0 ? tile + body : -1;
         return tile < before ? tile : -1;
     }

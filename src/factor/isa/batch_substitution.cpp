@@ -19,7 +19,7 @@ using factor::Front;
 
 /// Prefetch a panel that is read some steps later. Substitutions read each entry once, and large
 /// factors come from memory.
-HAWSER_INLINE void ask_for_panel(const double* panel, const BatchStep& step) {
+HAWSER_INLINE void prefetch_panel(const double* panel, const BatchStep& step) {
     const double* p = panel + step.panel;
     const long size = 8L * step.p * (step.p + step.q);
     for (long i = 0; i < size; i += 64 / static_cast<long>(sizeof(double)))
@@ -58,7 +58,7 @@ inline void forward_rigid(const FactorView& view, const BatchStep& step, const S
     }
     const double* row = panel + kRigid * kRigidStride;
     for (int i = 0; i < step.q; i += kTile, row += kTile * kRigidStride) {
-        const int from = shift.from(i / kTile);
+        const int from = shift.earlier_tile(i / kTile);
         for (int a = 0; a < kTile; ++a) {
             V8 v = from >= 0 ? load(carried + 8 * (kTile * from + a)) : V8{};
             for (int k = 0; k < kRigid; ++k) v -= load(row + a * kRigidStride + 8 * k) * y[k];
@@ -107,7 +107,7 @@ void forward_batch(const FactorView& view, const Batch& batch, std::int32_t begi
     for (std::int32_t k = begin; k < end; ++k) {
         const BatchStep& step = view.batch_steps[k];
         if (view.distant && k + kAhead < end)
-            ask_for_panel(view.panel, view.batch_steps[k + kAhead]);
+            prefetch_panel(view.panel, view.batch_steps[k + kAhead]);
         if (kRigidInRegisters && is_rigid(view, batch, k)) {
             forward_rigid(view, step, shift, x, carried, next);
             std::swap(carried, next);
@@ -126,7 +126,7 @@ void forward_batch(const FactorView& view, const Batch& batch, std::int32_t begi
             store(y + 8 * i, v);
         }
         for (int i = 0; i < step.q; i += kTile) {
-            const int from = shift.from(i / kTile);
+            const int from = shift.earlier_tile(i / kTile);
             V8 v[kTile];
             for (int a = 0; a < kTile; ++a)
                 v[a] = from >= 0 ? load(carried + 8 * (kTile * from + a)) : V8{};
@@ -167,7 +167,7 @@ void backward_batch(const FactorView& view, const Batch& batch, double* x,
     for (std::int32_t k = batch.step_end; k-- > batch.step_begin;) {
         const BatchStep& step = view.batch_steps[k];
         if (view.distant && k - kAhead >= batch.step_begin)
-            ask_for_panel(halves, view.batch_steps[k - kAhead]);
+            prefetch_panel(halves, view.batch_steps[k - kAhead]);
         const double* panel = halves + step.panel;
         if (kRigidInRegisters && batch.window == kRigid && is_rigid(view, batch, k)) {
             backward_rigid(view, step, panel, behind, x);

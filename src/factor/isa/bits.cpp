@@ -37,11 +37,12 @@ constexpr int kWordsInOne = sizeof(Words) / sizeof(U64);
 /// Unite rows of bits.
 /// @tparam kWords  Words of a row; 0: `words`.
 template <int kWords>
-[[gnu::always_inline]] inline void unite(std::uint64_t* rows, long words, const std::int32_t* nodes,
-                                         std::int32_t count, const std::uint64_t* with,
-                                         const std::uint64_t* among,
-                                         const factor::NodeWeights& weights, std::int32_t* sizes,
-                                         std::uint64_t* folds) {
+[[gnu::always_inline]] inline void unite_bit_rows(std::uint64_t* rows, long words,
+                                                  const std::int32_t* nodes, std::int32_t count,
+                                                  const std::uint64_t* with,
+                                                  const std::uint64_t* among,
+                                                  const factor::NodeWeights& weights,
+                                                  std::int32_t* sizes, std::uint64_t* folds) {
     if constexpr (kWords > 0) words = kWords;
     const auto* add = reinterpret_cast<const Words*>(with);
     const auto* mask = reinterpret_cast<const Words*>(among);
@@ -79,11 +80,11 @@ void unite_rows(std::uint64_t* rows, std::int32_t words, const std::int32_t* nod
                 const factor::NodeWeights& weights, std::int32_t* sizes,
                 std::uint64_t* folds) noexcept {
     if (words == 8)
-        unite<8>(rows, words, nodes, count, with, among, weights, sizes, folds);
+        unite_bit_rows<8>(rows, words, nodes, count, with, among, weights, sizes, folds);
     else if (words == 16)
-        unite<16>(rows, words, nodes, count, with, among, weights, sizes, folds);
+        unite_bit_rows<16>(rows, words, nodes, count, with, among, weights, sizes, folds);
     else
-        unite<0>(rows, words, nodes, count, with, among, weights, sizes, folds);
+        unite_bit_rows<0>(rows, words, nodes, count, with, among, weights, sizes, folds);
 }
 
 }  // namespace hawser::HAWSER_ISA

@@ -48,7 +48,7 @@ constexpr int kRowStep = kPartLanes > 4 ? kPartLanes : 4;
 constexpr int kStepParts = kRowStep / kPartLanes;
 
 /// Return n rounded up to whole steps.
-HAWSER_INLINE int whole_steps(int n) { return (n + kRowStep - 1) / kRowStep * kRowStep; }
+HAWSER_INLINE int round_up_to_step(int n) { return (n + kRowStep - 1) / kRowStep * kRowStep; }
 
 /// The pivot columns of a front.
 template <int kSides>
@@ -216,18 +216,18 @@ inline void extend_add(const FactorView& view, const Front& front, double* panel
 
 /// Apply the pivot columns [d0, d1) to the columns and the update matrix behind them, on one side.
 /// @param w  Unscaled columns of the other side.
-inline void update_rest(const Front& front, double* panel, double* update, const double* w, int d0,
-                        int d1) {
+inline void update_behind_pivots(const Front& front, double* panel, double* update, const double* w,
+                                 int d0, int d1) {
     const double* l = panel + static_cast<long>(d0) * front.ld;
     if (d1 < front.p)
         update_block<false>(panel, front.ld, l, w, front.ld, d1 - d0, d1, front.p,
-                            whole_steps(front.p + front.q));
+                            round_up_to_step(front.p + front.q));
     if (d0 == 0)
         update_block<true>(update, front.ldu, l + front.p, w + front.p, front.ld, d1 - d0, 0,
-                           front.q, whole_steps(front.q));
+                           front.q, round_up_to_step(front.q));
     else
         update_block<false>(update, front.ldu, l + front.p, w + front.p, front.ld, d1 - d0, 0,
-                            front.q, whole_steps(front.q));
+                            front.q, round_up_to_step(front.q));
 }
 
 /// Factor the pivot columns [d0, d1), at most kDepth. Each block first receives the updates of the
@@ -254,7 +254,7 @@ inline int factor_front(const FactorView& view, const Front& front, double* scra
     Trapezoid<kSides> t{{view.panel + front.panel},
                         {scratch},
                         front.ld,
-                        whole_steps(front.p + front.q),
+                        round_up_to_step(front.p + front.q),
                         view.pivot + front.offset,
                         view.sign + front.offset,
                         nullptr};
@@ -272,7 +272,7 @@ inline int factor_front(const FactorView& view, const Front& front, double* scra
         const int d1 = d0 + kDepth < front.p ? d0 + kDepth : front.p;
         wrong += factor_deep(t, d0, d1);
         for (int s = 0; s < kSides; ++s)
-            update_rest(front, t.panel[s], update[s], t.w[t.other(s)], d0, d1);
+            update_behind_pivots(front, t.panel[s], update[s], t.w[t.other(s)], d0, d1);
     }
     extend_add<false, 0>(view, front, t.panel[0], update[0]);
     if constexpr (kSides == 2) extend_add<false, 1>(view, front, t.panel[1], update[1]);

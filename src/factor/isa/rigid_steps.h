@@ -122,7 +122,7 @@ HAWSER_INLINE void solve_rows(const RigidStep& m, int tile, const double* left) 
 template <bool kLower>
 HAWSER_INLINE void rigid_tile(const RigidStep& m, const Shift& shift, int i, int j,
                               const double* window, V8 (&acc)[kTile][kTile]) {
-    const int row = shift.from(i), column = shift.from(j);
+    const int row = shift.earlier_tile(i), column = shift.earlier_tile(j);
     const double* old = row < 0 || column < 0 ? nullptr : window + tile_at(row, column);
     for (int a = 0; a < kTile; ++a)
         for (int b = 0; b < kTile; ++b)
@@ -147,8 +147,8 @@ struct OtherTiles {
     double* next;
     int i = kRigidTiles, j = 0;
 
-    [[nodiscard]] HAWSER_INLINE bool left() const { return i < m.tiles; }
-    HAWSER_INLINE void make_one() {
+    [[nodiscard]] HAWSER_INLINE bool tiles_left() const { return i < m.tiles; }
+    HAWSER_INLINE void compute_tile() {
         V8 acc[kTile][kTile];
         rigid_tile<false>(m, shift, i, j, window, acc);
         double* to = next + tile_at(i, j);
@@ -203,7 +203,7 @@ inline void begin_rigid(const RigidStep& m, const Shift& shift, const double* wi
 inline void finish_rigid(const RigidStep& m, const RigidStep* following, const Shift& shift,
                          const double* window, double* next, V8& bad) {
     for (int t = 0; t < m.tiles; ++t) {
-        const int from = shift.from(t);
+        const int from = shift.earlier_tile(t);
         solve_rows(m, t, from < 0 ? nullptr : window + tile_at(from, 0));
     }
     RigidBlock a;
@@ -216,10 +216,10 @@ inline void finish_rigid(const RigidStep& m, const RigidStep* following, const S
 #pragma GCC unroll 6
         for (int j = 0; j < kRigid; ++j) {
             eliminate(*following, j, a, bad);
-            if (others.left()) others.make_one();
+            if (others.tiles_left()) others.compute_tile();
         }
     }
-    while (others.left()) others.make_one();
+    while (others.tiles_left()) others.compute_tile();
 }
 
 }  // namespace hawser::HAWSER_ISA

@@ -41,7 +41,7 @@ HAWSER_INLINE V8 load_ahead(const double* p) {
 
 /// Prefetch the data of a front besides its panel, and the front `kFrontsAhead` further on.
 template <bool kUp>
-HAWSER_INLINE void ask_for_tables(const FactorView& view, const Front& front, const double* x) {
+HAWSER_INLINE void prefetch_front(const FactorView& view, const Front& front, const double* x) {
     constexpr int kLine = 64;
     const char* const further =
         reinterpret_cast<const char*>(kUp ? &front + kFrontsAhead : &front - kFrontsAhead);
@@ -92,9 +92,9 @@ inline void gather_forward(const FactorView& view, const Front& front, const dou
 }
 
 /// Solve columns [k, k + N) of U z = y with Uᵀ in the panel, after the rows behind them are solved,
-/// from vector `from` on. The independent products with these rows come first. The small triangle
-/// follows, in which each entry waits only for the one before it. z enters with y_k … and returns
-/// z_k ….
+/// from vector `from` on. The independent products with these rows come first. The small
+/// triangle follows, in which each entry waits only for the one before it. z enters with y_k … and
+/// returns z_k ….
 template <int N, long kBytes>
 HAWSER_INLINE void backward_block(const double* panel, long ld, int k, int from, const double* y,
                                   double* z) {
@@ -131,7 +131,7 @@ void forward(const FactorView& view, std::int32_t begin, std::int32_t end, doubl
         const double* panel = view.panel + front.panel;
         const int p = front.p, n = front.p + front.q;
         if (kBytes != 0 && f + 2 * kFrontsAhead < end)
-            ask_for_tables<true>(view, view.fronts[f + kFrontsAhead], x);
+            prefetch_front<true>(view, view.fronts[f + kFrontsAhead], x);
         double* xf = x + front.offset;
         double* y = scratch;
         gather_forward(view, front, x, y);
@@ -160,7 +160,7 @@ void backward(const FactorView& view, std::int32_t begin, std::int32_t end, doub
         const double* inverse = view.pivot + front.offset;
         const int ld = front.ld, p = front.p, n = front.p + front.q;
         if (kBytes != 0 && f - 2 * kFrontsAhead >= begin)
-            ask_for_tables<false>(view, view.fronts[f - kFrontsAhead], x);
+            prefetch_front<false>(view, view.fronts[f - kFrontsAhead], x);
         double* xf = x + front.offset;
         double* y = scratch;
         const std::int32_t* rows = view.rows + front.rows - p;

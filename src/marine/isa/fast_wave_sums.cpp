@@ -23,31 +23,56 @@ constexpr double kFastWholeDouble = 6755399441055744.0;  // 1.5 · 2^52
 
 HAWSER_FAST Floats floats_at(const float* p) { return *reinterpret_cast<const Floats*>(p); }
 HAWSER_FAST void put_floats(float* p, Floats v) { *reinterpret_cast<Floats*>(p) = v; }
-/// Return the sum of the lanes, by halves.
-HAWSER_FAST double total_of(Floats v) {
-#if defined(__AVX512F__)
-    v += __builtin_shuffle(v, FloatBits{8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7});
-    v += __builtin_shuffle(v, FloatBits{4, 5, 6, 7, 0, 1, 2, 3, 12, 13, 14, 15, 8, 9, 10, 11});
-#elif defined(__AVX2__)
-    v += __builtin_shuffle(v, FloatBits{4, 5, 6, 7, 0, 1, 2, 3});
-#endif
-    return (static_cast<double>(v[0]) + static_cast<double>(v[1])) +
-           (static_cast<double>(v[2]) + static_cast<double>(v[3]));
+HAWSER_FAST Floats with_sign(Floats x, FloatBits sign) {
+    return reinterpret_cast<Floats>(reinterpret_cast<FloatBits>(x) ^ sign);
 }
 
-/// Polynomials on [−½, ½]: √2 sin πx as x times a polynomial of x², √2 cos πx as a polynomial of
-/// x², and 2^x.
-constexpr float kFastSine[] = {4.44288283489F, -7.30824118466F, 3.6062893314F, -0.845765402968F,
-                               0.109208754876F};
-constexpr float kFastCosine[] = {1.41421349657F, -6.97885098845F, 5.73946117522F, -1.8835630185F,
-                                 0.310698256468F};
+/// Four lanes of single precision, for sums of several vectors at once.
+typedef float Four __attribute__((vector_size(16)));
+typedef int FourBits __attribute__((vector_size(16)));
+
+/// Add up the quarters of a vector.
+HAWSER_FAST Four quarters_of(Floats v) {
+#if defined(__AVX512F__)
+    return (__builtin_shufflevector(v, v, 0, 1, 2, 3) + __builtin_shufflevector(v, v, 4, 5, 6, 7)) +
+           (__builtin_shufflevector(v, v, 8, 9, 10, 11) +
+            __builtin_shufflevector(v, v, 12, 13, 14, 15));
+#elif defined(__AVX2__)
+    return __builtin_shufflevector(v, v, 0, 1, 2, 3) + __builtin_shufflevector(v, v, 4, 5, 6, 7);
+#else
+    return v;
+#endif
+}
+/// Return the sums of the lanes of four vectors.
+HAWSER_FAST Four totals_of(Floats a, Floats b, Floats c, Floats d) {
+    const Four p = quarters_of(a), q = quarters_of(b), r = quarters_of(c), s = quarters_of(d);
+    const Four pq = __builtin_shuffle(p, q, FourBits{0, 4, 1, 5}) +
+                    __builtin_shuffle(p, q, FourBits{2, 6, 3, 7});
+    const Four rs = __builtin_shuffle(r, s, FourBits{0, 4, 1, 5}) +
+                    __builtin_shuffle(r, s, FourBits{2, 6, 3, 7});
+    return __builtin_shuffle(pq, rs, FourBits{0, 1, 4, 5}) +
+           __builtin_shuffle(pq, rs, FourBits{2, 3, 6, 7});
+}
+
+/// Polynomials on [−½, ½]: cos πx as a polynomial of x², sin πx as x times one, and 2^x.
+constexpr float kFastCosine[] = {1.0F, -4.93479538F, 4.05844736F, -1.33206248F, 0.22000809F};
+constexpr float kFastSine[] = {3.1415925F, -5.1677022F, 2.54995775F, -0.597625375F, 0.0764338076F};
 constexpr float kFastPower[] = {1.00000000055F,    0.693147205736F,   0.240226468912F,
                                 0.0555032877851F,  0.00961848889795F, 0.00133999307896F,
                                 0.000153458273815F};
 
-/// Polynomial of e^x on [−¼, ¼], with a relative error of 1e-8.
-constexpr float kFastExp[] = {1.00000001033F,  0.99999995637F,   0.499996979273F,
-                              0.166669130515F, 0.0417964627807F, 0.00831475695214F};
+/// Polynomials of e^x by degree, on [−b, b] with b of kFastRange: errors of at most 1e-7 of e^x.
+constexpr float kFastExp2[] = {1.0F, 1.00001252F, 0.500002086F};
+constexpr float kFastExp3[] = {1.0F, 1.00000024F, 0.500124276F, 0.166601315F};
+constexpr float kFastExp4[] = {1.0F, 0.999998391F, 0.500001371F, 0.166928843F, 0.0416344032F};
+constexpr float kFastExp5[] = {1.0F,         0.999999702F,  0.499991149F,
+                               0.166676417F, 0.0419025794F, 0.00829142891F};
+constexpr float kFastExp6[] = {1.0F,          1.00000072F,    0.499998391F,  0.166647032F,
+                               0.0416793451F, 0.00845267624F, 0.00137372408F};
+constexpr float kFastExp7[] = {1.0F,          1.00000036F,    0.500002086F,   0.166662619F,
+                               0.0416497998F, 0.00834293105F, 0.00142655708F, 0.000194116597F};
+constexpr int kLowestDegree = 2, kHighestDegree = 7;
+constexpr float kFastRange[] = {0.01F, 0.06F, 0.16F, 0.35F, 0.6F, 0.9F};
 
 template <int N>
 HAWSER_FAST Floats fast_series(const float (&c)[N], Floats x) {
@@ -64,38 +89,53 @@ HAWSER_FAST Floats fast_power(Floats x) {
                                     (reinterpret_cast<FloatBits>(shifted) << 23));
 }
 
-void refer(const double* rows, int padded, int groups, double x, double y, float* turns) noexcept {
+void refer(const double* rows, int padded, int groups, double x, double y, float* phase) noexcept {
     const double *kx = rows + marine::kReferenceX * padded,
                  *ky = rows + marine::kReferenceY * padded,
-                 *phase = rows + marine::kReferencePhase * padded;
+                 *from = rows + marine::kReferencePhase * padded;
     for (int i = 0; i < groups * marine::kFastGroup; ++i) {
-        const double all = kx[i] * x + (ky[i] * y + phase[i]);
-        turns[i] = static_cast<float>(all - ((all + kFastWholeDouble) - kFastWholeDouble));
+        const double turns = kx[i] * x + (ky[i] * y + from[i]);
+        phase[i] =
+            static_cast<float>(2.0 * (turns - ((turns + kFastWholeDouble) - kFastWholeDouble)));
     }
 }
 
-void fast_surface(const marine::FastTable& table, int groups, const float* turns, const float* dx,
-                  const float* dy, float* circle, double* sum) noexcept {
+/// @tparam Sines  Store f as well, from which add_group() computes sines.
+template <bool Sines>
+HAWSER_FAST void surface_of(const marine::FastTable& table, int groups, const float* phase,
+                            const float* dx, const float* dy, float* circle, double* sum) {
     constexpr int kPoints = marine::kWavePoints;
     const int padded = table.padded;
-    const float *kx = table.row(marine::kFastTurnsX), *ky = table.row(marine::kFastTurnsY),
+    const float *kx = table.row(marine::kFastPhaseX), *ky = table.row(marine::kFastPhaseY),
                 *a = table.row(marine::kFastAmplitude);
     Floats all[kPoints]{};
     for (int i = 0; i < groups * marine::kFastGroup; i += kFloats) {
         const Floats along = floats_at(kx + i), across = floats_at(ky + i),
-                     from = floats_at(turns + i), high = floats_at(a + i);
+                     from = floats_at(phase + i), high = floats_at(a + i);
 #pragma GCC unroll 4
         for (int p = 0; p < kPoints; ++p) {
-            const Floats t = along * dx[p] + (across * dy[p] + from);
-            const Floats f = t - ((t + kFastWhole) - kFastWhole),
-                         h = f * fast_series(kFastSine, f * f);
+            // n half-turns and f in [−½, ½] of one: cos π(n + f) = (−1)^n cos πf.
+            const Floats t = along * dx[p] + (across * dy[p] + from), shifted = t + kFastWhole,
+                         f = t - (shifted - kFastWhole);
+            const FloatBits sign = reinterpret_cast<FloatBits>(shifted) << 31;
+            const Floats c = with_sign(high, sign) * fast_series(kFastCosine, f * f);
             float* const to = circle + 2 * p * padded + i;
-            put_floats(to, h);
-            put_floats(to + padded, f);
-            all[p] += high * (1.0F - h * h);
+            put_floats(to, c);
+            if constexpr (Sines) put_floats(to + padded, with_sign(f, sign));
+            all[p] += c;
         }
     }
-    for (int p = 0; p < kPoints; ++p) sum[p] = total_of(all[p]);
+    static_assert(kPoints == 4);
+    const Four sums = totals_of(all[0], all[1], all[2], all[3]);
+    for (int p = 0; p < kPoints; ++p) sum[p] = static_cast<double>(sums[p]);
+}
+void fast_surface(const marine::FastTable& table, int groups, const float* phase, const float* dx,
+                  const float* dy, float* circle, double* sum) noexcept {
+    surface_of<true>(table, groups, phase, dx, dy, circle, sum);
+}
+void fast_elevation(const marine::FastTable& table, int groups, const float* phase, const float* dx,
+                    const float* dy, float* circle, double* sum) noexcept {
+    surface_of<false>(table, groups, phase, dx, dy, circle, sum);
 }
 
 /// e^(−k ζ) of the middle wave numbers of the first groups, for all points of a batch at once.
@@ -111,22 +151,37 @@ struct GroupPowers {
         }
     }
 };
-/// Method to compute e^(−k ζ) of a group. With δ = k − k of the group's middle: `near` multiplies
-/// the middle's value by a series in δ ζ; `far` uses δ ζ/4 and two squarings; `alone` computes each
-/// component.
-enum class Falling { near, far, alone };
-constexpr float kNearest = 0.25F, kFarthest = 1.0F;
 
-/// Return e^(−k ζ) of the components from i on, relative to their group's middle unless `alone`.
-template <Falling By>
+/// Return e^(−k ζ) of the components from i on, over that of the middle of their group.
+/// @tparam Degree  Degree of the polynomial; above kHighestDegree: each component by 2^x, not over
+/// the middle.
+template <int Degree>
 HAWSER_FAST Floats falling(const marine::FastTable& table, int i, float depth) {
-    if constexpr (By == Falling::alone)
+    if constexpr (Degree > kHighestDegree)
         return fast_power(floats_at(table.row(marine::kFastDecay) + i) * depth);
-    const Floats offset = floats_at(table.row(marine::kFastOffset) + i);
-    if constexpr (By == Falling::near) return fast_series(kFastExp, offset * depth);
-    Floats root = fast_series(kFastExp, offset * (0.25F * depth));
-    root *= root;
-    return root * root;
+    const Floats x = floats_at(table.row(marine::kFastOffset) + i) * depth;
+    if constexpr (Degree == 2) return fast_series(kFastExp2, x);
+    if constexpr (Degree == 3) return fast_series(kFastExp3, x);
+    if constexpr (Degree == 4) return fast_series(kFastExp4, x);
+    if constexpr (Degree == 5) return fast_series(kFastExp5, x);
+    if constexpr (Degree == 6) return fast_series(kFastExp6, x);
+    return fast_series(kFastExp7, x);
+}
+
+/// A degree as a type.
+template <int Degree>
+struct DegreeOf {
+    static constexpr int value = Degree;
+};
+/// Call f with the smallest degree that is valid for |x| ≤ `most`, as DegreeOf.
+template <int Degree = kLowestDegree, class F>
+HAWSER_FAST void by_degree(float most, const F& f) {
+    if constexpr (Degree > kHighestDegree) {
+        f(DegreeOf<Degree>{});
+    } else {
+        if (most <= kFastRange[Degree - kLowestDegree]) return f(DegreeOf<Degree>{});
+        by_degree<Degree + 1>(most, f);
+    }
 }
 
 struct FastSums {
@@ -134,8 +189,8 @@ struct FastSums {
 };
 
 /// Add one group. @tparam Bottom  Include its mirror image below the bottom. @param middle  e^(−k
-/// ζ) of the group's middle, or 1.
-template <Falling By, bool Bottom>
+/// ζ) of the group's middle.
+template <int Degree, bool Bottom>
 HAWSER_FAST void add_group(const marine::FastTable& table, int group, const float* circle,
                            float depth, float middle, FastSums& to) {
     const int begin = group * marine::kFastGroup;
@@ -143,16 +198,18 @@ HAWSER_FAST void add_group(const marine::FastTable& table, int group, const floa
     for (int i = begin; i < begin + marine::kFastGroup; i += kFloats) {
         const auto at = [&](marine::FastRow r)
                             __attribute__((always_inline)) { return floats_at(table.row(r) + i); };
-        const Floats h = floats_at(circle + i), f = floats_at(circle + table.padded + i);
-        const Floats c = 1.0F - h * h, s = h * fast_series(kFastCosine, f * f);
-        const Floats up = falling<By>(table, i, depth) * middle;
+        const Floats c = floats_at(circle + i), f = floats_at(circle + table.padded + i);
+        const Floats s = f * fast_series(kFastSine, f * f);
+        Floats up = falling<Degree>(table, i, depth);
+        if constexpr (Degree <= kHighestDegree) up *= middle;
         Floats level = up, steep = up;
         if constexpr (Bottom) {
             const Floats down = at(marine::kFastBottom) / up;
             level += down;
             steep -= down;
         }
-        const Floats lc = level * c, ls = level * s, sc = steep * c, ss = steep * s;
+        const Floats lc = level * c, ls = level * s, sc = Bottom ? steep * c : lc,
+                     ss = Bottom ? steep * s : ls;
         to.u[0] += lc * at(marine::kFastSpeedX);
         to.u[1] += lc * at(marine::kFastSpeedY);
         to.u[2] += ss * at(marine::kFastSpeedZ);
@@ -166,15 +223,10 @@ HAWSER_FAST void add_group(const marine::FastTable& table, int group, const floa
 template <bool Bottom>
 HAWSER_FAST void add_groups(const marine::FastTable& table, int begin, int end, const float* circle,
                             float depth, const float* middle, FastSums& to) {
-    for (int g = begin; g < end; ++g) {
-        const float separation = table.width[g] * depth;
-        if (separation <= kNearest)
-            add_group<Falling::near, Bottom>(table, g, circle, depth, middle[g], to);
-        else if (separation <= kFarthest)
-            add_group<Falling::far, Bottom>(table, g, circle, depth, middle[g], to);
-        else
-            add_group<Falling::alone, Bottom>(table, g, circle, depth, 1.0F, to);
-    }
+    for (int g = begin; g < end; ++g)
+        by_degree(table.width[g] * depth, [&](auto degree) __attribute__((always_inline)) {
+            add_group<decltype(degree)::value, Bottom>(table, g, circle, depth, middle[g], to);
+        });
 }
 
 /// Convert depths to single precision; slots beyond `count` repeat the last one.
@@ -199,31 +251,40 @@ void fast_sums(const marine::FastTable& table, const marine::FastExtent* of, con
         const float* const own = circle + 2 * p * table.padded;
         add_groups<true>(table, 0, of[p].bottom, own, down[p], middle.of[p], all);
         add_groups<false>(table, of[p].bottom, of[p].groups, own, down[p], middle.of[p], all);
-        for (int k = 0; k < 3; ++k) {
-            out[p].u[k] = total_of(all.u[k]);
-            out[p].a[k] = total_of(all.a[k]);
-        }
+        const Four first = totals_of(all.u[0], all.u[1], all.u[2], all.a[0]),
+                   second = totals_of(all.a[1], all.a[2], Floats{}, Floats{});
+        for (int k = 0; k < 3; ++k) out[p].u[k] = static_cast<double>(first[k]);
+        out[p].a[0] = static_cast<double>(first[3]);
+        out[p].a[1] = static_cast<double>(second[0]);
+        out[p].a[2] = static_cast<double>(second[1]);
         out[p].p = 0.0;
     }
 }
 
 /// Add the pressure of one group at all points of a batch.
-template <Falling By, bool Bottom>
+template <int Degree, bool Bottom>
 HAWSER_FAST void add_pressure(const marine::FastTable& table, int group, const float* circle,
                               const float* depth, const GroupPowers& middle, Floats* to) {
     const int begin = group * marine::kFastGroup;
+    constexpr bool kOver = Degree <= kHighestDegree && !Bottom;  // over the middle, until the end
+    Floats part[marine::kWavePoints]{};
 #pragma GCC unroll 4
     for (int i = begin; i < begin + marine::kFastGroup; i += kFloats) {
-        const Floats weight = floats_at(table.row(marine::kFastPressure) + i);
 #pragma GCC unroll 4
         for (int p = 0; p < marine::kWavePoints; ++p) {
-            const Floats h = floats_at(circle + 2 * p * table.padded + i);
-            Floats level = falling<By>(table, i, depth[p]);
-            if constexpr (By != Falling::alone) level *= middle.of[p][group];
-            if constexpr (Bottom) level += floats_at(table.row(marine::kFastBottom) + i) / level;
-            to[p] += level * ((1.0F - h * h) * weight);
+            const Floats c = floats_at(circle + 2 * p * table.padded + i);
+            Floats level = falling<Degree>(table, i, depth[p]);
+            if constexpr (Bottom) {
+                if constexpr (Degree <= kHighestDegree) level *= middle.of[p][group];
+                level += floats_at(table.row(marine::kFastBottom) + i) / level;
+                level *= floats_at(table.row(marine::kFastPressure) + i);
+            }
+            part[p] += level * c;
         }
     }
+#pragma GCC unroll 4
+    for (int p = 0; p < marine::kWavePoints; ++p)
+        to[p] += kOver ? middle.of[p][group] * part[p] : part[p];
 }
 
 /// Add the pressure of the groups [begin, end) at all points. @param deepest  Depth of the deepest
@@ -232,15 +293,10 @@ template <bool Bottom>
 HAWSER_FAST void add_pressures(const marine::FastTable& table, int begin, int end,
                                const float* circle, const float* depth, float deepest,
                                const GroupPowers& middle, Floats* to) {
-    for (int g = begin; g < end; ++g) {
-        const float separation = table.width[g] * deepest;
-        if (separation <= kNearest)
-            add_pressure<Falling::near, Bottom>(table, g, circle, depth, middle, to);
-        else if (separation <= kFarthest)
-            add_pressure<Falling::far, Bottom>(table, g, circle, depth, middle, to);
-        else
-            add_pressure<Falling::alone, Bottom>(table, g, circle, depth, middle, to);
-    }
+    for (int g = begin; g < end; ++g)
+        by_degree(table.width[g] * deepest, [&](auto degree) __attribute__((always_inline)) {
+            add_pressure<decltype(degree)::value, Bottom>(table, g, circle, depth, middle, to);
+        });
 }
 
 void fast_pressure(const marine::FastTable& table, const marine::FastExtent* of,
@@ -256,7 +312,9 @@ void fast_pressure(const marine::FastTable& table, const marine::FastExtent* of,
     Floats all[marine::kWavePoints]{};
     add_pressures<true>(table, 0, bottom, circle, down, deepest, middle, all);
     add_pressures<false>(table, bottom, groups, circle, down, deepest, middle, all);
-    for (int p = 0; p < count; ++p) out[p] = total_of(all[p]);
+    static_assert(marine::kWavePoints == 4);
+    const Four sums = totals_of(all[0], all[1], all[2], all[3]);
+    for (int p = 0; p < count; ++p) out[p] = table.gravity * static_cast<double>(sums[p]);
 }
 
 #undef HAWSER_FAST
@@ -264,6 +322,7 @@ void fast_pressure(const marine::FastTable& table, const marine::FastExtent* of,
 }  // namespace
 
 extern const marine::FastWaveKernels kFastWaveKernels;
-const marine::FastWaveKernels kFastWaveKernels = {refer, fast_surface, fast_sums, fast_pressure};
+const marine::FastWaveKernels kFastWaveKernels = {refer, fast_surface, fast_elevation, fast_sums,
+                                                  fast_pressure};
 
 }  // namespace hawser::HAWSER_ISA

@@ -11,7 +11,7 @@ namespace hawser::report::start {
 
 void check_drums(const record::SceneInfo& scene, const World& world, Findings& out) {
     for (const record::CableInfo& cable : scene.cables) {
-        if (!cable.keeps_one || cable.elements.empty()) continue;
+        if (!cable.keeps_drum_element || cable.elements.empty()) continue;
         const InteractionDef& line = world.interaction_def(cable.elements.front());
         if (!kind_info(line.kind).is(kWoundUp)) continue;
         const double length = line.get("length"), turned = world.pose(line.body[2]).position.x();

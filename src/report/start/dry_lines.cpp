@@ -11,7 +11,7 @@ namespace {
 
 /// Return the names of the line types for use in water in a scene's text; empty if the text is no
 /// scene.
-std::vector<std::string> wet_types(const std::string& text) {
+std::vector<std::string> water_line_types(const std::string& text) {
     std::vector<std::string> out;
     const auto scene = nlohmann::json::parse(text, nullptr, false);
     if (!scene.is_object() || !scene.contains("line_types")) return out;
@@ -35,7 +35,7 @@ bool of_links(const World& world, const record::CableInfo& cable) {
 
 void check_dry_lines(const record::SceneInfo& scene, const World& world, Findings& out) {
     if (find_sea(world) == nullptr) return;
-    const std::vector<std::string> wet = wet_types(scene.text);
+    const std::vector<std::string> wet = water_line_types(scene.text);
     for (const record::CableInfo& cable : scene.cables) {
         if (cable.elements.empty() || !of_links(world, cable)) continue;
         if (std::none_of(wet.begin(), wet.end(),

@@ -16,7 +16,7 @@ const char* to_string(FindingKind kind) noexcept {
         "tension",       "density",  "inertia", "wire_step",   "joint_step", "spin_step",
         "displacement",  "dry",      "depth",   "short_waves", "memory",     "stiffness",
         "brake",         "drum",     "points",  "post",        "unexamined", "vessel",
-        "phase",         "goal",     "station"};
+        "phase",         "goal",     "station", "range"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 

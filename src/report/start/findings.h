@@ -40,8 +40,9 @@ enum class FindingKind : std::uint8_t {
     phase,       ///< A phase of an exercise without an end condition. value: its index.
     goal,        ///< A goal that no control can reach in time. value: time that is missing [s].
     station,     ///< A station without inputs. value: its index.
+    range,       ///< A control of a station without a range. value: index of its station.
 };
-inline constexpr int kFindingKindCount = 27;
+inline constexpr int kFindingKindCount = 28;
 [[nodiscard]] const char* to_string(FindingKind kind) noexcept;
 
 struct Finding {

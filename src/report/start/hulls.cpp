@@ -28,8 +28,8 @@ struct Carried {
 
 using Floats = std::map<std::size_t, Carried>;
 
-Floats floats_of(const World& world, const SeaDef& sea, const base::HeldTogether& afloat,
-                 double level) {
+Floats floating_groups(const World& world, const SeaDef& sea, const base::LinkedGroups& afloat,
+                       double level) {
     Floats out;
     for (const WaterHull& hull : sea.hulls) {
         Carried& c = out[afloat.group(hull.body)];
@@ -42,7 +42,8 @@ Floats floats_of(const World& world, const SeaDef& sea, const base::HeldTogether
 }
 
 /// Add the carried weight: masses, and forces of lines and of the scene.
-void weigh(const World& world, const base::HeldTogether& afloat, double gravity, Floats& floats) {
+void add_carried_weight(const World& world, const base::LinkedGroups& afloat, double gravity,
+                        Floats& floats) {
     for (const BodyId id : world.bodies()) {
         const auto found = floats.find(afloat.group(id));
         if (found == floats.end()) continue;
@@ -70,8 +71,8 @@ void weigh(const World& world, const base::HeldTogether& afloat, double gravity,
 }
 
 /// Add the displacement of small bodies in the water that belong to a floating group.
-void lift_small_bodies(const World& world, const SeaDef& sea, const base::HeldTogether& afloat,
-                       double level, Floats& floats) {
+void add_small_displacements(const World& world, const SeaDef& sea,
+                             const base::LinkedGroups& afloat, double level, Floats& floats) {
     for (const WaterBody& small : sea.bodies) {
         const auto found = floats.find(afloat.group(small.body));
         if (found == floats.end() || world.pose(small.body).position.z() > level) continue;
@@ -87,7 +88,7 @@ bool floats_by_itself(const KindInfo& kind) {
 }
 
 /// Warn about hydrostatic springs on a body that already floats by its hull.
-void check_hydrostatics(const World& world, const Floats& floats, const base::HeldTogether& afloat,
+void check_hydrostatics(const World& world, const Floats& floats, const base::LinkedGroups& afloat,
                         Findings& out) {
     for (const InteractionId id : world.interactions()) {
         const InteractionDef& def = world.interaction_def(id);
@@ -103,7 +104,9 @@ void check_hydrostatics(const World& world, const Floats& floats, const base::He
 }
 
 /// Return the volume that a rod displaces [m³].
-double volume_of(const WaterRod& rod) { return rod.water.area() * (rod.to - rod.from).norm(); }
+double displaced_volume(const WaterRod& rod) {
+    return rod.water.area() * (rod.to - rod.from).norm();
+}
 
 /// Warn once for each body about water that both its hull and its rods displace.
 void check_rods(const World& world, const SeaDef& sea, Findings& out) {
@@ -113,7 +116,7 @@ void check_rods(const World& world, const SeaDef& sea, Findings& out) {
         reported.push_back(hull.body);
         double volume = 0.0;
         for (const WaterRod& rod : sea.rods)
-            if (rod.body == hull.body) volume += volume_of(rod);
+            if (rod.body == hull.body) volume += displaced_volume(rod);
         if (!(volume > 0.0)) continue;
         const std::string name = record::body_label(world, hull.body);
         const double water = sea.density * volume;
@@ -132,10 +135,10 @@ void check_hulls(const World& world, Findings& out) {
     check_rods(world, *sea, out);
     const double gravity = world.settings().gravity.norm();
     const double level = still_water(world);
-    const base::HeldTogether afloat(world);
-    Floats floats = floats_of(world, *sea, afloat, level);
-    weigh(world, afloat, gravity, floats);
-    lift_small_bodies(world, *sea, afloat, level, floats);
+    const base::LinkedGroups afloat(world);
+    Floats floats = floating_groups(world, *sea, afloat, level);
+    add_carried_weight(world, afloat, gravity, floats);
+    add_small_displacements(world, *sea, afloat, level, floats);
     check_hydrostatics(world, floats, afloat, out);
     for (const auto& [group, c] : floats) {
         if (!c.judged) continue;

@@ -3,6 +3,7 @@
 
 #include <hawser/row_constants.h>
 
+#include "base/body_dof.h"
 #include "base/dense.h"
 
 #include <algorithm>
@@ -44,20 +45,13 @@ double mobility(const World& world, const InteractionDef& def, const RowsView& v
     return sum;
 }
 
-double arm_of(const InteractionDef& def, const RowsView& view) {
+double row_arm(const InteractionDef& def, const RowsView& view) {
     double arm = 0.0;
     for (std::size_t b = 0; b < index(view.bodies); ++b) arm = std::max(arm, def.point[b].norm());
     return arm;
 }
 
 }  // namespace
-
-int freedoms(BodyKind kind) noexcept {
-    return kind == BodyKind::rigid    ? 6
-           : kind == BodyKind::lump   ? 3
-           : kind == BodyKind::scalar ? 1
-                                      : 0;
-}
 
 JointRows::JointRows(const World& world) {
     const double h = world.settings().step;
@@ -77,7 +71,7 @@ JointRows::JointRows(const World& world) {
             joint.motor |= view.velocity[r];
         }
         if (joint.rows == 0) continue;
-        joint.size = arm_of(def, view);
+        joint.size = row_arm(def, view);
         rows_ += index(joint.rows);
         joints_.push_back(joint);
     }
@@ -91,7 +85,7 @@ void JointRows::find_bodies(const World& world) {
         const InteractionDef& def = world.interaction_def(joint.id);
         for (std::size_t b = 0; b < index(kind_info(def.kind).bodies); ++b) {
             std::int32_t& node = node_of_body_[index(def.body[b].index)];
-            if (freedoms(world.body_def(def.body[b]).kind) == 0) continue;
+            if (base::dof_of(world.body_def(def.body[b]).kind) == 0) continue;
             if (node < 0) {
                 node = static_cast<std::int32_t>(bodies_.size());
                 bodies_.push_back(def.body[b]);
@@ -103,7 +97,7 @@ void JointRows::find_bodies(const World& world) {
     }
     for (std::size_t n = 0; n < bodies_.size(); ++n) {
         pattern_.size.push_back(
-            static_cast<std::int8_t>(freedoms(world.body_def(bodies_[n]).kind)));
+            static_cast<std::int8_t>(base::dof_of(world.body_def(bodies_[n]).kind)));
         pattern_.sign.push_back(1);
         if (!(length_[n] > 1e-6))
             length_[n] = 1.0;  // The joint is at the body's centre: any length will do.
@@ -215,7 +209,7 @@ std::vector<double> JointRows::out_of_reach(std::span<const double> b) {
     return rest;
 }
 
-Eigen::MatrixXd JointRows::repetitions(std::span<const std::int32_t> rows) const {
+Eigen::MatrixXd JointRows::repetition_kernel(std::span<const std::int32_t> rows) const {
     // Columns of G D^-1/2, by the index of each body among the bodies of these rows.
     std::vector<std::int32_t> column(bodies_.size(), -1);
     std::int32_t columns = 0;

@@ -59,7 +59,7 @@ class JointRows {
     void close(World& world);
     /// Return the kernel of Wᵀ of these rows, in the scale of scale(): a matrix with one column for
     /// each repetition. Call update() first.
-    [[nodiscard]] Eigen::MatrixXd repetitions(std::span<const std::int32_t> rows) const;
+    [[nodiscard]] Eigen::MatrixXd repetition_kernel(std::span<const std::int32_t> rows) const;
 
   private:
     void find_bodies(const World& world);
@@ -87,8 +87,5 @@ class JointRows {
     /// points the smallest difference is about 1/n².
     static constexpr double kSmall = 1e-9;
 };
-
-/// Return the number of degrees of freedom of a body of this kind.
-[[nodiscard]] int freedoms(BodyKind kind) noexcept;
 
 }  // namespace hawser::report::start

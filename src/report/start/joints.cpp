@@ -31,7 +31,7 @@ struct Worst {
     double length = 0.0, angle = 0.0;
 };
 
-Worst worst_of(const World& world, const Joint& joint, const std::vector<double>& values) {
+Worst worst_value(const World& world, const Joint& joint, const std::vector<double>& values) {
     const KindInfo& kind = kind_info(world.interaction_def(joint.id).kind);
     Worst worst;
     for (std::int32_t k = 0; k < joint.rows; ++k) {
@@ -46,15 +46,15 @@ Worst worst_of(const World& world, const Joint& joint, const std::vector<double>
 
 }  // namespace
 
-double reach(const Joint& joint) { return std::max(0.1, joint.size); }
+double comparison_length(const Joint& joint) { return std::max(0.1, joint.size); }
 
 void check_gaps(const World& world, const JointRows& rows, Findings& out) {
     for (const Joint& joint : rows.joints()) {
         if (joint.motor) continue;
         const std::string name = record::interaction_label(world, joint.id);
-        const Worst gap = worst_of(world, joint, rows.violations());
-        if (gap.length > kOpen * reach(joint) || gap.angle > kTurned) {
-            const bool open = gap.length > kOpen * reach(joint);
+        const Worst gap = worst_value(world, joint, rows.violations());
+        if (gap.length > kOpen * comparison_length(joint) || gap.angle > kTurned) {
+            const bool open = gap.length > kOpen * comparison_length(joint);
             const auto first = static_cast<std::size_t>(joint.row_begin);
             const bool is_rod = kind_info(world.interaction_def(joint.id).kind).is(kAlongLine);
             out.add(false, FindingKind::gap, {name}, open ? gap.length : gap.angle,
@@ -69,8 +69,8 @@ void check_gaps(const World& world, const JointRows& rows, Findings& out) {
                                 is_rod ? "move the bodies or give it another `length`"
                                        : "move the bodies or the joint's points"));
         }
-        const Worst speed = worst_of(world, joint, rows.rates());
-        const double turning = speed.angle * reach(joint);
+        const Worst speed = worst_value(world, joint, rows.rates());
+        const double turning = speed.angle * comparison_length(joint);
         if (std::max(speed.length, turning) > kTearing)
             out.add(false, FindingKind::speed, {name}, std::max(speed.length, turning),
                     fmt::format(

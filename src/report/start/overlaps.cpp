@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "base/body_dof.h"
 #include "record/units.h"
 #include "report/start/parts.h"
 
@@ -75,7 +76,7 @@ class Overlaps {
   public:
     Overlaps(const record::SceneInfo& scene, const World& world)
         : world_(world),
-          places_(scene.shape_places),
+          scene_locations_(scene.shape_places),
           pull_(static_cast<std::size_t>(world.body_count()), 0.0) {
         for (const InteractionId id : world.interactions()) {
             const double tension = start_tension(world, id);
@@ -137,11 +138,11 @@ class Overlaps {
 
     /// Return the largest plausible force of a shape's bodies against others at rest [N]; infinite
     /// if no body moves.
-    [[nodiscard]] double press(ShapeId shape) const {
+    [[nodiscard]] double plausible_force(ShapeId shape) const {
         const ShapeDef& def = world_.shape_def(shape);
         double mass = 0.0, pull = 0.0;
         for (const BodyId body : {def.body, def.body_b}) {
-            if (!body.valid() || freedoms(world_.body_def(body).kind) == 0) continue;
+            if (!body.valid() || base::dof_of(world_.body_def(body).kind) == 0) continue;
             mass += world_.body_def(body).mass;
             pull = std::max(pull, pull_[static_cast<std::size_t>(body.index)]);
         }
@@ -157,7 +158,8 @@ class Overlaps {
         const double narrower = std::min(width[0], width[1]);
         if (!(narrower > 0.0)) return;
         if (depth <= std::min(world_.settings().contact_margin, kInside * narrower)) return;
-        const double pressed = std::min(press(contact.shape[0]), press(contact.shape[1]));
+        const double pressed =
+            std::min(plausible_force(contact.shape[0]), plausible_force(contact.shape[1]));
         if (std::isfinite(pressed) && contact.force.norm() <= pressed) return;
         take(contact, depth, narrower, std::max(width[0], width[1]));
     }
@@ -184,11 +186,12 @@ class Overlaps {
 
     /// Return " (FILE: /cables/0 and FILE: /shapes/3)" for two shapes; "" if they come from no
     /// file.
-    [[nodiscard]] std::string places(const ShapeId (&shape)[2]) const {
+    [[nodiscard]] std::string scene_locations(const ShapeId (&shape)[2]) const {
         std::string out;
         for (const ShapeId id : shape) {
             const auto i = static_cast<std::size_t>(id.index);
-            if (i < places_.size()) out += (out.empty() ? " (" : " and ") + places_[i];
+            if (i < scene_locations_.size())
+                out += (out.empty() ? " (" : " and ") + scene_locations_[i];
         }
         return out.empty() ? out : out + ")";
     }
@@ -199,8 +202,8 @@ class Overlaps {
         out.add(
             deep, FindingKind::overlap, {a, b}, pair.depth,
             fmt::format("{} and {}{} start {} inside each other{}: move one of them",
-                        record::name_in_quotes(a), record::name_in_quotes(b), places(pair.shape),
-                        record::with_unit(pair.depth, "m"),
+                        record::name_in_quotes(a), record::name_in_quotes(b),
+                        scene_locations(pair.shape), record::with_unit(pair.depth, "m"),
                         deep ? fmt::format(", deeper than half of {}, from where contact pushes "
                                            "to the wrong side",
                                            record::with_unit(pair.width, "m"))
@@ -208,7 +211,8 @@ class Overlaps {
     }
 
     const World& world_;
-    const std::vector<std::string>& places_;     ///< Positions in the scene file for each shape.
+    const std::vector<std::string>&
+        scene_locations_;                        ///< Positions in the scene file for each shape.
     std::vector<double> pull_;                   ///< Largest tension at each body [N].
     std::vector<std::vector<ShapeId>> of_body_;  ///< Shapes of each body, without segments.
     std::map<std::pair<Owner, Owner>, Pair> pairs_;

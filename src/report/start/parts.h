@@ -13,6 +13,9 @@
 namespace hawser::exercise {
 struct Exercise;
 }
+namespace hawser::scene {
+struct Scene;
+}
 
 namespace hawser::report::start {
 
@@ -34,6 +37,9 @@ void check_points(const exercise::Exercise& exercise, Findings& out);
 /// Check for phases without an end condition, goals that no control can reach in time, and stations
 /// without inputs (points.cpp). Texts contain the place in the document.
 void check_task(const exercise::Exercise& exercise, Findings& out);
+/// Check for controls of stations without a range: inputs without min or max, and signals that
+/// accept values far beyond those of a real control (points.cpp).
+void check_controls(const exercise::Exercise& exercise, const scene::Scene& scene, Findings& out);
 /// Check coefficients of vessels against the range of published ships (vessels.cpp).
 void check_vessels(const World& world, Findings& out);
 /// Check for bollards that never engage a nearby cable (posts.cpp).
@@ -61,6 +67,6 @@ void check_steps(const record::SceneInfo& scene, const World& world, Findings& o
 /// Return the tension from the stretch at the start [N]; 0 if slack, or for other kinds.
 [[nodiscard]] double start_tension(const World& world, InteractionId id);
 /// Return the length for comparison with a gap at this joint: its longest arm, at least 0.1 m.
-[[nodiscard]] double reach(const Joint& joint);
+[[nodiscard]] double comparison_length(const Joint& joint);
 
 }  // namespace hawser::report::start

@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <hawser/exercise.h>
+#include <hawser/hawser.h>
 
 #include "report/start/parts.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
 #include <vector>
 
 namespace hawser::report::start {
+namespace {
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+}
 
 void check_points(const exercise::Exercise& e, Findings& out) {
     double possible = 0.0;
@@ -61,6 +68,53 @@ void check_task(const exercise::Exercise& e, Findings& out) {
                     fmt::format("/stations/{}/inputs: the station \"{}\" has no inputs: its role "
                                 "can set nothing",
                                 i, e.stations[i].name));
+}
+
+namespace {
+
+/// Range of a control as a slider shows it; unlimited ends are infinite.
+struct ControlRange {
+    double min = -kUnbounded, max = kUnbounded;
+    bool signal = false;  ///< True if it is a signal without an input of the exercise.
+};
+
+ControlRange control_range(const scene::Scene& scene, const std::string& name) {
+    constexpr double kNoLimit = 1e29;
+    const auto limited = [](double min, double max, bool signal) {
+        return ControlRange{min < -kNoLimit ? -kUnbounded : min, max > kNoLimit ? kUnbounded : max,
+                            signal};
+    };
+    const World& world = scene.world;
+    if (const InputId id = world.find_input(name); id.valid()) {
+        const InputDef& def = world.input_def(id);
+        return limited(def.min, def.max, false);
+    }
+    for (const scene::SignalInput& control : scene.signal_inputs)
+        if (control.name == name) return limited(control.min, control.max, false);
+    for (const SystemSignal& s : world.system_signals())
+        if (s.input && s.system + "." + s.name == name) return limited(s.min, s.max, true);
+    return {};
+}
+
+}  // namespace
+
+void check_controls(const exercise::Exercise& e, const scene::Scene& scene, Findings& out) {
+    constexpr double kWidestSignal = 20.0;  // span of a signal that serves as a control by itself
+    for (std::size_t i = 0; i < e.stations.size(); ++i)
+        for (std::size_t k = 0; k < e.stations[i].inputs.size(); ++k) {
+            const std::string& name = e.stations[i].inputs[k];
+            const ControlRange range = control_range(scene, name);
+            const double span = range.max - range.min;
+            if (std::isfinite(span) && (!range.signal || span <= kWidestSignal)) continue;
+            out.add(false, FindingKind::range, {name}, static_cast<double>(i),
+                    fmt::format("/stations/{}/inputs/{}: the control \"{}\" has {}; {} with "
+                                "\"min\" and \"max\"",
+                                i, k, name,
+                                std::isfinite(span) ? "the range of its signal, which is far "
+                                                      "beyond that of a real control"
+                                                    : "no range",
+                                range.signal ? "define an input" : "define it"));
+        }
 }
 
 }  // namespace hawser::report::start

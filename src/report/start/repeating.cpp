@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/start/repeating.h"
 
+#include "base/body_dof.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -27,7 +29,7 @@ class Sets {
         while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
         return i;
     }
-    void unite(std::size_t a, std::size_t b) {
+    void unite_sets(std::size_t a, std::size_t b) {
         a = find(a);
         b = find(b);
         parent_[std::max(a, b)] = std::min(a, b);
@@ -40,7 +42,7 @@ class Sets {
 class GroupFinder {
   public:
     GroupFinder(const World& world, JointRows& rows)
-        : world_(world), rows_(rows), sets_(rows.joints().size()) {
+        : world_(world), rows_(rows), body_sets_(rows.joints().size()) {
         for (std::size_t j = 0; j < rows.joints().size(); ++j)
             joint_of_row_.insert(joint_of_row_.end(),
                                  static_cast<std::size_t>(rows.joints()[j].rows), j);
@@ -84,10 +86,10 @@ class GroupFinder {
             const std::size_t j = joint_of_row_[static_cast<std::size_t>(row)];
             const InteractionDef& def = world_.interaction_def(rows_.joints()[j].id);
             for (std::size_t b = 0; b < static_cast<std::size_t>(kind_info(def.kind).bodies); ++b) {
-                if (freedoms(world_.body_def(def.body[b]).kind) == 0) continue;
+                if (base::dof_of(world_.body_def(def.body[b]).kind) == 0) continue;
                 std::int64_t& other = first[static_cast<std::size_t>(def.body[b].index)];
                 if (other < 0) other = static_cast<std::int64_t>(j);
-                sets_.unite(j, static_cast<std::size_t>(other));
+                body_sets_.unite_sets(j, static_cast<std::size_t>(other));
             }
         }
     }
@@ -97,7 +99,7 @@ class GroupFinder {
     void split_by_rows() {
         std::vector<std::vector<std::int32_t>> by_set(rows_.joints().size());
         for (const std::int32_t row : repeating_)
-            by_set[sets_.find(joint_of_row_[static_cast<std::size_t>(row)])].push_back(row);
+            by_set[body_sets_.find(joint_of_row_[static_cast<std::size_t>(row)])].push_back(row);
         Sets fine(rows_.joints().size());
         repetitions_.assign(rows_.joints().size(), 0.0);
         for (const std::vector<std::int32_t>& rows : by_set) {
@@ -106,21 +108,22 @@ class GroupFinder {
                 return joint_of_row_[static_cast<std::size_t>(row)];
             };
             if (rows.size() > kMaxDense) {
-                for (const std::int32_t row : rows) fine.unite(joint_of(row), joint_of(rows[0]));
+                for (const std::int32_t row : rows)
+                    fine.unite_sets(joint_of(row), joint_of(rows[0]));
                 continue;
             }
-            const Eigen::MatrixXd basis = rows_.repetitions(rows);
+            const Eigen::MatrixXd basis = rows_.repetition_kernel(rows);
             const Eigen::MatrixXd shared = basis * basis.transpose();
             for (Eigen::Index a = 0; a < shared.rows(); ++a) {
                 const auto row = static_cast<std::size_t>(a);
                 repetitions_[joint_of(rows[row])] += shared(a, a);  // The trace is the rank.
                 for (Eigen::Index b = 0; b < a; ++b)
                     if (std::abs(shared(a, b)) > kPart)
-                        fine.unite(joint_of(rows[row]),
-                                   joint_of(rows[static_cast<std::size_t>(b)]));
+                        fine.unite_sets(joint_of(rows[row]),
+                                        joint_of(rows[static_cast<std::size_t>(b)]));
             }
         }
-        sets_ = fine;
+        body_sets_ = fine;
     }
 
     std::vector<Group> gather() {
@@ -129,7 +132,7 @@ class GroupFinder {
         std::vector<double> count;
         for (const std::int32_t row : repeating_) {
             const std::size_t j = joint_of_row_[static_cast<std::size_t>(row)];
-            std::int32_t& number = group_of[sets_.find(j)];
+            std::int32_t& number = group_of[body_sets_.find(j)];
             if (number < 0) {
                 number = static_cast<std::int32_t>(groups.size());
                 groups.emplace_back();
@@ -148,7 +151,7 @@ class GroupFinder {
 
     const World& world_;
     JointRows& rows_;
-    Sets sets_;
+    Sets body_sets_;
     std::vector<std::size_t> joint_of_row_;
     std::vector<std::int32_t> repeating_;  ///< Rows, ascending.
     std::vector<double> repetitions_;      ///< Fraction of the rank for each joint.

@@ -52,16 +52,16 @@ class Search {
     /// Close the rows that start open. If some stay open, report the redundant rows among them as
     /// inconsistent.
     void find_contradictions() {
-        if (!any_apart()) return;
+        if (!any_separated()) return;
         World moved = world_.twin(Coupling::exact);
         rows_.close(moved);
-        if (!any_apart()) return;
+        if (!any_separated()) return;
         for (const Group& group : find_groups(world_, rows_)) report_contradiction(group);
     }
 
-    [[nodiscard]] bool any_apart() const {
+    [[nodiscard]] bool any_separated() const {
         for (std::size_t r = 0; r < rows_.rows(); ++r)
-            if (is_apart(r, rows_.violations()[r])) return true;
+            if (is_separated(r, rows_.violations()[r])) return true;
         return false;
     }
 
@@ -70,9 +70,10 @@ class Search {
         const std::size_t k = row - static_cast<std::size_t>(j.row_begin);
         return kind_info(world_.interaction_def(j.id).kind).row_units[j.row[k]] == 'r';
     }
-    [[nodiscard]] bool is_apart(std::size_t row, double g) const {
-        return std::abs(g) >
-               (is_angle(row) ? kAngleApart : kApart * reach(joint(joint_of_row_[row])));
+    [[nodiscard]] bool is_separated(std::size_t row, double g) const {
+        return std::abs(g) > (is_angle(row)
+                                  ? kAngleApart
+                                  : kApart * comparison_length(joint(joint_of_row_[row])));
     }
 
     [[nodiscard]] std::vector<std::string> names_of(const Group& group) const {
@@ -93,7 +94,7 @@ class Search {
                     static_cast<std::size_t>(one.row_begin) + static_cast<std::size_t>(k);
                 double& most = is_angle(r) ? angle : length;
                 most = std::max(most, std::abs(rows_.violations()[r]));
-                apart |= is_apart(r, rows_.violations()[r]);
+                apart |= is_separated(r, rows_.violations()[r]);
             }
         }
         if (!apart) return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/start/start_forces.h"
 
+#include "base/body_dof.h"
 #include "report/start/joint_rows.h"
 
 #include <hawser/factor.h>
@@ -29,7 +30,7 @@ class Statics {
     explicit Statics(const World& world) : world_(world), h_(world.settings().step) {
         node_of_body_.assign(index_of(world.body_count()), -1);
         for (const BodyId id : world.bodies()) {
-            const int size = freedoms(world.body_def(id).kind);
+            const int size = base::dof_of(world.body_def(id).kind);
             if (size == 0) continue;
             node_of_body_[index_of(id.index)] = static_cast<std::int32_t>(pattern_.size.size());
             bodies_.push_back(id);
@@ -58,7 +59,7 @@ class Statics {
             if (factor_.factor(values_) != Status::ok) return false;
             x_ = rhs_;
             if (factor_.solve(x_) != Status::ok) return false;
-            if (!let_go()) break;
+            if (!release_lines()) break;
         }
         return true;
     }
@@ -164,7 +165,7 @@ class Statics {
         rhs_[row_begin(i)] = 0.0;
     }
 
-    bool let_go() {
+    bool release_lines() {
         bool any = false;
         for (std::int32_t i = 0; i < count(); ++i) {
             // The pull y is −λ: a line in tension has y > 0.
@@ -189,13 +190,13 @@ class Statics {
 
 StartForces::StartForces(const World& world) {
     push_.assign(index_of(world.interaction_count()), 0.0);
-    known_ = world.interactions().empty();
-    if (known_) return;
+    is_known_ = world.interactions().empty();
+    if (is_known_) return;
     Statics statics(world);
-    known_ = statics.solve();
+    is_known_ = statics.solve();
     std::int32_t number = 0;
     for (const InteractionId id : world.interactions())
-        if (known_) push_[index_of(id.index)] = statics.push(number++);
+        if (is_known_) push_[index_of(id.index)] = statics.push(number++);
 }
 
 double StartForces::push(InteractionId id) const { return push_[index_of(id.index)]; }

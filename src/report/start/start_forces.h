@@ -17,12 +17,12 @@ class StartForces {
   public:
     /// Compute the forces at the present poses. @throws std::bad_alloc.
     explicit StartForces(const World& world);
-    [[nodiscard]] bool known() const { return known_; }
+    [[nodiscard]] bool known() const { return is_known_; }
     /// Return the norm of the force in the rows of an interaction that are in metres [N].
     [[nodiscard]] double push(InteractionId id) const;
 
   private:
-    bool known_ = false;
+    bool is_known_ = false;
     std::vector<double> push_;
 };
 

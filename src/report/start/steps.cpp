@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "base/body_dof.h"
 #include "base/dense.h"
 #include "record/units.h"
 #include "report/start/parts.h"
@@ -22,7 +23,7 @@ constexpr double kWire = 2.0, kSwing = 1.5;
 
 /// Return the largest r·(r×)ᵀI⁻¹(r×)/r²: the angular response of the body to a force at this arm
 /// [1/(kg m)].
-double swing(const World& world, BodyId id, const Vec3& arm) {
+double angular_response(const World& world, BodyId id, const Vec3& arm) {
     const BodyDef& def = world.body_def(id);
     if (def.kind != BodyKind::rigid || !(arm.norm() > 0.0)) return 0.0;
     Mat3 cross;
@@ -51,14 +52,14 @@ Fastest fastest_at(const World& world, const StartForces& forces, InteractionId 
     const double force = forces.push(id);
     const double h = world.settings().step;
     for (std::size_t b = 0; b < 2; ++b) {
-        const double s = h * h * force * swing(world, def.body[b], def.point[b]);
+        const double s = h * h * force * angular_response(world, def.body[b], def.point[b]);
         if (s > worst.s) worst = {s, force, def.body[b], id};
     }
     return worst;
 }
 
-void report_swing(const World& world, std::vector<std::string> about, const std::string& what,
-                  const Fastest& worst, Findings& out) {
+void report_vibration(const World& world, std::vector<std::string> about, const std::string& what,
+                      const Fastest& worst, Findings& out) {
     const double h = world.settings().step;
     out.add(
         false, FindingKind::joint_step, std::move(about), worst.s,
@@ -83,7 +84,7 @@ void check_other_joints(const World& world, const std::vector<Fastest>& fast, Fi
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(fast.size()); ++i) {
         const InteractionDef& def = world.interaction_def(fast[static_cast<std::size_t>(i)].joint);
         for (std::size_t b = 0; b < 2; ++b) {
-            if (freedoms(world.body_def(def.body[b]).kind) == 0) continue;
+            if (base::dof_of(world.body_def(def.body[b]).kind) == 0) continue;
             const std::int32_t other = find(first.emplace(def.body[b].index, i).first->second);
             const std::int32_t own = find(i);
             set[static_cast<std::size_t>(std::max(own, other))] = std::min(own, other);
@@ -98,12 +99,12 @@ void check_other_joints(const World& world, const std::vector<Fastest>& fast, Fi
         std::vector<std::string> about;
         for (const Fastest& one : group)
             about.push_back(record::interaction_label(world, one.joint));
-        report_swing(world, about,
-                     group.size() == 1 ? record::interaction_in_words(world, worst.joint)
-                                       : fmt::format("{} joints from {} to {}", group.size(),
-                                                     record::name_in_quotes(about.front()),
-                                                     record::name_in_quotes(about.back())),
-                     worst, out);
+        report_vibration(world, about,
+                         group.size() == 1 ? record::interaction_in_words(world, worst.joint)
+                                           : fmt::format("{} joints from {} to {}", group.size(),
+                                                         record::name_in_quotes(about.front()),
+                                                         record::name_in_quotes(about.back())),
+                         worst, out);
     }
 }
 
@@ -198,8 +199,8 @@ void check_steps(const record::SceneInfo& scene, const World& world, Findings& o
         }
         if (lumps) check_wire(world, cable, forces, pull_at_ends(world, cable, cables_at), out);
         if (worst.s > kSwing)
-            report_swing(world, {cable.name}, "the cable " + record::name_in_quotes(cable.name),
-                         worst, out);
+            report_vibration(world, {cable.name}, "the cable " + record::name_in_quotes(cable.name),
+                             worst, out);
     }
     std::vector<Fastest> others;
     for (const InteractionId id : world.interactions()) {

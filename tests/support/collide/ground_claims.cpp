@@ -54,7 +54,7 @@ Holds allowed(const Surface& s, const Face& f, Vec m) {
 }
 
 /// Add the deepest point along the normal of the triangle, on one side.
-void claim_along(const Body& a, const Face& f, Vec n, bool sure, Claims& out) {
+void claim_along_normal(const Body& a, const Face& f, Vec n, bool sure, Claims& out) {
     const Vec p = support(a, -1.0L * n);
     const Real gap = dot(n, p - f.corner[0]) - a.rounding, beyond = beyond_edges(f, p);
     if (beyond < kEither) out.list.push_back({gap, -1.0L * n, &f, 0, sure && beyond < -kEither});
@@ -92,7 +92,7 @@ Real under_box(const Surface& s, const Body& a, const Face& f) {
     return least;
 }
 
-void claim(const Surface& s, const Body& a, const Face& f, const Answer& answer, Claims& out) {
+void add_claims(const Surface& s, const Body& a, const Face& f, const Answer& answer, Claims& out) {
     const Vec m = -1.0L * answer.n;
     const Real along = dot(m, f.normal);
     const Holds holds = allowed(s, f, m);
@@ -109,8 +109,8 @@ void claim(const Surface& s, const Body& a, const Face& f, const Answer& answer,
     // Cells beyond the box around the shape may be left out or not: the depth need not be the
     // least.
     const bool sure = !unsure && !either && (!s.solid || under_box(s, a, f) > kEither);
-    if (up || either) claim_along(a, f, f.normal, sure, out);
-    if (!up || either) claim_along(a, f, -1.0L * f.normal, sure, out);
+    if (up || either) claim_along_normal(a, f, f.normal, sure, out);
+    if (!up || either) claim_along_normal(a, f, -1.0L * f.normal, sure, out);
 }
 
 bool is_above(const Surface& s, const Face& f, Vec point) {
@@ -131,7 +131,7 @@ bool is_above(const Surface& s, const Face& f, Vec point) {
     return p.z < height;
 }
 
-void claim_left(const Body& a, const Face& f, Vec n, Claims& out) {
+void claim_unclaimed(const Body& a, const Face& f, Vec n, Claims& out) {
     const Real gap = dot(n, support(a, -1.0L * n) - f.corner[0]) - a.rounding;
     if (gap < 0 && gap > out.left.gap) out.left = {gap, -1.0L * n, &f, 0, true};
 }
@@ -154,16 +154,17 @@ Claims claims_on(const Surface& s, const Body& a, Vec middle, Real margin) {
             cut = answer.gap < 0;
             const Real along = dot(f.normal, answer.n);
             if (!s.solid && std::fabs(along) > 0.5L) up = along < 0;
-            claim(s, a, f, answer, out);
+            add_claims(s, a, f, answer, out);
         } else {
             out.truth = std::min(out.truth, bound);
             // Entirely below the triangle: pushed up where it is under it.
             const bool below = separation_along(a, f.body, f.normal) > 0;
-            if (s.solid) claim_along(a, f, f.normal, below && under_box(s, a, f) > kEither, out);
+            if (s.solid)
+                claim_along_normal(a, f, f.normal, below && under_box(s, a, f) > kEither, out);
         }
         if (s.solid && is_above(s, f, middle)) out.inside = true;
         if (!cut && !(s.solid && is_above(s, f, middle))) continue;
-        claim_left(a, f, up ? f.normal : -1.0L * f.normal, out);
+        claim_unclaimed(a, f, up ? f.normal : -1.0L * f.normal, out);
     }
     out.inside = out.inside || out.truth < 0;
     return out;

@@ -167,7 +167,7 @@ std::string describe(ShapeKind a, Ground ground, const GroundScore& s) {
                   "%-8s %-11s pairs %6d overlap %6d (own %d beside %d left %d) wrong %d (%llu) bad "
                   "%d gap %.1e m (%llu) normals %d worst %.1e (%llu) not unique %d",
                   kind_name(a).c_str(), kNames[static_cast<int>(ground)], s.pairs, s.touching,
-                  s.own, s.beside, s.left, s.wrong_verdicts,
+                  s.own, s.beside, s.left, s.wrong_results,
                   static_cast<unsigned long long>(s.wrong_pair), s.bad_points, s.worst_gap,
                   static_cast<unsigned long long>(s.gap_pair), s.normals, s.worst_normal,
                   static_cast<unsigned long long>(s.normal_pair), s.ambiguous);

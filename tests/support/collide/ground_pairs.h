@@ -16,7 +16,7 @@ struct GroundScore : Score {
     int left = 0;                  ///< Touching pairs without a claim of a triangle (rule 4).
     int normals = 0;               ///< Number of compared normals.
     std::uint64_t wrong_pair = 0;  ///< Seed of a pair with a wrong result.
-    void wrong(std::uint64_t seed) { ++wrong_verdicts, wrong_pair = seed; }
+    void wrong(std::uint64_t seed) { ++wrong_results, wrong_pair = seed; }
 };
 
 GroundScore check_ground(ShapeKind a, Ground ground, int count, std::uint64_t seed);

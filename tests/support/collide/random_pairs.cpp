@@ -207,7 +207,7 @@ void check_one(const Pair& pair, std::uint64_t seed, Draw draw, Score& score) {
     if (!well_formed(m, pair.margin)) ++score.bad_points;
     const bool expected = truth.gap < pair.margin;
     if (expected != (m.count > 0) && std::fabs(truth.gap - pair.margin) > 1e-6L)
-        ++score.wrong_verdicts;
+        ++score.wrong_results;
     if (m.count == 0 || !expected) return;
     const ManifoldPoint* deepest = &m.point[0];
     for (int i = 1; i < m.count; ++i)
@@ -218,7 +218,7 @@ void check_one(const Pair& pair, std::uint64_t seed, Draw draw, Score& score) {
     const bool missed = along > truth.gap + 1e-9L;
     truth.gap = std::max(truth.gap, along);
     if ((deepest->gap < 0) != (truth.gap < 0) && std::fabs(truth.gap) > 1e-6L)
-        ++score.wrong_verdicts;
+        ++score.wrong_results;
     const double gap_error = std::fabs(static_cast<double>(deepest->gap - truth.gap));
     if (gap_error > score.worst_gap) score.worst_gap = gap_error, score.gap_pair = seed;
     if (missed) return void(++score.ambiguous);
@@ -237,7 +237,7 @@ void check_one(const Pair& pair, std::uint64_t seed, Draw draw, Score& score) {
 
 }  // namespace
 
-Score judge(ShapeKind a, ShapeKind b, int count, std::uint64_t seed, Draw draw) {
+Score compare_pairs(ShapeKind a, ShapeKind b, int count, std::uint64_t seed, Draw draw) {
     Score score;
     const auto make =
         draw == Draw::random ? random_pair : (draw == Draw::aligned ? aligned_pair : extreme_pair);
@@ -274,7 +274,7 @@ std::string describe(ShapeKind a, ShapeKind b, const Score& s) {
     std::snprintf(text, sizeof text,
                   "%-8s %-9s pairs %6d overlap %6d wrong %d bad %d gap %.1e m (%llu) normal %.1e "
                   "(%llu) not unique %d",
-                  kind_name(a).c_str(), kind_name(b).c_str(), s.pairs, s.touching, s.wrong_verdicts,
+                  kind_name(a).c_str(), kind_name(b).c_str(), s.pairs, s.touching, s.wrong_results,
                   s.bad_points, s.worst_gap, static_cast<unsigned long long>(s.gap_pair),
                   s.worst_normal, static_cast<unsigned long long>(s.normal_pair), s.ambiguous);
     return text;

@@ -30,7 +30,7 @@ reference::Body body_of(const RandomShape& shape, const collide::Placement& plac
 
 struct Score {
     int pairs = 0, touching = 0, separated = 0, ambiguous = 0;
-    int wrong_verdicts = 0;                       ///< Wrong results outside a band of 1e-6 m.
+    int wrong_results = 0;                        ///< Wrong results outside a band of 1e-6 m.
     double worst_gap = 0.0, worst_normal = 0.0;   ///< [m], [-].
     std::uint64_t gap_pair = 0, normal_pair = 0;  ///< Seeds of the worst pairs.
     int bad_points = 0;  ///< Not finite, unsorted, not unit length, beyond the margin, or off the
@@ -49,7 +49,8 @@ enum class Draw {
 };
 
 /// Compare `count` pairs from `seed` on.
-Score judge(ShapeKind a, ShapeKind b, int count, std::uint64_t seed, Draw draw = Draw::random);
+Score compare_pairs(ShapeKind a, ShapeKind b, int count, std::uint64_t seed,
+                    Draw draw = Draw::random);
 /// Return pairs of kinds with exact requirements: those in closed form, and cylinders.
 std::vector<std::pair<ShapeKind, ShapeKind>> exact_pairs();
 /// Return hulls and single triangles with all kinds that touch them.

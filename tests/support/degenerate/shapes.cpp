@@ -7,7 +7,7 @@
 namespace hawser::test {
 namespace {
 
-void lay_floor(Yard& y) { y.plane(y.fixed()); }
+void add_floor(Yard& y) { y.plane(y.fixed()); }
 
 }  // namespace
 
@@ -17,7 +17,7 @@ Cases coincident() {
         for (const ShapeKind b : kMoving)
             all.push_back(
                 {std::string("coincident_") + to_string(a) + "_" + to_string(b), [a, b](Yard& y) {
-                     lay_floor(y);
+                     add_floor(y);
                      for (int i = 0; i < 2; ++i) {
                          y.any(a, {0, 0, 0.5}, 1.0, 0.5);
                          y.any(b, {0, 0, 0.5}, 2.0, 0.5);
@@ -30,20 +30,20 @@ Cases faces() {
     return {
         {"zero_gap",
          [](Yard& y) {
-             lay_floor(y);
+             add_floor(y);
              for (int i = 0; i < 4; ++i) y.box({0, 0, 0.5 + i}, 1.0, {0.5, 0.5, 0.5});
          },
          0.2},
         {"redundant_shapes",  // ten faces of four points at one position
          [](Yard& y) {
-             lay_floor(y);
+             add_floor(y);
              const BodyId b = y.body({0, 0, 0.5}, 1.0, {0.5, 0.5, 0.5});
              for (int i = 0; i < 10; ++i) y.add(shape_of(ShapeKind::box, 0.5), b);
          },
          0.2},
         {"between_two_planes",  // fixed planes, 1 mm too close
          [](Yard& y) {
-             lay_floor(y);
+             add_floor(y);
              const BodyId lid = y.fixed({0, 0, 0.999});
              ShapeDef d;
              d.kind = ShapeKind::plane;
@@ -54,7 +54,7 @@ Cases faces() {
          1.0},
         {"crushed",  // a plane that moves down at 1 m/s, to 0.1 m below the floor
          [](Yard& y) {
-             lay_floor(y);
+             add_floor(y);
              BodyDef press;
              press.kind = BodyKind::kinematic;
              press.position = {0, 0, 1.1};
@@ -85,7 +85,7 @@ Cases ratios() {
     for (const double heavy : {1e-6, 1e6})
         all.push_back({heavy < 1.0 ? "heavy_below_light" : "light_below_heavy",
                        [heavy](Yard& y) {
-                           lay_floor(y);
+                           add_floor(y);
                            y.box({0, 0, 0.5}, 1.0, {0.5, 0.5, 0.5});
                            y.box({0, 0, 1.5}, heavy, {0.5, 0.5, 0.5});
                            y.box({0, 0, 2.5}, 1.0, {0.5, 0.5, 0.5});
@@ -98,7 +98,7 @@ Cases ratios() {
             all.push_back({"needle_of_" + std::to_string(static_cast<int>(1e6 * thin)) + "um_" +
                                std::to_string(static_cast<int>(std::log10(mass))),
                            [thin, mass](Yard& y) {
-                               lay_floor(y);
+                               add_floor(y);
                                y.box({0, 0, 1.1}, mass, {thin, thin, 1.0},
                                      Quat(0.99, 0.1, 0, 0).normalized());
                                y.box({3, 0, 0.2}, 1.0, {thin, 1.0, thin});
@@ -117,7 +117,7 @@ Cases sizes() {
                                    std::to_string(static_cast<int>(std::log10(size))) + "_" +
                                    std::to_string(static_cast<int>(std::log10(mass))),
                                [k, size, mass](Yard& y) {
-                                   lay_floor(y);
+                                   add_floor(y);
                                    y.any(k, {0, 0, size}, mass, size);
                                    y.any(k, {0, 0, 3.0 * size}, mass, size);
                                    y.box({0, 0, 5.0 * size}, 1.0, Vec3::Constant(size));
@@ -131,7 +131,7 @@ Cases features() {
     return {
         {"segment_without_length",
          [](Yard& y) {
-             lay_floor(y);
+             add_floor(y);
              const BodyId a = y.lump({0, 0, 0.05}, 1.0), b = y.lump({0, 0, 0.05}, 1.0);
              const BodyId c = y.lump({1, 0, 0.05}, 1.0);
              y.segment(a, b, 0.05);
@@ -150,7 +150,7 @@ Cases features() {
          }},
         {"flat_hull",
          [](Yard& y) {
-             lay_floor(y);
+             add_floor(y);
              ShapeDef d;
              d.kind = ShapeKind::hull;
              for (int i = 0; i < 8; ++i)
@@ -161,7 +161,7 @@ Cases features() {
          }},
         {"thin_box",
          [](Yard& y) {
-             lay_floor(y);
+             add_floor(y);
              y.box({0, 0, 1e-9}, 1.0, {1.0, 1.0, 1e-9});
              y.ball({0, 0, 0.5}, 1.0, 0.5);
              y.box({0, 0, 1.0}, 1.0, {1e-9, 1.0, 1.0});

@@ -68,7 +68,7 @@ export class AlarmList {
         const what = kDangers[e.kind];
         if (!what) return;
         const key = `e:${e.kind}:${e.name}`;
-        this.book.raise(key, e.words || `${what}: ${e.name}`, e.time, 'danger');
+        this.book.raise(key, e.words || `${t(what)}: ${e.name}`, e.time, 'danger');
         this.book.clear(key);
         this.dirty = true;
     }

@@ -16,15 +16,29 @@ const kTo = {   // a part about z laid along an axis
 };
 export const toQuaternion = ([w, x, y, z], out = new Quaternion()) => out.set(x, y, z, w);
 
-/// Return the box of a ship along its wetted hull: half sizes, and the middle of its length in the
-/// frame of the body, whose origin is the centre of mass.
+/// Return the box of a ship along its wetted hull: half sizes, the middle of its length and the height
+/// of its keel in the frame of the body, whose origin is the centre of mass.
 export function shipBox(half, wetted) {
-    let low = Infinity, high = -Infinity;
-    for (let i = 0; i < (wetted.vertices?.length ?? 0); i += 3) {
+    let low = Infinity, high = -Infinity, keel = Infinity;
+    for (let i = 0; i < (wetted?.vertices?.length ?? 0); i += 3) {
         low = Math.min(low, wetted.vertices[i]);
         high = Math.max(high, wetted.vertices[i]);
+        keel = Math.min(keel, wetted.vertices[i + 2]);
     }
-    return high > low && high - low > half[0] ? {half: [(high - low) / 2, half[1], half[2]], x: (high + low) / 2} : {half, x: 0};
+    return high > low && high - low > half[0] ? {half: [(high - low) / 2, half[1], half[2]], x: (high + low) / 2, keel} : {half, x: 0, keel: -half[2]};
+}
+
+/// Return the stern roller of a ship: a cylinder of the same vessel at its stern, in the frame of the
+/// ship's body; null: none. @param bodies  All bodies with poses at the start.
+export function rollerOf(ship, bodies) {
+    const family = name => name.slice(0, Math.max(0, name.lastIndexOf('/'))), turn = ship.quaternion.clone().invert();
+    for (const b of bodies) {
+        if (b === ship || b.role !== 'cylinder' || !/roller/.test(b.name) || family(b.name) !== family(ship.name)) continue;
+        const at = b.position.clone().sub(ship.position).applyQuaternion(turn), k = 'xyz'.indexOf(longAxis(b.half));
+        if (at.x < -0.6 * ship.half[0] && Math.abs(at.y) < 0.5 * ship.half[1])
+            return {x: at.x, z: at.z, radius: Math.max(...b.half.filter((_, i) => i !== k)), half: 1.03 * b.half[k]};
+    }
+    return null;
 }
 
 export class Bodies {
@@ -97,7 +111,7 @@ export class Bodies {
         const wetted = (scene.hulls ?? []).find(h => h.body === body.id);
         const {half, role} = body, key = `${role} ${half}`;
         if (role === 'ship' || role === 'barge' || role === 'semi') {
-            this.dressHull(body, wetted);
+            this.dressHull(body, wetted, scene);
         } else if (wetted) {
             this.part(body, `wet ${body.id}`, () => meshBuild(wetted, fit.PAINT.cargo));
         } else if (role === 'anchor') this.part(body, key, () => fit.anchor(half));
@@ -108,20 +122,41 @@ export class Bodies {
         else if (role === 'ball') {
             const r = ballRadius(body.def.mass);
             this.part(body, `ball ${r}`, () => fit.ball(r));
-        } else if (role === 'box' && !body.shapes.length) this.part(body, key, () => fit.crate(half));
+        } else if (role === 'box' && !body.shapes.length) this.part(body, `${key} ${body.def.kind}`, () => body.def.kind === 'fixed' ? fit.quay(half) : fit.crate(half));
         for (const s of body.shapes) this.dressShape(body, s);
     }
 
-    dressHull(body, wetted) {
-        const {water} = body, ship = body.role === 'ship' && wetted ? shipBox(body.half, wetted) : {half: body.half, x: 0}, {half} = ship, found = workingDeck(body.shapes, body.half);
+    dressHull(body, wetted, scene) {
+        const {water} = body, ship = body.role === 'ship' ? shipBox(body.half, wetted) : {half: body.half, x: 0}, {half} = ship, found = workingDeck(body.shapes, body.half);
         const deck = body.deck = found && {...found, front: (found.front * body.half[0] - ship.x) / half[0]};
         const paint = body.paint ?? ships.HULLS[0];
-        const made = body.role === 'semi' ? ships.semi({half, water}) : body.role === 'barge' ? ships.barge({half, water})
-            : ships.ship({half, water, paint, deck: deck?.z ?? null, break: deck ? deck.front + 0.14 : null});
+        let made, key = `hull ${body.id}`;
+        if (body.role === 'semi') made = ships.semi({half, water, wetted, derrick: !this.bodies.some(b => b.role === 'lattice')});
+        else if (body.role === 'barge') made = ships.barge({half, water});
+        else {
+            const works = deck || (scene.drums ?? []).some(d => d.body === body.id), given = rollerOf(body, this.bodies), low = deck?.z ?? 0.55 * half[2];
+            const roller = given ? {...given, x: given.x - ship.x} : works ? ships.sternRoller(half, low) : null;
+            made = ships.ship({half, keel: ship.keel, water, paint, deck: deck?.z ?? null, break: deck ? deck.front + 0.14 : null, roller, own: !given});
+            key = `hull ship ${half} ${paint} ${water.toFixed(2)} ${deck?.z} ${JSON.stringify(roller)} ${given === null}`;
+            body.stern = {x: ship.x - half[0], half: half[1], deck: made.low, front: made.front + ship.x};
+        }
         body.bridge = new Vector3(...made.bridge).setX(made.bridge[0] + ship.x);
+        body.conn = made.conn ? new Vector3(...made.conn).setX(made.conn[0] + ship.x) : null;
         body.eye = made.eye ? new Vector3(...made.eye).setX(made.eye[0] + ship.x) : null;
-        this.part(body, `hull ${body.role} ${half} ${paint} ${water.toFixed(2)} ${deck?.z}`, () => made.build, new Matrix4().makeTranslation(ship.x, 0, 0));
+        body.top = made.low;
+        this.part(body, key, () => made.build, new Matrix4().makeTranslation(ship.x, 0, 0));
         body.wetted = wetted;
+        this.dressPropellers(body, scene);
+    }
+
+    /// Nozzles with propellers, and rudders, of a vessel.
+    dressPropellers(body, scene) {
+        const vessel = (scene.vessels ?? []).find(v => v.body === body.id);
+        if (!vessel || body.role === 'semi') return;
+        const draught = Math.max(1, body.water - (body.wetted ? shipBox(body.half, body.wetted).keel : -body.half[2])), radius = 0.34 * draught;
+        for (const p of vessel.propulsors)
+            if (p.kind !== 'tunnel') this.part(body, `nozzle ${radius.toFixed(3)}`, () => fit.nozzle(radius), new Matrix4().makeTranslation(...p.point));
+        for (const r of vessel.rudders) this.part(body, `rudder ${radius.toFixed(3)}`, () => fit.rudder(radius), new Matrix4().makeTranslation(...r.point));
     }
 
     dressCylinder(body) {
@@ -153,18 +188,25 @@ export class Bodies {
 
     /// Drums of winches and sheaves, without hydraulic cylinders; they turn with the coordinate of a scalar body.
     dressMachines(scene) {
+        const taken = new Map();
         for (const d of scene.drums ?? []) {
             const body = this.byId.get(d.body), r = d.radius;
             if (!body || !(r > 0) || /\/cylinder$/.test(d.name) || body.role === 'none' && body.def.kind !== 'fixed') continue;
-            // A wire that leaves less than a diameter above the deck leaves from below its drum.
-            const above = body.deck ? d.point[2] - body.deck.z : Infinity, under = above > -r && above < 2 * r;
-            const local = this.laid('y', [d.point[0], d.point[1], d.point[2] + (under ? r : -r)]), foot = under ? Math.max(1.1 * r, above + r) : 1.5 * r;
-            const scalar = this.byId.get(d.drum);
+            const {at, foot, lead, davit} = this.drumPlace(body, d.point, r, taken), local = this.laid('y', at), scalar = this.byId.get(d.drum);
             const head = body.role === 'boom';   // a hoist's wire comes over the head
             const long = Math.min(4 * r, 2.4);
-            if (!head) this.part(body, `bearings ${r} ${foot}`, () => fit.bearings(r, long, foot), local);
-            this.turning.push(head ? this.part(body, `sheave ${r}`, () => fit.sheave(r), local, {scalar, ratio: 1, far: () => fit.farSheave(r)})
-                : this.part(body, `drum ${r}`, () => fit.drum(r, long), local, {scalar, ratio: 1, far: () => fit.farDrum(r, long)}));
+            if (davit) this.davit(body, d.point, davit, r);
+            if (lead) this.lead(body, davit ? davit.head : d.point, lead, scene.wires[d.wire]);
+            if (head) {
+                this.turning.push(this.part(body, `sheave ${r}`, () => fit.sheave(r), local, {scalar, ratio: 1, far: () => fit.farSheave(r)}));
+                continue;
+            }
+            this.part(body, `bearings ${r} ${foot}`, () => fit.bearings(r, long, foot), local);
+            this.turning.push(this.part(body, `flanges ${r}`, () => fit.flanges(r, long), local, {scalar, ratio: 1, far: () => fit.flanges(r, long, 10)}));
+            // The rope on the drum grows and shrinks by whole layers.
+            const layer = scene.outputs.findIndex(o => o.name === `${d.name}.layer`), thick = scene.wires[d.wire]?.diameter || 0.06;
+            this.turning.push(this.part(body, `rope ${r}`, () => fit.rope(r, long), local, {scalar, ratio: 1, far: () => fit.rope(r, long, 10),
+                layers: layer < 0 ? null : {output: layer, step: 0.866 * thick / r, first: null}}));
         }
         for (const w of scene.wheels ?? []) {
             const body = this.byId.get(w.body), r = Math.abs(w.radius);
@@ -173,6 +215,41 @@ export class Bodies {
             const local = new Matrix4().compose(new Vector3(...w.point), turn, unit), scalar = this.byId.get(w.slide);
             this.turning.push(this.part(body, `sheave ${r}`, () => fit.sheave(r), local, {scalar, ratio: scalar ? 1 / w.radius : 0, far: () => fit.farSheave(r)}));
         }
+    }
+
+    /// Return the position of a drum's shaft in the frame of its body, the height of its feet and the upper
+    /// end of the wire's lead to the point where it leaves the body; null: the drum stands at this point.
+    drumPlace(body, point, r, taken) {
+        const n = taken.get(body) ?? 0, above = body.deck ? point[2] - body.deck.z : Infinity;
+        if (body.role === 'semi') {   // windlass on deck, fairlead at the column
+            const at = [Math.min(0.93, Math.max(-0.93, point[0] / body.half[0])) * body.half[0], Math.min(0.93, Math.max(-0.93, point[1] / body.half[1])) * body.half[1], body.top + 1.4 * r];
+            if (at[2] - point[2] > 4 * r) return {at, foot: 1.4 * r, lead: [point[0], point[1], body.top]};
+        }
+        if (body.stern && point[0] < body.stern.x + 0.15 * body.half[0]) {   // a wire that leaves at the stern: its winch is forward
+            taken.set(body, n + 1);
+            const side = n % 2 ? -1 : n ? 1 : 0, at = [body.stern.front - 2.6 * r - 3 * r * Math.floor(n / 3), side * 0.45 * body.stern.half, body.stern.deck + 1.5 * r];
+            return {at, foot: 1.5 * r, lead: [at[0], at[1], at[2] + r]};
+        }
+        if (body.stern && (Math.abs(point[1]) > 0.97 * body.stern.half || point[2] > body.stern.deck + 5)) {   // over the side or high above deck: a davit
+            const y = Math.sign(point[1] || 1) * 0.6 * body.stern.half, deck = body.stern.deck, head = [point[0], y, Math.max(point[2], deck + 4)];
+            return {at: [point[0] + 4 * r, y * 0.4, deck + 1.5 * r], foot: 1.5 * r, lead: [point[0] + 4 * r, y * 0.4, deck + 2.5 * r], davit: {foot: [point[0], y, deck], head}};
+        }
+        // A wire that leaves less than a diameter above the deck leaves from below its drum.
+        const under = above > -r && above < 2 * r;
+        return {at: [point[0], point[1], point[2] + (under ? r : -r)], foot: under ? Math.max(1.1 * r, above + r) : 1.5 * r, lead: null};
+    }
+
+    /// Draw a davit from the deck to the point where a wire leaves.
+    davit(body, point, {foot, head}, r) {
+        this.part(body, `davit ${foot} ${point}`, () => fit.davit(foot, head, point));
+        this.part(body, `sheave ${0.7 * r}`, () => fit.sheave(0.7 * r), this.laid('x', [point[0], point[1], point[2] + 0.2 * r]), {far: () => fit.farSheave(0.7 * r)});
+    }
+
+    /// Draw the part of a wire between the point where it leaves a body and its drum.
+    lead(body, from, to, wire) {
+        const a = new Vector3(...from), b = new Vector3(...to), long = a.distanceTo(b), radius = Math.max(0.04, (wire?.diameter || 0.06) / 2);
+        const turn = new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), b.clone().sub(a).normalize());
+        this.part(body, `lead ${radius} ${long.toFixed(2)}`, () => fit.lead(radius, long), new Matrix4().compose(a.add(b).multiplyScalar(0.5), turn, unit));
     }
 
     /// Set the poses of a frame.
@@ -196,6 +273,7 @@ export class Bodies {
             for (const member of batch.members) {
                 member.world.multiplyMatrices(member.body.matrix, member.local);
                 if (member.scalar) member.world.multiply(local.makeRotationFromQuaternion(turn.setFromAxisAngle(kAxis, (member.scalar.coordinate * member.ratio) % (2 * Math.PI))));
+                if (member.layers) member.world.multiply(local.makeScale(...ropeScale(member.layers, frame.outputs)));
             }
     }
 
@@ -233,3 +311,11 @@ export class Bodies {
     }
 }
 const kAxis = new Vector3(0, 0, 1);
+
+/// Return the scale of a drum's rope from the number of its layers.
+export function ropeScale(layers, outputs) {
+    const now = outputs[layers.output];
+    if (Number.isFinite(now)) layers.first ??= now;
+    const k = Number.isFinite(now) ? Math.min(1.3, Math.max(0.35, 1 + (now - layers.first) * layers.step)) : 1;
+    return [k, k, 1];
+}

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The briefing before a run: description, task, stations, number of clients; the instructor starts.
+import {siteChart} from './chart.js';
 import {$, clock, el} from './dom.js';
 import {readable} from './roles.js';
 import {t} from './words.js';
@@ -28,6 +29,7 @@ export class Briefing {
             return;
         }
         const e = app.exercise.exercise, role = app.scene.role, mine = e?.stations.find(s => s.name === role.name);
+        const read = name => app.frame?.outputs[app.scene.outputs.findIndex(o => o.name === name)], wind = Number.isFinite(read('sea.wind')) ? {speed: read('sea.wind'), to: read('sea.wind_direction') ?? 0} : null;
         const parts = [el('h2', {id: 'briefing-title', textContent: readable(e?.name ?? app.scene.name)}), el('p', {textContent: (e?.description || app.scene.description) ?? ''})];
         if (mine) parts.push(el('p', {}, el('b', {textContent: `${t('Your station')}: ${t(readable(mine.name))}. `}), mine.text ?? ''));
         if (e?.goals.length) parts.push(el('h3', {textContent: t('Goals')}), el('ul', {}, ...e.goals.map(g => el('li', {textContent: `${g.text || readable(g.name)}: ${+g.possible.toFixed(1)} ${t('points')}${g.by === null ? '' : `, ${t('until')} ${clock(g.by)}`}`}))),
@@ -37,11 +39,12 @@ export class Briefing {
         parts.push(el('p', {className: 'note', textContent: `${t('Pages that have joined')}: ${n}`}));
         const start = el('button', {id: 'start', className: 'primary', textContent: t('Start'), onclick: () => app.play()});
         parts.push(el('div', {className: 'row'}, ...(app.mayRun ? [start] : [el('b', {textContent: t('The instructor starts the run.')})]), el('button', {textContent: t('Look around first'), onclick: () => this.close()})));
-        const text = parts.map(p => p.textContent).join('\n');
+        const text = `${parts.map(p => p.textContent).join('\n')}${app.frame ? 1 : 0}`;   // wires come with the first frame
         if (!box.hidden && text === this.text) return;  // a repeated state must not take the focus
         const focus = app.mayRun && (box.hidden || document.activeElement?.id === 'start');
         this.text = text;
-        box.replaceChildren(...parts);
+        const [title, ...rest] = parts, buttons = rest.pop();
+        box.replaceChildren(title, el('div', {className: 'brief-columns'}, el('div', {}, ...rest), app.stage.bodies.bodies.length ? siteChart(app.stage.bodies.bodies, app.scene, app.frame, wind) : ''), buttons);
         box.hidden = false;
         if (focus) start.focus();
     }

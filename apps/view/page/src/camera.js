@@ -137,7 +137,7 @@ export class CameraRig {
     }
 
     aboard(subject) {
-        const {camera} = this, at = this.mode !== 'board' && subject.bridge ? subject.bridge : subject.eye;
+        const {camera} = this, at = (this.mode === 'aft' ? subject.conn : null) ?? (this.mode !== 'board' && subject.bridge ? subject.bridge : subject.eye);
         const q = subject.quaternion, {azimuth, elevation} = this.look;
         camera.position.copy(at).applyQuaternion(q).add(subject.position);
         const way = new Vector3(Math.cos(elevation) * Math.cos(azimuth), Math.cos(elevation) * Math.sin(azimuth), Math.sin(elevation));
@@ -179,5 +179,5 @@ export class CameraRig {
 }
 
 /// Return the view of a body as a subject; each frame updates the same object.
-export const makeSubject = (size, eye, bridge, aft = false) =>
-    ({position: new Vector3(), quaternion: new Quaternion(), size, eye, bridge, aft});
+export const makeSubject = (size, eye, bridge, aft = false, conn = null) =>
+    ({position: new Vector3(), quaternion: new Quaternion(), size, eye, bridge, aft, conn});

@@ -17,16 +17,24 @@ export const STOPS = [
     [1.0, 122, 4, 8],
 ];
 
+/// Palettes for the tension of wires, with equal positions of their stops. All keep their order under
+/// the three kinds of colour blindness; `light` also without any colour vision.
+export const kPalettes = {
+    standard: {label: 'Blue to red', stops: STOPS},
+    orange: {label: 'Blue to orange', stops: [[0.0, 18, 78, 150], [0.2, 84, 160, 210], [0.4, 214, 228, 240], [0.6, 252, 196, 130], [0.8, 236, 110, 20], [1.0, 120, 40, 4]]},
+    light: {label: 'Light to dark', stops: [[0.0, 255, 255, 224], [0.2, 255, 206, 80], [0.4, 228, 112, 6], [0.6, 170, 48, 2], [0.8, 98, 16, 4], [1.0, 34, 4, 3]]},
+};
+
 /// Colour of broken wires, and of wires with unknown strength.
 export const GREY = [150, 156, 162];
 
 /// sRGB 0 to 255 of a utilisation 0 to 1, clamped; not a number: grey.
-export function tensionColour(share) {
+export function tensionColour(share, stops = STOPS) {
     if (!Number.isFinite(share)) return GREY.slice();
     const x = Math.min(1, Math.max(0, share));
     let i = 1;
-    while (i < STOPS.length - 1 && x > STOPS[i][0]) ++i;
-    const [a, ...from] = STOPS[i - 1], [b, ...to] = STOPS[i];
+    while (i < stops.length - 1 && x > stops[i][0]) ++i;
+    const [a, ...from] = stops[i - 1], [b, ...to] = stops[i];
     const t = (x - a) / (b - a);
     return from.map((v, k) => Math.round(v + t * (to[k] - v)));
 }
@@ -48,8 +56,8 @@ export function colourTable(size) {
 }
 
 /// CSS gradient of the map, left to right.
-export const gradient = () => 'linear-gradient(to right, ' +
-    STOPS.map(([x, r, g, b]) => `rgb(${r} ${g} ${b}) ${100 * x}%`).join(', ') + ')';
+export const gradient = (stops = STOPS) => 'linear-gradient(to right, ' +
+    stops.map(([x, r, g, b]) => `rgb(${r} ${g} ${b}) ${100 * x}%`).join(', ') + ')';
 
 /// Relative luminance (WCAG 2.1) of sRGB 0 to 255.
 export const luminance = rgb => {

@@ -54,7 +54,7 @@ export class ExercisePanel {
         this.left = el('span', {className: 'note', id: 'time-left'});
         this.goals = list('goals');
         this.penalties = list('penalties');
-        this.alarms = el('ul', {id: 'alarms', className: 'tally', role: 'alert', 'aria-label': t('Alarms')});
+        this.alarms = el('ul', {id: 'alarms', className: 'tally'});
         this.shown = el('dl', {className: 'facts', id: 'displays'});
         const sound = el('input', {type: 'checkbox', id: 'sound', checked: this.sound});
         sound.addEventListener('change', () => {
@@ -65,7 +65,7 @@ export class ExercisePanel {
         const mine = e.stations.find(s => s.name === this.app.scene?.role.name);
         const parts = [el('h2', {textContent: readable(e.name), title: e.description}), el('p', {className: 'row score'}, this.score, this.left)];
         if (mine?.text) parts.push(el('p', {className: 'note', textContent: mine.text}));
-        parts.push(this.alarms, el('h3', {textContent: t('Goals')}), this.goals);
+        parts.push(el('div', {role: 'alert', 'aria-label': t('Alarms')}, this.alarms), el('h3', {textContent: t('Goals')}), this.goals);
         this.penaltyTitle = el('h3', {textContent: t('Penalties')});
         parts.push(this.penaltyTitle, this.penalties);
         if (e.displays.length) parts.push(el('h3', {textContent: t('Displays')}), this.shown);

@@ -80,17 +80,24 @@ export function roller(radius, length, colour = PAINT.steel, stripes = true) {
     return b;
 }
 
-/// A drum about z: rope, flanges with spokes, and its shaft.
-export function drum(radius, length) {
-    const b = new Build(), h = length / 2;
-    for (let i = 0; i < 9; ++i) {   // lays of rope
-        const z = -h + length * (i + 0.5) / 9;
-        b.cylinder([0, 0, z - length / 18], [0, 0, z + length / 18], radius, 24, i % 2 ? 0x847a63 : PAINT.rope, radius, false);
+/// Rope on a drum about z, in lays.
+export function rope(radius, length, sides = 24) {
+    const b = new Build(), h = length / 2, lays = sides < 16 ? 1 : 9;
+    for (let i = 0; i < lays; ++i) {
+        const z = -h + length * (i + 0.5) / lays;
+        b.cylinder([0, 0, z - length / lays / 2], [0, 0, z + length / lays / 2], radius, sides, i % 2 ? 0x847a63 : PAINT.rope, radius, false);
     }
+    return b;
+}
+
+/// Flanges of a drum about z with spokes, and its core and shaft.
+export function flanges(radius, length, sides = 28) {
+    const b = new Build(), h = length / 2;
+    b.cylinder([0, 0, -h], [0, 0, h], 0.34 * radius, Math.min(12, sides), PAINT.steel, 0.34 * radius, false);
     for (const s of [1, -1]) {
-        b.cylinder([0, 0, s * h], [0, 0, s * (h + 0.5 * radius)], radius * 0.17, 10, PAINT.steel);
-        b.cylinder([0, 0, s * h - 0.08 * radius], [0, 0, s * h + 0.08 * radius], radius * 1.35, 28, PAINT.crane);
-        for (let i = 0; i < 6; ++i) {
+        if (sides > 16) b.cylinder([0, 0, s * h], [0, 0, s * (h + 0.5 * radius)], radius * 0.17, 10, PAINT.steel);
+        b.cylinder([0, 0, s * h - 0.08 * radius], [0, 0, s * h + 0.08 * radius], radius * 1.35, sides, PAINT.crane);
+        for (let i = 0; i < 6 && sides > 16; ++i) {
             const w = i * Math.PI / 3, c = Math.cos(w), n = Math.sin(w), z = s * (h + 0.09 * radius);
             const lo = radius * 0.3, hi = radius * 1.3, t = radius * 0.09;
             b.both([lo * c - t * n, lo * n + t * c, z], [hi * c - t * n, hi * n + t * c, z],
@@ -100,11 +107,52 @@ export function drum(radius, length) {
     return b;
 }
 
-/// The distant form of a drum: rope and flanges.
-export function farDrum(radius, length) {
-    const b = new Build(), h = length / 2;
-    b.cylinder([0, 0, -h], [0, 0, h], radius, 10, PAINT.rope, radius, false);
-    for (const s of [1, -1]) b.cylinder([0, 0, s * h - 0.08 * radius], [0, 0, s * h + 0.08 * radius], radius * 1.35, 10, PAINT.crane);
+/// A straight piece of wire about z.
+export function lead(radius, length) {
+    const b = new Build();
+    b.cylinder([0, 0, -length / 2], [0, 0, length / 2], radius, 6, 0x5b656c, radius, false);
+    return b;
+}
+
+/// A davit: a column from `foot` to `head`, and a boom from there to the point where the wire hangs.
+export function davit(foot, head, point) {
+    const b = new Build(), out = point.map((v, k) => v - head[k]), long = Math.hypot(...out) || 1;
+    b.cylinder(foot, [foot[0], foot[1], head[2] + 0.6], 0.75, 14, PAINT.crane, 0.55);
+    b.cylinder(foot, [foot[0], foot[1], foot[2] + 0.5], 1.1, 14, PAINT.dark);
+    b.cylinder([head[0], head[1], head[2] + 0.3], [point[0], point[1], point[2] + 0.5], 0.5, 10, PAINT.crane, 0.32);
+    b.cylinder([foot[0], foot[1], head[2] - 0.35 * (head[2] - foot[2])], head.map((v, k) => v + out[k] / long * 0.65 * long + (k === 2 ? 0.2 : 0)), 0.2, 8, PAINT.steel);
+    return b;
+}
+
+/// A quay or another fixed block: concrete with a coping and a rail of bollards.
+export function quay([hx, hy, hz]) {
+    const b = new Build(), t = Math.min(0.4, 0.1 * hz);
+    b.box([-hx, -hy, -hz], [hx, hy, hz - t], 0x8b8d87);
+    b.box([-hx - 0.1, -hy - 0.1, hz - t], [hx + 0.1, hy + 0.1, hz], 0xb3b4ad);
+    const n = Math.min(16, Math.floor(hx / 6));
+    for (let i = 0; i < n; ++i)
+        for (const s of [1, -1]) b.cylinder([-hx + 2 * hx * (i + 0.5) / n, s * (hy - 0.7), hz], [-hx + 2 * hx * (i + 0.5) / n, s * (hy - 0.7), hz + 0.6], 0.3, 8, PAINT.dark);
+    return b;
+}
+
+/// A nozzle along x with a propeller of four blades.
+export function nozzle(radius) {
+    const b = new Build(), n = 18, l = 0.5 * radius;
+    b.cylinder([-l, 0, 0], [l, 0, 0], radius, n, PAINT.red, 1.12 * radius, false);
+    b.cylinder([-l, 0, 0], [l, 0, 0], 0.94 * radius, n, PAINT.dark, 0.98 * radius, false);
+    b.cylinder([-0.6 * l, 0, 0], [l, 0, 0], 0.2 * radius, 8, 0xb08d3c);
+    for (let i = 0; i < 4; ++i) {
+        const w = i * Math.PI / 2 + 0.4, c = Math.cos(w), s = Math.sin(w), t = 0.22 * radius, e = 0.9 * radius;
+        b.both([0.2 * l, -t * s, t * c], [-0.2 * l, t * s, -t * c], [-0.3 * l, e * c + t * s, e * s - t * c], [0.3 * l, e * c - t * s, e * s + t * c], 0xb08d3c);
+    }
+    b.box([-0.3 * radius, -0.12 * radius, 0.95 * radius], [0.3 * radius, 0.12 * radius, 1.9 * radius], PAINT.red);
+    return b;
+}
+
+/// A rudder blade about its stock.
+export function rudder(radius) {
+    const b = new Build();
+    b.box([-0.9 * radius, -0.09 * radius, -1.1 * radius], [0.4 * radius, 0.09 * radius, 1.1 * radius], PAINT.red);
     return b;
 }
 

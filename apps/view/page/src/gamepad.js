@@ -3,12 +3,16 @@
 /// Buttons act like keys. The mapping is stored for each scene.
 import {deadZone} from './lever_logic.js';
 
-export const kButtons = {0: 'play', 1: 'neutral', 2: 'step', 3: 'camera', 4: 'previous', 5: 'next', 9: 'play', 12: 'Ahead', 13: 'Astern', 14: 'Port', 15: 'Starboard'};
+/// Commands of the buttons of a standard gamepad. `less` and `more` move the selected control: with
+/// `previous` and `next` they reach every control and switch of a station.
+export const kButtons = {0: 'play', 1: 'neutral', 2: 'step', 3: 'camera', 4: 'previous', 5: 'next', 6: 'less', 7: 'more', 8: 'acknowledge', 9: 'play', 10: 'release', 12: 'Ahead', 13: 'Astern', 14: 'Port', 15: 'Starboard'};
+const kRepeat = {less: 6, more: 6};   // polls between repetitions of a button that is held
 
 /// Return the default mapping: the first controls in their order, upward sticks positive.
 export const defaultMapping = levers => ({
     zone: 0.12,
     axes: [0, 1, 2, 3].map(axis => ({lever: levers[axis] ?? '', invert: axis % 2 === 1})),
+    buttons: {...kButtons},
 });
 
 /// Return the requests of a pad: [{lever name, deflection, holding}], and newly pressed buttons.
@@ -22,8 +26,9 @@ export function readPad(pad, mapping, before = {axes: [], pressed: []}) {
         return d;
     });
     const pressed = pad.buttons.map(b => b.pressed);
-    const commands = pressed.flatMap((p, i) => p && !before.pressed[i] && kButtons[i] ? [kButtons[i]] : []);
-    return {axes, pressed, moves, commands};
+    const buttons = mapping.buttons ?? kButtons, held = pressed.map((p, i) => p ? (before.held?.[i] ?? 0) + 1 : 0);
+    const commands = held.flatMap((n, i) => buttons[i] && (n === 1 || n > 18 && kRepeat[buttons[i]] && n % kRepeat[buttons[i]] === 0) ? [buttons[i]] : []);
+    return {axes, pressed, held, moves, commands};
 }
 
 export class Gamepads {
@@ -36,7 +41,7 @@ export class Gamepads {
     }
 
     setMapping(mapping) {
-        this.mapping = mapping;
+        this.mapping = {...mapping, buttons: mapping.buttons ?? {...kButtons}};   // stored by an earlier page
     }
 
     /// Update for each picture.
@@ -50,7 +55,7 @@ export class Gamepads {
             for (const move of read.moves) {
                 const at = this.levers.levers.findIndex(l => l.def.name === move.lever);
                 if (at < 0) continue;
-                this.levers.activate(at);
+                if (move.holding) this.levers.activate(at);
                 this.levers.deflect(at, move.deflection, move.holding);
             }
             for (const command of read.commands) this.run(command);

@@ -27,8 +27,9 @@ export class Labels {
         const element = document.createElement('span');
         element.className = what.body ? 'name' : 'name wire';
         element.textContent = what.text;
+        element.style.display = 'none';
         this.layer.append(element);
-        return {...what, element, width: 8 * what.text.length + 14, shown: null};
+        return {...what, element, width: 8 * what.text.length + 14, shown: false};
     }
 
     update(stage, on) {

@@ -103,6 +103,7 @@ export class Levers {
             this.move(at, value);
         };
         lever.wordOf = value => choiceWord(def, value);
+        lever.pick = pick;
         const two = def.words.length === 2;
         lever.buttons = two ? [el('button', {role: 'switch', id, onclick: () => pick(lever.value > 0.5 ? 0 : 1)})]
             : def.words.map((word, i) => el('button', {role: 'radio', textContent: lever.wordOf(i), className: kDangerous.has(word) ? 'guarded' : '', onclick: () => pick(i)}));
@@ -116,6 +117,12 @@ export class Levers {
             el('div', {className: 'choices', role: two ? 'group' : 'radiogroup', 'aria-labelledby': label.id}, ...lever.buttons), lever.force);
         this.paint(lever);
         return lever.element;
+    }
+
+    /// Press the dangerous choice of the selected control; the second press confirms.
+    release() {
+        const lever = this.levers[this.active], at = lever?.def.words?.findIndex(w => kDangerous.has(w)) ?? -1;
+        if (at >= 0) lever.pick(at);
     }
 
     /// Ask for a second press of a dangerous choice.

@@ -4,7 +4,7 @@ import {AlarmList} from './alarms.js';
 import {Briefing} from './briefing.js';
 import {Connection} from './connection.js';
 import {Debriefing} from './debriefing.js';
-import {gradient} from './colour.js';
+import {gradient, kPalettes} from './colour.js';
 import {$, clock, el, memory, toast} from './dom.js';
 import {Drag} from './drag.js';
 import {defaultMapping, Gamepads} from './gamepad.js';
@@ -86,9 +86,9 @@ class App {
     }
 
     paintLink(s) {
-        const chip = $('link'), words = {connecting: 'connecting', open: 'live', lost: 'connection lost', refused: 'refused'};
+        const chip = $('link'), words = {connecting: t('connecting'), open: t('live'), lost: t('connection lost'), refused: t('refused')};
         chip.className = `chip ${s.state === 'open' ? 'good' : s.state === 'refused' ? 'bad' : 'wait'}`;
-        chip.textContent = s.state === 'open' && this.scene ? `${this.scene.mode === 'recording' ? 'recording' : 'live'} · ${this.scene.role.name}` : words[s.state];
+        chip.textContent = s.state === 'open' && this.scene ? `${t(this.scene.mode === 'recording' ? 'recording' : 'live')} · ${t(readable(this.scene.role.name)).toLowerCase()}` : words[s.state];
         $('lost').hidden = s.state === 'open' || s.state === 'connecting' && !this.wasLost;
         this.wasLost = s.state === 'lost' || s.state === 'refused' || this.wasLost && s.state !== 'open';
         if (s.state === 'lost') $('lost-text').textContent = `${s.reason ? `The program says: ${s.reason}. ` : 'The connection is lost. '}Trying again in ${(s.wait / 1000).toFixed(1)} s.`;
@@ -142,7 +142,7 @@ class App {
         const box = $('failure'), was = box.hidden;
         if (!f) return void (box.hidden = true);
         if (this.closedFailure === f.time) return;
-        const rows = [['Time', clock(f.time)], ['Element', f.element || '–'], ['What', `${f.status}${f.reason ? `: ${f.reason}` : ''}`], ['Remedy', f.remedy || '–']];
+        const rows = [[t('Time'), clock(f.time)], [t('Element'), f.element || '–'], [t('What'), `${f.status}${f.reason ? `: ${f.reason}` : ''}`], [t('Remedy'), f.remedy || '–']];
         $('failure-text').replaceChildren(...rows.flatMap(([a, b]) => [el('dt', {textContent: a}), el('dd', {textContent: b})]));
         const back = $('failure-restore');
         back.hidden = !f.restore_point || !this.mayControl;
@@ -172,7 +172,8 @@ class App {
     part(what) { this.ask({type: 'part', wire: this.scene.wires[what.wire].id, s: what.share}); }
 
     command(name) {
-        const run = {play: () => this.play(), step: () => this.step(), neutral: () => this.levers.neutral(), next: () => this.levers.next(1),
+        const nudge = steps => { this.levers.nudge(steps, 'button'); this.levers.letGo(this.levers.active, 'button'); };
+        const run = {play: () => this.play(), step: () => this.step(), neutral: () => this.levers.neutral(), next: () => this.levers.next(1), less: () => nudge(-1), more: () => nudge(1), release: () => this.levers.release(), acknowledge: () => this.alarms.all(),
             previous: () => this.levers.next(-1), camera: () => this.camera(kModes[(kModes.indexOf(this.stage.rig.mode) + 1) % kModes.length])};
         if (kMoves[name]) this.levers.movePosition(...kMoves[name].map(v => v * kMove));
         run[name]?.();
@@ -215,6 +216,14 @@ class App {
     useSi(si) {
         this.instruments.useSi(si);
         for (const lever of this.levers.levers) this.levers.paint(lever);
+    }
+
+    /// Set the colours of tension and of limits. @param name  Of colour.js.
+    usePalette(name) {
+        const {stops} = kPalettes[name] ?? kPalettes.standard;
+        document.body.dataset.palette = name;
+        this.stage.wires.palette(stops);
+        $('legend-ramp').style.background = gradient(stops);
     }
 
     /// Open or close the menu of tools, on narrow pages.
@@ -272,7 +281,7 @@ class App {
         for (const b of document.querySelectorAll('[data-panel]')) b.addEventListener('click', () => this.panel(b.dataset.panel));
         $('cameras').append(...kModes.map((mode, i) => el('button', {role: 'radio', textContent: t(kCameraNames[mode]), title: `${t('Camera')}: ${t(kCameraNames[mode])} (${i + 1})`, onclick: () => this.camera(mode)})));
         [...$('cameras').children].forEach((b, i) => { b.dataset.mode = kModes[i]; });
-        $('legend-ramp').style.background = gradient();
+        this.usePalette(memory.get('palette', 'standard'));
         $('legend-range').addEventListener('click', () => this.nextRange());
         let down = null;
         $('canvas').addEventListener('pointerdown', e => { down = {x: e.clientX, y: e.clientY, at: e.timeStamp}; });
@@ -332,6 +341,7 @@ class App {
             this.instruments.update(this.frame, now);
             this.debriefing.update(this.frame);
             this.alarms.paint();
+            if (!this.framed) this.briefing.paint(this.framed = true);
             $('time').textContent = clock(this.frame.time);
         }
         this.levers.update(now, dt, this.frame);
@@ -365,7 +375,7 @@ class App {
         }
         if (this.was < (this.cornerDue ?? 0)) return;
         this.cornerDue = this.was + 500;
-        $('frames').textContent = `${stage.quality.fps.toFixed(0)} pictures/s · ${stage.wires.asTubes ? 'tubes' : 'lines'}`;
+        $('frames').textContent = `${stage.quality.fps.toFixed(0)} ${t('pictures/s')} · ${t(stage.wires.asTubes ? 'tubes' : 'lines')}`;
     }
 }
 

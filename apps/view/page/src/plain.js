@@ -6,10 +6,10 @@ import {
     BackSide, BufferAttribute, BufferGeometry, ClampToEdgeWrapping, DataTexture, DoubleSide, LinearFilter,
     LinearMipmapNearestFilter, Mesh, RepeatWrapping, ShaderMaterial, UniformsLib, UniformsUtils, Vector3,
 } from 'three';
+import {AIR, CLOUD, HORIZON, SAND, SUN, ZENITH} from './air.js';
 import {rings} from './rings.js';
-import {DEEP, HORIZON, kWaveSum, LAMPS, noiseTile, SAND, SUN, ZENITH} from './surroundings.js';
+import {kWaveSum, noiseTile} from './surroundings.js';
 
-const shown = c => c.toArray().map(Math.sqrt);
 const bytes = (out, i, rgb) => out.set([...rgb.map(v => Math.max(0, Math.min(255, Math.round(255 * v)))), 255], 4 * i);
 const vec3 = v => `vec3(${v.map(x => x.toFixed(5)).join(', ')})`;
 const mix = (a, b, t) => a.map((v, k) => v + (b[k] - v) * t);
@@ -43,14 +43,14 @@ function image(size, paint, mips = false) {
 /// Paint the sky once: bearing horizontally, elevation of 0 to 90° vertically.
 function skyImage() {
     const wide = 1024, high = 256, noise = sampler(), sun = SUN.toArray();
-    const zenith = ZENITH.toArray(), horizon = HORIZON.toArray();
+    const zenith = ZENITH.toArray(), horizon = HORIZON.toArray(), white = CLOUD.toArray(), bright = AIR.bright.value;
     return image([wide, high], (i, j) => {
         const a = 2 * Math.PI * i / wide, e = Math.PI / 2 * j / (high - 1), d = [Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e)];
         const up = d[2], s = 0.9 / (0.14 + up);
         let c = mix(horizon, zenith, Math.sqrt(up));
         const cloud = smoothstep(0.48, 0.8, 0.62 * noise(d[0] * s * 0.11, d[1] * s * 0.11) + 0.38 * noise((d[0] * s * 2.7 + 3) * 0.11, (d[1] * s * 2.7 + 3) * 0.11));
-        c = mix(c, [0.95, 0.97, 0.98], 0.75 * cloud * smoothstep(0.01, 0.2, up));
-        const facing = Math.max(0, d[0] * sun[0] + d[1] * sun[1] + d[2] * sun[2]), light = 0.25 * facing ** 24 + 1.5 * facing ** 1536;
+        c = mix(c, white, 0.75 * cloud * smoothstep(0.01, 0.2, up));
+        const facing = Math.max(0, d[0] * sun[0] + d[1] * sun[1] + d[2] * sun[2]), light = bright * (0.25 * facing ** 24 + 1.5 * facing ** 1536);
         return [1, 0.9, 0.7].map((v, k) => Math.sqrt(c[k] + light * v));
     });
 }
@@ -81,6 +81,11 @@ void main() { gl_FragColor = texture2D(sky, place); }`,
     }));
     mesh.frustumCulled = false;
     mesh.renderOrder = 4;
+    /// Paint the sky anew after a change of the air.
+    mesh.repaint = () => {
+        mesh.material.uniforms.sky.value.dispose();
+        mesh.material.uniforms.sky.value = skyImage();
+    };
     return mesh;
 }
 
@@ -89,16 +94,16 @@ float haze(float depth) { return smoothstep(fogNear, fogFar, depth); }`;
 
 /// Material for Water: surface, colour and reflectance at corners, ripples at pixels.
 export const plainWater = {
-    rings: () => rings(14000, 1.2, 56, 44),
+    rings: () => rings(14000, 1.2, 112, 116),
     vertex: `
 ${kWaveSum}
-uniform vec3 eye, sun; uniform float time, opacity, below; uniform sampler2D tile;
-varying vec4 paint; varying vec3 mirrored; varying vec2 place; varying vec3 glint; varying float calm;
+uniform vec3 eye, sun, horizon, zenith, deep; uniform float time, opacity, below, caps, spread, bright; uniform sampler2D tile;
+varying vec4 paint; varying vec3 mirrored; varying vec2 place; varying vec3 glint; varying float calm, white;
 ${fog}
 void main() {
     vec4 w = modelMatrix * vec4(position, 1.0);
-    float z; vec2 slope;
-    waves(w.xy, 0.2 * length(w.xy - eye.xy) + 0.5, z, slope);
+    float z, crest; vec2 slope;
+    waves(w.xy, 0.084 * length(w.xy - eye.xy) + 0.4, z, slope, crest);
     w.z += z;
     vec3 v = eye - w.xyz; float far = length(v); v /= far;
     float side = below > 0.5 ? -1.0 : 1.0;
@@ -106,15 +111,17 @@ void main() {
     vec3 n = side * normalize(vec3(0.14 * swell - slope, 1.0));
     float c = clamp(dot(n, v), 0.0, 1.0), q = 1.0 - c, f = 0.02 + 0.98 * q * q * q * q * q;
     vec3 m = reflect(-v, n);
-    vec3 sky = sqrt(mix(${vec3(HORIZON.toArray())}, ${vec3(ZENITH.toArray())}, sqrt(abs(m.z))));
-    vec3 body = sqrt(mix(${vec3(DEEP.toArray())}, vec3(0.02, 0.25, 0.32), clamp(0.4 + 2.2 * dot(n.xy, sun.xy), 0.0, 1.0)) * (0.75 + 0.5 * dot(n, sun)));
+    vec3 sky = sqrt(mix(horizon, zenith, sqrt(abs(m.z))));
+    float rise = clamp(crest / spread, -1.0, 2.0);
+    vec3 body = sqrt(mix(deep, vec3(0.02, 0.25, 0.32) * bright, clamp(0.4 + 2.2 * dot(n.xy, sun.xy) + 0.35 * rise, 0.0, 1.0)) * (0.75 + 0.5 * dot(n, sun)));
+    white = ((crest - caps) / spread + 0.1) * (1.0 - smoothstep(700.0, 2500.0, far)) - 4.0 * smoothstep(700.0, 2500.0, far) - 9.0 * below;
     paint = vec4(mix(body, sky, f), mix(opacity, 1.0, max(f, smoothstep(400.0, 5000.0, far))));
     calm = 0.1 + 0.44 / (1.0 + far * far * 1.2e-5);
-    mirrored = (sky - body) * 2.5 * q * q * q + vec3(0.02, 0.1, 0.11);
+    mirrored = (sky - body) * 2.5 * q * q * q + vec3(0.02, 0.1, 0.11) * bright;
     // What the sun's mirror image is at the pixel: m·s = 2 (n·v)(n·s) − v·s, with a little slope more.
     glint = vec3(dot(n, sun), c, dot(v, sun));
     if (below > 0.5) {
-        paint = vec4(sqrt(mix(vec3(0.16, 0.42, 0.5), vec3(0.4, 0.62, 0.68), c)), 0.75);
+        paint = vec4(sqrt(mix(vec3(0.16, 0.42, 0.5), vec3(0.4, 0.62, 0.68), c) * bright), 0.75);
         mirrored = vec3(0.12);
         glint.x = 0.0;
     }
@@ -126,14 +133,16 @@ void main() {
     gl_Position = projectionMatrix * mv;
 }`,
     fragment: `
-uniform sampler2D tile; uniform vec3 sun;
-varying vec4 paint; varying vec3 mirrored; varying vec2 place; varying vec3 glint; varying float calm;
+uniform sampler2D tile; uniform vec3 sun; uniform float bright;
+varying vec4 paint; varying vec3 mirrored; varying vec2 place; varying vec3 glint; varying float calm, white;
 void main() {
-    vec2 d = (texture2D(tile, place).rg - 0.5) * calm;
-    float turned = dot(d, ${`vec2(${SUN.x.toFixed(4)}, ${SUN.y.toFixed(4)})`});
+    vec3 s = texture2D(tile, place).rgb;
+    vec2 d = (s.rg - 0.5) * calm;
+    float turned = dot(d, sun.xy);
     float g = max(2.0 * (glint.y + 0.5 * d.x) * (glint.x + turned) - glint.z, 0.0);
-    g *= g; g *= g; g *= g; g *= g; g *= g; g *= g; g *= 0.6;
-    gl_FragColor = vec4(paint.rgb + mirrored * (2.2 * turned) + g, paint.a + g);
+    g *= g; g *= g; g *= g; g *= g; g *= g; g *= g; g *= 0.6 * min(1.0, 2.0 * bright);
+    float foam = clamp(1.6 * (white + 2.4 * (s.b - 0.5)), 0.0, 0.85);
+    gl_FragColor = vec4(mix(paint.rgb + mirrored * (2.2 * turned) + g, vec3(0.93, 0.96, 0.97) * sqrt(bright), foam), paint.a + g + foam);
 }`,
 };
 
@@ -151,41 +160,37 @@ function sandImage() {
 export const plainBed = {
     uniforms: () => ({sandy: {value: sandImage()}}),
     vertex: `
-uniform vec3 eye; uniform float depth, wet;
+uniform vec3 eye, deep; uniform float depth, wet;
 varying vec4 murk; varying vec2 place;
 ${fog}
 void main() {
     vec4 w = modelMatrix * vec4(position, 1.0), mv = viewMatrix * w;
     float far = smoothstep(300.0, 2600.0, distance(eye, w.xyz)) * wet, thick = 0.25 + 0.6 * wet * (1.0 - exp(-depth / 160.0)), h = haze(-mv.z);
-    vec3 deep = ${vec3(shown(DEEP))} * 1.2;
-    murk = vec4(mix(deep, sqrt(fogColor), h), 1.0 - (1.0 - thick) * (1.0 - far) * (1.0 - h));
+    murk = vec4(mix(sqrt(deep) * 1.2, sqrt(fogColor), h), 1.0 - (1.0 - thick) * (1.0 - far) * (1.0 - h));
     place = w.xy / 400.0;
     gl_Position = projectionMatrix * mv;
 }`,
     fragment: `
-uniform sampler2D sandy; varying vec4 murk; varying vec2 place;
-void main() { gl_FragColor = vec4(mix(texture2D(sandy, place).rgb, murk.rgb, murk.a), 1.0); }`,
+uniform sampler2D sandy; uniform float bright; varying vec4 murk; varying vec2 place;
+void main() { gl_FragColor = vec4(mix(texture2D(sandy, place).rgb * sqrt(bright), murk.rgb, murk.a), 1.0); }`,
 };
-
-/// Return the light of sky and ground on a diffuse surface, as a vector of shaders.
-const lamp = f => vec3(LAMPS.sky.toArray().map((v, k) => f(v, LAMPS.ground.toArray()[k]) * LAMPS.around / Math.PI));
 
 /// Return the paint of bodies: lit at corners from sky and sun, shadows by one sample of their map.
 export function plainPaint() {
     return new ShaderMaterial({
         lights: true, fog: true, vertexColors: true, side: DoubleSide, shadowSide: BackSide,
-        uniforms: UniformsUtils.merge([UniformsLib.lights, UniformsLib.fog, {toSun: {value: new Vector3().copy(SUN)}}]),
+        uniforms: Object.assign(UniformsUtils.merge([UniformsLib.lights, UniformsLib.fog]), AIR),
         vertexShader: `
 #include <common>
 #include <shadowmap_pars_vertex>
-uniform vec3 toSun;
+uniform vec3 sun;
 varying vec3 paint; varying vec2 facing; varying float away;
 ${fog}
 void main() {
     mat4 place = modelMatrix * instanceMatrix;
     vec4 worldPosition = place * vec4(position, 1.0), mvPosition = viewMatrix * worldPosition;
     vec3 n = mat3(place) * normal, transformedNormal = mat3(viewMatrix) * n;
-    facing = vec2(n.z, dot(n, toSun));
+    facing = vec2(n.z, dot(n, sun));
     paint = sqrt(color);
     away = haze(-mvPosition.z);
     gl_Position = projectionMatrix * mvPosition;
@@ -197,12 +202,12 @@ void main() {
 #include <lights_pars_begin>
 #include <shadowmap_pars_fragment>
 #include <shadowmask_pars_fragment>
+uniform vec3 lampMean, lampTilt, lampSun;
 varying vec3 paint; varying vec2 facing; varying float away;
 ${fog.split('\n')[0]}
 void main() {
     vec2 f = gl_FrontFacing ? facing : -facing;
-    float sun = max(f.y, 0.0) * getShadowMask();
-    vec3 light = ${lamp((a, b) => (a + b) / 2)} + ${lamp((a, b) => (a - b) / 2)} * f.x + ${vec3(LAMPS.sun.toArray().map(v => v * LAMPS.straight / Math.PI))} * sun;
+    vec3 light = lampMean + lampTilt * f.x + lampSun * (max(f.y, 0.0) * getShadowMask());
     gl_FragColor = vec4(mix(paint * sqrt(light), sqrt(fogColor), away), 1.0);
 }`,
     });

@@ -7,6 +7,7 @@ import {History} from './history.js';
 import {quantity} from './lever_logic.js';
 import {largestTensions} from './protocol.js';
 import {readable} from './roles.js';
+import {t} from './words.js';
 
 /// Colours that are distinct also with colour blindness (M. Okabe, K. Ito, 2008), light on dark.
 export const SERIES = ['#56b4e9', '#e69f00', '#2fc99b', '#f0e442', '#e2884f', '#d993bd', '#ffffff', '#9db4c0'];
@@ -18,7 +19,7 @@ export class Plots {
         this.cards = [];
         this.due = 0;
         this.list = el('div', {});
-        this.add = el('select', {'aria-label': 'Add a plot'});
+        this.add = el('select', {'aria-label': t('Add a plot')});
         this.add.addEventListener('change', () => {
             if (this.add.value) this.open(JSON.parse(this.add.value));
             this.add.value = '';
@@ -27,7 +28,7 @@ export class Plots {
 
     /// Add the plots below the other contents of the panel.
     mount() {
-        this.panel.append(el('h2', {textContent: 'Plots'}), el('div', {className: 'row'}, this.add), this.list);
+        this.panel.append(el('h2', {textContent: t('Plots')}), el('div', {className: 'row'}, this.add), this.list);
     }
 
     setScene(scene) {
@@ -55,9 +56,9 @@ export class Plots {
         const option = (text, what) => el('option', {textContent: text, value: JSON.stringify(what)});
         const group = (label, options) => options.length ? el('optgroup', {label}, ...options) : null;
         this.add.replaceChildren(...[el('option', {value: '', textContent: 'Add a plot …'}),
-            group('Run', [option('Step time by stage', {kind: 'stages'}), option('Residuals', {kind: 'residual'}), option('Largest tensions', {kind: 'tensions'})]),
-            group('Outputs', this.scene.outputs.map(o => option(readable(o.name), {kind: 'output', name: o.name}))),
-            group('Tensions', this.scene.wires.filter(w => w.kind !== 'rod').map(w => option(readable(w.name), {kind: 'wire', name: w.name})))].filter(Boolean));
+            group('Run', [option('Step time by stage', {kind: 'stages'}), option('Residuals', {kind: 'residual'}), option(t('Largest tensions'), {kind: 'tensions'})]),
+            group(t('Outputs'), this.scene.outputs.map(o => option(readable(o.name), {kind: 'output', name: o.name}))),
+            group(t('Tensions'), this.scene.wires.filter(w => w.kind !== 'rod').map(w => option(readable(w.name), {kind: 'wire', name: w.name})))].filter(Boolean));
     }
 
     /// Return the series of a plot: [{label, unit, index in the history or body}], and a heading.
@@ -67,10 +68,10 @@ export class Plots {
             const o = scene.outputs.find(x => x.name === what.name);
             return o && {title: readable(o.name), unit: o.unit, series: [{label: readable(o.name), index: at(`o:${o.name}`)}]};
         }
-        if (what.kind === 'wire') return {title: `Tension of ${readable(what.name)}`, unit: 'N', series: [{label: readable(what.name), index: at(`w:${what.name}`)}]};
+        if (what.kind === 'wire') return {title: `${t('Tension')}: ${readable(what.name)}`, unit: 'N', series: [{label: readable(what.name), index: at(`w:${what.name}`)}]};
         if (what.kind === 'tensions') {
             const wires = scene.wires.filter(w => w.kind !== 'rod').slice(0, 40), most = w => -(this.tensions[scene.wires.indexOf(w)] || 0);
-            return {title: 'Largest tensions', unit: 'N', series: [...wires].sort((a, b) => most(a) - most(b)).slice(0, 6).map(w => ({label: readable(w.name), index: at(`w:${w.name}`)}))};
+            return {title: t('Largest tensions'), unit: 'N', series: [...wires].sort((a, b) => most(a) - most(b)).slice(0, 6).map(w => ({label: readable(w.name), index: at(`w:${w.name}`)}))};
         }
         if (what.kind === 'stages') {
             const series = scene.stages.map(s => ({label: s, index: Math.max(at(`s:stage_${s}_ms`), at(`s:stage_${s}`))})).filter(s => s.index >= 0);

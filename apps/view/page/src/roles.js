@@ -7,7 +7,8 @@ const last = name => name.slice(name.lastIndexOf('/') + 1).toLowerCase();
 /// Return ship, barge, semi, box, cylinder, ball, anchor, hook, boom, lattice, none.
 /// body: {name, kind, half: [x, y, z] or null, afloat}.
 export function roleOf(body) {
-    const word = last(body.name);
+    // The hull of a template has the name of its copy: "barge/hull".
+    const own = last(body.name), cut = body.name.lastIndexOf('/'), word = own === 'hull' && cut > 0 ? last(body.name.slice(0, cut)) + own : own;
     if (body.kind === 'scalar') return 'none';
     if (body.kind === 'lump') return 'ball';
     if (!body.half) return 'none';

@@ -8,11 +8,14 @@ import {arrowLength, Arrows} from './arrows.js';
 import {Bodies} from './bodies.js';
 import {CameraRig, makeSubject} from './camera.js';
 import {Labels} from './labels.js';
+import {Lights} from './lights.js';
 import {nearestPiece} from './picking.js';
 import {makePlainSky, plainBed, plainPaint, plainWater} from './plain.js';
 import {Quality} from './quality.js';
 import {seaComponents, seaState} from './protocol.js';
-import {aimSun, HORIZON, makeLight, makeSky, Seabed, Water} from './surroundings.js';
+import {air, AIR, fogOf, HORIZON, kClear, kSun, setAir} from './air.js';
+import {aimSun, encode, kWaveSum, lightUp, makeLight, makeSky, Seabed, tile, Water} from './surroundings.js';
+import {Wake} from './wake.js';
 import {Wires} from './wires.js';
 
 export const FORCE = {contact: 0x9b2fae, joint: 0x0a7d5a};
@@ -59,6 +62,8 @@ export class Stage {
         this.bodies = new Bodies(this.scene, this.low ? plainPaint() : null);
         this.wires = new Wires(this.low);
         this.water = new Water(this.low ? plainWater : null);
+        this.wake = new Wake({waves: kWaveSum, encode, tile, defines: this.low ? {LOW: 1} : {}}, this.water.material.uniforms);
+        this.lights = new Lights();
         this.seabed = new Seabed(this.low ? plainBed : null);
         this.light = makeLight(this.low);
         this.arrows = new Arrows(this.scene);
@@ -66,7 +71,7 @@ export class Stage {
         this.quality = new Quality();
         this.show = {names: true, contacts: true, joints: false, water: true, clear: true, seabed: true, shadows: true, tubes: 'auto'};
         this.sky = this.low ? makePlainSky() : makeSky();
-        this.scene.add(this.sky, this.light, this.water.mesh, this.seabed.mesh, this.wires.tubes, this.wires.lines);
+        this.scene.add(this.sky, this.light, this.water.mesh, this.wake.mesh, this.lights.mesh, this.seabed.mesh, this.wires.tubes, this.wires.lines);
         this.spring = this.makeSpring();
         this.full = 0.5;
         this.scratch = {ray: new Raycaster(), v: new Vector3(), p: new Vector2(), plane: new Plane(), lit: new Sphere()};
@@ -94,9 +99,13 @@ export class Stage {
         this.bodies.setScene(scene, this.level);
         this.wires.setScene(scene.wires.map(w => ({...w, radius: Math.max(0.01, (w.diameter || 0.06) / 2)})));
         this.water.setWaves(seaComponents(scene.sea, scene.origin));
+        this.wake.setScene(scene, this.bodies.bodies);
+        this.lights.setScene(this.bodies.bodies);
+        this.windAt = scene.outputs.findIndex(o => o.name === 'sea.wind');
         this.afloat = Boolean(scene.sea) || this.bodies.bodies.some(b => ['ship', 'semi', 'barge'].includes(b.role));
         this.findBed(scene);
         this.labels.setScene(this.bodies.bodies, scene.wires);
+        if (first) this.airOf(scene);
         if (first) this.firstView(scene);
         else if (this.subjectBody) this.follow(this.bodies.byId.get(this.subjectBody.id) ?? null);
     }
@@ -147,7 +156,7 @@ export class Stage {
         this.subjectBody = body;
         if (!body) return this.subject = null;
         const [hx, , hz] = body.half ?? [1, 1, 1];
-        this.subject = makeSubject(body.size, body.eye ?? new Vector3(-0.15 * hx, 0, hz + Math.max(1.8, 0.15 * hz)), body.bridge ?? null, Boolean(body.eye));
+        this.subject = makeSubject(body.size, body.eye ?? new Vector3(-0.15 * hx, 0, hz + Math.max(1.8, 0.15 * hz)), body.bridge ?? null, Boolean(body.eye), body.conn ?? null);
         this.subject.position.copy(body.position);
         this.subject.quaternion.copy(body.quaternion);
         this.rig.subject = this.subject;
@@ -197,6 +206,8 @@ export class Stage {
         this.frame = frame;
         ({level: this.level, factor: this.waveFactor} = seaState(this.info, frame));
         this.bodies.update(frame);
+        this.water.setWind(this.windAt < 0 ? NaN : frame.outputs[this.windAt], this.waveFactor);
+        this.wake.take(frame);
         this.wires.fill(frame, this.full);
         if (this.subjectBody) {
             this.subject.position.copy(this.subjectBody.position);
@@ -213,28 +224,49 @@ export class Stage {
         this.water.mesh.visible = this.afloat && this.show.water;
         this.water.material.uniforms.opacity.value = this.show.clear ? 0.42 : 0.97;
         this.water.update(frame?.time ?? 0, this.level, camera, this.waveFactor);
+        this.wake.mesh.visible = this.water.mesh.visible && !under && this.wake.ships.length > 0;
+        this.wake.level.value = this.level;
+        this.lights.update(eye, AIR.bright.value < 0.8 || air.visibility < 3000 ? 1 : 0);
         this.seabed.mesh.visible = this.show.seabed;
         this.seabed.update(camera);
+        this.water.material.uniforms.pixel.value = pixel;
         this.haze(under);
         this.wires.view(pixel, this.width, this.height, this.ratio, this.level, this.afloat && !under ? 1 : 0);
         this.wires.asTubes = this.show.tubes === 'auto' ? this.quality.tubes : this.show.tubes === 'tubes';
         this.drawForces(eye, pixel);
         this.bodies.place(camera, pixel, this.shadows(now));
         this.renderer.render(this.scene, camera);
+        this.counts = {calls: this.renderer.info.render.calls, triangles: this.renderer.info.render.triangles};
         this.labels.update(this, this.show.names);
     }
 
+    /// Set the air to that of the scene. @param choice  Light or visibility that the user prefers.
+    airOf(scene, choice = {}) {
+        const {light = 'day', visibility = null, sun_azimuth = null, sun_elevation = null} = scene.light ?? {};
+        this.setAir({light, visibility: visibility ?? kClear, azimuth: sun_azimuth ?? kSun.azimuth, elevation: sun_elevation, ...choice, ...choice.light && choice.light !== light ? {elevation: null} : {}});
+    }
+
+    /// Set light and visibility: {light: 'day', 'dusk' or 'night', visibility [m], azimuth, elevation [rad]}.
+    setAir(change) {
+        setAir(change);
+        lightUp(this.light);
+        this.sky.repaint?.();
+        this.shadowDue = 0;
+    }
+
     haze(under) {
-        const fog = this.scene.fog;
-        if (under === this.under) return;
+        const {fog} = this.scene;
+        if (under === this.under && air.version === this.aired) return;
         this.under = under;
-        fog.color.set(under ? 0x1c5266 : HORIZON);
+        this.aired = air.version;
+        const bright = AIR.bright.value, rgb = [0x1c, 0x52, 0x66].map(v => v * Math.max(0.25, bright)), {near, far} = fogOf(air.visibility);
+        if (under) fog.color.setRGB(...rgb.map(v => v / 255), SRGBColorSpace);
+        else fog.color.copy(HORIZON);
         // Under water no sky shows between the surface and the bottom.
         this.sky.visible = !under;
-        const rgb = [0x1c, 0x52, 0x66].map(v => this.low ? Math.sqrt(v / 255) : v / 255);   // as shaders show the haze
-        this.scene.background = under ? new Color().setRGB(...rgb, SRGBColorSpace) : null;
-        fog.near = under ? 5 : 500;
-        fog.far = under ? 700 : 9000;
+        this.scene.background = under ? new Color().setRGB(...rgb.map(v => this.low ? Math.sqrt(v / 255) : v / 255), SRGBColorSpace) : null;   // as shaders show the haze
+        fog.near = under ? 5 : near;
+        fog.far = under ? 700 : far;
     }
 
     /// Return the area of new shadows for the next picture; null: keep the old shadows.

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Sky, light, sea surface and seabed.
 import {
-    BackSide, Color, DataTexture, DirectionalLight, Group, HemisphereLight,
+    BackSide, DataTexture, DirectionalLight, Group, HemisphereLight,
     LinearFilter, LinearMipmapLinearFilter, LinearMipmapNearestFilter, Mesh, RepeatWrapping, RGBAFormat, ShaderMaterial, SphereGeometry, UniformsLib, UniformsUtils, Vector3, Vector4, DoubleSide,
 } from 'three';
+import {AIR, exceeded, LAMPS, SAND, SUN, whitecaps} from './air.js';
 import {drawSector, rings} from './rings.js';
 
-export const HORIZON = new Color(0xc3d5e0);
-export const ZENITH = new Color(0x3f7fc0), DEEP = new Color(0x0b3550), SAND = new Color(0xb7a583);
-export const SUN = new Vector3(0.55, -0.5, 0.62).normalize();
 export const kWaves = 40;  // components that the surface is drawn with, the largest first
 
 /// A tile of smooth noise, periodic: red and green its slope, blue its height, each about ½.
@@ -56,7 +54,7 @@ export const encode = `
 #else
     #include <colorspace_fragment>
 #endif`;
-const tile = {value: null};
+export const tile = {value: null};
 const noise = `uniform sampler2D tile;
 float noise(vec2 p) { return texture2D(tile, p * 0.11).b; }
 vec2 ripple(vec2 p) { return texture2D(tile, p * 0.11).rg - 0.5; }`;
@@ -65,24 +63,24 @@ export function makeSky() {
     tile.value ??= noiseTexture(false);
     const material = new ShaderMaterial({
         side: BackSide, depthWrite: false, fog: false,
-        uniforms: {zenith: {value: ZENITH}, horizon: {value: HORIZON}, sun: {value: SUN}, tile},
+        uniforms: {...AIR, tile},
         vertexShader: `varying vec3 way;
 void main() {
     way = position;
     vec4 p = projectionMatrix * mat4(mat3(modelViewMatrix)) * vec4(position, 1.0);
     gl_Position = p.xyww;
 }`,
-        fragmentShader: `uniform vec3 zenith, horizon, sun; varying vec3 way; ${noise}
+        fragmentShader: `uniform vec3 zenith, horizon, sun, cloudy; uniform float bright; varying vec3 way; ${noise}
 void main() {
     vec3 d = normalize(way);
     float up = max(d.z, 0.0);
     vec3 c = mix(horizon, zenith, sqrt(up));
     vec2 q = d.xy / (0.14 + up) * 0.9;
     float cloud = smoothstep(0.48, 0.8, 0.62 * noise(q) + 0.38 * noise(q * 2.7 + 3.0));
-    c = mix(c, vec3(0.95, 0.97, 0.98), 0.75 * cloud * smoothstep(0.01, 0.2, up));
+    c = mix(c, cloudy, 0.75 * cloud * smoothstep(0.01, 0.2, up));
     float s = max(dot(d, sun), 0.0); s *= s; s *= s; s *= s;
     float glow = s * s * s, disc = glow * glow; disc *= disc; disc *= disc; disc *= disc; disc *= disc; disc *= disc;
-    c += vec3(1.0, 0.9, 0.7) * (0.25 * glow + 1.5 * disc);
+    c += vec3(1.0, 0.9, 0.7) * (0.25 * glow + 1.5 * disc) * bright;
     gl_FragColor = vec4(c, 1.0);
     ${encode}
 }`,
@@ -92,9 +90,6 @@ void main() {
     mesh.renderOrder = 4;   // behind all that is opaque: only what is seen of it is painted
     return mesh;
 }
-
-/// Colour and strength of the lamps: the sky, the reflection of the ground, the sun.
-export const LAMPS = {sky: new Color(0xe4f0f8), ground: new Color(0x64727a), around: 2.3, sun: new Color(0xfff2dc), straight: 2.5};
 
 /// @param low  True: a coarser map of shadows, for processors that draw.
 export function makeLight(low = false) {
@@ -106,8 +101,17 @@ export function makeLight(low = false) {
     sun.shadow.bias = -0.0004;
     sun.shadow.normalBias = 0.25;
     group.add(sky, sun, sun.target);
-    group.sun = sun;
+    Object.assign(group, {sun, sky});
     return group;
+}
+
+/// Give the lamps the light of the air.
+export function lightUp({sun, sky}) {
+    sky.color.copy(LAMPS.sky);
+    sky.groundColor.copy(LAMPS.ground);
+    sky.intensity = LAMPS.around;
+    sun.color.copy(LAMPS.sun);
+    sun.intensity = LAMPS.straight;
 }
 
 /// Aim the shadow of the sun at a square of `reach` metres about `at`. Return the covered reach.
@@ -144,15 +148,14 @@ export class Water {
         const uniforms = UniformsUtils.merge([UniformsLib.fog, {
             count: {value: 0}, wave: {value: Array.from({length: kWaves}, () => new Vector4())},
             eye: {value: new Vector3()}, origin: {value: new Vector3()}, time: {value: 0},
-            opacity: {value: 0.62}, below: {value: 0},
-            horizon: {value: HORIZON}, zenith: {value: ZENITH}, deep: {value: DEEP}, sun: {value: SUN},
+            opacity: {value: 0.62}, below: {value: 0}, caps: {value: 1e3}, spread: {value: 1}, pixel: {value: 0.001},
         }]);
-        uniforms.tile = tile;
+        Object.assign(uniforms, AIR, {tile});
         this.material = new ShaderMaterial({
             uniforms, transparent: true, depthWrite: false, fog: true, side: DoubleSide,
             vertexShader: plain?.vertex ?? waterVertex, fragmentShader: plain?.fragment ?? waterFragment,
         });
-        this.mesh = new Mesh(plain?.rings() ?? rings(14000, 1.2), this.material);
+        this.mesh = new Mesh(plain?.rings() ?? rings(14000, 1.2, 144, 150), this.material);
         this.mesh.frustumCulled = false;
         this.mesh.renderOrder = 5;
     }
@@ -160,6 +163,14 @@ export class Water {
     setWaves(components) {
         this.waves = largestWaves(components ?? []);
         this.material.uniforms.count.value = this.waves.length;
+    }
+
+    /// Set the wind [m/s]; NaN: the wind that raises such waves. Foam covers the crests whose convergence of
+    /// the surface is exceeded over the area of whitecaps in that wind.
+    setWind(wind, factor = 1) {
+        const u = this.material.uniforms, w = Number.isFinite(wind) ? wind : windOf(this.waves, factor);
+        u.spread.value = Math.max(1e-6, factor * Math.sqrt(this.waves.reduce((s, c) => s + 0.5 * (c.amplitude * c.wave_number) ** 2, 0)));
+        u.caps.value = this.waves.length ? u.spread.value * exceeded(whitecaps(w)) : 1e3;
     }
 
     /// t [s], the level of still water [m], the camera, a factor on all waves.
@@ -176,17 +187,23 @@ export class Water {
     }
 }
 
+/// Return the wind [m/s] of a fully developed sea of these waves: Hs = 0.0246 U² (Pierson and Moskowitz,
+/// 1964).
+export const windOf = (waves, factor = 1) => Math.sqrt(4 * factor * Math.sqrt(waves.reduce((s, c) => s + 0.5 * c.amplitude ** 2, 0)) / 0.0246);
+
 /// Elevation and slope of the surface. Waves that a grid of this spacing cannot resolve would alias;
 /// they fade out.
 export const kWaveSum = `
 uniform int count; uniform vec4 wave[${kWaves}];
-void waves(vec2 place, float spacing, out float z, out vec2 slope) {
-    z = 0.0; slope = vec2(0.0);
+void waves(vec2 place, float spacing, out float z, out vec2 slope, out float crest) {
+    z = 0.0; slope = vec2(0.0); crest = 0.0;
     for (int i = 0; i < ${kWaves}; ++i) {
         if (i >= count) break;
-        float fade = 1.0 - smoothstep(0.25, 0.7, length(wave[i].yz) * spacing / 3.14159);
-        float a = wave[i].x * fade, arg = dot(wave[i].yz, place) + wave[i].w;
-        z += a * cos(arg);
+        float k = length(wave[i].yz), fade = 1.0 - smoothstep(0.35, 0.9, k * spacing / 3.14159);
+        if (fade <= 0.0) continue;
+        float a = wave[i].x * fade, arg = dot(wave[i].yz, place) + wave[i].w, c = a * cos(arg);
+        z += c;
+        crest += k * c;
         slope -= a * sin(arg) * wave[i].yz;
     }
 }`;
@@ -194,45 +211,52 @@ void waves(vec2 place, float spacing, out float z, out vec2 slope) {
 const waterVertex = `
 ${kWaveSum}
 uniform vec3 eye;
-varying vec3 at; varying vec3 tilt;
+varying vec3 at;
 #include <common>
 #include <fog_pars_vertex>
 void main() {
     vec4 w = modelMatrix * vec4(position, 1.0);
-    float z; vec2 slope;
-    waves(w.xy, 0.14 * length(w.xy - eye.xy) + 0.5, z, slope);
+    float z, crest; vec2 slope;
+    waves(w.xy, 0.065 * length(w.xy - eye.xy) + 0.3, z, slope, crest);
     w.z += z;
-    at = w.xyz; tilt = vec3(-slope, 1.0);
+    at = w.xyz;
     vec4 mvPosition = viewMatrix * w;
     gl_Position = projectionMatrix * mvPosition;
     #include <fog_vertex>
 }`;
 
+// Slopes are summed at pixels: a mesh that carries them as far as they are seen would be too fine.
 const waterFragment = `
-uniform vec3 eye, horizon, zenith, deep, sun; uniform float time, opacity, below;
-varying vec3 at; varying vec3 tilt;
+${kWaveSum}
+uniform vec3 eye, horizon, zenith, deep, sun; uniform float time, opacity, below, caps, spread, bright, pixel;
+varying vec3 at;
 #include <common>
 #include <fog_pars_fragment>
 ${noise}
 void main() {
     vec3 v = eye - at; float far = length(v); v /= far;
     float calm = 1.0 / (1.0 + far * far * 1.2e-5);
-    vec2 p = at.xy;
+    vec2 p = at.xy, slope; float z, crest;
+    waves(p, 0.5 * far * pixel / max(0.06, abs(v.z)), z, slope, crest);
     vec2 swell = ripple(p * 0.035 + time * vec2(0.012, -0.009));
     vec2 r = ripple(p * 0.9 + vec2(time * 0.62, time * 0.31)) + ripple(p * 0.37 + vec2(-time * 0.21, time * 0.34));
-    vec3 n = normalize(tilt + vec3((0.05 + 0.22 * calm) * r + 0.14 * swell, 0.0));
+    vec3 n = normalize(vec3(-slope + (0.05 + 0.22 * calm) * r + 0.1 * swell, 1.0));
     if (below > 0.5) n = -n;
     float c = clamp(dot(n, v), 0.0, 1.0), q = 1.0 - c, f = 0.02 + 0.98 * q * q * q * q * q;
     vec3 m = reflect(-v, n); m.z = abs(m.z);
     vec3 sky = mix(horizon, zenith, sqrt(clamp(m.z, 0.0, 1.0)));
     float lit = 0.75 + 0.5 * dot(n, sun);
-    vec3 body = mix(deep, vec3(0.02, 0.25, 0.32), clamp(0.4 + 2.2 * (n.x * sun.x + n.y * sun.y), 0.0, 1.0)) * lit;
+    vec3 body = mix(deep, vec3(0.02, 0.25, 0.32) * bright, clamp(0.4 + 2.2 * (n.x * sun.x + n.y * sun.y) + 0.22 * clamp(crest / spread, -1.0, 2.0), 0.0, 1.0)) * lit;
     float glint = max(dot(m, sun), 0.0);
     glint *= glint; glint *= glint; glint *= glint; glint *= glint; glint *= glint; glint *= glint; glint *= glint;
-    glint *= 0.9;
+    glint *= 0.9 * min(1.0, 2.0 * bright);
     vec3 colour = mix(body, sky, f) + vec3(1.0, 0.92, 0.75) * glint;
-    float alpha = mix(opacity, 1.0, max(f, smoothstep(400.0, 5000.0, far)));
-    if (below > 0.5) { colour = mix(vec3(0.16, 0.42, 0.5), vec3(0.4, 0.62, 0.68), c); alpha = 0.75; }
+    // Foam: broken by two scales of noise, thin streaks behind the crest.
+    float grain = noise(p * 2.3 + time * 0.05) + noise(p * 0.7) - 1.0, ragged = crest + 0.9 * spread * grain;
+    float foam = smoothstep(caps, caps + 0.5 * spread, ragged) * smoothstep(0.3, 0.75, noise(p * 5.1) + 0.25) * (1.0 - smoothstep(900.0, 3500.0, far));
+    colour = mix(colour, vec3(0.9, 0.94, 0.95) * (0.1 + 0.9 * bright) * (0.7 + 0.3 * lit), 0.85 * foam);
+    float alpha = mix(opacity, 1.0, max(max(f, foam), smoothstep(400.0, 5000.0, far)));
+    if (below > 0.5) { colour = mix(vec3(0.16, 0.42, 0.5), vec3(0.4, 0.62, 0.68), c) * bright; alpha = 0.75; }
     gl_FragColor = vec4(colour, clamp(alpha + glint, 0.0, 1.0));
     ${encode}
     #include <fog_fragment>
@@ -241,9 +265,9 @@ void main() {
 export class Seabed {
     constructor(plain = null) {
         const uniforms = UniformsUtils.merge([UniformsLib.fog, {
-            eye: {value: new Vector3()}, sand: {value: SAND}, deep: {value: DEEP}, depth: {value: 100}, wet: {value: 1},
+            eye: {value: new Vector3()}, sand: {value: SAND}, depth: {value: 100}, wet: {value: 1},
         }]);
-        Object.assign(uniforms, {tile}, plain?.uniforms());
+        Object.assign(uniforms, AIR, {tile}, plain?.uniforms());
         this.material = new ShaderMaterial({
             fog: true, uniforms, vertexShader: plain?.vertex ?? bedVertex, fragmentShader: plain?.fragment ?? bedFragment,
         });
@@ -274,7 +298,7 @@ gl_Position = projectionMatrix * mvPosition;
 #include <fog_vertex>
 }`;
 
-const bedFragment = `uniform vec3 eye, sand, deep; uniform float depth, wet; varying vec3 at;
+const bedFragment = `uniform vec3 eye, sand, deep; uniform float depth, wet, bright; varying vec3 at;
 #include <fog_pars_fragment>
 ${noise}
 float grid(vec2 p, float s) {
@@ -288,7 +312,7 @@ void main() {
     vec3 c = sand * (0.72 + 0.45 * g);
     c = mix(c, vec3(0.95), 0.25 * grid(at.xy, 100.0));
     float murk = wet * (1.0 - exp(-depth / 160.0));
-    c = mix(c, deep * 1.5, 0.25 + 0.6 * murk);
+    c = mix(c * bright, deep * 1.5, 0.25 + 0.6 * murk);
     c = mix(c, deep * 1.15, wet * smoothstep(300.0, 2600.0, far));
     gl_FragColor = vec4(c, 1.0);
     ${encode}

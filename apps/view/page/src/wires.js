@@ -11,18 +11,20 @@ import {
     UniformsLib, UniformsUtils, Vector2, Vector3,
 } from 'three';
 import {GREY, STOPS, toLinear} from './colour.js';
-import {encode, SUN} from './surroundings.js';
+import {SUN} from './air.js';
+import {encode} from './surroundings.js';
 
 const kWide = 512;  // points a row of the texture
 
 export const kNone = -2, kUnknown = -1;
 
 const colourShader = `
+uniform vec3 ramp[${STOPS.length}];
 vec3 tension(float s) {
     if (s < -0.5) return ${vec3(toLinear(GREY))};
     float x = clamp(s, 0.0, 1.0);
-    vec3 c = ${vec3(toLinear(STOPS[0].slice(1)))};
-${STOPS.slice(1).map(([x, ...rgb], i) => `    c = mix(c, ${vec3(toLinear(rgb))}, clamp((x - ${STOPS[i][0].toFixed(3)}) / ${(x - STOPS[i][0]).toFixed(3)}, 0.0, 1.0));`).join('\n')}
+    vec3 c = ramp[0];
+${STOPS.slice(1).map(([x], i) => `    c = mix(c, ramp[${i + 1}], clamp((x - ${STOPS[i][0].toFixed(3)}) / ${(x - STOPS[i][0]).toFixed(3)}, 0.0, 1.0));`).join('\n')}
     return c;
 }`;
 
@@ -122,6 +124,8 @@ export class Wires {
             pixel: {value: 0.001}, least: {value: 1.3}, level: {value: 0}, murk: {value: 0},
             screen: {value: new Vector2(1, 1)}, sun: {value: SUN}, deep: {value: new Vector3(0.02, 0.08, 0.13)},
         }]);
+        this.uniforms.ramp = {value: STOPS.map(() => new Vector3())};
+        this.palette(STOPS);
         this.uniforms.points = {value: null};
         this.uniforms.looks = {value: null};
         this.tubes = this.make(tubeVertex(this.sides), fragment(true));
@@ -129,6 +133,11 @@ export class Wires {
         this.reserve(256);
         this.asTubes = true;
         this.selected = -1;
+    }
+
+    /// Set the colours of tension. @param stops  As in colour.js.
+    palette(stops) {
+        stops.forEach(([, ...rgb], i) => this.uniforms.ramp.value[i].set(...toLinear(rgb)));
     }
 
     make(vertexShader, fragmentShader) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drives the page in a browser against the real program: node test/browser.mjs HAWSER [PART …]
 // Parts: act (levers to restore), exercise (roles, faults, score), station (instruments, keys), record
-// (scrubbing), look (pictures, rates), handling (anchor handling by three stations). All by default. On request: phases
+// (scrubbing), look (pictures, rates), handling (anchor handling by three stations), trainer (every exercise
+// by two stations and the instructor, layout, axe-core), stills (pictures for
+// docs/trainer.md, draw calls). All by default. On request: phases
 // (pictures of the phases of anchor handling).
 // HAWSER_PAGE=build/page/files serves the page's files from that folder instead of the program's.
 // Debian's chromium without a graphics card: software GL. CHROMIUM names another one.
@@ -19,10 +21,12 @@ import {handlingPart} from './browser_handling.mjs';
 import {stationPart} from './browser_station.mjs';
 import {phasesPart} from './browser_phases.mjs';
 import {recordPart} from './browser_record.mjs';
+import {stillsPart} from './browser_stills.mjs';
+import {trainerPart} from './browser_trainer.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url)), root = resolve(here, '../../../..');
 const hawser = resolve(process.argv[2] ?? join(root, 'build/release/bin/hawser'));
-const parts = process.argv.length > 3 ? process.argv.slice(3) : ['act', 'exercise', 'station', 'record', 'look', 'handling'];
+const parts = process.argv.length > 3 ? process.argv.slice(3) : ['act', 'exercise', 'station', 'record', 'look', 'handling', 'trainer', 'stills'];
 const kArguments = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', '--disable-features=LocalNetworkAccessChecks'];
 
 let passed = 0, failed = 0;
@@ -121,6 +125,8 @@ try {
     if (parts.includes('record')) await recordPart(kit);
     if (parts.includes('look')) await lookPart(kit);
     if (parts.includes('handling')) await handlingPart(kit);
+    if (parts.includes('trainer')) await trainerPart(kit);
+    if (parts.includes('stills')) await stillsPart(kit);
     if (parts.includes('phases')) await phasesPart(kit);
 } catch (e) {
     ++failed;

@@ -5,11 +5,10 @@
 // start of its exercise, runs with the control file of the exercise to its time, and is drawn without
 // panels. HAWSER_PHASES=haul,run: these alone. States of an exercise belong to its scene with its inputs.
 import assert from 'node:assert/strict';
-import {Buffer} from 'node:buffer';
 import {cpSync, existsSync, mkdirSync, readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {gunzipSync} from 'node:zlib';
-import {palettePng} from './png.mjs';
+import {palettePicture} from './png.mjs';
 
 const kSize = {width: 1400, height: 900}, kMost = 400 * 1000;
 const kFull = 'anchor_handling', kLower = 'anchor_handling_lower';
@@ -85,14 +84,7 @@ async function picture(kit, name, {from, camera}) {
     await kit.still(page, false);
     await kit.still(page);
     const path = join(kit.pictures, `handling_${name}.png`);
-    const pixels = await page.evaluate(async bytes => {
-        const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${bytes}`)).blob()), c = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
-        c.drawImage(bitmap, 0, 0);
-        const d = c.getImageData(0, 0, bitmap.width, bitmap.height).data, parts = [];
-        for (let i = 0; i < d.length; i += 32768) parts.push(String.fromCharCode(...d.subarray(i, i + 32768)));
-        return btoa(parts.join(''));
-    }, (await page.screenshot()).toString('base64'));
-    writeFileSync(path, palettePng(kSize.width, kSize.height, Buffer.from(pixels, 'base64')));
+    await palettePicture(page, path, kSize);
     await page.context().close();
     await server.end();
     assert.ok(kit.size(path) <= kMost, `${kit.size(path)} bytes`);

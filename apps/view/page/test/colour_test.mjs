@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
-import {colourTable, contrast, GREY, STOPS, tensionColour, toLinear} from '../src/colour.js';
+import {colourTable, contrast, GREY, kPalettes, luminance, STOPS, tensionColour, toLinear} from '../src/colour.js';
 
 // Machado, Oliveira, Fernandes 2009, severity 1.0, on linear RGB (table 1 of their supplement).
 const kBlind = {
@@ -39,14 +39,23 @@ test('a higher tension is redder beside blue all the way', () => {
 
 // 2.3 is a just noticeable difference of CIE 1976; a tenth of the range shall be four of them apart,
 // and no two places that are a third of the range apart closer than eight, for whoever looks.
-for (const [who, m] of Object.entries(kBlind)) {
-    test(`tenths of the range are told apart: ${who}`, () => {
-        const at = Array.from({length: 31}, (_, i) => seen(tensionColour(i / 30), m));
+for (const [who, m] of Object.entries(kBlind)) for (const [name, {stops}] of Object.entries(kPalettes)) {
+    test(`tenths of the range are told apart: ${name}, ${who}`, () => {
+        const at = Array.from({length: 31}, (_, i) => seen(tensionColour(i / 30, stops), m));
         for (let i = 0; i + 3 < at.length; ++i) assert.ok(far(at[i], at[i + 3]) > 9.2, `${i / 30}: ${far(at[i], at[i + 3])}`);
         for (let i = 0; i < at.length; ++i)
             for (let k = i + 10; k < at.length; ++k) assert.ok(far(at[i], at[k]) > 18.4, `${i / 30} and ${k / 30}: ${far(at[i], at[k])}`);
     });
 }
+
+test('the palette from light to dark darkens all the way', () => {
+    const light = Array.from({length: 31}, (_, i) => luminance(tensionColour(i / 30, kPalettes.light.stops)));
+    for (let i = 1; i < light.length; ++i) assert.ok(light[i] < light[i - 1], `${i}`);
+});
+
+test('palettes have their stops at equal positions', () => {
+    for (const {stops} of Object.values(kPalettes)) assert.deepEqual(stops.map(s => s[0]), STOPS.map(s => s[0]));
+});
 
 test('the table ends in grey', () => {
     const t = colourTable(16);

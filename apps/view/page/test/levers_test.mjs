@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
-import {defaultMapping, readPad} from '../src/gamepad.js';
+import {defaultMapping, kButtons, readPad} from '../src/gamepad.js';
 import {deadZone, fromDeflection, groupLevers, leverRange, neutral, nudge, quantity, springHome, Throttle, toDeflection, valueWords} from '../src/lever_logic.js';
 import {goalState} from '../src/exercise.js';
 
@@ -118,4 +118,18 @@ test('a choice has words and goes on by one', () => {
     assert.equal(valueWords({words: []}, 2, 'm/s'), quantity(2, 'm/s'));
     assert.equal(valueWords({}, 2, 'm/s'), quantity(2, 'm/s'));
     assert.deepEqual([nudge(range, 0, 1, true), nudge(range, 0, 5, true), nudge(range, 2, 1, true), nudge(range, 1, -1, true)], [1, 1, 2, 0]);
+});
+
+test('a button of the gamepad has a command of its own and repeats while it is held', () => {
+    const mapping = {...defaultMapping([]), buttons: {...kButtons, 2: 'more'}}, pad = on => ({axes: [], buttons: Array.from({length: 12}, (_, i) => ({pressed: i === on}))});
+    let read = readPad(pad(2), mapping);
+    assert.deepEqual(read.commands, ['more']);
+    let times = 0;
+    for (let i = 0; i < 60; ++i) {
+        read = readPad(pad(2), mapping, read);
+        times += read.commands.length;
+    }
+    assert.equal(times, 7);   // from the 24th poll on, each sixth
+    assert.deepEqual(readPad(pad(0), mapping, readPad(pad(0), mapping)).commands, []);   // play does not repeat
+    assert.deepEqual([6, 7, 8, 10].map(b => readPad(pad(b), defaultMapping([])).commands[0]), ['less', 'more', 'acknowledge', 'release']);
 });

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Small PNG files for docs/: colours reduced to a palette by median cut.
+import {Buffer} from 'node:buffer';
+import {writeFileSync} from 'node:fs';
 import * as zlib from 'node:zlib';
 
 const bits = 6, side = 1 << bits;   // of the histogram, for each channel
@@ -81,4 +83,16 @@ export function palettePng(width, height, rgba, colours = 256) {
     head.writeUInt32BE(height, 4);
     head.set([8, 3, 0, 0, 0], 8);
     return Buffer.concat([Buffer.from([137, 80, 78, 71, 13, 10, 26, 10]), chunk('IHDR', head), chunk('PLTE', palette), chunk('IDAT', zlib.deflateSync(rows, {level: 9})), chunk('IEND', Buffer.alloc(0))]);
+}
+
+/// Take a screenshot of a page and write it with a palette, which needs a third of the bytes.
+export async function palettePicture(page, path, {width, height}) {
+    const pixels = await page.evaluate(async bytes => {
+        const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${bytes}`)).blob()), c = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+        c.drawImage(bitmap, 0, 0);
+        const d = c.getImageData(0, 0, bitmap.width, bitmap.height).data, parts = [];
+        for (let i = 0; i < d.length; i += 32768) parts.push(String.fromCharCode(...d.subarray(i, i + 32768)));
+        return btoa(parts.join(''));
+    }, (await page.screenshot({timeout: 180000})).toString('base64'));
+    writeFileSync(path, palettePng(width, height, Buffer.from(pixels, 'base64')));
 }

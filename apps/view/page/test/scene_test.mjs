@@ -10,9 +10,14 @@ import {longAxis, readable, roleOf, workingDeck} from '../src/roles.js';
 import {shipBox} from '../src/bodies.js';
 import {barge, deckLine, keelLine, semi, ship} from '../src/ship.js';
 import {arrowLength} from '../src/arrows.js';
+import {exceeded, fogOf, kLights, setAir, air, AIR, SUN, whitecaps} from '../src/air.js';
+import {chartView, scaleLength} from '../src/chart.js';
+import {ropeScale, rollerOf} from '../src/bodies.js';
+import {seen} from '../src/lights.js';
+import {Track, wakeStrength} from '../src/wake.js';
 import {shared} from '../src/geometry.js';
 import {sector} from '../src/rings.js';
-import {waveHeight, largestWaves, noiseTile} from '../src/surroundings.js';
+import {waveHeight, largestWaves, noiseTile, windOf} from '../src/surroundings.js';
 
 test('bodies look like what they are', () => {
     const rigid = (name, half, afloat = false) => roleOf({name, kind: 'rigid', half, afloat});
@@ -21,6 +26,8 @@ test('bodies look like what they are', () => {
     assert.equal(rigid('thing', [40, 9, 4]), 'box');
     assert.equal(rigid('rig', [40, 36, 13]), 'semi');
     assert.equal(rigid('barge', [30, 7, 3]), 'barge');
+    assert.equal(rigid('barge/hull', [45, 13, 3], true), 'barge');
+    assert.equal(rigid('tug/hull', [16, 5, 3], true), 'ship');
     assert.equal(rigid('a/deck_anchor1', [2.5, 2.5, 0.8]), 'anchor');
     assert.equal(rigid('derrick', [7, 7, 24]), 'lattice');
     assert.equal(rigid('crane/luff_rod', [1.9, 0.1, 0.1]), 'cylinder');
@@ -155,6 +162,61 @@ test('the sector of rings covers what the corners of the picture see, all where 
 
 test('a ship is drawn along its wetted hull, whose middle is not the centre of mass', () => {
     const at = (...x) => ({vertices: x.flatMap(v => [v, 1, -2])});
-    assert.deepEqual(shipBox([41.5, 9, 4], at(-37, 0, 46)), {half: [41.5, 9, 4], x: 4.5});
-    assert.deepEqual(shipBox([41.5, 9, 4], at()), {half: [41.5, 9, 4], x: 0});
+    assert.deepEqual(shipBox([41.5, 9, 4], at(-37, 0, 46)), {half: [41.5, 9, 4], x: 4.5, keel: -2});
+    assert.deepEqual(shipBox([41.5, 9, 4], at()), {half: [41.5, 9, 4], x: 0, keel: -4});
+});
+
+test('foam covers the area of whitecaps, by the deviation of the surface', () => {
+    // Quantiles of the normal distribution; Monahan and O'Muircheartaigh: 1.0 % at 10 m/s, 4.0 % at 15 m/s.
+    for (const [p, z] of [[0.5, 0], [0.1, 1.2816], [0.01, 2.3263], [0.001, 3.0902]]) assert.ok(Math.abs(exceeded(p) - z) < 5e-4, `${p}`);
+    assert.ok(Math.abs(whitecaps(10) - 0.00987) < 1e-4 && Math.abs(whitecaps(15) - 0.0393) < 2e-4 && whitecaps(0) === 0);
+    // A fully developed sea of Hs 2.46 m: 10 m/s.
+    assert.ok(Math.abs(windOf([{amplitude: 2.46 / 4 * Math.SQRT2}]) - 10) < 1e-9);
+});
+
+test('night is darker than dusk than day, fog hides the sky', () => {
+    const light = name => { setAir({light: name, visibility: 9000, elevation: null}); return [AIR.bright.value, AIR.lampMean.value.g, AIR.horizon.value.g, SUN.z]; };
+    const [day, dusk, night] = Object.keys(kLights).map(light);
+    for (const k of [0, 1, 2]) assert.ok(day[k] > dusk[k] && dusk[k] > night[k], `${k}`);
+    assert.ok(dusk[3] < day[3]);
+    setAir({light: 'day', visibility: 300});
+    assert.ok(fogOf(300).far === 300 && Math.abs(AIR.zenith.value.r - AIR.horizon.value.r) < 1e-9);
+    setAir({light: 'day', visibility: 9000});
+    assert.equal(air.visibility, 9000);
+});
+
+test('navigation lights are seen in their sectors', () => {
+    const deg = Math.PI / 180, at = b => Object.fromEntries(['masthead', 'port', 'starboard', 'stern'].map(k => [k, seen(k, b * deg)]));
+    assert.deepEqual(at(10), {masthead: true, port: false, starboard: true, stern: false});
+    assert.deepEqual(at(-60), {masthead: true, port: true, starboard: false, stern: false});
+    assert.deepEqual(at(180), {masthead: false, port: false, starboard: false, stern: true});
+    assert.deepEqual(at(-130), {masthead: false, port: false, starboard: false, stern: true});
+});
+
+test('a track keeps positions some metres apart and starts again when time goes back', () => {
+    const t = new Track();
+    for (let s = 0; s < 60; ++s) t.take(s, 2 * s, 0, 0.5);
+    assert.equal(t.points.length, 30);
+    assert.equal(t.take(10, 0, 0, 0.5), true);
+    assert.equal(t.points.length, 1);
+    assert.ok(wakeStrength(0) === 0 && wakeStrength(0, 1) === 0 && wakeStrength(5) > 0.9);
+});
+
+test('rope on a drum grows by its layers', () => {
+    const layers = {output: 0, step: 0.1, first: null};
+    assert.deepEqual(ropeScale(layers, [3]), [1, 1, 1]);
+    assert.ok(Math.abs(ropeScale(layers, [1])[0] - 0.8) < 1e-12 && ropeScale(layers, [NaN])[0] === 1);
+});
+
+test('the stern roller is the cylinder at the stern of its ship', async () => {
+    const {Quaternion, Vector3} = await import('three');
+    const body = (name, role, half, x, y) => ({name, role, half, position: new Vector3(x, y, 0), quaternion: new Quaternion()});
+    const ship = body('ahts1/hull', 'ship', [40, 9, 4], 100, 50), roller = body('ahts1/roller', 'cylinder', [1.75, 3, 1.75], 62, 50);
+    assert.deepEqual(rollerOf(ship, [ship, roller]), {x: -38, z: 0, radius: 1.75, half: 3.09});
+    assert.equal(rollerOf(ship, [ship, body('ahts2/roller', 'cylinder', [1, 3, 1], 62, 50)]), null);
+});
+
+test('a chart shows all boxes, its scale is round', () => {
+    assert.deepEqual(chartView([[0, 0, 10], [100, 0, 10]], 1), {x: 50, y: 0, half: 60});
+    assert.deepEqual([60, 400, 1500].map(scaleLength), [20, 200, 1000]);
 });
