@@ -58,8 +58,7 @@ void System::reserve(const model::Bodies& bodies, model::Interactions& in) {
     for (base::Array<double>* a : {&a_, &v_new_}) a->assign(at(bodies.dofs) + kSlack, 0.0);
     for (base::Array<double>* a : {&spin_momentum_, &spin_next_})
         a->assign(3 * at(bodies.count()) + kSlack, 0.0);
-    for (base::Array<double>* a : {&c_next_, &rate_, &secant_})
-        a->assign(at(in.row_count) + kSlack, 0.0);
+    for (base::Array<double>* a : {&c_next_, &rate_}) a->assign(at(in.row_count) + kSlack, 0.0);
     turning.assign(at(bodies.count()), 0);
     momentum_.assign(keeps_momentum ? at(bodies.dofs) + kSlack : 0, 0.0);
     find_bounded(in);
@@ -171,7 +170,6 @@ void System::show_own(View& v) noexcept {
     v.geo = geo_slot_.data();
     v.c_next = c_next_.data();
     v.rate = rate_.data();
-    v.secant = secant_.data();
     v.geo_record = geo_record_.data();
     v.geo_force = geo_force_.data();
     v.contact_block = contacts.block_value.data();
@@ -211,7 +209,7 @@ std::size_t System::bytes() const noexcept {
            bytes(incident_of_) + bytes(incident_begin_) + bytes(body_offset_) +
            bytes(interaction_offset_) + bytes(body_block_) + bytes(a_) + bytes(v_new_) +
            bytes(momentum_) + bytes(spin_momentum_) + bytes(spin_next_) + bytes(c_next_) +
-           bytes(rate_) + bytes(secant_) + bytes(turning) + bytes(geo_record_) + bytes(geo_force_) +
+           bytes(rate_) + bytes(turning) + bytes(geo_record_) + bytes(geo_force_) +
            bytes(solution_) + bytes(rests_) + bytes(dof_) + bytes(kept_) + bytes(links_) +
            bytes(among_nodes_) + bytes(pair_mass_) + bytes(node_of_body) +
            bytes(node_of_interaction) + bytes(body_before_) + bytes(interaction_before_) +

@@ -266,7 +266,7 @@ class System {
     std::vector<std::int32_t> incident_of_;  ///< Interaction of each.
     base::Array<std::int32_t> body_offset_, interaction_offset_;
     base::Array<double> body_block_, a_, v_new_, momentum_, geo_record_, geo_force_, solution_,
-        spin_momentum_, spin_next_, c_next_, rate_, secant_;
+        spin_momentum_, spin_next_, c_next_, rate_;
 };
 
 }  // namespace hawser::assembly

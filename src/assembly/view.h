@@ -202,7 +202,6 @@ struct View {
     double* c;
     double* c_next;  ///< By row: c of completed rows, linearised about a later solution.
     double* rate;    ///< By row: ġ of completed rows at the start of the step.
-    double* secant;  ///< By row: d₋ of completed compliant joints (step/completion.h).
     double* residual;
     double* lambda;
     double* multiplier;  ///< By row: λ + Σ⁻¹ residual if condensed, 0 if inactive.
@@ -292,14 +291,11 @@ struct Turning {
     double change = 0.0;  ///< Largest change of a right-hand side [m/s or rad/s].
     double gap = 0.0;     ///< Largest violation at the end of the step [m or rad].
     double spin = 0.0;    ///< Largest spin of a turning body [rad/s].
-    /// Largest change of compliant joints, multiplied if it causes a large force [m/s or rad/s].
-    double weighted = 0.0;
     /// Keep the larger of both; NaN is kept.
     void add(const Turning& other) noexcept {
         if (!(other.change <= change)) change = other.change;
         if (!(other.gap <= gap)) gap = other.gap;
         if (!(other.spin <= spin)) spin = other.spin;
-        if (!(other.weighted <= weighted)) weighted = other.weighted;
     }
 };
 

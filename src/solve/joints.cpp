@@ -18,6 +18,7 @@ namespace {
 
 using assembly::Turning;
 using assembly::View;
+using context::IterationChange;
 
 constexpr std::uint8_t kCoarse = 60;  ///< Steps for which a joint above the limit is not completed.
 
@@ -88,7 +89,7 @@ void find_joints(context::Model& model, context::JointWork& joints) {
     c.refused.assign(c.joints.size(), 0);
     c.lambda_with.assign(in.lambda.size(), 0.0);
     c.any = c.any_compliant = false;
-    joints.turnings.assign(at(model.system.strips.count() + model.system.strips.groups()), {});
+    joints.changes.assign(at(model.system.strips.count() + model.system.strips.groups()), {});
 }
 
 void begin_completion(context::Model& model) noexcept {
@@ -150,20 +151,54 @@ void adopt_completed(context::StepContext& ctx) noexcept {
     });
 }
 
-Turning renew_completed(context::StepContext& ctx) noexcept {
+namespace {
+
+/// Weigh the changes of the right-hand sides of compliant joints of a row block.
+///
+/// A change δc of a redundant row is a force δc/(hΣ), which changes the oscillation number s of the
+/// joint by h · vibration · δc/Σ. At the end s must be right to kVibration, or noise would reject a
+/// stiff loop. @return the largest weighted change.
+double weighted_change(const context::Model& model, const View& v, int strip) noexcept {
+    constexpr double kChange = 1e-7, kVibration = 0.01;  // the change of step/completion.cpp
+    double most = 0.0;
+    if (!model.completion.any_compliant) return most;
+    for (const assembly::PoolRange& range : model.system.strips.pools(strip)) {
+        if (!model::kind_completes(range.kind)) continue;
+        const auto& ids = model.interactions.pool[static_cast<std::size_t>(range.kind)].ids;
+        for (std::int32_t k = range.begin; k < range.end; ++k) {
+            const std::int32_t id = ids[at(k)];
+            if (v.completed[id] != assembly::kCompliant) continue;
+            const double rate = kChange / kVibration * v.h * v.vibration[id];
+            for (std::int32_t r = v.row_begin[id]; r < v.row_begin[id] + v.rows[id]; ++r) {
+                const double weight = std::max(1.0, rate / v.sigma[r]);
+                const double change = weight * std::fabs(v.c_next[r] - v.c[r]);
+                if (!(change <= most)) most = change;  // keeps NaN
+            }
+        }
+    }
+    return most;
+}
+
+}  // namespace
+
+IterationChange renew_completed(context::StepContext& ctx) noexcept {
     const View v = context::view(ctx);
     const assembly::RowBlocks& strips = ctx.model.system.strips;
-    auto& parts = ctx.work.joints.turnings;  // one per row block or group
+    auto& parts = ctx.work.joints.changes;  // one per row block or group
     context::sweep(
         ctx.model, ctx.pool,
-        [&](int strip) { parts[at(strip)] = complete_block(ctx.model, v, strip, v.v_new, false); },
+        [&](int strip) {
+            parts[at(strip)] = {complete_block(ctx.model, v, strip, v.v_new, false),
+                                weighted_change(ctx.model, v, strip)};
+        },
         [&](std::int32_t a, std::int32_t b, int i) {
             const Turning t = assembly::kernels().complete_spins(v, a, b, v.v_new, false);
             parts[at(i)].add(t);
         });
-    Turning all;
+    IterationChange all;
     for (int i = 0; i < strips.count() + strips.groups(); ++i) {
         all.add(parts[at(i)]);
+        if (!(parts[at(i)].weighted <= all.weighted)) all.weighted = parts[at(i)].weighted;
         parts[at(i)] = {};
     }
     return all;

@@ -55,17 +55,16 @@ void rates_by_rows(const View& v, std::int32_t id, Rates& out) noexcept {
 /// step/completion.h. For a completed joint they follow from the law of its rows.
 void rates_between_poses(const context::Model& model, const View& v, std::int32_t id,
                          Rates& out) noexcept {
+    const double h = model.def.step;
+    model.interactions.secants_before(id, model.bodies, h, out.before);
     if (v.completed[id] != assembly::kCompliant) {
-        const double h = model.def.step;
-        model.interactions.secants_before(id, model.bodies, h, out.before);
         model.interactions.secants_after(id, model.bodies, v.v_new, h, out.after);
         return;
     }
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;
         const double ups = v.upsilon[row];
-        out.before[r] = v.secant[row];
-        out.after[r] = ups * (v.recall[row] * v.secant[row] - 4.0 / v.h * v.g[row]) -
+        out.after[r] = ups * (v.recall[row] * out.before[r] - 4.0 / h * v.g[row]) -
                        v.sigma[row] * v.lambda[row] - v.residual[row];
     }
 }

@@ -25,7 +25,7 @@
 namespace hawser::step {
 namespace {
 
-using assembly::Turning;
+using context::IterationChange;
 
 /// Change of an iteration at which the step ends [m/s or rad/s], if bodies turn by up to kSlowTurn
 /// [rad/s]. For faster ones it is multiplied by the cube of the ratio. Near singular poses of
@@ -39,17 +39,17 @@ constexpr double kTooFast = 2.0 * solve::kResolvedVibration;
 
 /// Iterate with the present factorisation. @return result of the last iteration; if it is not
 /// finite or too large, the iterations diverged.
-Turning iterate_joints(context::StepContext& ctx) noexcept {
+IterationChange iterate_joints(context::StepContext& ctx) noexcept {
     double first = 0.0;
     const double enough = kTurning * std::min(1.0, ctx.model.def.solution_tolerance / kSolution);
-    const auto change_of = [](const Turning& turning) {
+    const auto change_of = [](const IterationChange& turning) {
         return turning.weighted > turning.change ? turning.weighted : turning.change;
     };
-    const auto ended = [&](const Turning& turning) {
+    const auto ended = [&](const IterationChange& turning) {
         const double fast = std::max(1.0, turning.spin / kSlowTurn);
         return change_of(turning) <= enough * fast * fast * fast;
     };
-    Turning t = solve::renew_completed(ctx);
+    IterationChange t = solve::renew_completed(ctx);
     for (int round = 0; round < kMaxRounds && !ended(t); ++round) {
         solve::adopt_completed(ctx);
         solve::continue_with_factor(ctx);
@@ -184,7 +184,7 @@ constexpr int kMaxGrowths = 2;  // number of repeated solves for new forces
 /// Iterate and finish. The step is solved again if a compliant joint vibrates too fast with the
 /// force that the iterations find.
 Status iterate_and_settle(context::StepContext& ctx) noexcept {
-    Turning t = iterate_joints(ctx);
+    IterationChange t = iterate_joints(ctx);
     for (int i = 0; i < kMaxGrowths && t.gap <= kGap && ctx.model.completion.any_compliant &&
                     outgrown(ctx, true);
          ++i) {

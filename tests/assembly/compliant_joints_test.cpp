@@ -107,7 +107,6 @@ TEST(CompliantRows, HoldWithTheViolationsAtBothEndsOfTheStep) {
                     // Rounding of violations of order one, over the step.
                     const double tolerance = 1e-15 * 20.0 / h;
                     EXPECT_NEAR(first ? v.c[k] : v.c_next[k], want, tolerance);
-                    EXPECT_NEAR(v.secant[k], d_before, tolerance);
                     EXPECT_NEAR(back[k], d_before, tolerance);
                     EXPECT_NEAR(ahead[k], d_after, tolerance);
                 }

@@ -2,7 +2,6 @@
 /// Right-hand sides with which spins satisfy their equation at the end of a step
 /// (step/completion.h).
 #include "assembly/isa/rigid_lanes.h"
-#include "assembly/isa/rigid_turning.h"
 #include "assembly/isa/rows.h"
 #include "assembly/isa/spin.h"
 #include "base/simd.h"
@@ -12,6 +11,7 @@
 namespace hawser::HAWSER_ISA {
 namespace {
 
+using assembly::Turning;
 using assembly::View;
 
 /// Request for the terms of completed spins, and their destination.
@@ -38,7 +38,7 @@ V3T<T> spin_impulse(const Inertia& inertia, const V3T<T>& before, const V3T<T>& 
     return half_step_momentum(inertia, before, T(-half)) - half * cross(now, inertia * now);
 }
 
-RigidTurning complete_spin(const View& view, std::int32_t body, const Asked& asked) {
+Turning complete_spin(const View& view, std::int32_t body, const Asked& asked) {
     const M3 r = load9(view.r + 9 * body);
     const std::int32_t at = view.dof_begin[body] + 3;
     const V3 before = tmul(r, load3(view.v + at)), now = tmul(r, load3(asked.u + at));
@@ -50,7 +50,7 @@ RigidTurning complete_spin(const View& view, std::int32_t body, const Asked& ask
 }
 
 /// Apply complete_spin() to eight consecutive rigid bodies.
-RigidTurning complete_eight_spins(const View& view, std::int32_t body, const Asked& asked) {
+Turning complete_eight_spins(const View& view, std::int32_t body, const Asked& asked) {
     const std::int32_t begin = view.dof_begin[body];
     const WM3 r = load_bodies9(view.r + 9L * body);
     V8 v[kLanes], u[kLanes], own[kLanes];
@@ -80,10 +80,11 @@ RigidTurning complete_eight_spins(const View& view, std::int32_t body, const Ask
     return {root(largest(square)) + sum(square - square), 0.0, root(largest(dot(now, now)))};
 }
 
-/// Complete the spins of bodies [begin, end).
-[[gnu::noinline]] RigidTurning complete_range(const View& view, std::int32_t begin,
-                                              std::int32_t end, const double* u, bool first) {
-    RigidTurning t;
+}  // namespace
+
+Turning complete_spins(const View& view, std::int32_t begin, std::int32_t end, const double* u,
+                       bool first) noexcept {
+    Turning t;
     const Asked asked{u, first ? view.spin_momentum : view.spin_next, first};
     for (std::int32_t body = begin; body < end; ++body) {
         if (!view.turning[body]) continue;
@@ -97,13 +98,6 @@ RigidTurning complete_eight_spins(const View& view, std::int32_t body, const Ask
         }
     }
     return t;
-}
-
-}  // namespace
-
-assembly::Turning complete_spins(const View& view, std::int32_t begin, std::int32_t end,
-                                 const double* u, bool first) noexcept {
-    return whole_turning(complete_range(view, begin, end, u, first));
 }
 
 void adopt_spins(const View& view, std::int32_t begin, std::int32_t end) noexcept {

@@ -2,7 +2,6 @@
 /// Right-hand sides with which rows hold at the end of a step (step/completion.h).
 #include "assembly/isa/arms.h"
 #include "assembly/isa/rigid_lanes.h"
-#include "assembly/isa/rigid_turning.h"
 #include "assembly/isa/rows.h"
 #include "base/lanes.h"
 #include "base/simd.h"
@@ -13,6 +12,7 @@
 namespace hawser::HAWSER_ISA {
 namespace {
 
+using assembly::Turning;
 using assembly::View;
 
 constexpr int kSlots = kMaxInteractionBodies;
@@ -81,7 +81,6 @@ struct Asked {
     double* c;        ///< Right-hand sides, by row.
     /// True for the first call of a step: c still contains ġ at its start, which is saved.
     bool first;
-    double* weighted;  ///< Output: largest weighted change of compliant joints.
 };
 
 /// Save ġ at the start of the step, derived from c.
@@ -94,7 +93,7 @@ void keep_rate(const View& view, std::int32_t row) {
 /// h ω × r by
 ///     (2/h) (a × (a × r) − a² a × r)/(1 + a²)    [m/s].
 /// Thus c = −(g/h + term of body 1 − term of body 0) needs neither poses nor a difference.
-void complete_arms(const View& view, std::int32_t id, const Asked& asked, RigidTurning& t) {
+void complete_arms(const View& view, std::int32_t id, const Asked& asked, Turning& t) {
     const ArmsT<double> arms = load_arms(view.jacobian + view.jac_begin[id]);
     const std::int32_t* body = view.body + kSlots * id;
     V3 beyond{0.0, 0.0, 0.0}, closing = beyond;
@@ -135,7 +134,7 @@ bool eight_completed(const View& view, std::int32_t id) {
 }
 
 /// Apply complete_arms() to eight joints.
-void complete_eight(const View& view, std::int32_t id, const Asked& asked, RigidTurning& t) {
+void complete_eight(const View& view, std::int32_t id, const Asked& asked, Turning& t) {
     const ArmsT<W8> arms = next_arms(view.jacobian + view.jac_begin[id]);
     const W8 none{}, unit = one(none), half = none + 0.5 * view.h, two_per_h = none + 2.0 / view.h;
     V8 v[2][kLanes];
@@ -173,32 +172,12 @@ void complete_eight(const View& view, std::int32_t id, const Asked& asked, Rigid
     t.add({largest(change) + sum(finite), view.h * largest(gap) + sum(finite), 0.0});
 }
 
-/// Keep d₋ of a compliant joint, and weigh the changes of its right-hand sides.
-///
-/// A change δc of a redundant row is a force δc/(hΣ), which changes the oscillation number s of the
-/// joint by h · vibration · δc/Σ. At the end s must be right to kVibration, or noise would reject a
-/// stiff loop. @param before  Violations a step before the poses.
-[[gnu::noinline]] void finish_compliant(const View& view, std::int32_t id, const double* before,
-                                        const Asked& asked) {
-    constexpr double kChange = 1e-7, kVibration = 0.01;  // the change of step/completion.cpp
-    const double rate = kChange / kVibration * view.h * view.vibration[id];
-    for (int r = view.row_begin[id]; r < view.row_begin[id] + view.rows[id]; ++r) {
-        view.secant[r] = (view.g[r] - *before++) / view.h;
-        if (asked.first) continue;  // c has been overwritten
-        const double weight = rate > view.sigma[r] ? rate / view.sigma[r] : 1.0;
-        const double weighted = weight * __builtin_fabs(asked.c[r] - view.c[r]);
-        if (!(weighted <= *asked.weighted)) *asked.weighted = weighted;
-    }
-}
-
-/// Compute the rows of a pool. The compiler contracts products of rigid joints by the shape of this
-/// function: a change of it, even for compliant joints alone, may change their last digits.
 template <class K>
-RigidTurning complete_kind(const View& view, const std::int32_t* ids, const typename K::Data* data,
-                           std::int32_t begin, std::int32_t end, const Asked& asked) {
+Turning complete_kind(const View& view, const std::int32_t* ids, const typename K::Data* data,
+                      std::int32_t begin, std::int32_t end, const Asked& asked) {
     constexpr int B = K::kBodies, R = K::kRows;
     constexpr bool kCompactKind = requires { requires K::kMayBeCompact; };
-    RigidTurning t;
+    Turning t;
     for (std::int32_t k = begin; k < end; ++k) {
         const std::int32_t id = ids[k];
         if (!view.completed[id]) continue;
@@ -232,34 +211,23 @@ RigidTurning complete_kind(const View& view, const std::int32_t* ids, const type
             t.add({change, rigid ? __builtin_fabs(after.g[r]) : view.h * change, 0.0});
             asked.c[row + r] = c;
         }
-        if (!rigid) finish_compliant(view, id, before.g, asked);
     }
     return t;
 }
 
-/// Complete the rows of entries [begin, end) of a pool.
-[[gnu::noinline]] RigidTurning complete_pool(const View& view, InteractionKind kind,
-                                             const std::int32_t* ids, const void* data,
-                                             std::int32_t begin, std::int32_t end,
-                                             const Asked& asked) {
-    RigidTurning t;
+}  // namespace
+
+Turning complete_rows(const View& view, InteractionKind kind, const std::int32_t* ids,
+                      const void* data, std::int32_t begin, std::int32_t end, const double* u,
+                      bool first) noexcept {
+    Turning t;
+    const Asked asked{u, first ? view.c : view.c_next, first};
     with_kind(kind, [&]<class K>() {
         if constexpr (requires { requires K::kCompletes; })
             t = complete_kind<K>(view, ids, static_cast<const typename K::Data*>(data), begin, end,
                                  asked);
     });
     return t;
-}
-
-}  // namespace
-
-assembly::Turning complete_rows(const View& view, InteractionKind kind, const std::int32_t* ids,
-                                const void* data, std::int32_t begin, std::int32_t end,
-                                const double* u, bool first) noexcept {
-    double weighted = 0.0;
-    const Asked asked{u, first ? view.c : view.c_next, first, &weighted};
-    const RigidTurning t = complete_pool(view, kind, ids, data, begin, end, asked);
-    return whole_turning(t, weighted);
 }
 
 void adopt_completed(const View& view, const std::int32_t* ids, std::int32_t begin,
