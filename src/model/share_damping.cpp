@@ -21,18 +21,21 @@ struct Shares {
 /// terms of the step τ = h and θ = ¾, for any damper of the line.
 constexpr Shares kRecoil{0.25, 0.0};
 
-/// Return the minimum damping time of a joint's row [s].
-/// @param spring  z = h²W/4ε of its vibration.
+/// Minimum damping time of a rigid joint's row, in steps. Without damping the linearised row has
+/// the double root −1.
+constexpr double kRigidDamping = 0.5;
+
+/// Return κ/h of a compliant joint's row. The law of the row contains κ (d₊ − d₋), which adds κ/h
+/// to the parameter β = ¼ of Newmark's scheme (docs/theory/compliance.md).
+/// @param spring  z = h²W/4ε of its vibration. @param damping  Damping time in steps.
 ///
-/// The trapezoidal rule never damps a vibration that the step does not resolve. In a closed loop
-/// the end-of-step iteration then feeds it. A tenth of a step damps it; up to z = ¼ (hω ≤ 1) there
-/// is no minimum. A rigid row needs half a step: without it the linearised row has the double root
-/// −1.
-double min_damping_time(double epsilon, double spring, double h) noexcept {
-    constexpr double kRigidPart = 0.5, kPart = 0.1, kResolved = 0.25;
-    if (epsilon == 0.0) return kRigidPart * h;
+/// The trapezoidal rule has nearly the double root −1 for a vibration that the step does not
+/// resolve. In a closed loop the end-of-step iteration then feeds it. The shift separates the
+/// roots and dissipates nothing. Damping separates them as well.
+double newmark_shift(double spring, double damping) noexcept {
+    constexpr double kShift = 0.1, kResolved = 0.25;  // hω = 1
     if (!(spring > kResolved)) return 0.0;
-    return kPart * h * (spring - kResolved) / (spring + kResolved);
+    return std::max(0.0, kShift * (spring - kResolved) / (spring + kResolved) - damping);
 }
 
 /// Compute Υ and recall. The axial vibration of a wire's nodes is rarely resolved and would never
@@ -41,16 +44,18 @@ double min_damping_time(double epsilon, double spring, double h) noexcept {
 Shares shares_of(const Interactions& in, std::size_t row, bool wire, double h) noexcept {
     const double w = in.mobility[row], e = in.epsilon[row];
     const bool joint = (in.row_flags[row] & kRowJoint) != 0;
-    double t = in.tau[row], late = 1.0, recall = 1.0;
-    if (joint && e == 0.0) t = std::max(t, min_damping_time(e, 0.0, h));
+    double t = in.tau[row], late = 1.0, recall = 1.0, shift = 0.0;
+    if (joint && e == 0.0) t = std::max(t, kRigidDamping * h);
     if ((in.row_flags[row] & kRowDamper) && w > 0.0 && e > 0.0) {
         const double spring = 0.25 * h * h * w / e;
         if (wire) t = std::max(t, (late_fraction(spring) - 0.5) * h);
-        if (joint) t = std::max(t, min_damping_time(e, spring, h));
+        if (joint) shift = newmark_shift(spring, t / h);
         late = late_fraction(h * t * w / e + spring);
         recall = 1.0 - 4.0 * t * (1.0 - late) / h;
     }
-    return {row_upsilon(t, h, late), recall};
+    const double upsilon = row_upsilon(t, h, late);
+    if (shift > 0.0) return {upsilon / (1.0 + 4.0 * shift * upsilon), recall + 4.0 * shift};
+    return {upsilon, recall};
 }
 
 }  // namespace
