@@ -88,13 +88,15 @@ void report_energy(Report& report, const CompliantLoop& loop, double step) {
         for (const double t : {kDefault, 0.0, 0.1}) {
             const Books b = books_of(loop, {e, t}, step);
             all.add(b);
-            if (t == 0.0 && e <= 1e-9) undamped.add(b);
+            if (t == 0.0) undamped.add(b);
         }
     const std::string at = fmt::format("{}, 1/{:.0f} s, 20 s: ", loop.name, 1.0 / step);
-    require_below(report, at + "energy that nothing explains", all.unexplained, 5e-3, "of the exchange");
+    // Rigid joints rise by up to 1.8 % (four-bar linkage, 1/60 s): the scheme oscillates.
+    require_below(report, at + "energy that nothing explains", all.unexplained, 1e-3,
+                  "of the exchange");
     require_below(report, at + "energy gained", all.gained, 2e-2, "of the exchange");
-    require_below(report, at + "energy lost, damping time 0, to 1e-9 m/N", undamped.lost, 2e-2,
-          "of the exchange");
+    require_below(report, at + "energy lost, damping time 0", undamped.lost, 1e-2,
+                  "of the exchange");
     report.compare(at + "results of the monitors, 1: all good", {1.0}, {all.good ? 1.0 : 0.0}, 0.0,
                    "exact");
 }
@@ -102,10 +104,11 @@ void report_energy(Report& report, const CompliantLoop& loop, double step) {
 }  // namespace
 
 void case_compliant_joints(Report& report) {
-    // The four-bar and the boom with 1e-6 m/N vibrate visibly; damping time 0 leaves their phase.
+    // The error is that of the step: rigid joints are 7.4 mm off at 1/60 s (four-bar linkage) and
+    // 0.46 mm at 1/240 s. At 1e-6 m/N the phase of vibrations adds up to 0.65 mm at 1/240 s.
     for (const CompliantLoop& loop : kCompliantLoops) {
-        report_errors(report, loop, 1.0 / 60.0, 1.5e-2);
-        report_errors(report, loop, 1.0 / 240.0, 3e-3);
+        report_errors(report, loop, 1.0 / 60.0, 1e-2);
+        report_errors(report, loop, 1.0 / 240.0, 1e-3);
         for (const double step : {1.0 / 60.0, 1.0 / 240.0}) report_energy(report, loop, step);
     }
 }

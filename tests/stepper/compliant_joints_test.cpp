@@ -30,14 +30,19 @@ TEST(CompliantJoints, MoveLikeRigidOnes) {
     for (const CompliantLoop& loop : validate::kCompliantLoops) {
         SCOPED_TRACE(loop.name);
         const World exact = moved_loop(loop, 1.0 / 1920.0, {}, 2.0);
-        const double rigid = largest_distance(moved_loop(loop, kCoarseStep, {}, 2.0), exact);
-        EXPECT_LE(rigid, 1e-2);
+        const World rigid = moved_loop(loop, kCoarseStep, {}, 2.0);
+        const double error = largest_distance(rigid, exact);
+        // Second order in h: measured 7.4 mm (four-bar linkage).
+        EXPECT_LE(error, 1e-2);
         for (const double e : {0.0, 1e-12, 1e-9})
             for (const double t : kLoopDampings) {
                 SCOPED_TRACE(::testing::Message() << e << " m/N, " << t << " s");
                 const World w = moved_loop(loop, kCoarseStep, {e, t}, 2.0);
-                // A tenth for vibrations of the joints at the start.
-                EXPECT_LE(largest_distance(w, exact), 1.1 * rigid + 1e-5);
+                // Measured: at most 1.00002 times the error of the rigid loop.
+                EXPECT_LE(largest_distance(w, exact), 1.001 * error);
+                // Measured 0.20 mm (boom, 1e-9 rad/(N m)): deflection of the hinge of the platform
+                // and its lag in the direction of motion.
+                EXPECT_LE(largest_distance(w, rigid), 3e-4);
                 EXPECT_EQ(w.verdict().grade, Grade::good);
             }
     }
@@ -54,34 +59,51 @@ TEST(CompliantJoints, MoveLikeTheirOwnFineMotion) {
                 const JointLaw fine{e, std::isnan(t) ? 2.0 * kCoarseStep : t};
                 const World exact = moved_loop(loop, 1.0 / 960.0, fine, 2.0);
                 const World w = moved_loop(loop, kCoarseStep, {e, t}, 2.0);
-                EXPECT_LE(largest_distance(w, exact), 1.5e-2);
+                // Limit of the rigid loop. Measured 7.2 mm; the reference is right to 0.14 mm.
+                EXPECT_LE(largest_distance(w, exact), 1e-2);
                 EXPECT_EQ(w.verdict().grade, Grade::good);
             }
     }
 }
 
-/// Kinetic, gravity and elastic energy plus the losses of rows are constant, and nothing pumps.
-TEST(CompliantJoints, KeepTheirEnergyBooks) {
+/// Energies of a run of 5 s as fractions of the exchanged energy.
+struct LoopEnergy {
+    double unexplained = 0.0, risen = 0.0, end = 0.0;
+};
+LoopEnergy loop_energy(const CompliantLoop& loop, const JointLaw& law) {
+    World w = moved_loop(loop, kCoarseStep, law, kCoarseStep);
+    const Energy start = w.energy();
+    LoopEnergy out;
+    double least = start.kinetic, most = start.kinetic;
+    for (int k = 0; k < 300; ++k) {
+        EXPECT_EQ(w.step(), Status::ok);
+        const Energy now = w.energy();
+        out.end = now.mechanical() - start.mechanical();
+        out.unexplained = std::max(out.unexplained, std::fabs(out.end + now.damped - start.damped));
+        out.risen = std::max(out.risen, out.end);
+        least = std::min(least, now.kinetic);
+        most = std::max(most, now.kinetic);
+    }
+    for (double* each : {&out.unexplained, &out.risen, &out.end}) *each /= most - least;
+    return out;
+}
+
+/// Kinetic, gravity and elastic energy plus the losses of rows are constant. Without damping the
+/// mechanical energy alone is constant.
+TEST(CompliantJoints, KeepTheirEnergy) {
     for (const CompliantLoop& loop : validate::kCompliantLoops) {
         SCOPED_TRACE(loop.name);
-        for (const double e : {0.0, 1e-12, 1e-9, 1e-7, 1e-6})
+        const LoopEnergy rigid = loop_energy(loop, {});
+        for (const double e : {0.0, 1e-12, 2e-11, 1e-9, 1e-7, 1e-6})
             for (const double t : {kDefault, 0.0, 0.1}) {
                 SCOPED_TRACE(::testing::Message() << e << " m/N, " << t << " s");
-                World w = moved_loop(loop, kCoarseStep, {e, t}, kCoarseStep);
-                const Energy start = w.energy();
-                double off = 0.0, risen = 0.0, least = start.kinetic, most = start.kinetic;
-                for (int k = 0; k < 300; ++k) {
-                    ASSERT_EQ(w.step(), Status::ok);
-                    const Energy now = w.energy();
-                    const double change = now.mechanical() - start.mechanical();
-                    off = std::max(off, std::fabs(change + now.damped - start.damped));
-                    risen = std::max(risen, change);
-                    least = std::min(least, now.kinetic);
-                    most = std::max(most, now.kinetic);
-                }
-                // Fractions of the exchanged energy. The scheme itself oscillates by a hundredth.
-                EXPECT_LE(off, 5e-3 * (most - least));
-                EXPECT_LE(risen, 2e-2 * (most - least));
+                const LoopEnergy found = loop_energy(loop, {e, t});
+                // Measured 1.5e-4 (boom, 1e-6 m/N, no damping).
+                EXPECT_LE(found.unexplained, 5e-4);
+                // The scheme oscillates: rigid loops rise by up to 1.8 % (four-bar linkage).
+                EXPECT_LE(found.risen, rigid.risen + 1e-3);
+                // Measured 3.1e-3 (four-bar linkage, 1e-6 m/N); the requirement is 1 %.
+                if (t == 0.0) EXPECT_LE(std::fabs(found.end), 5e-3);
             }
     }
 }
