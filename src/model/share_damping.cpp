@@ -21,9 +21,21 @@ struct Shares {
 /// terms of the step τ = h and θ = ¾, for any damper of the line.
 constexpr Shares kRecoil{0.25, 0.0};
 
-/// Minimum damping time of a rigid joint's row, in steps. Without damping the linearised row has
-/// the double root −1.
-constexpr double kRigidDamping = 0.5;
+/// Rise from 0 at z = `from` to `most` for large z.
+double rise(double most, double z, double from) noexcept {
+    return z > from ? most * (z - from) / (z + from) : 0.0;
+}
+
+/// Return the minimum damping time of a joint's row in steps (docs/theory/compliance.md).
+/// @param spring  z = h²W/4ε of its vibration.
+///
+/// Without damping a rigid row that is linearised has the double root −1. In stiff rows errors of
+/// the iteration and singular poses cause large energies. The energy that this damping removes from
+/// resolved motion is proportional to ε.
+double min_damping(double epsilon, double spring) noexcept {
+    constexpr double kRigid = 0.5, kStiff = 0.1, kStiffFrom = 1e4;
+    return epsilon == 0.0 ? kRigid : rise(kStiff, spring, kStiffFrom);
+}
 
 /// Return κ/h of a compliant joint's row. The law of the row contains κ (d₊ − d₋), which adds κ/h
 /// to the parameter β = ¼ of Newmark's scheme (docs/theory/compliance.md).
@@ -34,8 +46,7 @@ constexpr double kRigidDamping = 0.5;
 /// roots and dissipates nothing. Damping separates them as well.
 double newmark_shift(double spring, double damping) noexcept {
     constexpr double kShift = 0.1, kResolved = 0.25;  // hω = 1
-    if (!(spring > kResolved)) return 0.0;
-    return std::max(0.0, kShift * (spring - kResolved) / (spring + kResolved) - damping);
+    return std::max(0.0, rise(kShift, spring, kResolved) - damping);
 }
 
 /// Compute Υ and recall. The axial vibration of a wire's nodes is rarely resolved and would never
@@ -45,11 +56,14 @@ Shares shares_of(const Interactions& in, std::size_t row, bool wire, double h) n
     const double w = in.mobility[row], e = in.epsilon[row];
     const bool joint = (in.row_flags[row] & kRowJoint) != 0;
     double t = in.tau[row], late = 1.0, recall = 1.0, shift = 0.0;
-    if (joint && e == 0.0) t = std::max(t, kRigidDamping * h);
+    if (joint && e == 0.0) t = std::max(t, min_damping(e, 0.0) * h);
     if ((in.row_flags[row] & kRowDamper) && w > 0.0 && e > 0.0) {
         const double spring = 0.25 * h * h * w / e;
         if (wire) t = std::max(t, (late_fraction(spring) - 0.5) * h);
-        if (joint) shift = newmark_shift(spring, t / h);
+        if (joint) {
+            t = std::max(t, min_damping(e, spring) * h);
+            shift = newmark_shift(spring, t / h);
+        }
         late = late_fraction(h * t * w / e + spring);
         recall = 1.0 - 4.0 * t * (1.0 - late) / h;
     }

@@ -24,10 +24,11 @@
 /// its default, the limit is reduced in proportion.
 ///
 /// Compliant joints, with a row of ε > 0, obey the law of their rows with the violations at both
-/// ends of the step. The values Υ and R = 1 − 4τ(1 − θ)/h are those of model/damping.h. Let d₊ =
-/// (g(x_k ⊕ h u) − g)/h, d₋ = (g − g(x_k ⊖ h v))/h. Then
+/// ends of the step. The values 1/Υ = 1 + 4(τθ + κ)/h and R = 1 − 4(τ(1 − θ) − κ)/h are those of
+/// model/share_damping.cpp. Let d₊ = (g(x_k ⊕ h u) − g)/h, d₋ = (g − g(x_k ⊖ h v))/h. Then
 /// ```
-///     c = G u − d₊ − (4Υ/h) g + ΥR d₋,      λ = −(h/ε)((g₋ + 2g + g₊)/4 + τ(θ d₊ + (1 − θ) d₋)).
+///     c = G u − d₊ − (4Υ/h) g + ΥR d₋
+///     λ = −(h/ε)(g + (h/4 + κ)(d₊ − d₋) + τ(θ d₊ + (1 − θ) d₋)).
 /// ```
 /// Linearised once, such a row would resist the rotation of its direction: by h²v⊥²/8L over ε, and
 /// its damper by the speed h v⊥²/L. The elastic energy of these rows is counted with the mean (g +

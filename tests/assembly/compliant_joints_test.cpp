@@ -115,9 +115,9 @@ TEST(CompliantRows, HoldWithTheViolationsAtBothEndsOfTheStep) {
 }
 
 /// The law of a joint without damping contains κ (d₊ − d₋) if the step does not resolve its
-/// vibration.
+/// vibration, and damping if it is stiff.
 TEST(CompliantRows, HaveAShiftIfUnresolved) {
-    for (const double compliance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-9}) {
+    for (const double compliance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-9, 1e-11}) {
         SCOPED_TRACE(compliance);
         Recipe r;
         const BodyId ground = r.ground(),
@@ -130,11 +130,15 @@ TEST(CompliantRows, HaveAShiftIfUnresolved) {
         const model::Interactions& in = ctx->model.interactions;
         // The joint is at the centre of mass: W = 1/m.
         const double h = r.world.step, z = h * h / (4.0 * compliance * 2.0);
-        const double shift = z > 0.25 ? 0.1 * (z - 0.25) / (z + 0.25) : 0.0;
+        const double tau = z > 1e4 ? 0.1 * h * (z - 1e4) / (z + 1e4) : 0.0;
+        const double least = z > 0.25 ? 0.1 * (z - 0.25) / (z + 0.25) : 0.0;
+        const double shift = std::max(0.0, least - tau / h),
+                     both = h * tau / (2.0 * compliance) + z;
+        const double late = tau > 0.0 ? -1.0 / std::expm1(-both) - 1.0 / both : 1.0;
         // Tolerances: a few roundings of numbers of order one.
         EXPECT_NEAR(in.mobility[0], 0.5, 1e-15);
-        EXPECT_NEAR(in.upsilon[0], 1.0 / (1.0 + 4.0 * shift), 1e-15);
-        EXPECT_NEAR(in.recall[0], 1.0 + 4.0 * shift, 1e-15);
+        EXPECT_NEAR(in.upsilon[0], 1.0 / (1.0 + 4.0 * (tau * late / h + shift)), 2e-15);
+        EXPECT_NEAR(in.recall[0], 1.0 - 4.0 * (tau * (1.0 - late) / h - shift), 2e-15);
         EXPECT_EQ(in.uses_secants(0), z > 0.1);
     }
 }

@@ -329,8 +329,8 @@ inline DenseStep dense_step(const context::StepContext& ctx) {
             // Damper. The scheme's own damping acts only on the velocity after the step. A wire
             // whose transverse vibration is under-resolved has the damping of at least half a step.
             double theta = 1.0, seen = tau;
-            // A rigid joint has the damping of at least half a step. The law of a compliant one
-            // has an additional term κ (d₊ − d₋) if its vibration is under-resolved.
+            // A rigid joint has the damping of at least half a step, a stiff one up to a tenth. The
+            // law of a compliant one has a term κ (d₊ − d₋) if its vibration is under-resolved.
             double shift = 0.0;  // κ/h
             using enum InteractionKind;
             const InteractionKind kind = in.def[i].kind;
@@ -343,8 +343,10 @@ inline DenseStep dense_step(const context::StepContext& ctx) {
                 const bool wire = in.def[i].kind == InteractionKind::Stretch ||
                                   in.def[i].kind == InteractionKind::WinchStretch;
                 if (wire) seen = std::max(tau, (late(spring) - 0.5) * h);
+                if (joint && spring > 1e4)
+                    seen = std::max(tau, 0.1 * h * (spring - 1e4) / (spring + 1e4));
                 if (joint && spring > 0.25)
-                    shift = std::max(0.0, 0.1 * (spring - 0.25) / (spring + 0.25) - tau / h);
+                    shift = std::max(0.0, 0.1 * (spring - 0.25) / (spring + 0.25) - seen / h);
                 theta = late(h * seen * w / e + spring);
             }
             const double ups = 1.0 / (1.0 + 4.0 * (seen * theta / h + shift));
