@@ -34,7 +34,7 @@ enum RowFlag : std::uint8_t {
     kRowDamper = 4,    ///< τ is that of a damper, not of the scheme.
     kRowRecoils = 8,   ///< Row of a recoiling wire: its force is that at the end of the step.
     kRowTurns = 16,    ///< g is a difference of two unit vectors.
-    kRowJoint = 32,    ///< Row of a joint: its damping time has a minimum (share_damping.cpp).
+    kRowJoint = 32,    ///< Row of a joint, without those of `distance` (share_damping.cpp).
     /// Row of a compliant joint that a step may complete, set by the analysis. Its half-step
     /// violation is the mean of the violations at two poses (step/completion.h).
     kRowSecant = 64,
