@@ -15,6 +15,7 @@ constexpr const char* kValidateFooter = R"(Examples:
   hawser validate wires
   hawser validate sea
   hawser validate firstday
+  hawser validate untuned
   hawser validate vessels
   hawser validate rao --data FOLDER
   hawser validate pendulum catenary --json validation.json
@@ -39,7 +40,7 @@ void add_validate(CLI::App& app, Command& chosen) {
     command->footer(kValidateFooter);
     command->add_option("CASE", options->cases,
                         "Names of cases. Without a name: all except the sets `robust`, `wires`, "
-                        "`sea`, `firstday` and `vessels`");
+                        "`sea`, `firstday`, `untuned` and `vessels`");
     command->add_option("--json", options->json, "Write the results as JSON");
     command
         ->add_option("--data", options->data,

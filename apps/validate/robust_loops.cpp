@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Overconstrained loops, and the flyball governor.
+#include "validate/loops.h"
 #include "validate/reference.h"
 #include "validate/robust.h"
 #include "validate/robust_tools.h"
@@ -18,43 +19,6 @@ namespace {
 
 // ---- Bennett's linkage
 // -----------------------------------------------------------------------------
-
-/// Four links a, b, a, b [m] twisted by α, β with sin α/a = sin β/b. This closed chain of four
-/// hinges moves although a count of its rows leaves a negative number of freedoms (G. T. Bennett,
-/// 1903).
-struct Bennett {
-    double a, b, alpha, beta;
-    /// Return the frames of the hinges 1-4, z along the axis, for the first joint's angle; link k
-    /// is between the hinges k and k + 1.
-    [[nodiscard]] std::array<Eigen::Isometry3d, 4> frames(double theta) const {
-        const double k = std::sin(0.5 * (beta + alpha)) / std::sin(0.5 * (beta - alpha));
-        const double phi = 2.0 * std::atan2(k * std::cos(0.5 * theta), std::sin(0.5 * theta));
-        const double angle[4] = {theta, phi, -theta, -phi}, length[4] = {a, b, a, b},
-                     twist[4] = {alpha, beta, alpha, beta};
-        std::array<Eigen::Isometry3d, 4> out;
-        // The first link is at rest: joint 1 turns the last one against it.
-        Eigen::Isometry3d t = Eigen::Isometry3d::Identity();
-        for (std::size_t i = 0; i < 4; ++i) {
-            out[i] = t;
-            t = t * Eigen::Translation3d(length[i], 0, 0) *
-                Eigen::AngleAxisd(twist[i], Vec3::UnitX()) *
-                Eigen::AngleAxisd(angle[(i + 1) % 4], Vec3::UnitZ());
-        }
-        closing = (t.translation()).norm();
-        return out;
-    }
-    mutable double closing = 0.0;  ///< Distance between the last link and the first [m].
-    [[nodiscard]] Vec3 end(std::size_t link, const std::array<Eigen::Isometry3d, 4>& f) const {
-        const double length[4] = {a, b, a, b};
-        return f[link] * Vec3(length[link], 0, 0);
-    }
-};
-
-/// Return the pose of a moving link: centre between the hinges, axes of the first hinge.
-Pose link_pose(const Bennett& m, std::size_t link, double theta) {
-    const auto f = m.frames(theta);
-    return {0.5 * (f[link].translation() + m.end(link, f)), Quat(f[link].rotation())};
-}
 
 double bennett_error(std::mt19937& random, Cost& cost, double& closing) {
     std::uniform_real_distribution<double> length(0.3, 2.0), twist(0.4, 1.2), speed(0.5, 2.0);

@@ -187,7 +187,8 @@ void case_linear_stability(Report& report) {
 
 void case_curvature_violation(Report& report) {
     for (const double rate : {120.0, 1920.0}) {
-        scene::Scene s = open_scene("pendulum", 1.0 / rate);
+        // Other methods than newton linearise the rod once per step.
+        scene::Scene s = open_scene("pendulum", 1.0 / rate, {"settings.nonsmooth=pgs"});
         const InteractionId rod = interaction(s.world, "rod");
         double worst = 0.0;
         while (s.world.time() < 2.0) {
@@ -236,8 +237,8 @@ void case_energy_loss(Report& report) {
             advance(s.world, steps_to(s.world, 10.0));
             report.compare(
                 fmt::format("energy lost in 10 s, n = {}, h = 1/{:.0f} [J]", row[0], rate),
-                {row[i]}, {-s.world.energy().mechanical()}, 1e-6,
-                "the scheme written a second time; rounding grows along the path");
+                {row[i]}, {-s.world.energy().mechanical()}, 5e-6,
+                "the scheme written a second time, without the correction of the start");
         }
     }
 }

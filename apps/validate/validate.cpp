@@ -7,6 +7,7 @@
 #include "validate/firstday.h"
 #include "validate/robust.h"
 #include "validate/sea.h"
+#include "validate/untuned.h"
 #include "validate/vessels.h"
 #include "validate/wires.h"
 
@@ -77,6 +78,8 @@ constexpr CaseGroup kGroups[] = {
     {"sea", "sea: water against closed forms, not among those that run unasked", sea_cases},
     {"firstday", "firstday: what the first scenes of a user meet, not among those that run unasked",
      firstday_cases},
+    {"untuned", "untuned: mechanisms and wires over ranges, not among those that run unasked",
+     untuned_cases},
     {"vessels", "vessels: ships that manoeuvre, not among those that run unasked", vessel_cases},
     {"", "minutes long, by name alone", long_sea_cases},
     {"", "with data of others, --data DIR", data_cases},

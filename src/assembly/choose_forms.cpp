@@ -54,13 +54,18 @@ void System::evaluate(const model::Bodies& bodies, model::Interactions& interact
 }
 
 void System::split_damping(const model::Bodies& bodies, model::Interactions& in, double h) const {
-    for (int i = 0; i < in.count(); ++i)
+    for (int i = 0; i < in.count(); ++i) {
+        if (rests(i)) continue;
+        // It also decides whether a step completes a compliant joint (model::may_complete()).
+        const bool joint = model::may_ever_complete(in, i);
         for (int r = 0; r < in.rows[at(i)]; ++r) {
             const auto row = at(in.row_begin[at(i)] + r);
-            if (rests(i) || !(in.row_flags[row] & model::kRowDamper)) continue;
+            if (!(in.row_flags[row] & model::kRowDamper) && !(joint && in.epsilon[row] > 0.0))
+                continue;
             in.mobility[row] = mobility(bodies, in, i, r);
             in.split_damping(row, in.rest_length[at(i)] > 0.0, h);
         }
+    }
     // Use the mobility of a cut row for all of its bodies.
     for (const Sides& s : sides)
         for (int r = 0; r < in.rows[at(s.first)]; ++r) {

@@ -302,6 +302,7 @@ struct Turning {
 };
 
 /// Interactions whose rows are solved at the end of a step; 0 for all others (step/completion.h).
-enum Completed : std::uint8_t { kRigid = 1, kStiffDamper = 2 };
+/// A compliant joint has a row with a compliance above 0.
+enum Completed : std::uint8_t { kRigid = 1, kCompliant = 2 };
 
 }  // namespace hawser::assembly

@@ -27,8 +27,9 @@ struct Completion {
     std::vector<std::uint8_t> refused;  ///< By joint, 1: not completed in the present step.
     /// By row: forces from which the stiffness of joints is computed.
     std::vector<double> lambda_with;
-    bool any = false;     ///< True if the step completes some joints.
-    bool banned = false;  ///< True if the step is being solved again without completion.
+    bool any = false;            ///< True if the step completes some joints.
+    bool any_compliant = false;  ///< True if the step completes some compliant joints.
+    bool banned = false;         ///< True if the step is being solved again without completion.
 };
 
 }  // namespace hawser::context

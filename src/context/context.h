@@ -118,11 +118,17 @@ struct SolveWork {
     std::vector<double> factored_active;      ///< By bounded row: `active` when last factored.
 };
 
+/// Change of the right-hand sides in an iteration at the end of the step.
+struct IterationChange : assembly::Turning {
+    /// Largest change of compliant joints, multiplied if it causes a large force [m/s or rad/s].
+    double weighted = 0.0;
+};
+
 /// Joints completed and closed.
 struct JointWork {
-    std::vector<assembly::Turning> turnings;  ///< One for each row block or group.
-    std::vector<double> closing;              ///< Gaps of rows, a solution.
-    std::vector<double> taken;                ///< By row: self-stress, see solve/self_stress.h.
+    std::vector<IterationChange> changes;  ///< One for each row block or group.
+    std::vector<double> closing;           ///< Gaps of rows, a solution.
+    std::vector<double> taken;             ///< By row: self-stress, see solve/self_stress.h.
     std::vector<std::pair<std::int32_t, std::int32_t>> edges;  ///< Bodies of each rigid joint.
     graph::LoopFinder loops;
 };

@@ -168,6 +168,8 @@ void Interactions::write_rows(int id, const Bodies& bodies_in, double h) {
     write_data(id);
     write_loads(id);
     const bool wire = kind_info(d.kind).is(kWireElement);
+    // A `distance` without damping is a spring with a quadratic invariant (docs/theory/step.md).
+    const bool joint = kind_completes(d.kind) && !line;
     for (std::size_t r = 0; r < rows[at(id)]; ++r) {
         const std::size_t row = at(row_begin[at(id)]) + r;
         d.compliance[r] = spec[r].compliance;
@@ -178,7 +180,7 @@ void Interactions::write_rows(int id, const Bodies& bodies_in, double h) {
         const bool damper = !spec[r].velocity && !spec[r].damped_by_scheme;
         row_flags[row] = static_cast<std::uint8_t>(
             (spec[r].velocity ? kRowVelocity : 0) | (spec[r].gap ? kRowGap : 0) |
-            (damper ? kRowDamper : 0) | (spec[r].turns ? kRowTurns : 0));
+            (damper ? kRowDamper : 0) | (spec[r].turns ? kRowTurns : 0) | (joint ? kRowJoint : 0));
         for (base::Array<double>* a : {&mobility, &upsilon, &recall, &inv_sigma, &min_sigma, &g, &c,
                                        &residual, &lambda, &multiplier, &force})
             (*a)[row] = 0.0;

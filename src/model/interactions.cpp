@@ -228,13 +228,66 @@ RowState Interactions::row_state(int id, const Bodies& b, const double* v_in) co
     return out;
 }
 
+void Interactions::moved_gaps(int id, const Bodies& b, const double* v_in, const double* v_fixed,
+                              double time, double* gaps) const noexcept {
+    const Pool& p = pool[static_cast<std::size_t>(def[at(id)].kind)];
+    const std::byte* bytes = p.data.data() + at(pool_index[at(id)]) * p.stride;
+    using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+    generic::with_kind(def[at(id)].kind, [&]<class K>() {
+        if constexpr (requires { requires K::kCompletes; }) {
+            typename K::Data data;
+            std::memcpy(&data, bytes, sizeof data);
+            generic::BodyRef refs[K::kBodies];
+            RowMajor turned[K::kBodies];
+            for (int k = 0; k < K::kBodies; ++k) {
+                const std::int32_t i = body[at(kMaxInteractionBodies * id + k)];
+                const double* x = &b.x[3 * at(i)];
+                const int dof = b.dof(i);
+                const double* v = dof > 0 ? v_in + b.dof_begin[at(i)] : v_fixed + 6 * at(i);
+                refs[k] = {{x[0] + time * v[0], x[1], x[2]}, &b.r[9 * at(i)], dof == 6 || dof == 0};
+                if (dof == 1) continue;
+                refs[k].x.y += time * v[1];
+                refs[k].x.z += time * v[2];
+                if (!refs[k].rotates) continue;
+                const double half = 0.5 * time;
+                const Quat turn = Quat(1.0, half * v[3], half * v[4], half * v[5]).normalized();
+                turned[k] = turn.toRotationMatrix() * Eigen::Map<const RowMajor>(refs[k].r);
+                refs[k].r = turned[k].data();
+            }
+            generic::Rows<K::kBodies, K::kRows> moved;
+            K::evaluate(data, refs, moved);
+            std::copy_n(moved.g, K::kRows, gaps);
+        }
+    });
+}
+
+void Interactions::secants_before(int id, const Bodies& b, double h, double* out) const noexcept {
+    double now[kMaxInteractionRows], before[kMaxInteractionRows];
+    const base::Array<double>& fixed = b.v_before.empty() ? b.v_fixed : b.v_before;
+    moved_gaps(id, b, b.v.data(), b.v_fixed.data(), 0.0, now);
+    moved_gaps(id, b, b.v.data(), fixed.data(), -h, before);
+    for (std::size_t r = 0; r < rows[at(id)]; ++r) out[r] = (now[r] - before[r]) / h;
+}
+
+void Interactions::secants_after(int id, const Bodies& b, const double* v, double h,
+                                 double* out) const noexcept {
+    double now[kMaxInteractionRows], after[kMaxInteractionRows];
+    moved_gaps(id, b, v, b.v_fixed.data(), 0.0, now);
+    moved_gaps(id, b, v, b.v_fixed.data(), h, after);
+    for (std::size_t r = 0; r < rows[at(id)]; ++r) out[r] = (after[r] - now[r]) / h;
+}
+
 double Interactions::elastic(int id, const Bodies& b, double h) const noexcept {
     // The energy of a line follows from its length, not from the status (taut or slack) of the last
     // step.
     const bool line = (flags[at(id)] & kOneSided) != 0;
     if ((line ? parted[at(id)] != 0 : active[at(id)] == 0.0) || (flags[at(id)] & kFriction))
         return 0.0;
-    const RowState s = row_state(id, b);
+    RowState s = row_state(id, b);
+    if (uses_secants(id)) {
+        secants_before(id, b, h, s.rate);
+        std::fill_n(s.carried, kMaxInteractionRows, 0.0);
+    }
     double energy = 0.0;
     for (int r = 0; r < rows[at(id)]; ++r) {
         const auto row = at(row_begin[at(id)] + r);

@@ -34,6 +34,10 @@ enum RowFlag : std::uint8_t {
     kRowDamper = 4,    ///< τ is that of a damper, not of the scheme.
     kRowRecoils = 8,   ///< Row of a recoiling wire: its force is that at the end of the step.
     kRowTurns = 16,    ///< g is a difference of two unit vectors.
+    kRowJoint = 32,    ///< Row of a joint, without those of `distance` (share_damping.cpp).
+    /// Row of a compliant joint that a step may complete, set by the analysis. Its half-step
+    /// violation is the mean of the violations at two poses (step/completion.h).
+    kRowSecant = 64,
 };
 
 enum InteractionFlag : std::uint8_t {
@@ -167,8 +171,9 @@ struct Interactions {
     // Arrays by row.
     base::Array<double> defined;  ///< ε as defined, independent of the present length of a line.
     base::Array<double> epsilon, tau;  ///< ε and τ; for velocity rows γ and unused.
-    base::Array<double> mobility;  ///< Mobility W = G M⁻¹ Gᵀ of dampers at the last analysis, or 0.
-    base::Array<double> upsilon;   ///< Υ, see hawser/row_constants.h; 0 for velocity rows.
+    /// Mobility W = G M⁻¹ Gᵀ of dampers and compliant joints at the last analysis, or 0.
+    base::Array<double> mobility;
+    base::Array<double> upsilon;  ///< Υ, see hawser/row_constants.h; 0 for velocity rows.
     /// Factor 1 − 4τ(1 − θ)/h of ġ in c/Υ. For τ of the scheme: θ = 1.
     base::Array<double> recall;
     base::Array<double> sigma;  ///< Σ, at least bare_sigma() and min_sigma.
@@ -261,6 +266,17 @@ struct Interactions {
     /// @param v  Packed velocities; null: those of the bodies.
     [[nodiscard]] RowState row_state(int id, const Bodies& bodies_in,
                                      const double* v = nullptr) const noexcept;
+    /// True if the rows of an interaction have the flag kRowSecant.
+    [[nodiscard]] bool uses_secants(int id) const noexcept {
+        const auto i = static_cast<std::size_t>(id);
+        return rows[i] > 0 && (row_flags[static_cast<std::size_t>(row_begin[i])] & kRowSecant) != 0;
+    }
+    /// Compute d₋ = (g − g(x ⊖ h v))/h of the rows at the present poses, from the velocities of the
+    /// last step. @param out  kMaxInteractionRows values [m/s or rad/s].
+    void secants_before(int id, const Bodies& bodies_in, double h, double* out) const noexcept;
+    /// Compute d₊ = (g(x ⊕ h v) − g)/h of the rows. @param v  Packed velocities.
+    void secants_after(int id, const Bodies& bodies_in, const double* v, double h,
+                       double* out) const noexcept;
     /// Return the shape of an element, or of a part of a line that runs over turning points
     /// (KindTrait kPulls).
     [[nodiscard]] LineShape line_shape(int id, const Bodies& bodies_in) const noexcept;
@@ -298,14 +314,17 @@ struct Interactions {
     /// Evaluate the rows at the present poses and call f<K>(rows), where K is the kind.
     template <class F>
     void evaluated(int id, const Bodies& bodies_in, F&& f) const noexcept;
+    /// Write the violations at the poses after `time` [s] with packed velocities v, and v_fixed for
+    /// bodies with a prescribed velocity.
+    void moved_gaps(int id, const Bodies& bodies_in, const double* v, const double* v_fixed,
+                    double time, double* gaps) const noexcept;
     void write_loads(int id);
     void set_range(int id) noexcept;
 };
 
-/// True if end-of-step constraint iterations may solve the rows of an interaction
-/// (step/completion.h). Conditions: it is a joint or rod that no input moves, and its rows are
-/// rigid with default damping, or springs whose dampers the step does not resolve at the poses of
-/// the last analysis.
+/// True if a step may solve the rows of an interaction at its end (step/completion.h). It is a
+/// joint or rod that no input moves. Each of its rows is rigid, or has a vibration or damper that
+/// the step does not resolve at the poses of the last analysis.
 [[nodiscard]] bool may_complete(const Interactions& in, int id, double h) noexcept;
 
 /// True if a kind allows end-of-step constraint iterations.
@@ -313,6 +332,8 @@ struct Interactions {
 /// True if the kind and the inputs of an interaction allow end-of-step constraint iterations, for
 /// any compliance of its rows.
 [[nodiscard]] bool may_ever_complete(const Interactions& in, int id) noexcept;
+/// True if a row of the interaction has a compliance above 0.
+[[nodiscard]] bool is_compliant(const Interactions& in, int id) noexcept;
 
 /// Set the defaults that a kind derives from the initial poses.
 void complete(InteractionDef& def, const Vec3* positions, double distance);

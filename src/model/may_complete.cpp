@@ -8,16 +8,15 @@ namespace hawser::model {
 
 namespace {
 
-/// True if all rows are springs with dampers that the step does not resolve: z of damping.h exceeds
-/// 1. The rotation of a row's direction within the step then causes a speed that the damper
-/// converts to a large force.
-bool is_stiff_damper(const Interactions& in, int id, double h) noexcept {
-    for (int r = 0; r < in.rows[at(id)]; ++r) {
-        const auto row = at(in.row_begin[at(id)] + r);
-        const double e = in.epsilon[row], soft = h * (in.tau[row] + 0.25 * h) * in.mobility[row];
-        if (!(in.row_flags[row] & kRowDamper) || !(e > 0.0) || !(soft > e)) return false;
-    }
-    return true;
+/// Value of z above which a step does not resolve a compliant row. A linearised row takes the
+/// rotation of its direction within the step for motion. From z = 0.1 on this motion causes a
+/// notable force. Below 0.1 the iteration gains nothing (docs/theory/compliance.md).
+constexpr double kUnresolved = 0.1;
+
+/// True if a row is rigid, or if its z (damping.h, θ aside) with its damping exceeds kUnresolved.
+bool is_unresolved(const Interactions& in, std::size_t row, double h) noexcept {
+    const double e = in.epsilon[row], z = h * (in.tau[row] + 0.25 * h) * in.mobility[row];
+    return e == 0.0 || z > kUnresolved * e;
 }
 
 }  // namespace
@@ -34,12 +33,16 @@ bool may_ever_complete(const Interactions& in, int id) noexcept {
     return !in.gone(id) && kind_completes(in.kinds[at(id)]) && (in.flags[at(id)] & kByInput) == 0;
 }
 
+bool is_compliant(const Interactions& in, int id) noexcept {
+    for (int r = 0; r < in.rows[at(id)]; ++r)
+        if (in.epsilon[at(in.row_begin[at(id)] + r)] > 0.0) return true;
+    return false;
+}
+
 bool may_complete(const Interactions& in, int id, double h) noexcept {
     if (!may_ever_complete(in, id)) return false;
-    for (int r = 0; r < in.rows[at(id)]; ++r) {
-        const auto row = at(in.row_begin[at(id)] + r);
-        if (in.epsilon[row] != 0.0 || in.tau[row] != 2.0 * h) return is_stiff_damper(in, id, h);
-    }
+    for (int r = 0; r < in.rows[at(id)]; ++r)
+        if (!is_unresolved(in, at(in.row_begin[at(id)] + r), h)) return false;
     return true;
 }
 

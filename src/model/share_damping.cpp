@@ -21,19 +21,55 @@ struct Shares {
 /// terms of the step τ = h and θ = ¾, for any damper of the line.
 constexpr Shares kRecoil{0.25, 0.0};
 
-/// Compute Υ and the factor recall of a row. With the trapezoidal rule alone, the axial vibration
-/// of a wire's nodes, which is rarely resolved, would never decay. The damping time of a wire is
-/// therefore at least half a step if the vibration is not resolved.
+/// Rise from 0 at z = `from` to `most` for large z.
+double rise(double most, double z, double from) noexcept {
+    return z > from ? most * (z - from) / (z + from) : 0.0;
+}
+
+/// Return the minimum damping time of a joint's row in steps (docs/theory/compliance.md).
+/// @param spring  z = h²W/4ε of its vibration.
+///
+/// Without damping a rigid row that is linearised has the double root −1. In stiff rows errors of
+/// the iteration and singular poses cause large energies. The energy that this damping removes from
+/// resolved motion is proportional to ε.
+double min_damping(double epsilon, double spring) noexcept {
+    constexpr double kRigid = 0.5, kStiff = 0.1, kStiffFrom = 1e4;
+    return epsilon == 0.0 ? kRigid : rise(kStiff, spring, kStiffFrom);
+}
+
+/// Return κ/h of a compliant joint's row. The law of the row contains κ (d₊ − d₋), which adds κ/h
+/// to the parameter β = ¼ of Newmark's scheme (docs/theory/compliance.md).
+/// @param spring  z = h²W/4ε of its vibration. @param damping  Damping time in steps.
+///
+/// The trapezoidal rule has nearly the double root −1 for a vibration that the step does not
+/// resolve. In a closed loop the end-of-step iteration then feeds it. The shift separates the
+/// roots and dissipates nothing. Damping separates them as well.
+double newmark_shift(double spring, double damping) noexcept {
+    constexpr double kShift = 0.1, kResolved = 0.25;  // hω = 1
+    return std::max(0.0, rise(kShift, spring, kResolved) - damping);
+}
+
+/// Compute Υ and recall. The axial vibration of a wire's nodes is rarely resolved and would never
+/// decay with the trapezoidal rule alone. Such a wire therefore has the damping of at least half a
+/// step.
 Shares shares_of(const Interactions& in, std::size_t row, bool wire, double h) noexcept {
     const double w = in.mobility[row], e = in.epsilon[row];
-    double t = in.tau[row], late = 1.0, recall = 1.0;
+    const bool joint = (in.row_flags[row] & kRowJoint) != 0;
+    double t = in.tau[row], late = 1.0, recall = 1.0, shift = 0.0;
+    if (joint && e == 0.0) t = std::max(t, min_damping(e, 0.0) * h);
     if ((in.row_flags[row] & kRowDamper) && w > 0.0 && e > 0.0) {
         const double spring = 0.25 * h * h * w / e;
         if (wire) t = std::max(t, (late_fraction(spring) - 0.5) * h);
+        if (joint) {
+            t = std::max(t, min_damping(e, spring) * h);
+            shift = newmark_shift(spring, t / h);
+        }
         late = late_fraction(h * t * w / e + spring);
         recall = 1.0 - 4.0 * t * (1.0 - late) / h;
     }
-    return {row_upsilon(t, h, late), recall};
+    const double upsilon = row_upsilon(t, h, late);
+    if (shift > 0.0) return {upsilon / (1.0 + 4.0 * shift * upsilon), recall + 4.0 * shift};
+    return {upsilon, recall};
 }
 
 }  // namespace

@@ -83,6 +83,10 @@ Energy energy(context::StepContext& ctx) noexcept {
         const bool rests = ctx.model.system.rests(id);  // not evaluated in this case
         const model::RowState s =
             rests ? ctx.model.interactions.row_state(id, b) : model::RowState{};
+        if (ctx.model.interactions.uses_secants(id)) {
+            e.elastic += ctx.model.interactions.elastic(id, b, v.h);
+            continue;
+        }
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
             double speed = rests ? s.rate[r] + s.carried[r] : 0.0;

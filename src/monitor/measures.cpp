@@ -126,10 +126,14 @@ void measure_elastic(context::Model& model, const View& v, std::int32_t id, bool
         state ? model.interactions.row_state(id, model.bodies) : model::RowState{};
     double buffer[model::kArmBufferSize];
     const double* jac = rests ? nullptr : packed_rows(v, id, buffer);
+    double secant[kMaxInteractionRows];
+    const bool secants = half > 0.0 && model.interactions.uses_secants(id);
+    if (secants) model.interactions.secants_before(id, model.bodies, v.h, secant);
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;
         double speed = state ? s.carried[r] + (rests ? s.rate[r] : 0.0) : 0.0;
         if (!rests) speed = assembly::along_row(v, id, jac, v.v, v.dof_begin, speed);
+        if (secants) speed = secant[r];
         if ((v.row_flags[row] & model::kRowVelocity) ||
             !model::holds_energy(v.epsilon[row], v.rest_length[id]))
             continue;
@@ -262,12 +266,15 @@ void each_spring(const context::Model& model, const context::State& state, const
         const bool line = (v.flags[id] & model::kOneSided) != 0;
         if (line ? v.parted[id] != 0 : v.active[id] == 0.0) continue;
         const model::RowState now = model.interactions.row_state(id, model.bodies);
+        double secant[kMaxInteractionRows];
+        const bool secants = model.interactions.uses_secants(id);
+        if (secants) model.interactions.secants_before(id, model.bodies, v.h, secant);
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
             if ((v.row_flags[row] & model::kRowVelocity) ||
                 !model::holds_energy(v.epsilon[row], v.rest_length[id]))
                 continue;
-            f(row, line, now.g[r], now.rate[r] + now.carried[r]);
+            f(row, line, now.g[r], secants ? secant[r] : now.rate[r] + now.carried[r]);
         }
     }
 }

@@ -218,8 +218,10 @@ ShapePtr scene_file(const Format& f, std::vector<Field> fields) {
         {"settings", settings_shape(), false, "", "", "Settings."},
         {"defaults",
          object("defaults", "defaults", "For constraint interactions that give none.",
-                {{"compliance", number_or_rows, false, "1e-12", "m/N or rad/(N m)", "Compliance."},
-                 {"damping_time", number_or_rows, false, "two steps", "s", "Damping time."}}),
+                {{"compliance", number_or_rows, false, "of the kind", "m/N or rad/(N m)",
+                  "Compliance of all rows. Joints and `distance` have 0, ranges and `hold` 1e-12."},
+                 {"damping_time", number_or_rows, false, "two steps", "s",
+                  "Damping time of all rows."}}),
          false, "", "", "Defaults of constraints."},
         {"material_pairs", list_of("a list of material pairs", material_pair()), false, "", "",
          "How two given materials touch, in place of the mixing rules."}};

@@ -18,6 +18,7 @@ namespace {
 
 using assembly::Turning;
 using assembly::View;
+using context::IterationChange;
 
 constexpr std::uint8_t kCoarse = 60;  ///< Steps for which a joint above the limit is not completed.
 
@@ -34,12 +35,22 @@ void mark_record(model::Interactions& in, const context::JointSlot& joint,
 void find_turning(context::Model& model) noexcept {
     const model::Interactions& in = model.interactions;
     std::fill(model.system.turning.begin(), model.system.turning.end(), std::uint8_t{0});
-    model.completion.any = false;
+    model.completion.any = model.completion.any_compliant = false;
     for (const std::int32_t id : model.completion.joints) {
         if (!in.completed[at(id)]) continue;
         model.completion.any = true;
+        model.completion.any_compliant |= in.completed[at(id)] == assembly::kCompliant;
         for (int b = 0; b < in.bodies[at(id)]; ++b)
             model.system.turning[at(in.body[at(kMaxInteractionBodies * id + b)])] = 1;
+    }
+}
+
+/// Mark the rows of an interaction whose half-step violations are means of two poses.
+void mark_secants(model::Interactions& in, std::int32_t id, bool marked) noexcept {
+    for (int r = 0; r < in.rows[at(id)]; ++r) {
+        std::uint8_t& flags = in.row_flags[at(in.row_begin[at(id)] + r)];
+        flags = static_cast<std::uint8_t>(marked ? flags | model::kRowSecant
+                                                 : flags & ~model::kRowSecant);
     }
 }
 
@@ -57,13 +68,16 @@ void find_joints(context::Model& model, context::JointWork& joints) {
     auto node = [&](std::int32_t body) { return model.bodies.dof(body) > 0 ? body : ground; };
     for (std::int32_t id = 0; id < in.count(); ++id) {
         model.interactions.completed[at(id)] = 0;
-        if (model.system.rests(id) || !model::may_complete(in, id, model.def.step)) continue;
+        const bool joint = !model.system.rests(id) && model::may_complete(in, id, model.def.step);
+        const bool compliant = model::is_compliant(in, id);
+        mark_secants(model.interactions, id, joint && compliant);
+        if (!joint) continue;
         c.joints.push_back(id);
         c.joint_slots.push_back(
             {in.row_begin[at(id)],
              in.arms[at(id)] != 0 ? in.jac_begin[at(id)] + model::kArmsVibration : -1,
              std::min<std::int32_t>(in.rows[at(id)], 3)});
-        if (in.epsilon[at(in.row_begin[at(id)])] > 0.0) continue;  // compliant rows are determined
+        if (compliant) continue;  // its forces are determined
         const std::int32_t* body = &in.body[at(kMaxInteractionBodies * id)];
         c.rigid.push_back(id);
         joints.edges.emplace_back(node(body[0]), node(body[1]));
@@ -74,8 +88,8 @@ void find_joints(context::Model& model, context::JointWork& joints) {
     c.coarse_next.assign(c.joints.size(), 0);
     c.refused.assign(c.joints.size(), 0);
     c.lambda_with.assign(in.lambda.size(), 0.0);
-    c.any = false;
-    joints.turnings.assign(at(model.system.strips.count() + model.system.strips.groups()), {});
+    c.any = c.any_compliant = false;
+    joints.changes.assign(at(model.system.strips.count() + model.system.strips.groups()), {});
 }
 
 void begin_completion(context::Model& model) noexcept {
@@ -104,9 +118,9 @@ void choose_completed(context::Model& model, const context::State& state,
                 const bool chosen = allowed && c.coarse_next[at(k)] == 0 && in.parted[at(id)] == 0;
                 std::uint8_t completed = 0;
                 if (chosen)
-                    completed = in.epsilon[at(c.joint_slots[at(k)].row)] == 0.0
-                                    ? assembly::kRigid
-                                    : assembly::kStiffDamper;
+                    completed = in.row_flags[at(c.joint_slots[at(k)].row)] & model::kRowSecant
+                                    ? assembly::kCompliant
+                                    : assembly::kRigid;
                 in.completed[at(id)] = completed;
                 mark_record(in, c.joint_slots[at(k)], chosen);
             }
@@ -137,20 +151,54 @@ void adopt_completed(context::StepContext& ctx) noexcept {
     });
 }
 
-Turning renew_completed(context::StepContext& ctx) noexcept {
+namespace {
+
+/// Weigh the changes of the right-hand sides of compliant joints of a row block.
+///
+/// A change δc of a redundant row is a force δc/(hΣ), which changes the oscillation number s of the
+/// joint by h · vibration · δc/Σ. At the end s must be right to kVibration, or noise would reject a
+/// stiff loop. @return the largest weighted change.
+double weighted_change(const context::Model& model, const View& v, int strip) noexcept {
+    constexpr double kChange = 1e-7, kVibration = 0.01;  // the change of step/completion.cpp
+    double most = 0.0;
+    if (!model.completion.any_compliant) return most;
+    for (const assembly::PoolRange& range : model.system.strips.pools(strip)) {
+        if (!model::kind_completes(range.kind)) continue;
+        const auto& ids = model.interactions.pool[static_cast<std::size_t>(range.kind)].ids;
+        for (std::int32_t k = range.begin; k < range.end; ++k) {
+            const std::int32_t id = ids[at(k)];
+            if (v.completed[id] != assembly::kCompliant) continue;
+            const double rate = kChange / kVibration * v.h * v.vibration[id];
+            for (std::int32_t r = v.row_begin[id]; r < v.row_begin[id] + v.rows[id]; ++r) {
+                const double weight = std::max(1.0, rate / v.sigma[r]);
+                const double change = weight * std::fabs(v.c_next[r] - v.c[r]);
+                if (!(change <= most)) most = change;  // keeps NaN
+            }
+        }
+    }
+    return most;
+}
+
+}  // namespace
+
+IterationChange renew_completed(context::StepContext& ctx) noexcept {
     const View v = context::view(ctx);
     const assembly::RowBlocks& strips = ctx.model.system.strips;
-    auto& parts = ctx.work.joints.turnings;  // one per row block or group
+    auto& parts = ctx.work.joints.changes;  // one per row block or group
     context::sweep(
         ctx.model, ctx.pool,
-        [&](int strip) { parts[at(strip)] = complete_block(ctx.model, v, strip, v.v_new, false); },
+        [&](int strip) {
+            parts[at(strip)] = {complete_block(ctx.model, v, strip, v.v_new, false),
+                                weighted_change(ctx.model, v, strip)};
+        },
         [&](std::int32_t a, std::int32_t b, int i) {
             const Turning t = assembly::kernels().complete_spins(v, a, b, v.v_new, false);
             parts[at(i)].add(t);
         });
-    Turning all;
+    IterationChange all;
     for (int i = 0; i < strips.count() + strips.groups(); ++i) {
         all.add(parts[at(i)]);
+        if (!(parts[at(i)].weighted <= all.weighted)) all.weighted = parts[at(i)].weighted;
         parts[at(i)] = {};
     }
     return all;

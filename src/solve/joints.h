@@ -54,7 +54,7 @@ assembly::Turning complete_block(const context::Model& model, const assembly::Vi
 
 /// Compute the equations of completed joints and spins about the current v₊, without applying them.
 /// @return the change of the right-hand sides.
-assembly::Turning renew_completed(context::StepContext& ctx) noexcept;
+context::IterationChange renew_completed(context::StepContext& ctx) noexcept;
 
 /// Apply the equations of renew_completed().
 void adopt_completed(context::StepContext& ctx) noexcept;

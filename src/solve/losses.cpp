@@ -52,6 +52,24 @@ void rates_by_rows(const View& v, std::int32_t id, Rates& out) noexcept {
     }
 }
 
+/// Compute the mean rates of the violations in the last step and in this step, d₋ and d₊ of
+/// step/completion.h. For a completed joint they follow from the law of its rows.
+void rates_between_poses(const context::Model& model, const View& v, std::int32_t id,
+                         Rates& out) noexcept {
+    const double h = model.def.step;
+    model.interactions.secants_before(id, model.bodies, h, out.before);
+    if (v.completed[id] != assembly::kCompliant) {
+        model.interactions.secants_after(id, model.bodies, v.v_new, h, out.after);
+        return;
+    }
+    for (int r = 0; r < v.rows[id]; ++r) {
+        const std::int32_t row = v.row_begin[id] + r;
+        const double ups = v.upsilon[row];
+        out.after[r] = ups * (v.recall[row] * out.before[r] - 4.0 / h * v.g[row]) -
+                       v.sigma[row] * v.lambda[row] - v.residual[row];
+    }
+}
+
 /// Return ½ g²/ε of a row if it exerts a force.
 /// @param now  Violation at the poses of the step.
 double held(const View& v, std::int32_t id, std::int32_t row, double now, double g) noexcept {
@@ -79,6 +97,8 @@ double losses_of(const context::Model& model, const View& v, std::int32_t id) no
     if ((flags & model::kCarried) || faded ||
         (line && (v.active[id] == 0.0 || !was_taut(v, v.row_begin[id], rate.before[0]))))
         rates_by_jacobian(model, v, id, rate);
+    Rates mean = rate;  // of the violations between half-step positions
+    if (model.interactions.uses_secants(id)) rates_between_poses(model, v, id, mean);
     double taken = 0.0;
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;
@@ -87,8 +107,8 @@ double losses_of(const context::Model& model, const View& v, std::int32_t id) no
         if (rigid && (flags & model::kByInput)) continue;  // its work counts as driven
         const double g = v.g[row], half = 0.5 * v.h;
         taken +=
-            held(v, id, row, g, model::half_step_gap(v.row_flags[row], g, half, rate.before[r])) -
-            held(v, id, row, g, model::half_step_gap(v.row_flags[row], g, half, -rate.after[r])) -
+            held(v, id, row, g, model::half_step_gap(v.row_flags[row], g, half, mean.before[r])) -
+            held(v, id, row, g, model::half_step_gap(v.row_flags[row], g, half, -mean.after[r])) -
             0.5 * v.lambda[row] * (rate.before[r] + rate.after[r]);
     }
     return taken;

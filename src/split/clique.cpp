@@ -182,6 +182,12 @@ void analyse_clique(context::Model& model) {
         copy_pose(c.ctx.model.bodies, static_cast<std::int32_t>(i), model.bodies, c.body[i]);
     copy_interactions(c, model);
     solve::prepare_alone(c.ctx);
+    // A clique solves once per step: its compliant joints are linearised. The first right-hand side
+    // of an iteration would depend on the velocities at which the clique was made.
+    context::Completion& completion = c.ctx.model.completion;
+    for (std::size_t k = 0; k < completion.joints.size(); ++k)
+        if (model::is_compliant(c.ctx.model.interactions, completion.joints[k]))
+            completion.refused[k] = 1;
 }
 
 bool solve_clique(context::Model& model, const context::State& state) noexcept {

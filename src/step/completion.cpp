@@ -25,7 +25,7 @@
 namespace hawser::step {
 namespace {
 
-using assembly::Turning;
+using context::IterationChange;
 
 /// Change of an iteration at which the step ends [m/s or rad/s], if bodies turn by up to kSlowTurn
 /// [rad/s]. For faster ones it is multiplied by the cube of the ratio. Near singular poses of
@@ -39,23 +39,26 @@ constexpr double kTooFast = 2.0 * solve::kResolvedVibration;
 
 /// Perform end-of-step constraint iterations with the present factorisation. @return result of the
 /// last iteration; the iterations diverged if it is not finite or too large.
-Turning iterate_joints(context::StepContext& ctx) noexcept {
+IterationChange iterate_joints(context::StepContext& ctx) noexcept {
     double first = 0.0;
     const double enough = kTurning * std::min(1.0, ctx.model.def.solution_tolerance / kSolution);
-    const auto ended = [enough](const Turning& turning) {
-        const double fast = std::max(1.0, turning.spin / kSlowTurn);
-        return turning.change <= enough * fast * fast * fast;
+    const auto change_of = [](const IterationChange& turning) {
+        return turning.weighted > turning.change ? turning.weighted : turning.change;
     };
-    Turning t = solve::renew_completed(ctx);
+    const auto ended = [&](const IterationChange& turning) {
+        const double fast = std::max(1.0, turning.spin / kSlowTurn);
+        return change_of(turning) <= enough * fast * fast * fast;
+    };
+    IterationChange t = solve::renew_completed(ctx);
     for (int round = 0; round < kMaxRounds && !ended(t); ++round) {
         solve::adopt_completed(ctx);
         solve::continue_with_factor(ctx);
         ctx.work.solve.losses_known = false;
         ++ctx.work.stats.completion_rounds;
         t = solve::renew_completed(ctx);
-        if (round == 0) first = t.change;
+        if (round == 0) first = change_of(t);
         constexpr double kGrowth = 4.0;
-        if (!std::isfinite(t.change) || (round > 1 && t.change > kGrowth * first)) {
+        if (!std::isfinite(t.change) || (round > 1 && change_of(t) > kGrowth * first)) {
             t.gap = 1e300;
             break;
         }
@@ -82,13 +85,15 @@ Status solve_linearised(context::StepContext& ctx) noexcept {
 
 /// True if the force of a joint has become much larger within the step than the value used in the
 /// solution. A completed joint then oscillates too fast and is rejected; for another joint the
-/// stiffness used is too small. @param k  Index of the joint.
-bool has_outgrown(context::Model& model, std::int32_t k) noexcept {
+/// stiffness used is too small. @param k  Index of the joint. @param iterated  True after the
+/// iterations. Before them the force of a compliant joint is that of linearised rows.
+bool has_outgrown(context::Model& model, std::int32_t k, bool iterated) noexcept {
     context::Completion& c = model.completion;
     const model::Interactions& in = model.interactions;
     const std::int32_t id = c.joints[at(k)];
     // The force of a redundant joint is not known before the filter.
     if (in.repeats[at(id)]) return false;
+    if (in.completed[at(id)] == assembly::kCompliant && !iterated) return false;
     if (in.completed[at(id)]) {
         if (solve::squared_vibration(model, k, in.lambda.data()) <= kTooFast * kTooFast)
             return false;
@@ -104,12 +109,12 @@ bool has_outgrown(context::Model& model, std::int32_t k) noexcept {
 }
 
 /// Check all joints by has_outgrown(). @return true if it is true for any joint.
-bool outgrown(context::StepContext& ctx) noexcept {
+bool outgrown(context::StepContext& ctx, bool iterated) noexcept {
     std::atomic<bool> found{false};  // without order: it is only set
     const auto count = static_cast<std::int32_t>(ctx.model.completion.joints.size());
     context::over(ctx.pool, count, [&](std::int32_t a, std::int32_t b) {
         bool any = false;
-        for (std::int32_t k = a; k < b; ++k) any |= has_outgrown(ctx.model, k);
+        for (std::int32_t k = a; k < b; ++k) any |= has_outgrown(ctx.model, k, iterated);
         if (any) found.store(true, std::memory_order_relaxed);
     });
     return found.load(std::memory_order_relaxed);
@@ -174,18 +179,30 @@ Status settle(context::StepContext& ctx) noexcept {
     return status;
 }
 
+constexpr int kMaxGrowths = 2;  // number of repeated solves for new forces
+
+/// Iterate and finish. The step is solved again if a compliant joint vibrates too fast with the
+/// force that the iterations find.
+Status iterate_and_settle(context::StepContext& ctx) noexcept {
+    IterationChange t = iterate_joints(ctx);
+    for (int i = 0; i < kMaxGrowths && t.gap <= kGap && ctx.model.completion.any_compliant &&
+                    outgrown(ctx, true);
+         ++i) {
+        const Status status = solve_with_new_forces(ctx);
+        if (status != Status::ok || !ctx.model.completion.any) return status;
+        t = iterate_joints(ctx);
+    }
+    return t.gap <= kGap ? settle(ctx) : solve_linearised(ctx);
+}
+
 }  // namespace
 
 Status complete(context::StepContext& ctx) noexcept {
     Status status = Status::ok;
-    constexpr int kMaxGrowths = 2;  // number of repeated solves for new forces
     if (ctx.state.started)
-        for (int i = 0; i < kMaxGrowths && status == Status::ok && outgrown(ctx); ++i)
+        for (int i = 0; i < kMaxGrowths && status == Status::ok && outgrown(ctx, false); ++i)
             status = solve_with_new_forces(ctx);
-    if (ctx.model.completion.any && status == Status::ok) {
-        const Turning t = iterate_joints(ctx);
-        status = t.gap <= kGap ? settle(ctx) : solve_linearised(ctx);
-    }
+    if (ctx.model.completion.any && status == Status::ok) status = iterate_and_settle(ctx);
     if (status == Status::ok) solve::take_self_stress(ctx);
     return status;
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file completion.h
-/// End-of-step constraint iteration of rigid joints, and of spins, which preserve their angular
-/// momentum.
+/// End-of-step constraint iteration of joints, and of spins, which preserve their angular momentum.
 ///
 /// One linear solution leaves a rigid row open by the turning of its direction, h² v⊥²/L. Redundant
 /// rows have different gaps; without compliance this is unbounded self-stress. Therefore the step
@@ -24,22 +23,26 @@
 /// ω/5)³ of it, because the error of the step grows in the same way. If solution_tolerance is below
 /// its default, the limit is reduced in proportion.
 ///
-/// Springs with dampers that the step does not resolve are completed as well, about the same u. The
-/// values Υ and R = 1 − 4τ(1 − θ)/h are those of model/damping.h. Let d₊ = (g(x_k ⊕ h u) − g)/h, d₋
-/// = (g − g(x_k ⊖ h v))/h. Then
+/// Compliant joints, with a row of ε > 0, obey the law of their rows with the violations at both
+/// ends of the step. The values 1/Υ = 1 + 4(τθ + κ)/h and R = 1 − 4(τ(1 − θ) − κ)/h are those of
+/// model/share_damping.cpp. Let d₊ = (g(x_k ⊕ h u) − g)/h, d₋ = (g − g(x_k ⊖ h v))/h. Then
 /// ```
-///     c = G u − d₊ − (4Υ/h) g + ΥR d₋,      λ = −(h/ε)((g₋ + 2g + g₊)/4 + τ(θ d₊ + (1 − θ) d₋)).
+///     c = G u − d₊ − (4Υ/h) g + ΥR d₋
+///     λ = −(h/ε)(g + (h/4 + κ)(d₊ − d₋) + τ(θ d₊ + (1 − θ) d₋)).
 /// ```
-/// Linearised once, the damper would resist the speed h v⊥²/L with which its direction turns.
+/// Linearised once, such a row would resist the rotation of its direction: by h²v⊥²/8L over ε, and
+/// its damper by the speed h v⊥²/L. The elastic energy of these rows is counted with the mean (g +
+/// g₋)/2 (docs/theory/compliance.md).
 ///
-/// Selection. Rigid joints and rods (model::may_complete()) whose oscillation under their force f
-/// is resolved: s = h² f max(r/I) ≤ 1.5. Beyond that the iterations may diverge. Such a joint is
+/// Selection. Joints and rods (model::may_complete()) whose oscillation under their force f is
+/// resolved: s = h² f max(r/I) ≤ 1.5. Beyond that the iterations may diverge. Such a joint is
 /// linearised once a step with numerical damping (assembly/geo.h), also for 60 steps after.
 ///
 /// A force that arises within a step is known after a first solution. The step is then solved again
 /// in two cases:
 /// - Completed joints oscillate far too fast. They are then linearised once.
 /// - The force of other joints exceeds that of their stiffness by a factor of 1.5.
+/// The force of a compliant joint is checked after the iterations, when it is known.
 /// The stiffness is computed from the new forces. Otherwise a chain that tightens would create
 /// energy.
 ///

@@ -329,16 +329,28 @@ inline DenseStep dense_step(const context::StepContext& ctx) {
             // Damper. The scheme's own damping acts only on the velocity after the step. A wire
             // whose transverse vibration is under-resolved has the damping of at least half a step.
             double theta = 1.0, seen = tau;
+            // A rigid joint has the damping of at least half a step, a stiff one up to a tenth. The
+            // law of a compliant one has a term κ (d₊ − d₋) if its vibration is under-resolved.
+            double shift = 0.0;  // κ/h
+            using enum InteractionKind;
+            const InteractionKind kind = in.def[i].kind;
+            const bool joint = kind == Ball || kind == Hinge || kind == Prismatic ||
+                               kind == Cylindrical || kind == Universal || kind == Lock;
+            if (joint && e == 0.0) seen = std::max(tau, 0.5 * h);
             if (!velocity && (in.row_flags[static_cast<std::size_t>(row)] & model::kRowDamper) &&
                 e > 0.0) {
                 const double w = row_mobility(ctx, id, s, r), spring = 0.25 * h * h * w / e;
                 const bool wire = in.def[i].kind == InteractionKind::Stretch ||
                                   in.def[i].kind == InteractionKind::WinchStretch;
                 if (wire) seen = std::max(tau, (late(spring) - 0.5) * h);
+                if (joint && spring > 1e4)
+                    seen = std::max(tau, 0.1 * h * (spring - 1e4) / (spring + 1e4));
+                if (joint && spring > 0.25)
+                    shift = std::max(0.0, 0.1 * (spring - 0.25) / (spring + 0.25) - seen / h);
                 theta = late(h * seen * w / e + spring);
             }
-            const double ups = 1.0 / (1.0 + 4.0 * seen * theta / h);
-            const double recall = 1.0 - 4.0 * seen * (1.0 - theta) / h;
+            const double ups = 1.0 / (1.0 + 4.0 * (seen * theta / h + shift));
+            const double recall = 1.0 - 4.0 * (seen * (1.0 - theta) / h - shift);
             out.sigma[row] = velocity ? e / h : 4.0 * e * ups / (h * h);
             // A rigid row has a fraction of its mobility where the system was analysed.
             if (!velocity && e == 0.0) out.sigma[row] = in.sigma[static_cast<std::size_t>(row)];

@@ -77,6 +77,7 @@ TEST(Validate, first_day_lines) { expect_pass("first_chains first_lines", 24); }
 TEST(Validate, first_day_hulls_full) { expect_pass("first_waves", 15); }
 TEST(Validate, first_day_rest) { expect_pass("first_drag first_memory first_warnings", 34); }
 TEST(Validate, first_day_winches) { expect_pass("first_winches", 8); }
+TEST(Validate, compliant_joints_full) { expect_pass("untuned", 30); }
 TEST(Validate, first_day_routes) { expect_pass("first_routes", 9); }
 TEST(Validate, momentum) { expect_pass("momentum", 3); }
 TEST(Validate, scheme) { expect_pass("A.2.1 A.2.2 A.2.3 A.2.4 A.2.5 A.2.6 A.2.7", 20); }

@@ -19,7 +19,7 @@ inline double rigid_up_to(const View& view, std::int32_t id) {
 
 // Values of model::InteractionFlag and RowFlag.
 constexpr int kPullsOnly = 1, kRange = 2, kByInput = 16, kCarried = 32, kFriction = 128;
-constexpr int kVelocityRow = 1, kTurns = 16;
+constexpr int kVelocityRow = 1, kTurns = 16, kSecant = 64;
 /// Values as in model::half_step_gap().
 constexpr double kMaxTurn = 2.0, kUnbounded = 1e300;
 
@@ -70,7 +70,7 @@ bool all_plain(const View& view, std::int32_t begin, std::int32_t end, std::int3
     constexpr int kMarked = kPullsOnly | kRange | kByInput | kCarried | kFriction;
     if ((any_bits(view.flags + begin, n) & kMarked) || any_bits(view.parted + begin, n) ||
         any_bits(view.completed + begin, n) ||
-        (any_bits(view.row_flags + first, rows) & (kVelocityRow | kTurns)))
+        (any_bits(view.row_flags + first, rows) & (kVelocityRow | kTurns | kSecant)))
         return false;
     int marked = 0;
     for (std::int32_t id = begin; id < end; ++id)
@@ -95,6 +95,7 @@ int mark(const View& view, std::int32_t begin, std::int32_t end, std::int32_t fi
             all_of &= view.row_flags[r];
             if (faded) own |= __builtin_fabs(view.recall[r]) < assembly::kMinRecall;
         }
+        own |= (any_of & kSecant) != 0;
         if (own && !none) left[count++] = id;
         const double rigid = rigid_up_to(view, id);
         marks.set(row - first, own ? 0.0 : 1.0, pulls ? 1.0 : 0.0, rigid, view.completed[id],
