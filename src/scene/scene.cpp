@@ -2,6 +2,7 @@
 
 #include <hawser/scene.h>
 
+#include "base/number.h"
 #include "scene/anchors.h"
 #include "scene/deck.h"
 #include "scene/description.h"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -184,6 +186,25 @@ class Builder {
         }
     }
 
+    /// Check that the signal accepts all values within the declared range of an input.
+    /// @throws SceneError.
+    static void check_lever_range(const SignalInput& input, const SystemSignal& signal,
+                                  const SourceLocation& location) {
+        constexpr double kNone = 1e29;   // SignalInput::max is 1e30 without a declared range.
+        constexpr double kRound = 1e-9;  // relative rounding of the products with `factor`
+        for (const auto& [key, value] :
+             {std::pair("min", input.min), std::pair("max", input.max)}) {
+            const double set = input.factor * value, slack = kRound * std::abs(set);
+            if (std::abs(value) > kNone || (set >= signal.min - slack && set <= signal.max + slack))
+                continue;
+            const std::string unit = signal.unit == "1" ? "" : " " + signal.unit;
+            throw_error(location / key, "the signal " + in_quotes(input.signal) + " accepts " +
+                                            number(signal.min) + " to " + number(signal.max) +
+                                            unit + ", and this limit sets it to " + number(set) +
+                                            unit);
+        }
+    }
+
     /// Check that each lever has an input of a system. @throws SceneError.
     void check_levers(const World& world) {
         for (std::size_t i = 0; i < description_.levers.size() && numbered_; ++i) {
@@ -191,10 +212,20 @@ class Builder {
             if (description_.sea && world.find_system("sea") == nullptr &&
                 wanted.starts_with("sea."))
                 continue;  // The sea was refused.
+            const std::span<const SystemSignal> signals = world.system_signals();
+            const auto found = std::find_if(signals.begin(), signals.end(), [&](const auto& s) {
+                return s.input && s.system + "." + s.name == wanted;
+            });
+            if (found != signals.end()) {
+                (void)attempt(description_.mistakes, [&] {
+                    check_lever_range(description_.levers[i].input, *found,
+                                      description_.lever_location(i));
+                });
+                continue;
+            }
             std::vector<std::string> known;
-            for (const SystemSignal& s : world.system_signals())
+            for (const SystemSignal& s : signals)
                 if (s.input) known.push_back(s.system + "." + s.name);
-            if (std::find(known.begin(), known.end(), wanted) != known.end()) continue;
             (void)attempt(description_.mistakes, [&] {
                 throw_error(description_.lever_location(i) / "signal",
                             "there is no signal " + in_quotes(wanted) + " that may be set" +
