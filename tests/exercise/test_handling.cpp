@@ -194,9 +194,12 @@ TEST(AnchorHandling, SetBeginsOnTheSeabed) {
         sail({.name = "anchor_handling", .state = kStates + "set.hws.gz", .seconds = kMinute}));
 }
 
+/// The whole exercise ends at 1,417 s, 13 s after this state. Beyond it nobody pays out the
+/// released work wire, whose snap loads are not part of the exercise.
 TEST(AnchorHandling, DisconnectBeginsWithTheAnchorSet) {
-    expect_good(sail(
-        {.name = "anchor_handling", .state = kStates + "disconnect.hws.gz", .seconds = kMinute}));
+    expect_good(sail({.name = "anchor_handling",
+                      .state = kStates + "disconnect.hws.gz",
+                      .seconds = std::min(kMinute, 13.0)}));
 }
 
 /// Run three minutes with recording. Expect the same bits on other numbers of threads, from the

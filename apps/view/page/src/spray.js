@@ -5,9 +5,9 @@
 import {BufferAttribute, BufferGeometry, DynamicDrawUsage, Points, ShaderMaterial, UniformsLib, UniformsUtils} from 'three';
 import {AIR} from './air.js';
 
-export const kDrops = 480;       // at most
+export const kDrops = 1600;      // at most
 const kShips = 4, kG = 9.81;
-const kRate = 420;               // drops a second of a ship at full strength
+const kRate = 1400;              // drops a second of a ship at full strength
 const kLeast = 0.08;             // [s] between two samples of the relative velocity
 const kLife = 2.2;               // [s] of a drop, at most
 const kDrag = 0.8;               // [1/s] rate at which the wind takes drops along
@@ -37,7 +37,7 @@ varying vec2 fade;
 #include <fog_pars_fragment>
 void main() {
     float r = 2.0 * length(gl_PointCoord - 0.5);
-    float alpha = (1.0 - smoothstep(0.3, 1.0, r)) * 0.62 * (1.0 - fade.x) * smoothstep(0.0, 0.08, fade.x);
+    float alpha = (1.0 - smoothstep(0.0, 1.0, r)) * 0.3 * (1.0 - fade.x) * smoothstep(0.0, 0.08, fade.x);
     if (alpha < 0.01) discard;
     gl_FragColor = vec4(vec3(0.9, 0.94, 0.96) * (0.08 + 0.92 * bright), alpha);
     ${encode}
@@ -130,7 +130,7 @@ export class Spray {
         this.velocity.set([0.8 * vx + side * fling * e[4] / across, 0.8 * vy + side * fling * e[5] / across, rise], 3 * i);
         this.life[i] = kLife * (0.5 + 0.5 * r());
         this.age[i] = 0;
-        this.size[i] = 0.5 + 0.9 * r() * (0.6 + 0.5 * strength);
+        this.size[i] = 0.35 + 0.9 * r() * (0.6 + 0.5 * strength);
         this.drop.array.set([0, this.size[i]], 2 * i);
     }
 

@@ -20,7 +20,7 @@ const kStills = {
     fog: {scene: 'exercises/tow_to_sea.json', run: 70, set: {mode: 2, speed_order: 3}, air: {visibility: 300}, camera: {body: 'ahts/hull', mode: 'bridge'}},
     splash: {scene: 'exercises/subsea_lift.json', run: 16, set: {hoist_mode: 0, hoist_speed: 0.35}, camera: {body: 'csv/hull', at: [-8, -14, 2], distance: 60, elevation: 0.12, azimuth: -1.2}},
     berth: {scene: 'exercises/berthing.json', run: 60, camera: {body: 'barge/hull', at: [0, -10, 2], distance: 190, elevation: 0.3, azimuth: -2.2}},
-    spray: {scene: 'exercises/tow_gob.json', run: 30, set: {mode: 2, speed_order: 4, 'sea.waves': 1.8, 'sea.wind': 16}, drops: 150, camera: {body: 'tug/hull', at: [6, 0, 1], distance: 46, elevation: 0.13, azimuth: 0.85}},
+    spray: {scene: 'exercises/tow_gob.json', run: 30, set: {mode: 2, speed_order: 4, 'sea.waves': 1.8, 'sea.wind': 16}, drops: 500, camera: {body: 'tug/hull', at: [6, 0, 1], distance: 46, elevation: 0.13, azimuth: 0.85}},
     cab: {scene: 'exercises/crane_lift.json', run: 6, camera: {body: 'barge', mode: 'cab'}},
     heli: {scene: 'exercises/tow_to_sea.json', run: 70, set: {mode: 2, speed_order: 3}, camera: {body: 'ahts/hull', mode: 'heli'}},
     under: {scene: 'exercises/anchor_handling.json', run: 6, camera: {body: 'ahts1/hull', at: [-20, 0, -8], distance: 90, elevation: -0.14, azimuth: 2.6}},
