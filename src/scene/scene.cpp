@@ -197,11 +197,11 @@ class Builder {
             const double set = input.factor * value, slack = kRound * std::abs(set);
             if (std::abs(value) > kNone || (set >= signal.min - slack && set <= signal.max + slack))
                 continue;
-            const std::string unit = signal.unit == "1" ? "" : " " + signal.unit;
-            throw_error(location / key, "the signal " + in_quotes(input.signal) + " accepts " +
-                                            number(signal.min) + " to " + number(signal.max) +
-                                            unit + ", and this limit sets it to " + number(set) +
-                                            unit);
+            std::string why = "the signal " + in_quotes(input.signal) + " accepts ";
+            why += number(signal.min) + " to " + number(signal.max);
+            if (signal.unit != "1") why += " " + signal.unit;
+            why += ", and this limit sets it to " + number(set);
+            throw_error(location / key, why);
         }
     }
 

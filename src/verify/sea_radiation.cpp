@@ -152,7 +152,7 @@ void SeaVerifier::add_memory(const WaterHull& def, Past& past, const Mat3& axes,
 /// Return the axes to which the coefficients refer. They are those of the body, or horizontal axes
 /// at the slow heading, which this function updates.
 Mat3 SeaVerifier::frame_of(const WaterHull& def, Past& past, const Pose& pose) const {
-    const Mat3 axes = pose.orientation.toRotationMatrix();
+    Mat3 axes = pose.orientation.toRotationMatrix();
     if (def.excitation == ExcitationKind::none && !def.drift) return axes;
     const Vec3 arm = axes * def.coefficients->reference;
     std::array<double, 3> to{pose.position.x() + arm.x(), pose.position.y() + arm.y(),
