@@ -25,8 +25,8 @@ void check_bodies(const World& world, Findings& out);
 void check_cable_density(const record::SceneInfo& scene, const World& world, Findings& out);
 /// Find cables that are in air although their line type is for water (dry_lines.cpp).
 void check_dry_lines(const record::SceneInfo& scene, const World& world, Findings& out);
-/// Check the sea: a depth that differs from that of the seabeds, wires without drag, hulls in short
-/// waves, and truncated radiation memories (sea_scene.cpp).
+/// Check the water depth against the planes of the seabed, wires for drag, hulls for short waves,
+/// and radiation memories for truncation (sea_scene.cpp).
 void check_sea_scene(const record::SceneInfo& scene, const World& world, Findings& out);
 /// Check line types and winches of the document for inconsistent numbers (document.cpp).
 void check_document(const record::SceneInfo& scene, Findings& out);
