@@ -10,6 +10,9 @@ namespace hawser::bench {
 /// Time whole steps of a scene at several scales.
 int step_command(int argc, char** argv);
 
+/// Time the steps of an exercise relative to a scene at rest.
+int exercise_command(int argc, char** argv);
+
 /// Time factorisation and solution of a scene's matrix against libraries.
 int factor_command(int argc, char** argv);
 

@@ -19,6 +19,8 @@ struct Command {
 
 constexpr Command kCommands[] = {
     {"step", "time and memory of a whole step, by scale", hawser::bench::step_command},
+    {"exercise", "steps of an exercise, relative to a scene at rest",
+     hawser::bench::exercise_command},
     {"factor", "our factorisation against libraries, on many matrices",
      hawser::bench::factor_command},
     {"roofline", "our factorisation beside the limits of the processor",

@@ -40,7 +40,11 @@
 /// with the force [N]. Event `overload` of the load, if the hook opens by its strength; `missed` of
 /// the hook's body.
 ///
-/// Limits: legs have no contacts. On a lumped mass, such as a wire's end, the force acts at its
+/// *Contact*. If the hook is a node of a wire whose elements have contact shapes, each leg is a
+/// segment (shapes.h) with radius, material and groups of that wire, named like the leg. Legs of
+/// other hooks have no contacts.
+///
+/// Limits: On a lumped mass, such as a wire's end, the force acts at its
 /// position. Loads swing about the point without friction. Cranes have their own hooks (crane.h).
 
 #include <hawser/crane.h>

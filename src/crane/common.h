@@ -4,12 +4,14 @@
 /// Define the common parts of knuckle-boom and lattice cranes, and errors with names.
 
 #include <hawser/crane.h>
+#include <hawser/shapes.h>
 
 #include "base/number.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -92,6 +94,12 @@ void check_load_bodies(const World& world, const HookLoads& takes);
     sling.set("length", std::max(load.sling_length, way)).set("EA", load.sling_EA);
     return sling.set("breaking_load", load.breaking_load);
 }
+
+/// Return the contact shape of the leg from a hook on a wire's node to an eye: a segment with radius,
+/// material and groups of the wire.
+/// @return nullopt if no segment ends at the hook
+[[nodiscard]] std::optional<ShapeDef> leg_shape_of(const World& world, BodyId hook, BodyId load,
+                                                   const Vec3& eye, std::string name);
 
 /// Return the index of fall k in the parts of the route; k starts at 1. The parts before the falls
 /// run from the drum, over the knuckle if there is one. One part lies under a hook sheave between

@@ -52,6 +52,10 @@ void check(World& world, const HookDef& def) {
         if (world.find_interaction(crane::leg_name(def.name, i)).valid())
             throw_def_error(def, "the interaction '" + crane::leg_name(def.name, i) +
                                      "' is there; one of its legs would be called so");
+    for (std::size_t i = 0; i < crane::kMaxEyes; ++i)
+        if (world.find_shape(crane::leg_name(def.name, i)).valid())
+            throw_def_error(def, "the shape '" + crane::leg_name(def.name, i) +
+                                     "' exists; the hook needs this name for a leg; rename it");
 }
 
 }  // namespace
@@ -59,6 +63,7 @@ void check(World& world, const HookDef& def) {
 void define(World& world, const HookDef& def) {
     check(world, def);
     std::vector<InteractionId> legs;
+    std::vector<ShapeId> shapes;
     try {
         if (def.take > 0) {
             const CraneLoad& load = def.loads[static_cast<std::size_t>(def.take - 1)];
@@ -72,10 +77,15 @@ void define(World& world, const HookDef& def) {
                                              " m; attach it later, or move the hook nearer");
                 legs.push_back(world.add_interaction(crane::sling_of(
                     load, i, crane::leg_name(def.name, i), def.body, def.point, way)));
+                if (const auto shape =
+                        crane::leg_shape_of(world, def.body, load.body, load.eyes[i],
+                                            crane::leg_name(def.name, i)))
+                    shapes.push_back(world.add_shape(*shape));
             }
         }
         world.add_system(std::make_unique<crane::HookSystem>(def));
     } catch (...) {
+        for (const ShapeId shape : shapes) (void)world.remove_shape(shape);
         for (const InteractionId leg : legs) (void)world.remove_interaction(leg);
         throw;
     }

@@ -11,6 +11,22 @@
 
 namespace hawser::crane {
 
+std::optional<ShapeDef> leg_shape_of(const World& world, BodyId hook, BodyId load, const Vec3& eye,
+                                     std::string name) {
+    if (world.body_def(hook).kind != BodyKind::lump) return std::nullopt;
+    for (const ShapeId id : world.shapes()) {
+        const ShapeDef& of_wire = world.shape_def(id);
+        if (!of_wire.body_b.valid() || (of_wire.body != hook && of_wire.body_b != hook)) continue;
+        ShapeDef leg = of_wire;
+        leg.name = std::move(name);
+        leg.body = hook;
+        leg.body_b = load;
+        leg.position = world.body_def(load).kind == BodyKind::lump ? Vec3(Vec3::Zero()) : eye;
+        return leg;
+    }
+    return std::nullopt;
+}
+
 HookSystem::HookSystem(HookDef def)
     : def_(std::move(def)),
       attach_request_(def_.take),
@@ -74,12 +90,27 @@ bool HookSystem::measure_load(const World& world) noexcept {
     return there;
 }
 
+void HookSystem::remove_leg_shape(Prestep& now, std::size_t i) noexcept {
+    if (const ShapeId shape = now.world.find_shape(leg_names_[i]); now.world.alive(shape))
+        now.edits.remove_shape(shape);
+}
+
+/// Remove the contact shapes of broken legs.
+void HookSystem::remove_broken_shapes(Prestep& now) noexcept {
+    for (std::size_t i = 0; i < load_of(attached_load_).eyes.size(); ++i) {
+        const InteractionId leg = now.world.find_interaction(leg_names_[i]);
+        if (!now.world.alive(leg) || !now.world.intact(leg)) remove_leg_shape(now, i);
+    }
+}
+
 void HookSystem::detach_load(Prestep& now, EventKind kind) noexcept {
     const CraneLoad& load = load_of(attached_load_);
-    for (std::size_t i = 0; i < load.eyes.size(); ++i)
+    for (std::size_t i = 0; i < load.eyes.size(); ++i) {
         if (const InteractionId leg = now.world.find_interaction(leg_names_[i]);
             now.world.alive(leg))
             now.edits.remove_interaction(leg);
+        remove_leg_shape(now, i);
+    }
     if (now.world.alive(load.body)) now.tell(kind, load.body, load_);
     attached_load_ = 0;
     load_ = leg_ = 0.0;
@@ -91,9 +122,10 @@ void HookSystem::check_load(Prestep& now) noexcept {
         detach_load(now, EventKind::overload);
         return set_state(HookState::opened);
     }
-    // All legs are broken, or were removed by others.
+    remove_broken_shapes(now);
     if (there && requested_load() == attached_load_) return set_state(HookState::holding);
     if (there && load_ > def_.latch) return set_state(HookState::latched);
+    // Release is requested, or all legs are broken or were removed by others.
     detach_load(now, EventKind::detach);
     set_state(HookState::empty);
     // Broken legs are not replaced if the request has already been carried out.
@@ -117,6 +149,9 @@ void HookSystem::take(Prestep& now) noexcept {
         const double way = (now.world.world_point(load.body, load.eyes[i]) - point).norm();
         (void)now.edits.add_interaction(
             sling_of(load, i, leg_names_[i], def_.body, def_.point, way));
+        if (const auto shape =
+                leg_shape_of(now.world, def_.body, load.body, load.eyes[i], leg_names_[i]))
+            (void)now.edits.add_shape(*shape);
     }
     attached_load_ = number;
     now.tell(EventKind::join, load.body, farthest);

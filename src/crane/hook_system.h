@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file hook_system.h
-/// Run a hook at the start of each step (hawser/hook.h). Prestep::edits adds and removes its legs.
-/// They are found by their names, which stay valid after a restore.
+/// Run a hook at the start of each step (hawser/hook.h). Prestep::edits adds and removes its legs
+/// and their contact shapes. Both are found by their names, which stay valid after a restore.
 
 #include <hawser/hook.h>
 #include <hawser/system.h>
@@ -37,6 +37,8 @@ class HookSystem final : public System {
     [[nodiscard]] int requested_load() const noexcept;
     [[nodiscard]] bool measure_load(const World& world) noexcept;
     void check_load(Prestep& now) noexcept;
+    void remove_leg_shape(Prestep& now, std::size_t i) noexcept;
+    void remove_broken_shapes(Prestep& now) noexcept;
     void detach_load(Prestep& now, EventKind kind) noexcept;
     void take(Prestep& now) noexcept;
 

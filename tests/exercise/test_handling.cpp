@@ -199,13 +199,9 @@ TEST(AnchorHandling, SetBeginsOnTheSeabed) {
         sail({.name = "anchor_handling", .state = kStates + "set.hws.gz", .seconds = kMinute}));
 }
 
-/// The whole exercise ends at 1,417 s, 13 s after this state. No penalty is expected until then.
-/// For the rest of the minute only the steps are checked: the work wire reaches 2.72 MN at 1,421 s.
 TEST(AnchorHandling, DisconnectBeginsWithTheAnchorSet) {
-    const std::string state = kStates + "disconnect.hws.gz";
-    expect_good(
-        sail({.name = "anchor_handling", .state = state, .seconds = std::min(kMinute, 13.0)}));
-    expect_certified(sail({.name = "anchor_handling", .state = state, .seconds = kMinute}));
+    expect_good(sail(
+        {.name = "anchor_handling", .state = kStates + "disconnect.hws.gz", .seconds = kMinute}));
 }
 
 /// Run three minutes with recording. Expect the same bits on other numbers of threads, from the
@@ -254,7 +250,7 @@ TEST(AnchorHandling, LowerPasses_long) { expect_passed("anchor_handling_lower");
 
 TEST(AnchorHandling, WholePasses_long) { expect_passed("anchor_handling"); }
 
-/// Result of a long case, kept in a file so that an interrupted suite continues after it.
+/// Result of a passed long case, kept in a file so that an interrupted suite continues after it.
 class Kept {
   public:
     explicit Kept(const std::string& name)
@@ -299,9 +295,9 @@ TEST(AnchorHandling, RandomControlsEndWithACause_long) {
         const Kept kept("controls_" + std::to_string(seed));
         if (kept.done()) continue;
         const std::string end = perform_at_random(seed);
-        EXPECT_FALSE(end.empty()) << seed;
-        EXPECT_FALSE(end.starts_with("failed step")) << seed << ": " << end;
-        kept.keep(end);
+        const bool has_cause = !end.empty() && !end.starts_with("failed step");
+        EXPECT_TRUE(has_cause) << seed << ": " << end;
+        if (has_cause) kept.keep(end);
     }
 }
 
@@ -314,7 +310,7 @@ TEST(AnchorHandling, OtherWavesOfFourMetres_long) {
                   .seconds = 600.0,
                   .set = {"sea.waves.0.height=4", "sea.waves.0.seed=" + std::to_string(seed)}});
         EXPECT_EQ(s.failure, "") << seed;
-        kept.keep(exercise::to_json(s.result));
+        if (s.failure.empty()) kept.keep(exercise::to_json(s.result));
     }
 }
 
