@@ -20,8 +20,8 @@ const kPhases = {
     haul: {from: [{exercise: kFull, state: 'roller', until: 206}, {exercise: kFull, state: 'haul', until: 206}], camera: {body: 'ahts1/hull', at: [-35, 0, 2], distance: 34, elevation: 0.2, azimuth: 2.4}},
     run: {from: [{exercise: kFull, state: 'run', until: 262}, {exercise: kFull, state: 'haul', until: 262}], camera: {body: 'ahts1/hull', mode: 'aft', fov: 52, elevation: -0.2}},
     lower: {from: [{exercise: kLower, state: 'lower', until: 58}, {exercise: kLower, until: 58}], camera: {body: 'ahts1/hull', at: [-38, 0, -3], distance: 34, elevation: 0.15, azimuth: 2.5}},
-    set: {from: [{exercise: kLower, state: 'set', until: 281}], camera: {body: 'anchor1', at: [0, 0, 0], distance: 17, elevation: 0.22, azimuth: 2.3}},
-    disconnect: {from: [{exercise: kFull, state: 'disconnect', until: 1421}, {exercise: kLower, state: 'set', until: 306}], camera: {body: 'anchor1', between: 'socket', at: [0, 0, 0], distance: 18, elevation: 0.22, azimuth: 1.75}},
+    set: {from: [{exercise: kFull, state: 'set', until: 1380}], camera: {body: 'anchor1', at: [0, 0, 0], distance: 17, elevation: 0.22, azimuth: 2.3}},
+    disconnect: {from: [{exercise: kFull, state: 'disconnect', until: 1421}], camera: {body: 'anchor1', between: 'socket', at: [0, 0, 0], distance: 18, elevation: 0.22, azimuth: 1.75}},
 };
 
 /// Write the scene of an exercise with the inputs of the exercise, and its parts. Return its path.
