@@ -4,6 +4,7 @@
 #include <hawser/scene.h>
 
 #include "commands.h"
+#include "coupling_simulated.h"
 #include "step_seaway.h"
 
 #include <fmt/core.h>
@@ -67,6 +68,32 @@ struct Subject {
         return f;
     }
 };
+
+/// Print the step times of a scene with more threads than the machine may have, simulated from the
+/// task times of one thread. The costs of the pool are measured here.
+void print_simulated_schedule(const std::string& file, int scale) {
+    constexpr std::size_t kSpans = std::size_t{1} << 20U;
+    constexpr int kWarm = 60, kSteps = 60;
+    scene::Options options;
+    options.scale = scale;
+    scene::Scene scene = scene::load_file(file, options);
+    for (int i = 0; i < kWarm + kSteps; ++i) {
+        if (i == kWarm) scene.world.solver().start_trace(kSpans);
+        if (scene.world.step() != Status::ok) throw std::runtime_error("a traced step failed");
+    }
+    const split::SimulatedStep s = split::simulate_steps(scene.world, measure_pool_costs());
+    fmt::print("simulated schedule of {} steps at scale {}, from the spans of one thread:\n", s.steps,
+               scale);
+    fmt::print("{:>8} {:>10} {:>9}\n", "threads", "ms", "speed-up");
+    for (std::size_t k = 0; k < s.ms.size(); ++k)
+        fmt::print("{:>8} {:>10.4g} {:>9.2f}\n", split::kSimulatedThreads[k], s.ms[k],
+                   s.ms[0] / s.ms[k]);
+    fmt::print("serial: {:.0f} % of the step, by stage", 100.0 * s.serial);
+    for (int k = 0; k < kStageCount; ++k)
+        if (const double share = s.serial_of[static_cast<std::size_t>(k)]; share >= 0.01)
+            fmt::print(" {} {:.0f} %", to_string(static_cast<Stage>(k)), 100.0 * share);
+    fmt::print("\n");
+}
 
 /// Options of --seaway, and their parsed values.
 struct SeawayArguments {
@@ -162,6 +189,7 @@ int step_command(int argc, char** argv) {
         "ratio: cost per body over that of the first scale. GB/s: bytes held over the "
         "median, as if each were touched once.\n");
     if (!json.empty()) std::ofstream(json) << rows.dump(2) << '\n';
+    print_simulated_schedule(file, scales.front());
     return 0;
 }
 
