@@ -118,20 +118,21 @@ int report_times(const ExerciseArguments& arguments, const LeastTimes& rest,
     const double unit = rest.at(0.5);
     fmt::print("{} thread(s), {}, least of {} runs, wall time of a step [ms]\n", arguments.threads,
                instruction_set(), arguments.runs);
-    fmt::print("  {:<28} {:>7} {:>8} {:>8} {:>8} {:>8}   {:>5} {:>5} {:>5}\n", "", "steps", "median",
-               "99 %", "99.9 %", "worst", "p50/r", "p99/r", "max/r");
+    fmt::print("  {:<28} {:>7} {:>8} {:>8} {:>8} {:>8}   {:>5} {:>5} {:>5}\n", "", "steps",
+               "median", "99 %", "99.9 %", "worst", "p50/r", "p99/r", "max/r");
     print_times(arguments.reference, rest, unit);
     print_times(arguments.exercise, sailed, unit);
     const auto slow = std::max_element(sailed.ms.begin(), sailed.ms.end()) - sailed.ms.begin();
     fmt::print("  end at {:.2f} s, state {:016x}; slowest step {} at {:.2f} s\n", sailed.end,
-               sailed.hash, slow, sailed.end * static_cast<double>(slow + 1) /
-                                      static_cast<double>(sailed.ms.size()));
+               sailed.hash, slow,
+               sailed.end * static_cast<double>(slow + 1) / static_cast<double>(sailed.ms.size()));
     Verdict verdict;
     verdict.require("repeats", "", rest.repeats && sailed.repeats, "the runs have the same bits");
     const auto bar = [&](const char* name, double fraction, double limit) {
         const double ratio = sailed.at(fraction) / unit;
-        verdict.require(name, "", ratio <= limit,
-                        fmt::format("{} {:.2f} of {:g} times the median at rest", name, ratio, limit));
+        verdict.require(
+            name, "", ratio <= limit,
+            fmt::format("{} {:.2f} of {:g} times the median at rest", name, ratio, limit));
     };
     bar("median", 0.5, 2.0);
     bar("99 %", 0.99, 3.0);
@@ -152,7 +153,9 @@ int exercise_command(int argc, char** argv) {
     app.add_option("--reference", a.reference, "Scene at rest")->capture_default_str();
     app.add_option("--until", a.until, "End of the exercise [s]; default: its own end")
         ->check(CLI::PositiveNumber);
-    app.add_option("--runs", a.runs, "Runs of each")->capture_default_str()->check(CLI::Range(1, 99));
+    app.add_option("--runs", a.runs, "Runs of each")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 99));
     app.add_option("--threads", a.threads, "Threads")
         ->capture_default_str()
         ->check(CLI::Range(1, 256));

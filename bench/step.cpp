@@ -82,8 +82,8 @@ void print_simulated_schedule(const std::string& file, int scale) {
         if (scene.world.step() != Status::ok) throw std::runtime_error("a traced step failed");
     }
     const split::SimulatedStep s = split::simulate_steps(scene.world, measure_pool_costs());
-    fmt::print("simulated schedule of {} steps at scale {}, from the spans of one thread:\n", s.steps,
-               scale);
+    fmt::print("simulated schedule of {} steps at scale {}, from the spans of one thread:\n",
+               s.steps, scale);
     fmt::print("{:>8} {:>10} {:>9}\n", "threads", "ms", "speed-up");
     for (std::size_t k = 0; k < s.ms.size(); ++k)
         fmt::print("{:>8} {:>10.4g} {:>9.2f}\n", split::kSimulatedThreads[k], s.ms[k],

@@ -18,8 +18,9 @@
 /// the fairlead. The drum carries the weight along the wire.
 ///
 /// *End stop*. When no node is left to remove, the element keeps a least length:
-/// - with elements fed: min(g (10 h)², ¼ `element`), at least 2 % of its length. At 1/60 s this is
-///   0.27 m. A load that swings on a shorter element turns further than a step follows.
+/// - with elements fed: min(max(g (10 h)², 10 h v), ¼ `element`), at least 2 % of its length, with
+///   the transverse speed v of the load. At 1/60 s this is at least 0.27 m. A load that swings on a
+///   shorter element turns further than a step follows.
 /// - with one element (`element` = 0): 2 % of its length (kLeastOfDrumElement).
 /// Hauling stops there: the drum is braked, and the event `hauled_in` is reported once. Paying out
 /// is free.

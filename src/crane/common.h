@@ -95,8 +95,8 @@ void check_load_bodies(const World& world, const HookLoads& takes);
     return sling.set("breaking_load", load.breaking_load);
 }
 
-/// Return the contact shape of the leg from a hook on a wire's node to an eye: a segment with radius,
-/// material and groups of the wire.
+/// Return the contact shape of the leg from a hook on a wire's node to an eye: a segment with
+/// radius, material and groups of the wire.
 /// @return nullopt if no segment ends at the hook
 [[nodiscard]] std::optional<ShapeDef> leg_shape_of(const World& world, BodyId hook, BodyId load,
                                                    const Vec3& eye, std::string name);

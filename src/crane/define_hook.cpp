@@ -77,9 +77,8 @@ void define(World& world, const HookDef& def) {
                                              " m; attach it later, or move the hook nearer");
                 legs.push_back(world.add_interaction(crane::sling_of(
                     load, i, crane::leg_name(def.name, i), def.body, def.point, way)));
-                if (const auto shape =
-                        crane::leg_shape_of(world, def.body, load.body, load.eyes[i],
-                                            crane::leg_name(def.name, i)))
+                if (const auto shape = crane::leg_shape_of(world, def.body, load.body, load.eyes[i],
+                                                           crane::leg_name(def.name, i)))
                     shapes.push_back(world.add_shape(*shape));
             }
         }

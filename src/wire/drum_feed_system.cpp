@@ -51,17 +51,11 @@ double DrumFeedSystem::paid_out(const World& world, InteractionId element) const
     return line.get("radius") * (world.pose(line.body[2]).position.x() - start_);
 }
 
-/// Return the rest length l at which hauling stops [m]. It is chosen so that a load that swings
-/// below the drum turns by at most hω = h √(g/l) = 0.1 rad per step at an amplitude of 1 rad. A
-/// shorter element would turn faster than a step resolves, and its length would grow by (5/4)(hω)²
-/// l without a force.
+/// Return the rest length l at which hauling stops [m].
 double DrumFeedSystem::min_hauled_length(const World& world, double length) const noexcept {
     const double least = kLeastOfDrumElement * length;
     if (!makes_nodes()) return least;  // version 1 of scenes: one element, whose stop stays
-    constexpr double kMostTurn = 0.1, kMostOfElement = 0.25;
-    const double way = world.settings().step / kMostTurn;
-    const double swings = world.settings().gravity.norm() * way * way;
-    return std::max(least, std::min(swings, kMostOfElement * def_.element));
+    return std::max(least, wire::min_hauled_length(world, line_, def_.element));
 }
 
 /// Brake a drum that hauls while its element has the least length. Report the first step in which

@@ -55,6 +55,28 @@ Vec3 element_chord(const World& world, InteractionId line, std::size_t node) {
     return ends[node] - ends[1 - node];
 }
 
+namespace {
+
+/// Return the velocity of an end of an element [m/s].
+Vec3 end_velocity(const World& world, InteractionId line, std::size_t end) {
+    const InteractionDef& d = world.interaction_def(line);
+    const Twist twist = world.velocity(d.body[end]);
+    if (world.body_def(d.body[end]).kind == BodyKind::lump) return twist.linear;
+    return twist.linear + twist.angular.cross(world.pose(d.body[end]).orientation * d.point[end]);
+}
+
+}  // namespace
+
+double min_hauled_length(const World& world, InteractionId line, double element) {
+    constexpr double kMostTurn = 0.1, kMostOfElement = 0.25;
+    const double way = world.settings().step / kMostTurn;
+    const Vec3 along = element_chord(world, line, 1).normalized();
+    const Vec3 speed = end_velocity(world, line, 1) - end_velocity(world, line, 0);
+    const double transverse = (speed - speed.dot(along) * along).norm();
+    const double turns = std::max(world.settings().gravity.norm() * way * way, transverse * way);
+    return std::min(turns, kMostOfElement * element);
+}
+
 void load_element(const World& world, Loads& loads, const ElementAtDrum& element,
                   std::size_t node) {
     const InteractionDef& line = world.interaction_def(element.line);

@@ -53,6 +53,16 @@ void load_element(const World& world, Loads& loads, const ElementAtDrum& element
 /// Return the vector from the fairlead to the first node, world frame [m].
 [[nodiscard]] Vec3 element_chord(const World& world, InteractionId line, std::size_t node);
 
+/// Return the rest length of an element at a drum at which hauling stops [m]. An element that turns
+/// by more than 0.1 rad in a step h gets longer than its force explains. The length is therefore
+/// ```
+///     max(g (10 h)², 10 h v)     a swing of 1 rad below the drum: h √(g/l) ≤ 0.1
+/// ```
+/// with the transverse speed v of its ends, but at most a quarter of the length of elements. A load
+/// that swings while it is hauled in gets faster as v ~ 1/l, which is why v is included.
+/// @param element  Length of inserted elements [m].
+[[nodiscard]] double min_hauled_length(const World& world, InteractionId line, double element);
+
 /// Data for inserting or removing a node.
 struct Feed {
     InteractionId line{};

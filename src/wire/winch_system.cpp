@@ -5,6 +5,7 @@
 
 #include "wire/band_brake.h"
 #include "wire/bounds.h"
+#include "wire/feed.h"
 
 #include <algorithm>
 #include <cmath>
@@ -174,18 +175,21 @@ void WinchSystem::sample(const Prestep& now) noexcept {
     if (parted_ == 0 && makes_nodes())
         pull_ = std::max(
             0.0, pull_ + weight_of_half(now.world).dot(element_chord(now.world).normalized()));
-    // An element keeps its law down to a fraction of its length (interactions.h).
+    // An element keeps its law down to a fraction of its length (interactions.h), and while it
+    // turns slowly (feed.h).
     const InteractionDef& line = now.world.interaction_def(ids_.line);
     const double length = line.get("length");
     const double rest = length + radius_ * (angle_ - line.get("drum_zero"));
+    double least = kLeastOfDrumElement * length;
+    if (makes_nodes() && parted_ == 0)
+        least = std::max(least, min_hauled_length(now.world, ids_.line, def_.element));
     const auto jams = [&](double turned) {
-        return rest - radius_ * turned < kLeastOfDrumElement * length ||
+        return rest - radius_ * turned < least ||
                (makes_nodes() && at_drum_ - radius_ * turned <= 0.0);
     };
     jams_ = jams(0.0);
     began_to_jam_ = jams_ && !jams(turned_) && parted_ == 0;
-    hauled_in_ = jams_ || rest < kLeastOfDrumElement * length +
-                                     2.0 * now.step * radius_ * std::abs(leaving_);
+    hauled_in_ = jams_ || rest < least + 2.0 * now.step * radius_ * std::abs(leaving_);
 }
 
 /// Record the slip of a brake whose torque is at its bound while the drum turns against this

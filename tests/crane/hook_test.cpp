@@ -213,8 +213,8 @@ TEST(Hooks, RepeatBitForBit) {
         });
 }
 
-/// A wire from a fixed point ends in a hook. Its leg of 2 m lies on a fixed roller of radius 1 m; the
-/// load, a ball of 400 kg, falls on the other side.
+/// A wire from a fixed point ends in a hook. Its leg of 2 m lies on a fixed roller of radius 1 m;
+/// the load, a ball of 400 kg, falls on the other side.
 struct OverRoller {
     static constexpr double kRadius = 1.0, kWire = 0.03, kLeg = 2.0;
 
@@ -227,15 +227,16 @@ struct OverRoller {
                      .orientation = Quat(Eigen::AngleAxisd(kTurn / 4, Vec3::UnitX())),
                      .radius = kRadius,
                      .half_length = 2.0});
-        const WireId wire = w.wires().add(WireDef{.name = "wire",
-                                          .from = ground,
-                                          .from_point = {5.0, 0.0, top},
-                                          .elements = 4,
-                                          .length = 4.0,
-                                          .EA = 2e8,
-                                          .mass_per_length = 20.0,
-                                          .path = {{4, 0, top}, {3, 0, top}, {2, 0, top}, {1, 0, top}},
-                                          .radius = touches ? kWire : 0.0});
+        const WireId wire =
+            w.wires().add(WireDef{.name = "wire",
+                                  .from = ground,
+                                  .from_point = {5.0, 0.0, top},
+                                  .elements = 4,
+                                  .length = 4.0,
+                                  .EA = 2e8,
+                                  .mass_per_length = 20.0,
+                                  .path = {{4, 0, top}, {3, 0, top}, {2, 0, top}, {1, 0, top}},
+                                  .radius = touches ? kWire : 0.0});
         end = w.wires().nodes(wire).back();
         load = w.add_body({.name = "ball",
                            .position = {1.0 - kLeg, 0.0, top},
