@@ -7,7 +7,7 @@
 /// result is the equilibrium of this discrete wire, not of a smooth curve, so that nodes placed
 /// there stay at rest:
 /// ```
-///     from o                        T_{k+1} u_{k+1} − T_k u_k + W_k = 0 at each inner node k:
+///     from o                        T_{k+1} u_{k+1} − T_k u_k + W_k = 0 at each hanging node k:
 ///           \                  o to T_k tension, u_k direction of element k, W_k weight
 ///            o             o
 ///              o ─── o ─── o ───────── seabed

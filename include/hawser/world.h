@@ -207,7 +207,8 @@ class World : public OldWorld {
     [[nodiscard]] const InputDef& input_def(InputId id) const;       ///< Definition as added.
     /// Return the input with this name; invalid: none.
     [[nodiscard]] InputId find_input(std::string_view name) const noexcept;
-    /// Return the value of an input: the last one set, or at first that of the driven parameter.
+    /// Return the value of an input: the last one set. Initially it is the value of the driven
+    /// parameter, or 0 for a force or torque.
     [[nodiscard]] double input(InputId id) const;
     /// Set an input. A value outside InputDef::min to max is clamped, with the event
     /// `input_clamped`.
