@@ -270,9 +270,8 @@ void WorldWires::part(InteractionId id) {
     const std::size_t i = impl().index_of(id);
     context::StepContext& c = impl().ctx;
     if (!kind_info(c.model.interactions.def[i].kind).is(kWireElement))
-        throw DefError(
-            world::label("interaction", c.model.interactions.def[i].name) +
-            ": only elements of wires part; world_->remove_interaction() takes others away");
+        throw DefError(world::label("interaction", c.model.interactions.def[i].name) +
+                       ": only elements of wires part; World::remove_interaction() removes others");
     if (c.model.interactions.parted[i] != 0) return;
     impl().update_wire_of(id);
     const double tension =
