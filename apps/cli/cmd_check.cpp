@@ -50,7 +50,7 @@ struct CheckOptions {
     /// True if cables and operations are listed. With many scenes such a list would hide the
     /// mistakes.
     [[nodiscard]] bool lists_details() const { return files.size() == 1; }
-    [[nodiscard]] bool says_cables() const { return json || cables || lists_details(); }
+    [[nodiscard]] bool prints_cables() const { return json || cables || lists_details(); }
 };
 
 struct Checked {
@@ -88,7 +88,7 @@ Checked check_file(const CheckOptions& options, const std::string& file) {
     report::start::Findings found = report::start::check_start(info, out.scene->world);
     for (report::start::Finding& f : found.list) out.start.list.push_back(std::move(f));
     out.start.sort();
-    if (options.says_cables()) out.cables = report::start::cable_starts(info, out.scene->world);
+    if (options.prints_cables()) out.cables = report::start::cable_starts(info, out.scene->world);
     return out;
 }
 

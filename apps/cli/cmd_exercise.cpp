@@ -59,7 +59,7 @@ class Controls {
                 names_.push_back(input);
                 roles_.push_back(station.name);
             }
-        levers_ = names_.size();
+        control_count_ = names_.size();
         for (const exercise::Fault& fault : exercise.faults)
             names_.push_back("fault." + fault.name);
         if (!file.empty()) changes_ = record::read_control(file, names_);
@@ -68,7 +68,7 @@ class Controls {
         for (; next_ < changes_.size() && changes_[next_].time <= now; ++next_) {
             const auto k = static_cast<std::size_t>(changes_[next_].input);
             const double value = changes_[next_].value;
-            if (k < levers_) {
+            if (k < control_count_) {
                 run.set_input(roles_[k], names_[k], value);
                 continue;
             }
@@ -83,7 +83,7 @@ class Controls {
   private:
     std::vector<std::string> names_, roles_;
     std::vector<record::ControlChange> changes_;
-    std::size_t levers_ = 0, next_ = 0;
+    std::size_t control_count_ = 0, next_ = 0;
 };
 
 std::string clock(double time) {
@@ -103,9 +103,9 @@ void print(const exercise::Result& r) {
                exercise::to_string(r.outcome), r.points, r.possible, r.pass, r.end, clock(r.time));
 }
 
-int conclude(const ExerciseOptions& options, const exercise::Exercise& exercise,
-             const exercise::Result& result, const exercise::Curves& curves,
-             const std::string& recording) {
+int report_result(const ExerciseOptions& options, const exercise::Exercise& exercise,
+                  const exercise::Result& result, const exercise::Curves& curves,
+                  const std::string& recording) {
     if (!options.summary.empty())
         write_output(options.summary, exercise::to_json(result), "the summary");
     if (!options.report.empty()) {
@@ -133,7 +133,7 @@ int rescore(const ExerciseOptions& options) {
                    "that one\n",
                    options.replay);
     const int code =
-        conclude(options, rescored.exercise, rescored.result, rescored.curves, options.replay);
+        report_result(options, rescored.exercise, rescored.result, rescored.curves, options.replay);
     if (rescored.same) return code;
     fmt::print(stderr, "hawser: {}: {}\n", options.replay, rescored.difference);
     return kMismatch;
@@ -233,7 +233,7 @@ int run_command(const ExerciseOptions& options) {
     (void)session.finish(end == kInterrupted);
     if (verifier && !options.quiet)
         fmt::print("{}", report::to_text(verifier->result(), report::Detail::user));
-    const int code = conclude(options, loaded.exercise, run.result(), run.curves(), recording);
+    const int code = report_result(options, loaded.exercise, run.result(), run.curves(), recording);
     return end == kOk ? code : end;
 }
 

@@ -110,7 +110,7 @@ class Replay {
             return kMismatch;
         }
         fmt::print("{}: same state hash at all {} frames{}, {} steps, last {:016x}\n",
-                   recording_.file, frames, ended ? " and at the end" : "", taken_,
+                   recording_.file, frames, ended ? " and at the end" : "", replayed_steps_,
                    world_.state().motion_hash());
         return report_end();
     }
@@ -154,7 +154,7 @@ class Replay {
             repeater_.before_step(world_);
             // A branch may begin with a frame, before its first step.
             if (world_.step_count() == to && repeater_.take() == take) break;
-            ++taken_;
+            ++replayed_steps_;
             if (const Status status = world_.step(); status != Status::ok) {
                 if (status == Status::cancelled) return kInterrupted;
                 progress.close();
@@ -162,7 +162,7 @@ class Replay {
                            failure(world_));
                 return kFailed;
             }
-            progress.update(taken_);
+            progress.update(replayed_steps_);
         }
         return kOk;
     }
@@ -170,7 +170,7 @@ class Replay {
     const record::Recording& recording_;
     World& world_;
     record::Repeater repeater_;
-    std::int64_t taken_ = 0;
+    std::int64_t replayed_steps_ = 0;
 };
 
 int replay(const ReplayOptions& options) {

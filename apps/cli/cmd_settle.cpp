@@ -130,7 +130,7 @@ class Settler {
                            failure(world));
                 return kFailed;
             }
-            if (const std::string other = unsaved_state(world); !other.empty()) {
+            if (const std::string other = unsaved_difference(world); !other.empty()) {
                 progress.close();
                 fmt::print(stderr, "hawser: not settled: at {:.6g} s {}\n", time(), other);
                 return kFailed;
@@ -147,7 +147,7 @@ class Settler {
     /// Compare the world with the contents of a state file. A state file cannot store broken
     /// elements, and nodes added or removed at a drum or by refinement. @return the difference in
     /// words; empty: none.
-    [[nodiscard]] std::string unsaved_state(const World& world) const {
+    [[nodiscard]] std::string unsaved_difference(const World& world) const {
         if (const EventExtremes part = world.events().extremes(EventKind::line_break);
             part.count > 0)
             return "the element " + record::interaction_label(world, part.first.interaction) +

@@ -12,7 +12,7 @@ namespace hawser::cli {
 namespace {
 
 /// Round a length to nanometres. A result of −0 becomes 0.
-double without_sign(double length) { return std::round(1e9 * length) / 1e9 + 0.0; }
+double rounded_length(double length) { return std::round(1e9 * length) / 1e9 + 0.0; }
 
 void print_hull(const World& world, const SeaDef& sea, const WaterHull& hull) {
     const BodyDef& def = world.body_def(hull.body);
@@ -43,8 +43,8 @@ void print_hull(const World& world, const SeaDef& sea, const WaterHull& hull) {
         const Flotation f = float_hull(hull.mesh, def.mass, sea.density, angle);
         const Flotation t = float_hull(hull.mesh, def.mass, sea.density, angle, true);
         fmt::print("  {:>4}             {:>12.9f} {:>12.6f} {:>12.9f} {:>8.4f}\n", heel,
-                   without_sign(-f.statics.buoyancy.y()), f.draught,
-                   without_sign(-t.statics.buoyancy.y()), t.trim * 180.0 / std::numbers::pi);
+                   rounded_length(-f.statics.buoyancy.y()), f.draught,
+                   rounded_length(-t.statics.buoyancy.y()), t.trim * 180.0 / std::numbers::pi);
     }
 }
 

@@ -185,7 +185,7 @@ void Driver::advance() {
         return;
     }
     if (!reported_) reported_ = out_.flush();
-    if (changed_ || playing_.due_to_show()) publish();
+    if (changed_ || playing_.is_frame_due()) publish();
 }
 
 void Driver::run(const std::function<bool()>& stop) {

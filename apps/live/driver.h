@@ -81,7 +81,7 @@ class Driver {
     void restore(const Command& command);
     /// Check that saving and restoring states need at most a fifth of the run time. @throws
     /// DefError otherwise.
-    void afford_states(const char* what) const;
+    void check_state_cost(const char* what) const;
     void count_states(double begun);
     Lesson& lesson();
     void after_exercise_step();

@@ -77,7 +77,7 @@ void Driver::perform(const Command& command) {
             restore(command);
             break;
         case CommandKind::pick:
-            out_.send(command.client, picked_json(session_.world(), plan_, command));
+            out_.send(command.client, picked_object_json(session_.world(), plan_, command));
             return;
         case CommandKind::fault:
             lesson().fault(command);
@@ -154,7 +154,7 @@ void Driver::part(const Command& command) {
     out_.command(session_.time(), command, text);
 }
 
-void Driver::afford_states(const char* what) const {
+void Driver::check_state_cost(const char* what) const {
     const double wait = states_free_ - clock_now();
     if (wait <= 0.0) return;
     throw DefError(fmt::format(
@@ -170,7 +170,7 @@ void Driver::count_states(double begun) {
 }
 
 void Driver::save(const std::string& name) {
-    afford_states("save");
+    check_state_cost("save");
     const double begun = clock_now();
     drags_.remove_forces(session_.world());
     const World& world = session_.world();
@@ -197,7 +197,7 @@ void Driver::restore(const Command& command) {
                                    command.name.view(),
                                    record::nearest_name(command.name.view(), names)));
     }
-    afford_states("restore");
+    check_state_cost("restore");
     const double begun = clock_now();
     drags_.end_all(session_.world());
     session_.restore(at->made_of, at->state);

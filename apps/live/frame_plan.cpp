@@ -165,22 +165,23 @@ void add_inputs(const scene::Scene& scene, FramePlan& plan) {
                                .spring = def.spring,
                                .id = id});
     }
-    const auto has_lever = [&](const std::string& signal) {
+    const auto has_control = [&](const std::string& signal) {
         return std::any_of(scene.signal_inputs.begin(), scene.signal_inputs.end(),
                            [&](const scene::SignalInput& i) { return i.signal == signal; });
     };
     for (const SystemSignal& s : world.system_signals())
         if (s.input)
-            plan.inputs.push_back({.name = s.system + "." + s.name,
-                                   .unit = s.unit,
-                                   .group = s.system,
-                                   // One control each: an input of the scene replaces the signal's.
-                                   .kind = has_lever(s.system + "." + s.name) ? "inner" : "signal",
-                                   .min = s.min,
-                                   .max = s.max,
-                                   .words = record::signal_words(world, s),
-                                   .id = {},
-                                   .signal = s.value});
+            plan.inputs.push_back(
+                {.name = s.system + "." + s.name,
+                 .unit = s.unit,
+                 .group = s.system,
+                 // One control each: an input of the scene replaces the signal's.
+                 .kind = has_control(s.system + "." + s.name) ? "inner" : "signal",
+                 .min = s.min,
+                 .max = s.max,
+                 .words = record::signal_words(world, s),
+                 .id = {},
+                 .signal = s.value});
     // The group of an input without group is the first part of its name.
     for (InputSource& input : plan.inputs)
         if (const auto slash = input.name.rfind('/');

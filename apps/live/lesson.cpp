@@ -61,7 +61,7 @@ Json goals_json(const exercise::Exercise& exercise, const exercise::Result& resu
     return out;
 }
 
-Json lasting_json(const std::vector<exercise::Tally>& tallies, bool points) {
+Json interval_tallies_json(const std::vector<exercise::Tally>& tallies, bool points) {
     Json out = Json::array();
     for (const exercise::Tally& tally : tallies) {
         Json one = tally_json(tally);
@@ -141,8 +141,8 @@ Json Lesson::state() const {
             {"possible", r.possible},
             {"pass", r.pass},
             {"goals", goals_json(exercise_, r)},
-            {"penalties", lasting_json(r.penalties, true)},
-            {"alarms", lasting_json(r.alarms, false)},
+            {"penalties", interval_tallies_json(r.penalties, true)},
+            {"alarms", interval_tallies_json(r.alarms, false)},
             {"stations", std::move(stations)},
             {"displays", exercise_.displays}};
 }

@@ -115,7 +115,8 @@ const WireSource& find_wire_source(const FramePlan& plan, const Command& command
                    record::nearest_name(command.name.view(), names) + "\"");
 }
 
-nlohmann::json picked_json(const World& world, const FramePlan& plan, const Command& command) {
+nlohmann::json picked_object_json(const World& world, const FramePlan& plan,
+                                  const Command& command) {
     Json out;
     if (command.by_wire) {
         const WireSource& wire = find_wire_source(plan, command);

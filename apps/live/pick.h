@@ -17,7 +17,7 @@ namespace hawser::live {
 [[nodiscard]] const WireSource& find_wire_source(const FramePlan& plan, const Command& command);
 
 /// Return the message `picked` (docs/live.md). @throws DefError if the object does not exist.
-[[nodiscard]] nlohmann::json picked_json(const World& world, const FramePlan& plan,
-                                         const Command& command);
+[[nodiscard]] nlohmann::json picked_object_json(const World& world, const FramePlan& plan,
+                                                const Command& command);
 
 }  // namespace hawser::live

@@ -175,7 +175,7 @@ void Player::advance() {
         }
         return publish();
     }
-    if (changed_ || playing_.due_to_show()) publish();
+    if (changed_ || playing_.is_frame_due()) publish();
 }
 
 void Player::run(const std::function<bool()>& stop) {

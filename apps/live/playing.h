@@ -90,7 +90,7 @@ class Playing {
     void note_shown() noexcept { shown_ = Pace::Clock::now(); }
     /// True if 100 ms have passed since the last frame. A paused scene is sent ten times a second,
     /// so that new clients receive it.
-    [[nodiscard]] bool due_to_show() const noexcept {
+    [[nodiscard]] bool is_frame_due() const noexcept {
         return Pace::Clock::now() - shown_ >= std::chrono::milliseconds{100};
     }
 

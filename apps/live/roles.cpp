@@ -58,7 +58,7 @@ const Role* role_of(std::span<const Role> roles, std::string_view token) noexcep
     return found;
 }
 
-std::string reason_against(const Role& role, const Command& command, bool recording) {
+std::string rejection_reason(const Role& role, const Command& command, bool recording) {
     switch (command.kind) {
         case CommandKind::set:
             if (recording) return "a recording has no levers";

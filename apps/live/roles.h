@@ -33,7 +33,8 @@ struct Role {
 
 /// Return the reason why a role may not perform a command; "": it may. @param recording  True if a
 /// recording is shown, in which all roles may seek.
-[[nodiscard]] std::string reason_against(const Role& role, const Command& command, bool recording);
+[[nodiscard]] std::string rejection_reason(const Role& role, const Command& command,
+                                           bool recording);
 
 /// Return the text of a role, as in the message `scene`.
 [[nodiscard]] std::string role_text(const Role& role);

@@ -7,7 +7,7 @@
 namespace hawser::live {
 namespace {
 
-std::string small_letters(std::string_view text) {
+std::string lower_case(std::string_view text) {
     std::string out(text);
     std::transform(out.begin(), out.end(), out.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -33,14 +33,14 @@ HostNames host_names(const std::string& address, std::uint16_t port, const std::
     }
     constexpr std::uint16_t kUsualPort = 80;  // browsers omit this port
     for (const std::string& host : hosts) {
-        out.names.push_back(small_letters(host) + ":" + std::to_string(port));
-        if (port == kUsualPort) out.names.push_back(small_letters(host));
+        out.names.push_back(lower_case(host) + ":" + std::to_string(port));
+        if (port == kUsualPort) out.names.push_back(lower_case(host));
     }
     return out;
 }
 
 bool host_allowed(const HostNames& names, std::string_view host) {
-    const std::string asked = small_letters(host);
+    const std::string asked = lower_case(host);
     if (std::find(names.names.begin(), names.names.end(), asked) != names.names.end()) return true;
     const std::string port = ":" + std::to_string(names.port);
     return names.any_number && asked.ends_with(port) &&
@@ -48,7 +48,7 @@ bool host_allowed(const HostNames& names, std::string_view host) {
 }
 
 bool origin_allowed(std::string_view origin, std::string_view host) {
-    return origin.empty() || small_letters(origin) == "http://" + small_letters(host);
+    return origin.empty() || lower_case(origin) == "http://" + lower_case(host);
 }
 
 const PageFile* file_at(std::string_view target) {

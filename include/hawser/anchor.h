@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file anchor.h
-/// Drag-embedment anchors. Their holding capacity grows with the drag distance and decreases with
-/// the line angle.
+/// Drag-embedment anchors: the horizontal force that soil can exert on an anchor (holding
+/// capacity). It grows with the distance by which the anchor has been dragged, and decreases with
+/// the angle of the line above the seabed.
 ///
 /// ```cpp
 /// world.add(hawser::AnchorDef{.name = "anchor", .body = anchor, .soil = hawser::AnchorSoil::sand,
@@ -10,39 +11,41 @@
 ///                             .drag = 30.0, .set = true});
 /// world.system_signal("anchor.capacity");      // [N]
 /// ```
-/// *Capacity.* Along the line it depends on the drag distance x and the line angle θ above the
-/// horizontal:
+/// *Capacity.* The capacity H along the line depends on the drag distance x and the line angle θ
+/// above the horizontal. UHC is the ultimate holding capacity, W the submerged weight:
 /// ```
 ///     H(x, θ) = max(UHC g(x) f(θ), μ W)        g(x) = g₀ + (1 − g₀)(1 − e^(−x/ℓ))
 ///     f: 1 at 0°, 0.75 at 5°, 0.5 at 15°, 0 at 45°; linear between
 /// ```
-/// AnchorLaw::trajectory has T(z(x)) instead of UHC g(x), of an anchor that dives in clay (C. P.
-/// Aubeny, C. Chi, "Mechanics of drag embedment anchors in a soft seabed", J. Geotech. Geoenviron.
-/// Eng. 136, 2010):
+/// With AnchorLaw::trajectory the capacity T(z(x)) of an anchor that dives in clay replaces UHC
+/// g(x) (C. P. Aubeny, C. Chi, "Mechanics of drag embedment anchors in a soft seabed", J. Geotech.
+/// Geoenviron. Eng. 136, 2010). z is the depth, s_u the undrained shear strength:
 /// ```
 ///     T = N_e s_u(z) A_f     s_u = s_u0 + k z     dz/dx = tan(θ_f0 − θ_a)
 ///     θ_a = √(2 E_n N_c b z (s_u0 + k z/2)/T)
 /// ```
-/// *Chain in soil.* It has the bearing width b and leads from the depth z to the seabed. It
-/// multiplies the capacity by e^(μ_c (θ_a − θ)) for θ < θ_a. Here θ_a² = θ² + 2 E_n N_c b z (s_u0 +
-/// k z/2)/T (S. R. Neubecker, M. F. Randolph, "Profile and frictional capacity of embedded anchor
-/// chains", J. Geotech. Eng. 121, 1995).
+/// *Chain in soil.* The part of the chain in the soil has the bearing width b and leads from the
+/// depth z to the seabed. It multiplies the capacity by e^(μ_c (θ_a − θ)) for θ < θ_a. Here θ_a² =
+/// θ² + 2 E_n N_c b z (s_u0 + k z/2)/T (S. R. Neubecker, M. F. Randolph, "Profile and frictional
+/// capacity of embedded anchor chains", J. Geotech. Eng. 121, 1995).
 ///
-/// *Rows.* The soil acts on the point by three slide_friction interactions, NAME/x, NAME/y and
-/// NAME/z, whose bounds the system sets in each step. An anchor below its capacity therefore does
-/// not creep. Three hinge_friction interactions, NAME/rx, NAME/ry and NAME/rz, keep its attitude.
-/// The drag x increases only while the rows slide at their bounds; unloading keeps it.
+/// *Rows.* Three slide_friction interactions, NAME/x, NAME/y and NAME/z, exert the force of the
+/// soil at the point of the anchor. The system sets their bounds in each step, so that an anchor
+/// below its capacity does not creep. Three hinge_friction interactions, NAME/rx, NAME/ry and
+/// NAME/rz, keep its attitude. The drag x increases only while the rows slide at their bounds; it
+/// remains on unloading.
 ///
-/// *Free anchor.* On the seabed it has the friction μ W. It becomes set when it has been dragged by
-/// `set_after` at θ ≤ 45°. A set anchor breaks out if the vertical force on it exceeds V_b =
-/// `breakout` UHC g(x), or if θ > 45°. Then x = 0.
+/// *Setting and breakout.* A free anchor on the seabed has the friction μ W. It becomes set when it
+/// has been dragged by `set_after` at θ ≤ 45°. A set anchor breaks out, and its drag x becomes 0,
+/// if the vertical force on it exceeds V_b = `breakout` UHC g(x), or if θ > 45°.
 ///
-/// Outputs, as "name.signal": `drag` [m], `capacity` [N], `tension` [N] and `line_angle` [rad] of
-/// the line, `set` 0 or 1. Further `depth` [m] of the point below the seabed by the law, `breakout`
-/// [N], `utilisation` [1].
+/// Outputs, as "name.signal":
+/// - `drag`: drag x [m]; `depth`: depth of the point below the seabed by the law [m];
+/// - `capacity`: H [N]; `breakout`: V_b [N]; `utilisation`: tension over capacity [1];
+/// - `tension` [N], `line_angle` [rad] of the line at the anchor; `set`: 1 if set, else 0.
 ///
-/// Events of the body: `join` when it is set, with the drag until then [m]. `render` when it begins
-/// to drag and `detach` when it breaks out, with the tension [N].
+/// Events of the body: `join` when it becomes set, with the drag until then [m]; `render` when it
+/// begins to drag, and `detach` when it breaks out, with the tension [N].
 ///
 /// Limits and sources: docs/anchors.md.
 
@@ -83,7 +86,7 @@ enum class AnchorType : std::uint8_t {
     stockless_fixed,
     stockless_movable,
 };
-/// Law of the capacity by the drag distance.
+/// Law of the capacity by the drag distance: UHC g(x), or T(z(x)) of an anchor that dives in clay.
 enum class AnchorLaw : std::uint8_t { exponential, trajectory };
 
 /// Return the names in the order of the enumerations; scene files use them.
@@ -119,11 +122,12 @@ struct AnchorDef {
     double uhc = kDefault;           ///< Ultimate holding capacity [N]; default: that of the type.
     double fluke_length = kDefault;  ///< [m]; default: (mass/(120 kg/m³))^(1/3), an assumption.
     AnchorLaw law = AnchorLaw::exponential;
-    double first = 0.072;           ///< g₀ [1].
-    double drag_length = kDefault;  ///< ℓ [m]; default: 20 fluke lengths in clay, 4 in sand.
-    double full_depth = 0.0;        ///< Depth of the point at full drag, exponential law [m].
+    double first = 0.072;           ///< Fraction of the capacity without drag g₀ [1].
+    double drag_length = kDefault;  ///< Drag length ℓ of the exponential law [m]; default: 20 fluke
+                                    ///< lengths in clay, 4 in sand.
+    double full_depth = 0.0;        ///< Depth of the point after long drag, exponential law [m].
     double breakout = kDefault;     ///< V_b over UHC g [1]; default: 0.17 in sand, 0.75 in clay.
-    double friction = 0.5;          ///< μ of a free anchor on the seabed [1].
+    double friction = 0.5;          ///< Friction coefficient μ of a free anchor on the seabed [1].
     double weight = kDefault;       ///< Submerged weight W [N]; default: weight of the body less
                                     ///< that of the water that it displaces.
     double seabed = kDefault;       ///< z of the seabed [m]; default: that of the sea, else of
@@ -139,22 +143,24 @@ struct AnchorDef {
 /// Return the ultimate holding capacity of an anchor type [N]: Vryhof's a m^b, or the law of
 /// UFC 4-159-03 with the coefficients of NCEL TDS 83-08R. NaN: not published for this soil.
 [[nodiscard]] double anchor_uhc(AnchorType type, AnchorSoil soil, double mass) noexcept;
-/// Return f(θ) [1], 0 from 45° on.
+/// Return the factor f(θ) of the capacity for the line angle [1]; 0 from 45° on.
+/// @param angle  Line angle θ [rad].
 [[nodiscard]] double anchor_uplift(double angle) noexcept;
-/// Return θ beyond which a set anchor breaks out, 45° [rad].
+/// Return the line angle above which a set anchor breaks out, 45° [rad].
 [[nodiscard]] constexpr double anchor_steepest() noexcept { return 0.7853981633974483; }
 
 /// State of an anchor, for inspection and verification.
 struct AnchorView {
-    AnchorDef def{};  ///< With all defaults filled in.
-    double drag = 0.0;
-    bool set = false;
-    bool grounded = false;     ///< True: on the seabed or in it, so that the soil acts.
-    InteractionId slide[3]{};  ///< NAME/x, NAME/y, NAME/z.
-    InteractionId turn[3]{};   ///< NAME/rx, NAME/ry, NAME/rz.
+    AnchorDef def{};           ///< Definition with all defaults filled in.
+    double drag = 0.0;         ///< Drag x [m].
+    bool set = false;          ///< True if the anchor is set.
+    bool grounded = false;     ///< True if it is on the seabed or in it, so that the soil acts.
+    InteractionId slide[3]{};  ///< Interactions NAME/x, NAME/y, NAME/z.
+    InteractionId turn[3]{};   ///< Interactions NAME/rx, NAME/ry, NAME/rz.
     double bound[3]{};         ///< Bounds of the slides in the last step [N].
-    Vec3 pull{0.0, 0.0, 0.0};  ///< Force of the lines in the step before, which set them [N].
-    double drag_before = 0.0;  ///< Drag that set them [m].
+    Vec3 pull{0.0, 0.0, 0.0};  ///< Force of the lines from which `bound` was computed, world frame,
+                               ///< of the step before [N].
+    double drag_before = 0.0;  ///< Drag from which `bound` was computed [m].
 };
 /// Return the anchors of a world in the order in which they act.
 [[nodiscard]] std::vector<AnchorView> anchors_of(const World& world);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file attempt.h
-/// Calls of several edits, all or none; and parts of a world until it is moved from.
+/// Undo of several edits of a world as one unit (Attempt), and the owner of a world's data (Owned).
+/// Both serve World and the functions define() of its definitions; user programs do not need them.
 
 #include <cassert>
 #include <cstddef>
@@ -11,29 +12,29 @@ namespace hawser {
 
 class World;
 
-/// A call that makes several edits of a world. If it throws, they are undone, and the world is as
-/// before the call. Only the outermost of nested calls acts. Before the first step it does nothing,
-/// because no undo is needed.
+/// Scope in which a function makes several edits of a world. If an exception leaves the scope, the
+/// edits are undone, and the world has the state before the scope. In nested scopes only the
+/// outermost has an effect. Before the first step the scope has no effect.
 class Attempt {
   public:
-    /// Begin a call.
-    /// @param wanted  False: do nothing.
+    /// Save the world for an undo.
+    /// @param wanted  False: the scope has no effect.
     /// @throws UseError, std::bad_alloc.
     explicit Attempt(World& world, bool wanted = true);
     ~Attempt();
     Attempt(const Attempt&) = delete;
     Attempt& operator=(const Attempt&) = delete;
-    /// Undo them, though the call does not throw.
+    /// Undo the edits at the end of the scope, although no exception is thrown.
     void fail() noexcept { failed_ = true; }
 
   private:
     World& world_;
     bool holds_ = false, failed_ = false;
-    int exceptions_ = 0;    ///< In flight when it began.
-    std::size_t mark_ = 0;  ///< Mark of the change listener.
+    int exceptions_ = 0;    ///< std::uncaught_exceptions() at the start of the scope.
+    std::size_t mark_ = 0;  ///< ChangeListener::mark() at the start of the scope.
 };
 
-/// Owns the parts of a world. Debug builds assert that the world was not moved from.
+/// Owner of the data of a world. Debug builds assert that the world was not moved from.
 template <class T>
 class Owned : public std::unique_ptr<T> {
   public:

@@ -20,17 +20,19 @@ namespace hawser {
 [[nodiscard]] constexpr unsigned bit_of(BodyKind kind) noexcept {
     return 1U << static_cast<unsigned>(kind);
 }
+/// Kinds without orientation, and kinds on which forces have no effect.
 inline constexpr unsigned kWithoutTurning = bit_of(BodyKind::lump) | bit_of(BodyKind::scalar);
 inline constexpr unsigned kWithoutForces = bit_of(BodyKind::fixed) | bit_of(BodyKind::kinematic);
 
 // Beyond these limits, products of entries overflow or lose all digits.
-inline constexpr double kMaxBodyLength = 1e7;    ///< [m].
-inline constexpr double kMaxBodySpeed = 1e5;     ///< [m/s, rad/s].
-inline constexpr double kMaxBodyMass = 1e15;     ///< [kg].
-inline constexpr double kMaxBodyDamping = 1e18;  ///< [N s/m, N m s].
+inline constexpr double kMaxBodyLength = 1e7;    ///< Largest coordinate or size [m].
+inline constexpr double kMaxBodySpeed = 1e5;     ///< Largest speed [m/s, rad/s].
+inline constexpr double kMaxBodyMass = 1e15;     ///< Largest mass [kg].
+inline constexpr double kMaxBodyDamping = 1e18;  ///< Largest drag coefficient [N s/m, N m s].
 
-/// Rows in the order of recordings. Recordings store the rows from kFirstNamedBodyField on by name,
-/// and only if they differ from the default: older recordings remain readable.
+/// Table of the members, in the order of recordings. Recordings store members from
+/// kFirstNamedBodyField on by name, and only if they differ from the default, so that older
+/// recordings remain readable.
 inline constexpr auto kBodyFields = std::to_array<FieldInfo<BodyDef>>(
     {{"position", &BodyDef::position, "m", "[0, 0, 0]",
       "Centre of mass; of a scalar body the coordinate is x (m or rad).", -kMaxBodyLength,

@@ -4,12 +4,18 @@
 /// Static equilibrium of a wire with lumped masses between two points, with or without a seabed.
 ///
 /// A wire of a world is a row of nodes joined by straight elements that carry tension only. The
-/// result is the equilibrium of this discrete wire instead of samples of a smooth curve, so that
-/// nodes placed there stay at rest. Each inner node carries half the weight of the adjacent
-/// elements. The half element at an end belongs to the holding body and is in no equilibrium
-/// equation (WireDef adds it to no body). A smooth wire pulls at an end with the tension of the
-/// last element and the weight of half an element (pull_from, weight_from). Derivation:
-/// docs/theory/catenary.md.
+/// result is the equilibrium of this discrete wire, not of a smooth curve, so that nodes placed
+/// there stay at rest:
+/// ```
+///     from o                        T_{k+1} u_{k+1} − T_k u_k + W_k = 0 at each hanging node k:
+///           \                  o to T_k tension, u_k direction of element k, W_k weight
+///            o             o
+///              o ─── o ─── o ───────── seabed
+/// ```
+/// Each inner node carries half the weight of the adjacent elements. The half element at an end
+/// belongs to the holding body and is in no equilibrium equation (WireDef adds it to no body). A
+/// smooth wire pulls at an end with the tension of the last element and the weight of half an
+/// element (pull_from, weight_from). Derivation: docs/theory/catenary.md.
 
 #include <hawser/math.h>
 
@@ -36,7 +42,8 @@ struct CatenarySection {
 /// Level, rigid seabed. An end may be up to half an element below it, because nodes with a contact
 /// radius lie higher than an anchor by that radius.
 struct FlatSeabed {
-    double height = 0.0;    ///< Height of the seabed for nodes, against `down` from the origin [m].
+    double height = 0.0;    ///< Height of nodes that lie on it, upwards (against
+                            ///< CatenaryDef::down) from the origin [m].
     double friction = 0.0;  ///< Coulomb friction coefficient along the wire [1], ≥ 0.
 };
 
@@ -44,8 +51,9 @@ struct FlatSeabed {
 struct CatenaryDef {
     Vec3 from{0.0, 0.0, 0.0};  ///< Position of the first end, world frame [m].
     Vec3 to{0.0, 0.0, 0.0};    ///< Position of the last end, world frame [m].
-    /// True: the last end is free. The wire hangs straight down from the first end. The rest of it
-    /// lies on the seabed towards `to`, without tension. The last node has half an element.
+    /// True: the last end is free, and `to` only gives a direction. The wire hangs straight down
+    /// from the first end; its rest lies on the seabed in the direction of `to`, without tension.
+    /// The last node carries half an element.
     bool free = false;
     std::vector<CatenarySection> sections{};  ///< Sections from the first end, at least one.
     /// Material coordinates of the inner nodes [m], ascending, between 0 and the length. Empty:
@@ -53,11 +61,12 @@ struct CatenaryDef {
     std::vector<double> nodes{};
     Vec3 down{0.0, 0.0, -1.0};           ///< Direction of gravity, any length but 0.
     std::optional<FlatSeabed> seabed{};  ///< Seabed; none: the wire hangs freely.
-    /// Height of still water, against `down` from the origin [m]. The sections' weight is then that
-    /// in air, and half elements have buoyancy for their wet part, as in a sea (sea.h).
+    /// Height of still water, upwards from the origin [m]; none: no water. CatenarySection::weight
+    /// is then the weight in air, and half elements have buoyancy for their wet part, as in a sea
+    /// (sea.h).
     std::optional<double> water{};
-    /// Permitted residual force at a node, relative to the largest weight of a node [1]. The
-    /// tension due to rounding of positions is permitted in addition.
+    /// Permitted residual force at a node, relative to the largest weight of a node [1]. The force
+    /// that rounding of positions causes in the elements is permitted in addition.
     double tolerance = 1e-6;
 };
 
@@ -65,8 +74,8 @@ struct CatenaryDef {
 enum class CatenaryStatus : std::uint8_t {
     balanced,      ///< In equilibrium; the shape is unique, with its friction.
     slack,         ///< In equilibrium with elements without tension; other shapes exist.
-    below_seabed,  ///< An end is far below the seabed; the seabed is ignored.
-    unbalanced,    ///< A residual exceeds the tolerance; best shape found.
+    below_seabed,  ///< An end is far below the seabed; the shape ignores the seabed.
+    unbalanced,    ///< A residual exceeds the tolerance; the shape is the best one found.
 };
 /// Return the name of a status, as in its enumerator.
 [[nodiscard]] const char* to_string(CatenaryStatus status) noexcept;
@@ -77,12 +86,13 @@ struct Catenary {
     std::vector<double> s{};        ///< Material coordinates of the nodes, ends included [m].
     std::vector<Vec3> nodes{};      ///< Positions of the nodes [m]; the ends as given.
     std::vector<double> tension{};  ///< Tensions of the elements, one fewer than nodes [N].
-    Vec3 pull_from{0.0, 0.0, 0.0};  ///< Force of the first element on the holding body [N].
-    Vec3 pull_to{0.0, 0.0, 0.0};    ///< Force of the last element on the holding body [N].
-    double weight_from = 0.0;       ///< Weight of the half element at the first end, which no node
-                                    ///< carries [N].
-    double weight_to = 0.0;  ///< Weight of the half element at the last end [N]; 0 if the end is
-                             ///< free.
+    /// Forces of the first and last element on the bodies that hold them, world frame [N].
+    Vec3 pull_from{0.0, 0.0, 0.0};
+    Vec3 pull_to{0.0, 0.0, 0.0};
+    double weight_from = 0.0;  ///< Weight of the half element at the first end, which no node
+                               ///< carries [N].
+    double weight_to = 0.0;    ///< Weight of the half element at the last end [N]; 0 if the end is
+                               ///< free.
     /// Material coordinates of the first and last node on the seabed [m]; NaN: none.
     double laid_from = std::numeric_limits<double>::quiet_NaN();
     double laid_to = std::numeric_limits<double>::quiet_NaN();
@@ -90,21 +100,21 @@ struct Catenary {
     double allowed = 0.0;   ///< Permitted residual force at that node [N].
 
     /// True if a node lies on the seabed.
-    [[nodiscard]] bool touches() const noexcept { return laid_from == laid_from; }
+    [[nodiscard]] bool touches() const noexcept { return laid_from == laid_from; }  // not NaN
     /// Return the largest tension of an element [N].
     [[nodiscard]] double largest() const noexcept;
 };
 
 /// Compute the equilibrium of a wire. The wire may be taut or slack, level, steep or vertical, and
-/// on the seabed partly or wholly. From each touchdown point the tension along the seabed decreases
-/// by friction times weight, to at least 0. If both ends are on the seabed, the tension is
-/// constant. A wire too long to lie straight lies in an arc. Buoyant sections are included if they
-/// stay clear of the seabed. Cost: a few hundred sums over all nodes.
+/// partly or wholly on the seabed. From each touchdown point the tension along the seabed decreases
+/// by friction times weight, to no less than 0. If both ends are on the seabed, the tension is
+/// constant. A wire that is too long to lie straight lies in an arc. Buoyant sections are permitted
+/// if they stay clear of the seabed. Cost: a few hundred sums over all nodes.
 ///
-/// With bending stiffness or net buoyancy in water, the shape is the minimum of the potential
-/// energy. The same applies to buoyant sections over a seabed. Newton's method finds it from the
-/// shape above (wire/rest.h). Slack shapes remain without bending. If the minimum is not found to
-/// the tolerance, the shape without bending is returned.
+/// Three cases need a further solution: bending stiffness, net buoyancy in water, and buoyant
+/// sections over a seabed. Their shape is the minimum of the potential energy, which Newton's
+/// method finds from the shape above (wire/rest.h). Slack shapes remain without bending. If the
+/// minimum is not found to the tolerance, the shape without bending is returned.
 /// @throws DefError if lengths, stiffnesses or counts are invalid.
 [[nodiscard]] Catenary catenary(const CatenaryDef& def);
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file changes.h
-/// Listener for changes of a world between its steps.
+/// Listener for changes of a world between its steps (World::set_change_listener()).
 ///
-/// All differences between two runs of one scene enter by functions of World: additions and
-/// removals, inputs, forces, poses, groups, restored states. A listener receives each accepted call
-/// in order with its arguments. The same calls in another world with the same state give the same
-/// bits. A recording stores them (docs/recording.md).
+/// A *change* is a call of a function of World that modifies it: an addition or removal, an input,
+/// a force, a pose, a group, a restored state. Two runs of one scene differ only by their changes.
+/// A listener receives each accepted change in order, with its arguments. The same changes in
+/// another world of equal state lead to equal bits. A recording stores them (docs/recording.md).
 ///
 /// Limits: World::prepare() and functions that only read are not reported.
 
@@ -25,66 +25,87 @@ namespace hawser {
 
 struct Structure;  // structure.h
 
-/// Receives each change after it has been made. References are valid during the call. It must not
-/// change the world.
+/// Interface that receives each change after the world has made it. References are valid during the
+/// call. A listener must not change the world.
 class ChangeListener {
   public:
     virtual ~ChangeListener() = default;
+    /// Report an added object with its definition as the caller gave it, without filled-in
+    /// defaults.
     virtual void added(const BodyDef& def) noexcept = 0;
-    virtual void added(const InteractionDef& def) noexcept = 0;  ///< As given, without defaults.
+    virtual void added(const InteractionDef& def) noexcept = 0;
     virtual void added(const ShapeDef& def) noexcept = 0;
     virtual void added(const InputDef& def) noexcept = 0;
     virtual void added(const MaterialDef& def) noexcept = 0;
     virtual void added(const MaterialPairDef& def) noexcept = 0;
-    /// Report the removal of an object. Attached objects, removed with it, are not reported.
+    /// Report the removal of an object. Attached objects that are removed with it are not reported.
     virtual void removed(BodyId id) noexcept = 0;
     virtual void removed(InteractionId id) noexcept = 0;
     virtual void removed(ShapeId id) noexcept = 0;
     virtual void removed(InputId id) noexcept = 0;
-    /// Report the requested value of an input before clamping.
+    /// Report World::set_input() with the requested value, before clamping.
     virtual void set(InputId id, double value) noexcept = 0;
+    /// Report World::set_force().
     virtual void set_force(BodyId id, const Vec3& force, const Vec3& torque) noexcept = 0;
+    /// Report World::set_pose().
     virtual void set_pose(BodyId id, const Pose& pose) noexcept = 0;
+    /// Report World::set_velocity().
     virtual void set_velocity(BodyId id, const Twist& twist) noexcept = 0;
+    /// Report World::wake().
     virtual void woken(BodyId id) noexcept = 0;
+    /// Report WorldSplits::set_group().
     virtual void set_group(BodyId id, const std::string& group) noexcept = 0;
+    /// Report WorldSplits::set_groups().
     virtual void set_groups(int parts) noexcept = 0;
+    /// Report WorldSplits::follow_groups().
     virtual void follow_groups(int parts, int every) noexcept = 0;
+    /// Report WorldSplits::set_coupling().
     virtual void set_coupling(InteractionId id, Coupling coupling) noexcept = 0;
+    /// Report WorldSolver::degrade_next_step().
     virtual void degraded(const Degradation& degradation) noexcept = 0;
-    /// Report that a change is missing because allocation failed. The list of changes is then
-    /// incomplete.
+    /// Report that changes could not be reported because allocation failed. A list of changes is
+    /// then incomplete.
     virtual void lost() noexcept = 0;
-    virtual void parted(InteractionId id) noexcept = 0;  ///< By part(), not by overload.
+    /// Report WorldWires::part(). Elements that break by overload are not reported.
+    virtual void parted(InteractionId id) noexcept = 0;
     /// Report WorldWires::insert_node().
-    /// @param mass  As given; NaN if it was left out.
+    /// @param mass  Mass as given; NaN: the default.
     virtual void node_inserted(InteractionId element, double share, double mass) noexcept = 0;
-    virtual void node_removed(BodyId node, double bend) noexcept = 0;  ///< By remove_node().
+    /// Report WorldWires::remove_node() that removed the node.
+    virtual void node_removed(BodyId node, double bend) noexcept = 0;
+    /// Report WorldWires::set_mass().
     virtual void set_mass(BodyId lump, double mass) noexcept = 0;
-    /// Report WorldWires::engage() and disengage(), with definitions as given.
+    /// Report WorldWires::engage(), with definitions as given.
     virtual void laid_over(InteractionId element, const InteractionDef& before,
                            const InteractionDef& behind) noexcept = 0;
+    /// Report WorldWires::disengage(), with the definition as given.
     virtual void lifted(InteractionId before, InteractionId behind,
                         const InteractionDef& element) noexcept = 0;
-    /// Report WorldWires::move_along() if it moved.
+    /// Report WorldWires::move_along() that moved the parts.
     virtual void moved_along(InteractionId before, InteractionId behind, double along,
                              double fed) noexcept = 0;
-    /// Report all forms of WorldWires::cut().
+    /// Report all forms of WorldWires::cut(), as the cut of an element.
     virtual void cut(InteractionId element, double share) noexcept = 0;
     /// Report WorldWires::join() and attach().
-    /// @param b  A node, or a body with a point.
+    /// @param a  Node of the free end.
+    /// @param b  Node of the other end, or a body.
+    /// @param point  Point in the frame of the body b [m].
     virtual void joined(BodyId a, BodyId b, const Vec3& point, const JoinDef& def) noexcept = 0;
+    /// Report all forms of WorldWires::detach(), as the detachment of an element.
     virtual void detached(InteractionId element, int end) noexcept = 0;
-    virtual void released(InteractionId hook) noexcept = 0;  ///< By WorldWires::release().
-    /// Report WorldState::restore(), or copy_from() a world whose save() returns these bytes.
+    /// Report WorldWires::release().
+    virtual void released(InteractionId hook) noexcept = 0;
+    /// Report a restored state: WorldState::restore(), or copy_from() a world whose save() returns
+    /// these bytes.
     virtual void restored(std::span<const std::byte> bytes) noexcept = 0;
-    /// Report restore() of another structure.
-    /// @param bytes  Its state.
+    /// Report WorldState::restore() with another structure.
+    /// @param bytes  State of the structure.
     virtual void restored(const Structure& made_of, std::span<const std::byte> bytes) noexcept = 0;
-    /// Return a mark of the changes reported until now. Called at the start of a step, or of a call
-    /// that makes several.
+    /// Return a mark of the changes reported until now. The world calls it at the start of each
+    /// step, and of each function that makes several changes.
     virtual std::size_t mark() noexcept = 0;
-    /// Report a failure: changes since the mark are undone, and a replay must not make them.
+    /// Report that a step or function failed and its changes are undone. A replay must omit all
+    /// changes that were reported since the mark.
     virtual void undone(std::size_t mark) noexcept = 0;
 };
 

@@ -32,23 +32,29 @@
 /// /friction, /limit. Lines are the routes NAME/hoist and NAME/luffing (route.h), and the pendants
 /// NAME/pendant1 and so on. Outputs and inputs may refer to all of them.
 ///
-/// *Cylinders*. The stroke s is a scalar body. It acts between a motor of limited force F and a
-/// strut of rest length l₀ + s, with m s̈ = F − N. At rest the strut carries the motor's force.
-/// Beyond the limits the rod yields at constant force, as with a relief valve.
+/// *Cylinders*. The stroke s is a scalar body of mass m. A motor of limited force F pushes it
+/// against a strut of rest length l₀ + s with the force N, so that m s̈ = F − N. At rest N = F.
+/// Beyond the limits of F the rod yields at constant force, as with a relief valve.
 ///
 /// *Load indicator*. The load is Σ T of the falls at the hook over g, minus the hook's mass,
 /// filtered with the time constant `filter`. The rated load is linear between points of the curve,
 /// constant inside the first and 0 beyond the last. Utilisation is load over rated load; alarm
 /// level 1 starts at `warning`, level 2 at `overload`.
 ///
-/// Inputs, as "name.signal": `slew` [rad/s], `luff` and `knuckle` [m/s of the cylinder or bridle],
-/// `hoist` [m/s of the hook, > 0 up]. Input `take`: number of the load to attach, 1 the first of
-/// `loads`; 0: none.
+/// Inputs, as "name.signal":
+/// - `slew`: slew speed [rad/s];
+/// - `luff`, `knuckle`: speeds of the cylinders, or of the bridle [m/s];
+/// - `hoist`: speed of the hook, > 0 up [m/s];
+/// - `take`: number of the load to attach, 1 the first of `loads`; 0: none.
 ///
-/// Outputs: `radius` [m], `height` [m] of the hook in the crane's frame, `hang` [m] from head to
-/// hook sheaves. Further `load` and `rated` [kg], `utilisation` [1], `moment` [N m], `alarm` 0 to
-/// 2. Number of the attached load: `held`. Motions cut out: `cut` 1. Events: `alarm` and
-/// `alarm_end` of the hook; `join` and `detach` of the load.
+/// Outputs:
+/// - `radius`, `height`: position of the hook in the crane's frame [m];
+/// - `hang`: distance from the head to the sheaves of the hook [m];
+/// - `load`, `rated`: load and rated load [kg]; `utilisation`: their ratio [1];
+/// - `moment`: load moment [N m]; `alarm`: alarm level, 0 to 2;
+/// - `held`: number of the attached load, 0: none; `cut`: 1 while motions are cut out.
+///
+/// Events: `alarm` and `alarm_end` of the hook; `join` and `detach` of the load.
 ///
 /// Limits: ropes have no weight; booms are rigid; oil is a linear spring. Ropes start on their
 /// sheaves and stay on them. Outputs are those at the start of the last step.
@@ -65,7 +71,7 @@ namespace hawser {
 
 class World;
 
-/// Position of a crane on a body.
+/// Mounting of a crane on a body.
 struct CraneMount {
     BodyId on{};  ///< Body that carries the crane; not a lumped mass or scalar body. Required.
     Vec3 point{0.0, 0.0, 0.0};            ///< Slewing bearing, in the frame of the body [m].
@@ -90,7 +96,7 @@ struct CraneLink {
     double height = 0.0;       ///< Height of the box [m]. Required.
 };
 
-/// Slew motor and brake. The brake is on while the set speed is 0.
+/// Slew motor and brake. The brake is applied while the set speed is 0.
 struct CraneSlew {
     double torque = 0.0;    ///< Largest torque of the motor [N m]. Required.
     double brake = 0.0;     ///< Torque at which the brake slips [N m]. Required.
@@ -112,7 +118,8 @@ struct CraneCylinder {
     double mass = 0.0;         ///< Mass of the moving rod and oil [kg]. Required.
 };
 
-/// Falls between two blocks, with their drum. The brake is on while the set speed is 0.
+/// Tackle: rope in several falls between two blocks, with its drum. The brake is applied while the
+/// set speed is 0.
 struct CraneTackle {
     int falls = 0;                ///< Number of load-bearing falls, 1 to 64. Required.
     double EA = 0.0;              ///< Axial stiffness of the rope [N]. Required.
@@ -154,7 +161,7 @@ struct CraneRating {
                                           ///< masses.
     double warning = 0.9;                 ///< Utilisation at which alarm level 1 starts [1].
     double overload = 1.0;                ///< Utilisation at which alarm level 2 starts [1].
-    double hold = 0.5;     ///< Duration beyond a threshold before the level changes [s].
+    double hold = 0.5;     ///< Time beyond a threshold before the alarm level changes [s].
     double filter = 0.5;   ///< Time constant of the load filter [s].
     bool cut_out = false;  ///< True: at level 2 motions that increase the moment are stopped.
 };
@@ -165,9 +172,9 @@ struct CraneLoad {
     std::vector<Vec3> eyes{};   ///< Eyes in the load's frame [m], 1 to 8.
     double sling_length = 0.0;  ///< Unstretched length of each sling [m]. Required.
     double sling_EA = 0.0;      ///< Axial stiffness of each sling [N]. Required.
-    /// Distance beyond sling_length within which a load is attached [m]. All eyes must be within
-    /// sling_length + reach of the hook's point. A shorter sling gets the actual distance as its
-    /// length.
+    /// Permitted excess of the distance over sling_length at attachment [m]. All eyes must be
+    /// within sling_length + reach of the hook's point. If the distance exceeds sling_length, it is
+    /// the unstretched length of this sling.
     double reach = 0.0;
     double breaking_load = 1e30;  ///< Breaking load of each sling [N].
 };
@@ -217,12 +224,12 @@ struct LatticeCraneDef {
     double ramp = 2.0;  ///< Time from rest to the largest speed of each motion [s].
 };
 
-/// State of a body, as a crane requires it.
+/// State of a body that the construction of a crane reads.
 struct CraneBody {
-    Pose pose{};
-    Twist velocity{};
-    BodyKind kind = BodyKind::fixed;
-    double mass = 0.0;  ///< Mass [kg].
+    Pose pose{};                      ///< Pose.
+    Twist velocity{};                 ///< Velocity.
+    BodyKind kind = BodyKind::fixed;  ///< Kind of the body.
+    double mass = 0.0;                ///< Mass [kg].
 };
 
 /// Receiver of a crane's parts: a World, or a scene before its world exists.
@@ -242,25 +249,25 @@ class CraneSite {
     ~CraneSite() = default;
 };
 
-/// Add the crane's bodies and interactions with their initial state.
+/// Add the bodies and interactions of a crane, with their initial state.
 /// @throws DefError if the definition is invalid, before anything is added, or if the site rejects
 /// a part.
 void build_crane(CraneSite& site, const KnuckleCraneDef& def);
 void build_crane(CraneSite& site, const LatticeCraneDef& def);
-/// Add inputs and system of a crane whose parts are in the world.
+/// Add the inputs and the system of a crane whose parts build_crane() has added to the world.
 /// @throws DefError if a part is missing.
 void start_crane(World& world, const KnuckleCraneDef& def);
 void start_crane(World& world, const LatticeCraneDef& def);
 
-/// Principal parts of a crane; other parts are found by name.
+/// Principal parts of a crane. World::find_body() and find_interaction() find the others by name.
 struct CraneIds {
-    BodyId column{}, boom{}, jib{}, bridle{}, hook{};  ///< Jib or bridle: invalid if the crane has
-                                                       ///< none.
+    BodyId column{}, boom{}, jib{}, bridle{}, hook{};  ///< `jib` or `bridle` is invalid if the
+                                                       ///< crane has none.
     std::vector<InteractionId> falls{};                ///< Falls that carry the hook.
 };
 
-/// Add a crane, all of it or nothing: build_crane() and start_crane(). World::add() calls it.
-/// @throws DefError.
+/// Add a crane, all of it or nothing, by build_crane() and start_crane(). World::add() calls it.
+/// @throws DefError if the definition is invalid.
 CraneIds define(World& world, const KnuckleCraneDef& def);
 CraneIds define(World& world, const LatticeCraneDef& def);
 

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file drum_feed.h
-/// Bare drums: a scalar body that the user drives, and wire that it pays out and hauls in.
+/// Drum feeds: wire with nodes that a bare drum pays out and hauls in. A bare drum is a scalar body
+/// that the user drives; a complete winch is in winch.h.
 ///
 /// ```
 ///     drum (scalar body, coordinate θ)
 ///        o ───── fairlead ── element at the drum ── node ── element ── node ── wire …
 ///                            rest length l₀ + r (θ − θ₀)
 /// ```
-/// A WinchStretch makes the rest length of one element follow the drum. A drum feed completes it.
+/// A WinchStretch makes the rest length of the element at the drum follow the drum: r is its
+/// radius, l₀ and θ₀ are the values at the start. A drum feed adds nodes, loads and an end stop.
 ///
 /// *Nodes*. When the element at the drum has 1.5 times the length `element`, a node is inserted.
-/// When 0.25 times are left, the nearest node is removed. Wire that is paid out therefore has mass,
-/// contacts and shape.
+/// When 0.25 times the length is left, the nearest node is removed. Wire that is paid out therefore
+/// has mass, contacts and shape.
 ///
 /// *Loads*. Half of the mass, weight and drag of the element at the drum acts on its node, half on
 /// the fairlead. The drum carries the weight along the wire.
@@ -25,9 +27,9 @@
 /// Hauling stops there: the drum is braked, and the event `hauled_in` is reported once. Paying out
 /// is free.
 ///
-/// Limits: one radius, no layers, unlimited store. A winch (winch.h) has layers, capacity, motor
+/// Limits: one radius, no layers, unlimited store; a winch (winch.h) has layers, capacity, motor
 /// and brake. The brake of the end stop is a damper of 1000 J/h, with the drum's inertia J and the
-/// step h. A motor of torque Q therefore turns the drum by Q h/(1000 J) rad/s while the wire
+/// step h. A motor of torque Q therefore turns the drum at Q h/(1000 J) [rad/s] while the wire
 /// stands.
 ///
 /// ```cpp
@@ -44,7 +46,8 @@ namespace hawser {
 
 class World;
 
-/// Feed of a wire whose end lies on a bare drum (WorldWires::spool()). SI units.
+/// Definition of the feed of a wire whose end lies on a bare drum (WorldWires::spool()).
+/// World::add() copies it.
 struct DrumFeedDef {
     std::string name{};            ///< Unique name among systems. Required.
     WireId wire{};                 ///< Wire whose end lies on the drum. Required.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file edges.h
-/// Convex edges of boxes, hulls and meshes, and the cylinder at an edge that carries a wire
-/// (post.h).
+/// Convex edges of boxes, hulls and meshes, and the cylinder that rounds an edge, so that a wire
+/// can run over it as over a bollard (post.h).
 ///
 /// ```
 ///            outward              A cylinder of radius r lies against both faces, as if the edge
@@ -10,9 +10,11 @@
 ///                 ╱              turn the angle between the normals of the faces.
 ///        face    ╱ (r)
 /// ```
-/// Collinear pieces of an edge between the same two planes are merged. Limits: triangles of a mesh
-/// are counterclockwise seen from outside. Boundaries, and edges with more than two triangles, are
-/// ignored. For a mesh, it is not checked that the cylinder fits into the solid.
+/// Collinear pieces of an edge between the same two planes are merged.
+///
+/// Limits: triangles of a mesh must be counterclockwise seen from outside. Edges with one triangle,
+/// or with more than two, are ignored. For a mesh, no check ensures that the cylinder fits into the
+/// solid.
 
 #include <hawser/math.h>
 #include <hawser/shapes.h>
@@ -31,8 +33,8 @@ struct ShapeEdge {
     double most_radius = std::numeric_limits<double>::infinity();
 };
 
-/// Return the edges with a turn above an angle [rad], in the order of their first ends along x, y,
-/// z. Empty: there are none.
+/// Return the edges whose `turn` exceeds an angle, sorted by x, y, z of their first ends.
+/// @param sharper_than  Angle [rad].
 /// @throws DefError if the shape is invalid, or not a box, hull or mesh.
 [[nodiscard]] std::vector<ShapeEdge> convex_edges(const ShapeDef& shape, double sharper_than);
 
@@ -40,10 +42,11 @@ struct ShapeEdge {
 struct EdgeAxis {
     Vec3 from, to;  ///< End points in the frame of the body [m].
 };
-/// Return the axis of the cylinder of a radius [m] that lies against both faces of an edge.
+/// Return the axis of the cylinder that touches both faces of an edge from inside.
+/// @param radius  Radius of the cylinder [m].
 [[nodiscard]] EdgeAxis axis_in_edge(const ShapeEdge& edge, double radius) noexcept;
 
-/// Return the distance to an edge of the farther one of two points [m].
+/// Return the larger one of the distances of two points from an edge [m].
 [[nodiscard]] double distance_to_edge(const ShapeEdge& edge, const Vec3& a, const Vec3& b) noexcept;
 
 }  // namespace hawser

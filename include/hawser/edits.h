@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file edits.h
-/// Result of a removal.
+/// Result of a removal: the ids of all removed objects.
 
 #include <hawser/id.h>
 
@@ -9,8 +9,8 @@
 
 namespace hawser {
 
-/// Ids that one call of World::remove_…() removed, the requested one included, by ascending index.
-/// They are rejected from then on.
+/// Objects that one call of World::remove_…() has removed, including the requested one, by
+/// ascending index. Their ids are rejected from then on.
 struct Removed {
     std::vector<BodyId> bodies;               ///< Removed bodies.
     std::vector<InteractionId> interactions;  ///< Removed interactions.

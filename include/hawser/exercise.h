@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file exercise.h
-/// Exercises: a scene with stations, faults, alarms, goals, penalties and a score. Part of
-/// hawser::session. File format: docs/exercises.md.
+/// Exercises for training. An exercise is a scene with stations (roles with controls), faults,
+/// alarms, goals, penalties and a score. Part of hawser::session. File format: docs/exercises.md.
 ///
 /// ```cpp
 /// auto loaded = hawser::exercise::load_file("exercises/tow_out.json");
@@ -15,17 +15,17 @@
 /// session.finish();
 /// fmt::print("{} points\n", run.result().points);
 /// ```
-/// *Roles*. `instructor` sets every input and triggers faults; `watcher` sets nothing. Any other
-/// role is a station and sets the inputs that the exercise assigns to it.
+/// *Roles*. `instructor` may set every input and trigger faults; `watcher` may set nothing. Any
+/// other role is a station and may set the inputs that the exercise assigns to it.
 ///
-/// Faults act through the session only. They break lines, and change a control's value before it
-/// reaches the world. The recording contains these changes, so that a replay repeats them bit for
-/// bit with any number of threads.
+/// *Faults* act through the session only. They break lines, or change the value of a control before
+/// it reaches the world. The recording contains these changes, so that a replay repeats them bit
+/// for bit with any number of threads.
 ///
 /// *Score*. Conditions compare outputs of the world after each step. Points follow from these
-/// comparisons in a fixed order, so that equal runs have equal scores. A recording stores data that
-/// the motion does not determine: outputs and events of systems, and the actions of roles
-/// (Session::note()). The rest is computed from the replayed world by rescore().
+/// comparisons in a fixed order, so that equal runs have equal scores. A recording stores the data
+/// that the motion does not determine: outputs and events of systems, and the actions of roles
+/// (Session::note()). rescore() computes the rest from the replayed world.
 
 #include <hawser/scene.h>
 #include <hawser/session.h>
@@ -43,18 +43,18 @@
 
 namespace hawser::exercise {
 
-inline constexpr std::string_view kInstructor = "instructor";
-inline constexpr std::string_view kWatcher = "watcher";
+inline constexpr std::string_view kInstructor = "instructor";  ///< Role that may set everything.
+inline constexpr std::string_view kWatcher = "watcher";        ///< Role that may set nothing.
 /// Largest number of entries of each list of an exercise, and of conditions of one entry.
 inline constexpr std::size_t kMostEntries = 256;
 
-/// A role has no permission for its request. The message states the request and the permitted
-/// roles. The request has no effect.
+/// Exception if a role has no permission for its request. The message states the request and the
+/// permitted roles. The request has no effect.
 struct Refused : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// True if above ≤ output ≤ below; false if the output is NaN.
+/// Condition above ≤ output ≤ below. It is false if the output is NaN.
 struct Condition {
     std::string output{};  ///< Name of an output of the world.
     /// Lower limit, in the unit of the output.
@@ -63,24 +63,26 @@ struct Condition {
     double below = std::numeric_limits<double>::infinity();
 };
 
-/// Condition of an entry. True if all conditions have been true for `hold` without interruption. If
-/// `conditions` is empty, true if an event of this kind occurs.
+/// Trigger of an alarm, goal, penalty or end. It is true if all conditions have been true for the
+/// time `hold` without interruption. If `conditions` is empty, it is true when an event of the kind
+/// `event` occurs.
 struct Trigger {
     std::vector<Condition> conditions{};      ///< Conditions that must all be true.
-    double hold = 0.0;                        ///< Duration [s].
+    double hold = 0.0;                        ///< Time for which they must be true [s].
     EventKind event = EventKind::line_break;  ///< Kind of event, if `conditions` is empty.
-    std::string of{};  ///< Prefix of the name of the event's source; "": any.
+    std::string of{};  ///< Beginning of the name of the event's source; "": any source.
 };
 
-/// Role with its controls.
+/// Station: a role with its controls.
 struct Station {
-    std::string name{};  ///< Name of the role.
-    std::string text{};
-    std::string layout{};               ///< One of station_layouts(); "": by its inputs.
+    std::string name{};                 ///< Name of the role.
+    std::string text{};                 ///< Description for users.
+    std::string layout{};               ///< One of station_layouts(); "": chosen by its inputs.
     std::vector<std::string> inputs{};  ///< Names of the inputs that the role may set.
 };
 
-/// Return the layouts of stations in the page: "bridge", "winch", "crane", "engine_room".
+/// Return the layouts of stations on the page of `hawser view`: "bridge", "winch", "crane",
+/// "engine_room".
 [[nodiscard]] std::span<const char* const> station_layouts() noexcept;
 
 /// Kind of a fault.
@@ -99,65 +101,66 @@ inline constexpr int kFaultKindCount = 6;
 /// Return the name of a kind of fault, as in exercise files.
 [[nodiscard]] const char* to_string(FaultKind kind) noexcept;
 
-/// Fault of the equipment, set by time or by the instructor.
+/// Fault of the equipment. It starts at a given time, or when the instructor triggers it.
 struct Fault {
-    std::string name{}, text{};
-    FaultKind kind = FaultKind::line_parts;
+    std::string name{}, text{};              ///< Name, and description for users.
+    FaultKind kind = FaultKind::line_parts;  ///< Kind of the fault.
     std::string target{};  ///< Name of a wire, element, winch, interaction, input or output.
-    double s = kDefault;   ///< Material coordinate from the wire's first end [m]; NaN: its middle.
-    double share = 0.0;    ///< Fraction that remains, 0 to 1.
-    double value = kDefault;     ///< Value of the input; NaN: the last value.
-    double delay = 0.0;          ///< Delay [s].
+    double s = kDefault;  ///< Material coordinate from the wire's first end [m]; default: middle of
+                          ///< the wire.
+    double share = 0.0;   ///< Fraction of the force or input that remains, 0 to 1.
+    double value = kDefault;     ///< Value of a stuck input; default: its last value.
+    double delay = 0.0;          ///< Delay of a late input [s].
     std::optional<double> at{};  ///< Time at which it starts by itself [s]; none: the instructor
                                  ///< triggers it.
     double lasts = std::numeric_limits<double>::infinity();  ///< Duration [s].
 };
 
-/// Alarm while its trigger is true.
+/// Alarm. It is active while its trigger is true.
 struct Alarm {
-    std::string name{}, text{};
-    Trigger when{};
+    std::string name{}, text{};  ///< Name, and description for users.
+    Trigger when{};              ///< Trigger.
 };
 
-/// Goal with points when its trigger first becomes true.
+/// Goal. It is reached, and adds points, when its trigger first becomes true.
 struct Goal {
-    std::string name{}, text{};
-    Trigger when{};
-    double points = 0.0;
-    std::string after{};         ///< Goal that must be reached before; "": none.
-    std::optional<double> by{};  ///< Time after which it adds no points [s].
+    std::string name{}, text{};  ///< Name, and description for users.
+    Trigger when{};              ///< Trigger.
+    double points = 0.0;         ///< Points that it adds.
+    std::string after{};         ///< Name of the goal that must be reached before; "": none.
+    std::optional<double> by{};  ///< Time after which it adds no points [s]; none: no limit.
 };
 
 /// Phase of the task, for displays and reports. It ends when its goal is reached.
 struct Phase {
-    std::string name{}, text{};
-    std::string goal{};  ///< Goal that ends the phase; "": it has no end condition.
+    std::string name{}, text{};  ///< Name, and description for users.
+    std::string goal{};          ///< Name of the goal that ends the phase; "": it does not end.
 };
 
-/// Penalty while its trigger is true.
+/// Penalty. It subtracts points while its trigger is true.
 struct Penalty {
-    std::string name{}, text{};
-    Trigger when{};
-    double points = 0.0;      ///< Points for each start.
-    double per_second = 0.0;  ///< Points per second while it lasts [1/s].
-    double most = std::numeric_limits<double>::infinity();  ///< Limit of the points in total.
+    std::string name{}, text{};  ///< Name, and description for users.
+    Trigger when{};              ///< Trigger.
+    double points = 0.0;         ///< Points subtracted each time it starts.
+    double per_second = 0.0;     ///< Points subtracted per second while it lasts [1/s].
+    double most = std::numeric_limits<double>::infinity();  ///< Largest sum of these points.
 };
 
-/// Ending of the exercise when its trigger becomes true.
+/// End condition: the exercise ends when its trigger becomes true.
 struct End {
-    std::string name{}, text{};
-    Trigger when{};
-    bool failed = false;  ///< True: the exercise is then failed at any score.
+    std::string name{}, text{};  ///< Name, and description for users.
+    Trigger when{};              ///< Trigger.
+    bool failed = false;         ///< True: the exercise is then failed at any score.
 };
 
 /// Definition of an exercise.
 struct Exercise {
-    std::string name{}, description{};
-    std::string file{};       ///< File name for messages.
-    std::string text{};       ///< Document (JSON) for recordings.
-    double duration = 600.0;  ///< Duration of the exercise [s].
-    double pass = 0.0;        ///< Points required to pass.
-    bool until_done = true;   ///< True: the exercise also ends when all goals are reached.
+    std::string name{}, description{};  ///< Name and description.
+    std::string file{};                 ///< File name for messages.
+    std::string text{};                 ///< Document (JSON) for recordings.
+    double duration = 600.0;            ///< Duration of the exercise [s].
+    double pass = 0.0;                  ///< Points required to pass.
+    bool until_done = true;  ///< True: the exercise also ends when all goals are reached.
     std::vector<Station> stations{};
     std::vector<Fault> faults{};
     std::vector<Alarm> alarms{};
@@ -167,14 +170,14 @@ struct Exercise {
     std::vector<End> ends{};
     std::vector<std::string> displays{};  ///< Outputs in the displays of stations and in plots of
                                           ///< reports.
-    std::vector<scene::Operation> levers{};  ///< Operations `set` of the timelines by time,
-                                             ///< executed by Run.
+    std::vector<scene::Operation> levers{};  ///< Operations `set` of the timelines by time. Run
+                                             ///< executes them.
 };
 
-/// Exercise with its scene. The exercise has added its inputs, outputs and timeline to the scene.
+/// Exercise with its scene. The scene contains the inputs, outputs and timeline of the exercise.
 struct Loaded {
-    Exercise exercise;
-    scene::Scene scene;
+    Exercise exercise;   ///< Exercise.
+    scene::Scene scene;  ///< Scene.
 };
 /// Load an exercise with its scene.
 /// @param options  Options of the scene.
@@ -187,10 +190,10 @@ struct Loaded {
 [[nodiscard]] Loaded load_text(std::string_view text, const std::string& name,
                                const scene::Options& options = {});
 /// Prepare an exercise for a session that starts from a saved state. Faults with an earlier time do
-/// not start by themselves, and goals do not wait for goals before them (`after`).
+/// not start by themselves, and goals do not require an earlier goal (`after`).
 /// @param time  Time of the saved state [s].
 void start_at(Exercise& exercise, double time);
-/// True if the document has the key "exercise", and so is an exercise instead of a scene.
+/// True if a file is an exercise instead of a scene: its document has the key "exercise".
 [[nodiscard]] bool is_exercise(const std::filesystem::path& file) noexcept;
 /// Return the format as a JSON Schema (draft 07): schema/exercise-1.json.
 [[nodiscard]] std::string schema_text();
@@ -278,17 +281,18 @@ class Run {
     /// @throws Refused if the role has no permission
     /// @throws DefError as Session::set_input()
     void set_input(std::string_view role, std::string_view input, double value);
-    /// Return the last requested value of an input; NaN: none.
+    /// Return the value of an input that a role has requested last; NaN: none.
     [[nodiscard]] double asked(std::string_view input) const noexcept;
-    /// Start or clear a fault.
+    /// Start a fault.
     /// @throws Refused if the role is not the instructor
     /// @throws DefError if the fault does not exist or is not possible
     void trigger(std::string_view role, std::string_view fault);
+    /// End a fault. Exceptions as trigger().
     void clear(std::string_view role, std::string_view fault);
     /// True if the fault is active.
     [[nodiscard]] bool active(std::string_view fault) const noexcept;
-    /// Return an output as displays show it; a fault may freeze it.
-    /// @throws DefError.
+    /// Return the value of an output that displays show; a fault may freeze it.
+    /// @throws DefError if the output does not exist.
     [[nodiscard]] double shown(std::string_view output) const;
 
     // --- Stepping --------------------------------------------------------------------------------
@@ -311,11 +315,11 @@ class Run {
     [[nodiscard]] const Curves& curves() const noexcept;
 
     // --- Restoring -------------------------------------------------------------------------------
-    /// Return a mark of controls, faults and score, to be stored with WorldState::save(); a small
-    /// number.
+    /// Save controls, faults and score in the run. Return a mark to restore them; store it together
+    /// with WorldState::save().
     [[nodiscard]] int mark();
-    /// Restore controls, faults and score of a mark, after its state has been restored. Adds an
-    /// entry.
+    /// Restore the controls, faults and score of a mark. Call it after Session::restore() to the
+    /// state of the mark. Adds an entry to the log.
     /// @throws DefError if the mark does not exist.
     void back_to(int mark);
 
@@ -324,22 +328,21 @@ class Run {
     std::unique_ptr<Impl> impl_;
 };
 
-/// Value of a control that a role requested.
+/// Request of a role to set an input.
 struct ControlRequest {
-    double time = 0.0;  ///< Time [s].
-    std::string role, input;
-    double value = 0.0;  ///< In the unit of the input.
+    double time = 0.0;        ///< Time [s].
+    std::string role, input;  ///< Role, and name of the input.
+    double value = 0.0;       ///< Value in the unit of the input.
 };
 
 /// Score of a recorded exercise, from a replay of its motion.
 struct Rescored {
-    Exercise exercise;
-    Result result;
-    Curves curves;
-    std::vector<ControlRequest> requests;  ///< In order of occurrence, of all branches.
-    bool same = true;  ///< True if every frame has the recorded hash; else `difference` describes
-                       ///< the first deviation.
-    std::string difference;
+    Exercise exercise;                     ///< Exercise of the recording.
+    Result result;                         ///< Score and log.
+    Curves curves;                         ///< Displays over time.
+    std::vector<ControlRequest> requests;  ///< Requests of all branches, in order of occurrence.
+    bool same = true;        ///< True if every frame of the replay has the recorded hash.
+    std::string difference;  ///< Description of the first frame with another hash; "": none.
 };
 /// True if the recording is of an exercise.
 [[nodiscard]] bool is_recorded(const record::Recording& recording) noexcept;

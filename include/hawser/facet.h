@@ -3,9 +3,10 @@
 /// @file facet.h
 /// Base of the facets of a world.
 ///
-/// A facet is a part of the interface of a world: World::wires(), state(), events(), solver() and
-/// splits(). It stores one pointer, so it is passed by value. It is valid until the world is moved
-/// from or destroyed. A facet of a const world (WorldWiresView, …) only reads.
+/// A facet is a part of the interface of World with its own class: World::wires(), state(),
+/// events(), solver() and splits(). It stores one pointer to the world, so it is passed by value.
+/// It is valid until the world is moved or destroyed. A facet of a const world has a class that
+/// only reads, such as WorldWiresView.
 
 namespace hawser {
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file fields.h
-/// Rows of the tables of definitions: one row for each member. The reader of scenes, the JSON
-/// Schema, the reference page, the checks of a world, recordings and the identity of saved states
-/// read the properties of a member here.
+/// Tables that describe the members of definitions such as BodyDef.
 ///
-/// Tables: hawser/body_fields.h, hawser/material_fields.h, and src/scene for definitions of
-/// systems.
+/// A table has one row (FieldInfo) for each member: key in scene files, pointer to the member,
+/// unit, default, range and description. Its readers are the reader of scenes, the JSON Schema, the
+/// reference page, the checks of a world, recordings and the identity of saved states. A new member
+/// therefore needs one row. Tables: hawser/body_fields.h, hawser/material_fields.h, and src/scene
+/// for definitions of systems.
 
 #include <hawser/math.h>
 
@@ -20,41 +21,41 @@
 
 namespace hawser {
 
-/// Pointer to a member of a definition.
+/// Pointer to a member of a definition, of one of the permitted types.
 template <class Def>
 using FieldMember =
     std::variant<double Def::*, Vec3 Def::*, bool Def::*, int Def::*, std::uint64_t Def::*,
                  Quat Def::*, Mat3 Def::*, std::string Def::*>;
 
-/// Properties of a row, as bits of FieldInfo::traits.
+/// Properties of a member, as bits of FieldInfo::traits.
 enum FieldTrait : std::uint8_t {
-    kMayBeMissing = 1,  ///< Scenes may leave it out although `fallback` is empty.
+    kMayBeMissing = 1,  ///< Scenes may omit the key although `fallback` is empty.
     kAboveLeast = 2,    ///< The value `least` itself is rejected.
-    kPerAxis = 4,       ///< Scenes give one number for all axes, or three.
-    kOwnReader = 8,     ///< Scenes read and describe it by code of their own.
+    kPerAxis = 4,       ///< Scenes give one number for all axes, or three numbers.
+    kOwnReader = 8,     ///< The scene reader has separate code for the key and its description.
     kInIdentity = 16,   ///< Worlds with different values reject each other's saved states.
-    kLeastToo = 32,     ///< A required value may be 0.
+    kLeastToo = 32,     ///< The value may be `least`, also if the key is required and `least` is 0.
 };
 
-/// Member of a definition. Ranges apply to each component of a vector.
+/// Description of a member of a definition. Ranges apply to each component of a vector.
 ///
-/// A row without a default in words is required, and then a range from 0 excludes 0. A key that
+/// An empty `fallback` makes the key required. A required key with `least` 0 excludes 0. A key that
 /// ends in "_deg" is in degrees here and in scenes, and in radians in the definition.
 template <class Def>
 struct FieldInfo {
     const char* key = "";       ///< Key in scene files; also the name in messages.
-    FieldMember<Def> member{};  ///< Member that it sets.
+    FieldMember<Def> member{};  ///< Member that the key sets.
     const char* unit = "";      ///< SI unit, or degrees; "": none, "1": a ratio.
     const char* fallback = "";  ///< Default in words; "": required.
     const char* doc = "";       ///< Description, one or two sentences.
     double least = -std::numeric_limits<double>::infinity();  ///< Least value [unit].
     double most = std::numeric_limits<double>::infinity();    ///< Largest value [unit].
-    const char* what = "a number";                            ///< Noun for messages.
+    const char* what = "a number";                            ///< Noun for messages: "a length".
     unsigned traits = 0;                                      ///< Bits of FieldTrait.
-    /// Bits 1 << kind of the kinds for which the key has no meaning (bodies).
+    /// Kinds of bodies for which the key has no meaning: bits bit_of(kind), body_fields.h.
     unsigned without = 0;
 
-    /// True if the row has a property.
+    /// True if the member has a property.
     [[nodiscard]] constexpr bool is(FieldTrait trait) const noexcept {
         return (traits & trait) != 0;
     }
@@ -72,7 +73,7 @@ struct FieldInfo {
     }
 };
 
-/// True if two values of a member are equal. NaN equals NaN.
+/// True if two values of a member are equal. Numbers that are both NaN count as equal.
 template <class T>
 [[nodiscard]] bool same_value(const T& a, const T& b) {
     if constexpr (std::is_same_v<T, double>)
@@ -83,7 +84,7 @@ template <class T>
         return a == b;
 }
 
-/// True if a definition has the default value of a member.
+/// True if a member of `def` has its default value, that of Def{}.
 template <class Def>
 [[nodiscard]] bool has_default(const Def& def, const FieldInfo<Def>& row) {
     static const Def kUsual{};

@@ -19,11 +19,11 @@
 /// Hydrostatics of a mesh are therefore those of its polyhedron, to rounding. Volume and its centre
 /// follow from the divergence theorem with the waterplane as lid.
 ///
-/// *Tangent*. A displacement (x, φ) raises the waterplane at (x, y) by r·(x, φ), r = (0, 0, 1, y,
-/// −x, 0). The stiffness is K = ρ g ∫ r rᵀ dA over the waterplane, positive semi-definite. The
-/// moments of weight and buoyancy, ρ g V (z_B − z_G) about x and y, contribute their stable part.
-/// The heave stiffness is at least ρ g V over the depth of the lowest point: the secant to the
-/// position above the water.
+/// *Stiffness*. A small displacement and rotation of the body raise its point (x, y) of the
+/// waterplane by r·(displacement, rotation), r = (0, 0, 1, y, −x, 0). The stiffness is K = ρ g ∫ r
+/// rᵀ dA over the waterplane, positive semi-definite. The moments of weight and buoyancy, ρ g V
+/// (z_B − z_G) about x and y, contribute their stable part. The heave stiffness is at least ρ g V
+/// over the depth of the lowest point: the secant to the position above the water.
 ///
 /// Source of the formulas: A. B. Biran, *Ship Hydrostatics and Stability*, 2003. Limits: the
 /// surface is linear over each triangle, so that triangles must be small compared with waves.
@@ -43,8 +43,8 @@ struct HullMesh {
     std::vector<std::array<std::int32_t, 3>> triangles{};  ///< Vertex indices of the corners.
 };
 
-/// Return the fault of a mesh with its edge or triangle; "": the mesh is closed, consistent, and
-/// its normals point outwards.
+/// Check a mesh. Return its fault in words, with the edge or triangle; "": the mesh is closed and
+/// consistently oriented, and its normals point outwards.
 [[nodiscard]] std::string hull_fault(const HullMesh& mesh);
 
 /// Read a mesh file by its extension: OBJ, STL (text or binary), GDF (WAMIT), or NEMOH (.dat).
@@ -53,8 +53,9 @@ struct HullMesh {
 /// @throws DefError with the line of the fault.
 [[nodiscard]] HullMesh read_hull(const std::string& file);
 
-/// Close a mesh of WAMIT or NEMOH, which ends at the waterline, by walls upwards and a deck.
-/// @param top  z of the deck, at or above all open edges [m]. At their height: a deck only.
+/// Close a mesh of WAMIT or NEMOH, which ends at the waterline, by vertical walls and a deck.
+/// @param top  z of the deck, at or above all open edges [m]. If it is their height, no walls are
+/// added.
 /// @throws DefError if an open edge is more than 1e-3 m below the highest.
 void close_hull(HullMesh& mesh, double top);
 
@@ -62,8 +63,8 @@ void close_hull(HullMesh& mesh, double top);
 /// @param half  Half sizes [m].
 [[nodiscard]] HullMesh box_hull(const Vec3& half, int nx = 1, int ny = 1, int nz = 1);
 
-/// Block of a hull's volume: the interior on the vertical line through the middle of a cell of an
-/// even grid, between two grid levels.
+/// Cell of a hull's volume: the part of one cell of an even grid that lies inside the hull,
+/// measured on the vertical line through the middle of the grid cell.
 struct HullCell {
     Vec3 at{0.0, 0.0, 0.0};               ///< Centre, in the body's frame [m].
     Vec3 size{0.0, 0.0, 0.0};             ///< Size along the body's axes [m].
@@ -71,8 +72,8 @@ struct HullCell {
     /// Return the volume [m³].
     [[nodiscard]] double volume() const noexcept { return size.prod(); }
 };
-/// Cut a hull into about 200 cells with nearly equal edges, at least one. A mesh without volume has
-/// one cell, of the size of its bounding box.
+/// Divide a hull into about 200 cells with nearly equal edges, at least one. A mesh without volume
+/// has one cell of the size of its bounding box.
 [[nodiscard]] std::vector<HullCell> hull_cells(const HullMesh& mesh);
 
 /// Hydrostatics of a mesh below the still surface z = 0.
@@ -87,8 +88,8 @@ struct HullStatics {
     double lowest = 0.0;                      ///< z of the lowest point [m].
 };
 
-/// Compute the hydrostatics of a mesh at a pose, below z = level [m]. Positions are in the world
-/// frame.
+/// Compute the hydrostatics of a mesh at a pose. Positions of the result are in the world frame.
+/// @param level  z of the still surface [m].
 [[nodiscard]] HullStatics hull_statics(const HullMesh& mesh, const Pose& pose, double level = 0.0);
 
 /// Equilibrium of a floating hull.

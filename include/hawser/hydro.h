@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file hydro.h
-/// Coefficients of a floating body in waves: added mass, damping, excitation, drift, motions.
+/// Hydrodynamic coefficients of a floating body in waves, by frequency and direction: added mass,
+/// damping, excitation, drift, motions.
 ///
 /// Potential flow programs (WAMIT, NEMOH, Capytaine) compute them by frequency and direction;
 /// hydro_files.h reads their files. Coefficients here are dimensional, in SI units, about the point
@@ -10,16 +11,20 @@
 ///     η = Re a e^{i(k·x − ωt)}          F = Re X a e^{−iωt}, x = 0 at the reference
 ///     M v̇ + A(ω) v̇ + B(ω) v + C x = F
 /// ```
-/// In long waves a free heave force is then in phase with η. A surge force towards x > 0 leads η by
-/// a quarter of a period, X = −i|X|. WAMIT uses e^{+iωt}, so that X is its conjugate. NEMOH and
-/// Capytaine use e^{−iωt}. Directions are those to which waves run.
+/// Here η is the wave elevation, a its amplitude, X the complex force per amplitude, and A, B, C
+/// are added mass, damping and stiffness. In long waves the heave force is in phase with η. A surge
+/// force towards x > 0 leads η by a quarter of a period, X = −i|X|. WAMIT uses e^{+iωt}, so that
+/// its X is the conjugate. NEMOH and Capytaine use e^{−iωt}. Directions are those to which waves
+/// run.
 ///
-/// In the time domain (W. E. Cummins, "The impulse response function and ship motions", 1962)
+/// *Time domain* (W. E. Cummins, "The impulse response function and ship motions", 1962). The
+/// radiation force depends on past velocities through the retardation function K, with the memory
+/// T:
 /// ```
 ///     F = −A(∞) v̇ − ∫₀^T K(τ) v(t − τ) dτ,      K(t) = (2/π) ∫ B(ω) cos ωt dω
 /// ```
-/// The body's block includes A(∞). B is linear between frequencies, 0 at ω = 0, and proportional to
-/// ω⁻³ above the last one. That range has nodes up to four times the last frequency. If B is
+/// A(∞) is part of the body's mass. B is linear between the given frequencies, 0 at ω = 0, and
+/// proportional to ω⁻³ above the last one, with nodes up to four times the last frequency. If B is
 /// positive semi-definite at each node, it is so between them.
 ///
 /// *Convolution*. With ν̄_k the mean of the velocities before and after t_k,
@@ -30,10 +35,11 @@
 /// (Poisson), so that it adds no energy at any step. The truncation at T may reduce the damping. A
 /// constant damping compensates for it, and is reported.
 ///
-/// *State space*. K(t) ≈ C e^{At} B has at most a given order. Its matrices follow from the
-/// singular values of the matrix of K((i + j) δ). Source: S.-Y. Kung, "A new identification and
-/// model reduction algorithm", 1978. If the damping is negative at a frequency, constant damping of
-/// that amount is added, and reported with the fit error.
+/// *State space*. A linear system of a given largest order approximates K(t) ≈ C e^{At} B. Its
+/// matrices follow from the singular values of the matrix of K((i + j) δ). Source: S.-Y. Kung, "A
+/// new identification and model reduction algorithm", 1978. If the damping of the approximation is
+/// negative at a frequency, constant damping of that amount is added, and reported with the fit
+/// error.
 
 #include <hawser/math.h>
 
@@ -48,19 +54,20 @@ namespace hawser {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-/// Coefficients of one body.
+/// Hydrodynamic coefficients of one body.
 struct WaveCoefficients {
     /// Reference point of the coefficients, from the body's centre of mass, in its frame [m].
     Vec3 reference{0.0, 0.0, 0.0};
     std::vector<double> frequency{};  ///< Frequencies ω, ascending, > 0 [rad/s].
     /// A(ω) and B(ω), one matrix for each frequency, or empty [kg, kg m, kg m²; N s/m, N s, N m s].
     std::vector<Matrix6> added_mass{}, damping{};
-    bool has_infinite = false, has_zero = false;  ///< True if `infinite`, `zero` are known.
-    Matrix6 infinite = Matrix6::Zero();           ///< A(∞).
-    Matrix6 zero = Matrix6::Zero();               ///< A(0), for checks only.
+    bool has_infinite = false, has_zero = false;  ///< True if `infinite` or `zero` is known.
+    Matrix6 infinite = Matrix6::Zero();           ///< Added mass at infinite frequency A(∞).
+    Matrix6 zero = Matrix6::Zero();               ///< Added mass at frequency 0, for checks only.
     std::vector<double> heading{};  ///< Directions to which waves run, ascending [rad].
-    /// Amplitudes X by index(heading, frequency, component); empty: unknown. Total wave force and
-    /// scattered part [N/m, N], motion at the reference [1, rad/m].
+    /// Complex amplitudes per wave amplitude, by index(heading, frequency, component); empty:
+    /// unknown. Total wave force, its scattered part [N/m, N], and motion at the reference point
+    /// [1, rad/m].
     std::vector<std::complex<double>> excitation{}, scattering{}, motion{};
     /// Mean second-order force of regular waves over a² [N/m², N/m], by frequency and heading.
     std::vector<double> drift{};
@@ -73,9 +80,9 @@ struct WaveCoefficients {
     }
 };
 
-/// Return the fault of coefficients with its position; "": none. Checks sizes, order and finite
-/// values. Checks that A(∞) and B are positive semi-definite, with the frequency. Detects exchanged
-/// A(0) and A(∞) from A(ω) of the damping (T. F. Ogilvie, 1964).
+/// Check coefficients. Return their first fault in words, with its position or frequency; "": none.
+/// Checks sizes, order, finite values, and that A(∞) and B are positive semi-definite. Detects
+/// exchanged A(0) and A(∞) by comparison with A(ω) from the damping (T. F. Ogilvie, 1964).
 [[nodiscard]] std::string coefficients_fault(const WaveCoefficients& c);
 
 /// Treatment of damping that is not positive semi-definite.
@@ -85,25 +92,30 @@ enum class NegativeDamping : std::uint8_t {
                ///< before.
     fit        ///< Replace each such B by the nearest positive semi-definite matrix.
 };
-/// Return coefficients with repaired damping where it exceeds the noise that coefficients_fault()
-/// accepts. Other damping is unchanged.
+/// Return coefficients whose damping is repaired at frequencies where it is negative beyond the
+/// noise that coefficients_fault() accepts. Other damping is unchanged.
 /// @throws DefError if `truncate` has no frequency before the fault.
 [[nodiscard]] WaveCoefficients repaired_damping(const WaveCoefficients& c, NegativeDamping how);
 
-/// Truncation measure of a memory: the largest |K_ij(t)|/√(K_ii(0) K_jj(0)) for t from 0.8 T to T.
-/// Shortest T with a measure of at most `limit`: `enough`; NaN: none up to 20 T.
+/// Result of memory_end(). The truncation measure of a memory T is the largest |K_ij(t)|/√(K_ii(0)
+/// K_jj(0)) for t from 0.8 T to T.
 struct MemoryEnd {
-    double ratio = 0.0;   ///< Truncation measure of T [1].
-    double enough = 0.0;  ///< Sufficient T [s].
+    double ratio = 0.0;  ///< Truncation measure of the given T [1].
+    double enough =
+        0.0;  ///< Shortest T whose measure is at most `limit` [s]; NaN: none up to 20 T.
 };
-/// Return the truncation measure of a memory of T = `memory` [s].
+/// Compute the truncation measure of a memory.
+/// @param memory  Memory T [s].
+/// @param limit  Permitted truncation measure [1].
 [[nodiscard]] MemoryEnd memory_end(const WaveCoefficients& c, double memory, double limit = 0.01);
 
-/// Return A(∞) = A(ω) + (1/ω) ∫ K(t) sin ωt dt, the mean over all frequencies (Ogilvie). Requires
-/// A(ω) and B(ω).
+/// Compute A(∞) = A(ω) + (1/ω) ∫ K(t) sin ωt dt (Ogilvie), as the mean over all frequencies.
+/// Requires A(ω) and B(ω).
 [[nodiscard]] Matrix6 infinite_added_mass(const WaveCoefficients& c);
 
-/// Return K(t) of the unmodified damping, without truncation [kg/s², …].
+/// Return the retardation function K(t) of the given damping, without repair and truncation [kg/s²,
+/// kg m/s², kg m²/s²].
+/// @param t  Time [s].
 [[nodiscard]] Matrix6 retardation(const WaveCoefficients& c, double t);
 
 }  // namespace hawser

@@ -22,16 +22,17 @@
 /// Indented files are read from the same folder if they exist. A build without
 /// libnetcdf-dev or libhdf5-dev rejects `.nc` or `.h5` files with the name of the package.
 ///
-/// A reader program reads `.nc` and `.h5` files, because a damaged file can crash or block their
-/// libraries. The function read_coefficients() starts it, limits its time and memory, and checks
-/// each value. The reader program is the first of these:
+/// A separate process, the reader program, reads `.nc` and `.h5` files, because a damaged file can
+/// crash or block their libraries. The function read_coefficients() starts it, limits its time and
+/// memory, and checks each value. The reader program is the first of these that exists:
 ///
 ///   1. The program of ReaderLimits::program.
 ///   2. The environment variable HAWSER_READER.
 ///   3. The running program, if its main() calls serve_coefficients_reader() first.
 ///   4. The program `hawser` in the folder of the running program.
 ///
-/// Without one the file is rejected. ReaderLimits::in_process reads a trusted file without it.
+/// Without a reader program the file is rejected. ReaderLimits::in_process reads a trusted file
+/// without one.
 
 #include <hawser/hydro.h>
 
@@ -63,7 +64,8 @@ struct ReaderLimits {
     [[nodiscard]] static ReaderLimits of_environment();
 };
 
-/// Read the coefficients of a file. The result has no faults; `reference` is 0.
+/// Read the coefficients of a file. coefficients_fault() finds no fault in the result; its
+/// `reference` is 0.
 /// @throws DefError with file, line or variable, the fault and the remedy.
 [[nodiscard]] WaveCoefficients read_coefficients(const std::string& file,
                                                  const HydroUnits& units = {});

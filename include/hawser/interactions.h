@@ -72,65 +72,66 @@ inline constexpr int kInteractionKindCount = 0
     HAWSER_INTERACTION_KINDS(HAWSER_X);
 #undef HAWSER_X
 
+// Largest numbers in an interaction.
 inline constexpr int kMaxInteractionBodies = 4;
 inline constexpr int kMaxInteractionRows = 6;
 inline constexpr int kMaxInteractionParams = 8;
 inline constexpr int kMaxFrictionLoads = 2;
 
-/// Marks a field that takes its default from the kind's table.
+/// Value of a member that is not set (NaN). Each member documents its default.
 inline constexpr double kDefault = std::numeric_limits<double>::quiet_NaN();
-/// Lower bound of the rest length of a winch_stretch, as a fraction of its parameter `length` [1].
-/// There the wire's end is at the fairlead, and hauling stops (drum_feed.h).
+/// Smallest rest length of a winch_stretch, as a fraction of its parameter `length` [1]. At this
+/// length the wire's end has reached the fairlead, and hauling stops (drum_feed.h).
 inline constexpr double kLeastOfDrumElement = 0.02;
 
 /// Named parameter of a kind.
 struct ParamInfo {
     const char* name;    ///< Name in scene files, e.g. "length".
     const char* unit;    ///< SI unit, e.g. "m"; "1" if dimensionless.
-    double fallback;     ///< Default; NaN: required.
-    double min;          ///< Smallest value accepted.
-    double max;          ///< Largest value accepted.
+    double fallback;     ///< Default [unit]; NaN: required.
+    double min;          ///< Smallest permitted value [unit].
+    double max;          ///< Largest permitted value [unit].
     const char* doc;     ///< Description, one sentence.
     bool input = false;  ///< True: an input may change it between steps (World::add_input()).
 };
 
-/// Coordinate that measures one degree of freedom.
+/// Coordinate of one degree of freedom, World::coordinate().
 enum class KindCoordinate : std::uint8_t {
-    none,
-    about,   ///< Angle about the axis [rad], from the x axes of the frames.
+    none,    ///< The kind has no coordinate.
+    about,   ///< Angle about the axis [rad], from the x axis of frame 0 to that of frame 1.
     along,   ///< Displacement along the axis [m].
     scalar,  ///< Coordinate of a scalar body [m or rad].
 };
 
 /// Properties of a kind, bits of KindInfo::traits. Code tests these instead of the kind.
 enum KindTrait : std::uint32_t {
-    kHoldsBodies = 1 << 0,    ///< Joint; shapes of its bodies do not collide.
-    kSlides = 1 << 1,         ///< Joint that is free along its axis: no lever arm turns about it.
-    kAxisFree = 1 << 2,       ///< Has frames but no axis: it keeps the relative orientation.
-    kTwoAxes = 1 << 3,        ///< Each body has its own axis.
-    kAlongLine = 1 << 4,      ///< One row along the line between its points: tension = −force[0].
-    kWireElement = 1 << 5,    ///< Subset of kAlongLine: a line with a rest length, which may break.
-    kWoundUp = 1 << 6,        ///< Subset of kAlongLine: a drum sets the rest length. Never a cut.
-    kElastic = 1 << 7,        ///< Rows are springs at any compliance.
-    kMotorKind = 1 << 8,      ///< Motor: parameters speed, force_min, force_max.
-    kRangeKind = 1 << 9,      ///< Range of a coordinate: parameters min, max.
-    kFrictionKind = 1 << 10,  ///< Friction or brake: its parameter is the bound.
-    kOfWires = 1 << 11,       ///< Part of wires and chains: partitions weight it as a link.
+    kHoldsBodies = 1 << 0,  ///< Joint; shapes of its bodies do not collide.
+    kSlides = 1 << 1,       ///< Joint that is free along its axis: it has no fixed lever arm.
+    kAxisFree = 1 << 2,     ///< Joint with frames but without an axis: relative orientation fixed.
+    kTwoAxes = 1 << 3,      ///< Each body has its own axis.
+    kAlongLine = 1 << 4,    ///< One row along the line between its points: tension = −force[0].
+    kWireElement = 1 << 5,  ///< Subset of kAlongLine: a line with a rest length, which may break.
+    kWoundUp = 1 << 6,      ///< Subset of kAlongLine: a drum sets the rest length. Never a cut.
+    kElastic = 1 << 7,      ///< Rows count as springs, not as constraints, at any compliance.
+    kMotorKind = 1 << 8,    ///< Motor: parameters speed, force_min, force_max.
+    kRangeKind = 1 << 9,    ///< Range of a coordinate: parameters min, max.
+    kFrictionKind = 1 << 10,  ///< Friction or brake: its parameter is the bound of the force.
+    kOfWires = 1 << 11,       ///< Part of wires and chains: partitions weigh it as a link.
     kRigidOnly = 1 << 12,     ///< Acts on a rigid body.
     kCompact = 1 << 13,       ///< Between rigid bodies its Jacobian is given by two lever arms.
-    kRouted = 1 << 14,        ///< Line between points that it slides through. Never a cut.
-    kFollowsAngle = 1 << 15,  ///< Friction whose load factors follow from the line's angle.
-    kAtGuide = 1 << 16,       ///< Subset of kWoundUp: from a body to the tangent point on a guide's
-                              ///< wheel.
-    kBendsWire = 1 << 17,     ///< Couple about the middle one of three nodes of a wire.
+    kRouted = 1 << 14,        ///< Part of a line that slides through turning points. Never a cut.
+    kFollowsAngle = 1 << 15,  ///< Friction whose load factors follow the wrap angle of the line.
+    kAtGuide = 1 << 16,       ///< Subset of kWoundUp: element from a body to the tangent point on
+                              ///< the wheel of a guide.
+    kBendsWire = 1 << 17,     ///< Bending moment at the middle one of three nodes of a wire.
     kForceOnSecond =
         1 << 18,  ///< Joint whose rows 0 to 2 are the force on its second body, world axes.
-    kPulls = kAlongLine | kRouted,  ///< Tension = −force[0].
+    kPulls = kAlongLine | kRouted,  ///< Mask of the kinds with tension = −force[0].
 };
 
 /// Table row of a kind. Readers and documents are generated from it.
 struct KindInfo {
-    InteractionKind kind{};
+    InteractionKind kind{};      ///< Kind that the row describes.
     const char* name = "";       ///< Name in scene files.
     int bodies = 2;              ///< Number of bodies, 1-4; a fixed body counts.
     int rows = 0;                ///< Number of rows, 1-6.
@@ -138,13 +139,14 @@ struct KindInfo {
     bool uses_frames = false;    ///< Reads InteractionDef::frame.
     const char* row_units = "";  ///< One letter per row: m metre, r radian, v velocity row.
     int scalar_slot = -1;        ///< First slot that requires a scalar body; −1: none.
-    int scalars = 1;  ///< Number of slots from scalar_slot on that require scalar bodies; others
-                      ///< must not be scalar.
+    int scalars = 1;  ///< Number of slots from scalar_slot on that require scalar bodies; the
+                      ///< bodies of other slots must not be scalar.
     bool takes_loads = false;       ///< Reads InteractionDef::load.
     bool length_from_pose = false;  ///< Parameter "length" defaults to the initial distance.
-    const char* from_pose = "";  ///< Name of another parameter that defaults to the initial pose.
-    KindCoordinate coordinate = KindCoordinate::none;  ///< Coordinate that it holds, drives, limits
-                                                       ///< or rubs.
+    const char* from_pose = "";     ///< Name of another parameter whose default follows from the
+                                    ///< initial poses; "": none.
+    /// Coordinate on which the kind acts, as joint, motor, range or friction.
+    KindCoordinate coordinate = KindCoordinate::none;
     int mass_param = -1;  ///< Index of the parameter with the mass of a wire element; −1: none.
     std::uint32_t traits = 0;             ///< Bits of KindTrait.
     std::span<const ParamInfo> params{};  ///< At most kMaxInteractionParams.
@@ -167,18 +169,20 @@ struct KindInfo {
 /// Return the kind with this name, or nullptr.
 [[nodiscard]] const KindInfo* find_kind(std::string_view name) noexcept;
 
-/// Load of dry friction: a fraction of the force of another interaction adds to the bound.
+/// Load of dry friction: an interaction whose force increases the bound, such as the joint that a
+/// bearing belongs to. The bound is the parameter plus factor × force of each load.
 struct FrictionLoad {
     InteractionId interaction{};  ///< Interaction that was added before; invalid: no load.
-    /// Factor of the norm of its rows in metres, 0 to 1e6 [1; for a torque m]. A slide has μ, a
-    /// bearing μ × radius, each end of a line round an angle δ tanh(μδ/2).
+    /// Factor from the force to the bound, 0 to 1e6 [1; if the bound is a torque: m]. The force is
+    /// the norm of the interaction's rows in metres. Usual factors: μ of a slide, μ × radius of a
+    /// bearing, tanh(μδ/2) of both parts of a line that turns by the angle δ.
     double factor = 0.0;
 };
 
 /// Interaction between 1-4 bodies. World::add_interaction() copies the definition.
 struct InteractionDef {
-    std::string name{};  ///< Unique name in the world, or empty.
-    InteractionKind kind = InteractionKind::Ball;
+    std::string name{};                            ///< Unique name in the world, or empty.
+    InteractionKind kind = InteractionKind::Ball;  ///< Kind of the interaction.
 
     /// Bodies in the kind's order; the first KindInfo::bodies are used.
     std::array<BodyId, kMaxInteractionBodies> body{};
@@ -202,7 +206,8 @@ struct InteractionDef {
     /// Parameters in the order of KindInfo::params; kDefault: the table's default.
     std::array<double, kMaxInteractionParams> params = filled8();
 
-    /// Loads of kinds with friction: the bound is the parameter plus Σ factor ‖force‖.
+    /// Loads of kinds with friction (KindInfo::takes_loads): the bound is the parameter plus Σ
+    /// factor ‖force‖.
     std::array<FrictionLoad, kMaxFrictionLoads> load{};
 
     /// Set a parameter by its name.

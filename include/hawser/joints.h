@@ -21,8 +21,9 @@
 /// described on a ship. Joints with an initial violation, or with other frames, are
 /// InteractionDefs.
 ///
-/// *Zero*. The joint has the value `coordinate` at the present poses. It increases when b turns
-/// about the axis (right hand) or moves along it, relative to a.
+/// *Coordinate*. The coordinate of a joint is its angle [rad] or displacement [m]. At the present
+/// poses it has the value `coordinate` of the definition. It increases when b turns about the axis
+/// (right-hand rule) or moves along it, relative to a.
 
 #include <hawser/id.h>
 #include <hawser/interactions.h>
@@ -42,26 +43,28 @@ enum class JointFrame : std::uint8_t {
     body_a,  ///< Frame of the first body, from its centre of mass.
 };
 
-/// Range of a coordinate. An omitted end has the default of the table.
+/// Range of a coordinate with stops at both ends. Omitted members have the defaults of the table
+/// (interactions.h).
 struct AxisLimit {
-    double min = kDefault, max = kDefault;  ///< Range [rad or m].
+    double min = kDefault, max = kDefault;  ///< Ends of the range [rad or m].
     double compliance = kDefault;           ///< Compliance of the stops [rad/(N m) or m/N].
     double damping_time = kDefault;         ///< Damping time of the stops [s].
 };
 
-/// Motor: drives a coordinate at a set speed within a range of force.
+/// Motor that drives a coordinate at a set speed, with a torque or force within a range.
 struct AxisMotor {
     double speed = kDefault;                            ///< Set speed [rad/s or m/s].
-    double force_min = kDefault, force_max = kDefault;  ///< Range of torque or force [N m or N].
+    double force_min = kDefault, force_max = kDefault;  ///< Range of torque or force [N m or N]; >
+                                                        ///< 0 increases the coordinate.
     double power = kDefault;       ///< Largest driving power [W]; default: no limit.
     double compliance = kDefault;  ///< Velocity compliance γ [rad/s/(N m) or m/s/N].
 };
 
-/// Dry friction, or a brake if an input drives its bound.
+/// Dry friction of a coordinate. It is a brake if an input drives its bound.
 struct AxisFriction {
-    double bound = kDefault;  ///< Bound of torque or force without loads [N m or N].
-    /// Fraction of the joint's own force that adds to the bound; 0: none. Slide: μ [1]; bearing: μ
-    /// times its radius [m].
+    double bound = kDefault;  ///< Largest torque or force of friction without loads [N m or N].
+    /// Factor of the joint's own force in the bound; 0: no effect. Slide: μ [1]; bearing: μ times
+    /// its radius [m].
     double own_load = 0.0;
     FrictionLoad load{};  ///< Another interaction whose force adds to the bound; default: none.
     double compliance = kDefault;    ///< Compliance while sticking [rad/(N m) or m/N].
@@ -88,15 +91,15 @@ struct CylindricalIds {
 struct HingeDef {
     std::string name{};  ///< Unique name in the world, or empty; its parts are then also unnamed.
     BodyId a{}, b{};     ///< Bodies; not lumped masses or scalar bodies. Required.
-    Vec3 point{0.0, 0.0, 0.0};  ///< Point on the axis [m].
-    Vec3 axis{0.0, 0.0, 1.0};   ///< Direction of the axis, any length but 0.
-    JointFrame frame = JointFrame::world;
-    double coordinate = 0.0;         ///< Angle at the present poses [rad].
-    double compliance = kDefault;    ///< Compliance of each row [m/N, rad/(N m)]; 0: rigid.
-    double damping_time = kDefault;  ///< Damping time of each row [s].
-    std::optional<AxisLimit> limit{};
-    std::optional<AxisMotor> motor{};
-    std::optional<AxisFriction> friction{};
+    Vec3 point{0.0, 0.0, 0.0};               ///< Point on the axis [m].
+    Vec3 axis{0.0, 0.0, 1.0};                ///< Direction of the axis, any length but 0.
+    JointFrame frame = JointFrame::world;    ///< Frame of `point` and `axis`.
+    double coordinate = 0.0;                 ///< Angle at the present poses [rad].
+    double compliance = kDefault;            ///< Compliance of each row [m/N, rad/(N m)]; 0: rigid.
+    double damping_time = kDefault;          ///< Damping time of each row [s].
+    std::optional<AxisLimit> limit{};        ///< Range of the angle; none: unlimited.
+    std::optional<AxisMotor> motor{};        ///< Motor; none: the hinge turns freely.
+    std::optional<AxisFriction> friction{};  ///< Friction or brake; none: without friction.
 };
 
 /// Prismatic joint: b slides along an axis without rotation relative to a.
@@ -105,21 +108,21 @@ struct PrismaticDef {
     BodyId a{}, b{};            ///< Bodies; not lumped masses or scalar bodies. Required.
     Vec3 point{0.0, 0.0, 0.0};  ///< Point of b on the axis [m].
     Vec3 axis{0.0, 0.0, 1.0};   ///< Direction of the axis, any length but 0.
-    JointFrame frame = JointFrame::world;
-    double coordinate = 0.0;         ///< Displacement at the present poses [m].
-    double compliance = kDefault;    ///< Compliance of each row [m/N, rad/(N m)]; 0: rigid.
-    double damping_time = kDefault;  ///< Damping time of each row [s].
-    std::optional<AxisLimit> limit{};
-    std::optional<AxisMotor> motor{};
-    std::optional<AxisFriction> friction{};
+    JointFrame frame = JointFrame::world;    ///< Frame of `point` and `axis`.
+    double coordinate = 0.0;                 ///< Displacement at the present poses [m].
+    double compliance = kDefault;            ///< Compliance of each row [m/N, rad/(N m)]; 0: rigid.
+    double damping_time = kDefault;          ///< Damping time of each row [s].
+    std::optional<AxisLimit> limit{};        ///< Range of the displacement; none: unlimited.
+    std::optional<AxisMotor> motor{};        ///< Motor; none: the joint slides freely.
+    std::optional<AxisFriction> friction{};  ///< Friction or brake; none: without friction.
 };
 
-/// Parts on one degree of freedom of a joint that has two.
+/// Range, motor and friction of one of the two degrees of freedom of a cylindrical joint.
 struct AxisParts {
-    double coordinate = 0.0;  ///< Coordinate at the present poses [m or rad].
-    std::optional<AxisLimit> limit{};
-    std::optional<AxisMotor> motor{};
-    std::optional<AxisFriction> friction{};
+    double coordinate = 0.0;                 ///< Coordinate at the present poses [m or rad].
+    std::optional<AxisLimit> limit{};        ///< Range; none: unlimited.
+    std::optional<AxisMotor> motor{};        ///< Motor; none: moves freely.
+    std::optional<AxisFriction> friction{};  ///< Friction or brake; none: without friction.
 };
 
 /// Cylindrical joint: b slides along an axis and turns about it. Parts are named "name/along/motor"
@@ -129,10 +132,10 @@ struct CylindricalDef {
     BodyId a{}, b{};            ///< Bodies; not lumped masses or scalar bodies. Required.
     Vec3 point{0.0, 0.0, 0.0};  ///< Point of b on the axis [m].
     Vec3 axis{0.0, 0.0, 1.0};   ///< Direction of the axis, any length but 0.
-    JointFrame frame = JointFrame::world;
-    double compliance = kDefault;    ///< Compliance of each row [m/N, rad/(N m)]; 0: rigid.
-    double damping_time = kDefault;  ///< Damping time of each row [s].
-    AxisParts along{}, about{};
+    JointFrame frame = JointFrame::world;  ///< Frame of `point` and `axis`.
+    double compliance = kDefault;          ///< Compliance of each row [m/N, rad/(N m)]; 0: rigid.
+    double damping_time = kDefault;        ///< Damping time of each row [s].
+    AxisParts along{}, about{};            ///< Parts that act along and about the axis.
 };
 
 /// Universal joint: the bodies share a point; one axis of each stays perpendicular to that of the
@@ -148,7 +151,7 @@ struct UniversalDef {
     double damping_time = kDefault;  ///< Damping time of each row [s].
 };
 
-/// Ball joint: the bodies share a point.
+/// Ball joint: the bodies share a point and turn about it in any direction.
 struct BallDef {
     std::string name{};         ///< Unique name in the world, or empty.
     BodyId a{}, b{};            ///< Bodies. A lumped mass must lie at the point. Required.
@@ -158,7 +161,7 @@ struct BallDef {
     double damping_time = kDefault;  ///< Damping time of each row [s].
 };
 
-/// Lock: the bodies keep their present relative pose.
+/// Lock: rigid connection; the bodies keep their present relative pose.
 struct LockDef {
     std::string name{};         ///< Unique name in the world, or empty.
     BodyId a{}, b{};            ///< Bodies; not lumped masses or scalar bodies. Required.

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file line_sea.h
-/// Part of a sea that acts on nodes of wires, for replays.
+/// Loads of a sea on nodes of wires, computed again in replays.
 ///
-/// The loads of a sea on nodes of wires are functions of poses, velocities, time and the inputs of
-/// the sea. They have no memory. A recording therefore stores the definition of this part, and a
-/// replay computes the loads again (docs/recording.md):
+/// These loads are functions of poses, velocities, time and the inputs of the sea; they have no
+/// memory. A recording therefore stores the definition of this part of the sea (LineSea) instead of
+/// its loads, and a replay computes the loads from it (docs/recording.md):
 /// ```cpp
 /// std::shared_ptr<const hawser::LineSea> part = hawser::line_sea(world);   // in the run
 /// hawser::LineLoads again(*part);                                          // in a replay
 /// // in the prestep of a system of the replay:
 /// if (again.compute(now, inputs)) again.add(loads, bodies_with_recorded_loads);
 /// ```
-/// The bits are those of the run if the world has the same state and the same wires.
+/// The loads equal those of the run to the bit if the world has equal state and equal wires.
 
 #include <hawser/id.h>
 #include <hawser/sea.h>
@@ -29,12 +29,12 @@ namespace hawser {
 struct LineSea {
     /// Element of a wire at the definition of the sea.
     struct Element {
-        InteractionId id{};
-        std::int32_t sort = 0;  ///< Index in `sorts`.
+        InteractionId id{};     ///< Interaction of the element.
+        std::int32_t sort = 0;  ///< Index of its coefficients in `sorts`.
     };
     SeaDef sea{};                     ///< Level, waves and current; without wind, lines and bodies.
     double gravity = 9.81;            ///< Gravity [m/s²].
-    std::vector<LineWater> sorts{};   ///< Water coefficients.
+    std::vector<LineWater> sorts{};   ///< Different sets of water coefficients.
     std::vector<Element> elements{};  ///< Elements in the water, by ascending index.
     std::vector<BodyId> holders{};    ///< Bodies that hold ends of lines, ascending.
 };
@@ -58,11 +58,12 @@ class LineLoads {
     LineLoads(const LineLoads&) = delete;
     LineLoads& operator=(const LineLoads&) = delete;
 
-    /// Compute the loads in the state before a step. Inputs for the wind have no effect.
-    /// @return false if allocation fails.
+    /// Compute the loads in the state before a step.
+    /// @param inputs  Inputs of the sea; those of the wind have no effect.
+    /// @return true if allocation succeeded.
     [[nodiscard]] bool compute(Prestep& now, const SeaInputs& inputs) noexcept;
-    /// Add the computed loads, except those of some bodies.
-    /// @param except  Ascending.
+    /// Add the computed loads to a step, except those of some bodies.
+    /// @param except  Bodies without these loads, ascending.
     void add(Loads& loads, std::span<const BodyId> except) const noexcept;
 
   private:

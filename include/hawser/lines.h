@@ -10,10 +10,11 @@
 ///                                   .drum = drum_body, .radius = 0.4, .EA = 5e7});
 /// ```
 /// Each definition is translated to InteractionDefs (interactions.h). Omitted fields have the
-/// defaults of the table there, omitted lengths follow from the present poses. Ends of a line are
-/// given in the frame of their own body, from its centre of mass. They differ in this from the
-/// point of a joint. World::local_point() converts a world position. The point of a lumped mass is
-/// not used.
+/// defaults of the table there; omitted lengths follow from the present poses.
+///
+/// Each end of a line is given in the frame of its own body, from the centre of mass. This differs
+/// from joints, whose point is in the world frame. World::local_point() converts a world position.
+/// The end on a lumped mass is the mass itself; its point is not used.
 
 #include <hawser/joints.h>
 
@@ -30,7 +31,8 @@ struct DistanceDef {
     double damping_time = kDefault;  ///< Damping time [s]: c/k of a spring with a damper.
 };
 
-/// Elastic line element; carries tension only, unless tension_only is false.
+/// Elastic line element. It carries tension only, unless `tension_only` is false: T = EA (l −
+/// l₀)/l₀ for l > l₀, else 0.
 struct StretchDef {
     std::string name{};                  ///< Unique name in the world, or empty.
     BodyId a{}, b{};                     ///< Bodies at the ends. Required.
@@ -38,15 +40,16 @@ struct StretchDef {
     Vec3 point_b{0.0, 0.0, 0.0};         ///< End in the frame of b [m].
     double length = kDefault;            ///< Unstretched length [m]; default: the present distance.
     double EA = kDefault;                ///< Axial stiffness [N]. Required.
-    std::optional<bool> tension_only{};  ///< False: it also carries compression.
-    double breaking_load = kDefault;     ///< Tension above which it breaks [N].
-    double damping_time = kDefault;      ///< Damping time [s].
-    /// Mass of the element for the consistent mass matrix (WireDef::consistent_mass) [kg]; the
-    /// lumped masses at its ends include half each. 0: lumped masses only.
+    std::optional<bool> tension_only{};  ///< False: it also carries compression; default: true.
+    double breaking_load = kDefault;  ///< Tension above which it breaks [N]; default: unbreakable.
+    double damping_time = kDefault;   ///< Damping time [s].
+    /// Mass of the element for the consistent mass matrix (WireDef::consistent_mass) [kg]. The
+    /// lumped masses at its ends must include half of it each. 0: lumped masses only.
     double mass = 0.0;
 };
 
-/// Line element at a drum, of the rest length length + radius × coordinate of the drum.
+/// Line element between a fairlead and a body, whose rest length follows a drum: l₀ = length +
+/// radius × coordinate of the drum.
 struct WinchStretchDef {
     std::string name{};           ///< Unique name in the world, or empty.
     BodyId a{}, b{};              ///< Body with the fairlead, and body at the line's end. Required.
@@ -57,9 +60,9 @@ struct WinchStretchDef {
     double length = kDefault;  ///< Unstretched length at drum coordinate 0 [m]; default: from the
                                ///< present poses.
     double EA = kDefault;      ///< Axial stiffness [N]. Required.
-    std::optional<bool> tension_only{};  ///< False: it also carries compression.
-    double breaking_load = kDefault;     ///< Tension above which it breaks [N].
-    double damping_time = kDefault;      ///< Damping time [s].
+    std::optional<bool> tension_only{};  ///< False: it also carries compression; default: true.
+    double breaking_load = kDefault;  ///< Tension above which it breaks [N]; default: unbreakable.
+    double damping_time = kDefault;   ///< Damping time [s].
 };
 
 /// Bending stiffness of a line at the middle one of three consecutive nodes.
@@ -105,10 +108,11 @@ struct HydrostaticDef {
 struct DrumDef {
     std::string name{};  ///< Name prefix of the parts ("name/motor" and so on), or empty.
     BodyId drum{};       ///< Scalar body. Required.
-    std::optional<AxisMotor> motor{};
-    std::optional<AxisFriction> friction{};  ///< Its own_load must be 0, since there is no joint.
-    std::optional<double> hold{};  ///< Fixed value of the coordinate, without a bound of force [m
-                                   ///< or rad].
+    std::optional<AxisMotor> motor{};        ///< Motor; none: the drum turns freely.
+    std::optional<AxisFriction> friction{};  ///< Friction or brake. Its own_load must be 0, since
+                                             ///< there is no joint.
+    std::optional<double> hold{};  ///< Value at which the coordinate is fixed with any force [m or
+                                   ///< rad]; none: free.
 };
 
 /// Ids of the parts of a drum; invalid for omitted parts.

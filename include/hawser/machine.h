@@ -5,8 +5,8 @@
 
 namespace hawser {
 
-/// Return the instruction set in use: "sse2", "avx2" or "avx512". The environment variable
-/// HAWSER_ISA selects a lesser one than that of the processor.
+/// Return the instruction set that the kernels use: "sse2", "avx2" or "avx512". It is the best one
+/// of the processor, unless the environment variable HAWSER_ISA selects a lesser one.
 [[nodiscard]] const char* instruction_set() noexcept;
 
 /// Check the environment variables; World's constructor calls it first.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file material_fields.h
-/// Table of the members of MaterialDef, except its name: scenes, documents, checks, recordings and
-/// the identity of saved states.
+/// Table of the members of MaterialDef, except its name (fields.h). Scenes, documents, checks,
+/// recordings and the identity of saved states read it.
 
 #include <hawser/fields.h>
 #include <hawser/shapes.h>
@@ -11,8 +11,8 @@
 
 namespace hawser {
 
-/// Rows in the order of recordings and of the identity. Recordings store every row, so that a new
-/// row needs a new ChangeKind (record/change_fields.h).
+/// Table of the members, in the order of recordings and of the identity. Recordings store every
+/// member, so that a new member needs a new ChangeKind (record/change_fields.h).
 inline constexpr auto kMaterialFields = std::to_array<FieldInfo<MaterialDef>>(
     {{"friction", &MaterialDef::friction, "1", "0.5", "Coulomb coefficient.", 0.0, 100.0,
       "a coefficient", kInIdentity},

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file math.h
-/// Small vectors of the public interface. Units are SI, frames right-handed. The world's z axis
-/// points up, unless a scene sets another direction of gravity.
+/// Vectors, rotations, poses and velocities of the public interface. Units are SI, frames are
+/// right-handed. The world's z axis points up, against WorldDef::gravity by default.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -11,8 +11,8 @@
 
 namespace hawser {
 
-using Vec3 = Eigen::Vector3d;
-using Mat3 = Eigen::Matrix3d;
+using Vec3 = Eigen::Vector3d;     ///< Vector with the components x, y, z.
+using Mat3 = Eigen::Matrix3d;     ///< Matrix of 3 rows and 3 columns.
 using Quat = Eigen::Quaterniond;  ///< Rotation from a body's frame to the world frame.
 
 /// Position and orientation of a body. A scalar body stores its coordinate in position.x().
@@ -27,10 +27,11 @@ struct Twist {
     Vec3 angular{0.0, 0.0, 0.0};  ///< Angular velocity, world frame [rad/s].
 };
 
-/// Return the smallest rotation from the direction `from` to the direction `to`, both of any length
-/// but 0. For opposite directions the axis is the part of z perpendicular to `from`, or of -x if
-/// `from` is closer to z. The result equals Quat::FromTwoVectors(). That function needs ten seconds
-/// of compile time in each use, due to its singular value decomposition.
+/// Return the rotation of smallest angle that turns the direction `from` into the direction `to`.
+/// Both vectors may have any length except 0. For opposite directions the axis is perpendicular to
+/// `from`: the z direction made perpendicular to it, or −x if `from` is within 37° of ±z. The
+/// result equals Quat::FromTwoVectors(), which costs ten seconds of compile time in each use (it
+/// contains a singular value decomposition).
 [[nodiscard]] inline Quat turn_between(const Vec3& from, const Vec3& to) {
     const Vec3 a = from.normalized(), b = to.normalized();
     const double cosine = b.dot(a);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file observer.h
-/// Observers of a world: collect figures of a run, or check it, step by step.
+/// Observers of the steps of a world, which collect figures of a run or check it.
+/// Session::observe() adds one to a session.
 
 #include <hawser/stats.h>
 
@@ -12,8 +13,9 @@ namespace hawser {
 
 class World;
 
-/// Interface that is called before and after each step; after a failed step, after_step() is not
-/// called. Observers must not change the world, so that runs with and without them are equal.
+/// Interface with functions that are called before and after each step. After a failed step,
+/// after_step() is not called. Observers must not change the world, so that runs with and without
+/// them are equal.
 struct Observer {
     Observer() = default;
     Observer(const Observer&) = default;
@@ -27,7 +29,7 @@ struct Observer {
     /// Process a completed step.
     /// @param events  Events of this step.
     virtual void after_step(const World&, std::span<const Event> events) = 0;
-    /// Return the fault of the last step, which ends the run; "": none.
+    /// Return a fault of the last step in words, which rejects the step and ends the run; "": none.
     [[nodiscard]] virtual std::string objection() const { return {}; }
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file old_world.h
-/// Old names of functions of World that moved into its facets. They call the new ones, and will be
-/// removed in the version after 0.1. Descriptions: world_wires.h, world_state.h, world_events.h,
-/// world_solver.h, experimental/splits.h.
+/// Deprecated functions of World, which have moved to its facets (facet.h). Each calls the function
+/// that its warning names. They will be removed in the version after 0.1. Descriptions:
+/// world_wires.h, world_state.h, world_events.h, world_solver.h, experimental/splits.h.
 
 #include <hawser/edits.h>
 #include <hawser/id.h>
@@ -31,7 +31,7 @@ struct SystemView;        // inspect.h
 struct TraceView;         // trace.h
 class World;
 
-/// Old names of World, one function a new one.
+/// Base class of World with its deprecated functions.
 class OldWorld {
   public:
     // Wires.

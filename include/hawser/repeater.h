@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file repeater.h
-/// Replay of a recording: applies its changes to a world step by step.
+/// Replay of a recording: the class Repeater applies the recorded changes to a world, step by step.
+///
+/// ```cpp
+/// hawser::record::Repeater repeater(recording);
+/// while (more steps) {
+///     repeater.before_step(world);      // world: scene of the recording in its start state
+///     world.step();
+/// }
+/// ```
 
 #include <hawser/recording.h>
 
@@ -12,20 +20,21 @@
 
 namespace hawser::record {
 
-/// Applies the changes of a recorded run to a world, and makes its steps leave out the same work.
-/// The world is that of the recording's scene, in the state of its snapshot, without systems. The
-/// recording contains the effects of the recorded systems, and the definition of the sea on wires.
-/// If there are loads, Repeater adds two systems of its own.
+/// Applies the changes of a recorded run to a world, and lets its steps omit the work that the
+/// recorded steps omitted for their budget. The world is built from the scene of the recording
+/// without systems, and has the state Recording::snapshot. Instead of systems, the recording
+/// contains their inputs, edits and loads, and the definition of the sea on wires. To apply loads,
+/// Repeater adds two systems to the world.
 class Repeater {
   public:
-    /// Create a repeater.
-    /// @param recording  Must outlive it.
+    /// Create a repeater at the start of a recording.
+    /// @param recording  Recording; it must outlive the repeater.
     explicit Repeater(const Recording& recording) : recording_(recording) {}
     /// Apply the changes before a step. Call it before each step.
     /// @throws std::runtime_error if the recording is inconsistent
     /// @throws DefError if the world rejects a change
     void before_step(World& world);
-    /// Return the number of entries of Recording::takes that have been applied.
+    /// Return the number of branches (Recording::takes) that the replay has entered.
     [[nodiscard]] std::size_t take() const noexcept { return take_; }
 
   private:

@@ -9,11 +9,11 @@
 ///                                 .max_length = 20.0});
 /// ```
 /// Between steps a node is inserted in the middle of an element that is too long
-/// (WorldWires::insert_node()). A node is removed if its elements are short enough to be one
-/// (WorldWires::remove_node()). These functions keep mass, momentum, angular momentum and energy.
-/// Lengths here are *material* lengths, the mass of an element over the mass per length. Tension
-/// does not change them, and edits divide them without a drift by rounding. Rest lengths are
-/// separate, and follow forces.
+/// (WorldWires::insert_node()). A node is removed if its two elements are short enough to be
+/// replaced by one (WorldWires::remove_node()). These functions conserve mass, momentum and angular
+/// momentum; energy is conserved or decreases. All lengths of this header are *material* lengths:
+/// mass of an element over mass per length. Tension does not change them, and edits divide them
+/// exactly. Rest lengths are separate quantities, which edits adapt to the forces.
 ///
 /// *Bounds*. The upper bound L of an element's length is the smallest of
 ///
@@ -27,29 +27,36 @@
 ///    mass matrix and n elements per wavelength it is too fast by (2π/n)²/24: 1 % with 12, 2.6 %
 ///    with 8. T is the mean along the wire and over `averaging`.
 ///
-/// 4. `contact_length`, for segments in contact and their neighbours. For the removal of a node it
-///    also applies to the next ones, since segments near a contact's end touch intermittently.
+/// 4. `contact_length`, for segments in contact and their neighbours. Before the removal of a node
+/// it
+///    also applies to the neighbours of these, since segments near the end of a contact touch
+///    intermittently.
 ///
 /// 5. `drum_length`, next to an element at a drum, so that the drum hauls in nodes of its own
 ///    spacing (WinchDef::element).
 ///
 /// *Edits*. An element gets a node if it is longer than L or `max_length`, and at least twice
-/// `min_length`. A node is removed if its elements together are at most `max_length`, and at most L
-/// of either over `hysteresis`. This must hold for `patience`, so that passing waves cause no
-/// repeated edits. At most one node is inserted or removed at each check of the wire, every
-/// `interval` steps. Wires are checked in turn.
+/// `min_length`. A node is removed if the sum of its two elements is at most `max_length`, and at
+/// most L/`hysteresis` of each. This must be true for the time `patience`, so that passing waves
+/// cause no repeated edits. Each wire is checked every `interval` steps, and a check inserts or
+/// removes at most one node. Different wires are checked in different steps.
 ///
-/// Elements at drums belong to the winch. Elements are unchanged if another part holds them, if
-/// they have no mass (consistent_mass), or if they are broken. The same applies to a line type that
-/// the wire did not have at the start. Without a ResolutionDef all elements are fixed.
+/// *Excluded elements*. Elements at drums belong to the winch. Elements are also unchanged if
+/// another object holds them, if they have no mass (consistent_mass), if they are broken, or if the
+/// wire did not have their line type at the start. Without a ResolutionDef the elements of a wire
+/// are constant.
 ///
-/// *Budget*. At the coarsening level n of WorldSolver::coarsening(), L and its limits are
-/// multiplied by 1.5ⁿ, and `patience` is ignored.
+/// *Budget*. If the time of a step is limited, coarser wires save work. At the coarsening level n
+/// of WorldSolver::coarsening(), L and its limits are multiplied by 1.5ⁿ, and `patience` is
+/// ignored.
 ///
-/// Outputs, as "name.signal": `nodes` of the wire, ends included; length of the `shortest` and
-/// `longest` element [m]. Numbers since the start: `inserted` and `removed`. Output `material`:
-/// total material length [m], without elements at drums. Event `node_limit` if `max_nodes` keeps an
-/// element too long.
+/// Outputs, as "name.signal":
+/// - `nodes`: number of nodes of the wire, ends included;
+/// - `shortest`, `longest`: lengths of the shortest and longest element [m];
+/// - `inserted`, `removed`: numbers of nodes since the start;
+/// - `material`: total material length without elements at drums [m].
+///
+/// Event: `node_limit` if `max_nodes` prevents the division of an element that is too long.
 ///
 /// Sources: sag of an arc by elementary geometry. Consistent mass and its dispersion: O. C.
 /// Zienkiewicz, R. L. Taylor, "The Finite Element Method", vol. 1, ch. 17. Hybrid resolution of

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file schedule.h
-/// Old place of hawser/experimental/schedule.h, for one version.
+/// Deprecated name of hawser/experimental/schedule.h, for one version.
 
 #pragma message("deprecated header: include <hawser/experimental/schedule.h>")
 #include <hawser/experimental/schedule.h>

@@ -42,15 +42,17 @@
 /// profile is U(z) = U₁₀ (1 + C ln(z/10)), C = 0.0573 √(1 + 0.15 U₁₀). Gusts have the spectrum at
 /// 10 m.
 ///
-/// *Drag* acts per length of a line. It has the diameter d, the displaced area A, the tangent t and
-/// the relative velocity r of the water:
+/// *Lines.* A line has the diameter d, the displaced area A per length and the tangent t. The water
+/// has the velocity r relative to the line, with the parts r_n across and r_t along it, and the
+/// acceleration a. The load per length is drag, wave force with added mass, and buoyancy (z points
+/// up):
 /// ```
 ///     f = ½ρ C_dn d |r_n| r_n + ½ρ C_dt π d |r_t| r_t + ρ A (a + C_a (a − v̇)) + ρ g A z
 /// ```
 /// Source: J. R. Morison and others, "The force exerted by surface waves on piles", 1950. The load
-/// of each half element acts on its node, for the wet part. C_a has separate values across and
-/// along the line. Drag enters with its tangent, added mass as mass. Buoyancy at the surface enters
-/// with its stiffness (Loads).
+/// of the wet part of each half element acts on its node. C_a has separate values across and along
+/// the line. The step treats drag by its tangent, added mass as mass, and buoyancy at the surface
+/// by its stiffness (Loads).
 ///
 /// *Hulls*: hull.h. *Rods* of rigid bodies: water_rod.h.
 ///
@@ -59,9 +61,13 @@
 /// level. Gusts act everywhere simultaneously. Half elements at bodies have neither mass nor water
 /// loads. Loaded bodies do not sleep.
 ///
-/// A world has one sea, the system "sea". Inputs, as "sea.name": `waves` (factor of all
-/// amplitudes), `current` (factor), `wind` (U₁₀ [m/s]), `wind_direction` [rad], `level` (added to
-/// the tide [m]). Outputs: `elevation` (at SeaDef::gauge [m]), `gust` [m/s], `tide` [m].
+/// A world has one sea, the system "sea". Inputs, as "sea.name":
+/// - `waves`, `current`: factors of all amplitudes and of the current speed [1];
+/// - `wind`, `wind_direction`: mean speed U₁₀ [m/s] and direction of flow [rad];
+/// - `level`: height added to the tide [m].
+///
+/// Outputs: `elevation`, z of the surface at SeaDef::gauge [m]; `gust`, present wind speed U₁₀
+/// minus its mean [m/s]; `tide`, level without the input `level` [m].
 
 #include <hawser/def.h>
 #include <hawser/id.h>
@@ -81,7 +87,7 @@ namespace hawser {
 /// Largest number of components of all waves together, and of gusts.
 inline constexpr int kMaxWaveComponents = 400;
 
-/// Invalid definition of the sea.
+/// Exception for an invalid definition of the sea.
 class SeaError : public DefError {
   public:
     SeaError(std::string where, const std::string& what)
@@ -89,13 +95,14 @@ class SeaError : public DefError {
     std::string field;  ///< Path of the field in SeaDef, such as "waves/0/period".
 };
 
-/// Height of still water at a time; linear between two entries.
+/// Height of still water at a time: an entry of the tide, which is linear between entries.
 struct SeaLevel {
     double time = 0.0;   ///< Time [s].
     double level = 0.0;  ///< Height above the datum z = 0 [m].
 };
 
-/// Current at a depth; linear between two entries, constant above the first and below the last.
+/// Current at a depth: an entry of the profile, which is linear between entries, and constant above
+/// the first and below the last.
 struct SeaCurrent {
     double depth = 0.0;      ///< Depth below the still water surface, ascending [m].
     double speed = 0.0;      ///< Speed [m/s].
@@ -107,7 +114,7 @@ enum class WaveKind : std::uint8_t { regular, jonswap, pierson_moskowitz };
 
 /// Regular wave, or waves of a spectrum.
 struct WaveDef {
-    WaveKind kind = WaveKind::regular;
+    WaveKind kind = WaveKind::regular;  ///< Kind of waves.
     double height = 0.0;  ///< Height from crest to trough; of a spectrum Hs = 4 √m₀ [m]. Required.
     double period = 0.0;  ///< Period T; of a spectrum the peak period Tp [s]. Required.
     double direction = 0.0;  ///< Direction of propagation, from x towards y [rad].
@@ -131,12 +138,12 @@ struct WindDef {
     double density = 1.225;  ///< Density of air [kg/m³].
 };
 
-/// Wire with water loads; its nodes may change.
+/// Wire with loads of water. Nodes may be inserted and removed during the run.
 struct WaterLine {
     WireId wire{};  ///< Wire. Required.
-    /// Section of the wire's water coefficients. It covers `elements` of the initial elements; the
-    /// last section covers all further ones. A new element has the coefficients of the element
-    /// before it.
+    /// Section of a wire with equal water coefficients. It covers `elements` of the initial
+    /// elements; the last section covers all remaining ones. An inserted element gets the
+    /// coefficients of the element before it.
     struct Section {
         int elements = 0;   ///< Number of initial elements.
         LineWater water{};  ///< Water coefficients.
@@ -147,7 +154,8 @@ struct WaterLine {
     bool free_first = false, free_last = false;
 };
 
-/// Lumped mass, or rigid body without a hull; forces act at its centre of mass.
+/// Small body with loads of water at its centre of mass: a lumped mass, or a rigid body without a
+/// hull.
 struct WaterBody {
     BodyId body{};                   ///< Body. Required.
     Vec3 drag_area{0.0, 0.0, 0.0};   ///< C_d A along the body's axes, fully wet [m²].
@@ -166,14 +174,15 @@ struct SeaDef {
     std::vector<SeaLevel> level{};      ///< Tide by ascending time; empty: 0.
     std::vector<WaveDef> waves{};       ///< Waves, superposed.
     std::vector<SeaCurrent> current{};  ///< Current by ascending depth; empty: none.
-    WindDef wind{};
-    std::array<double, 2> gauge{};  ///< Position x, y of the output `elevation` [m].
-    /// True: accelerations are ∂u/∂t + (u·∇)u of the waves, at lines, bodies and centres of hulls.
+    WindDef wind{};                     ///< Wind.
+    std::array<double, 2> gauge{};      ///< Position x, y of the output `elevation` [m].
+    /// Acceleration of the water at lines, bodies and centres of hulls. True: with the convective
+    /// term, ∂u/∂t + (u·∇)u of the waves. False: ∂u/∂t.
     bool convective = false;
-    std::vector<WaterLine> lines{};
-    std::vector<WaterBody> bodies{};
-    std::vector<WaterHull> hulls{};
-    std::vector<WaterRod> rods{};
+    std::vector<WaterLine> lines{};   ///< Wires in the water.
+    std::vector<WaterBody> bodies{};  ///< Small bodies in the water.
+    std::vector<WaterHull> hulls{};   ///< Hulls (water_hull.h).
+    std::vector<WaterRod> rods{};     ///< Rods of rigid bodies (water_rod.h).
 };
 
 /// Component of the waves.
@@ -199,11 +208,11 @@ struct SeaInputs {
     double level = 0.0;                       ///< Height added to the tide [m].
 };
 
-/// State of a sea at a time: phases of its components. Reuse it to avoid allocation.
+/// State of a sea at a time, computed by Sea::at(). An object may be reused to avoid allocation.
 struct SeaMoment {
-    double time = 0.0;   ///< Time [s].
-    double level = 0.0;  ///< Level of still water [m].
-    double waves = 1.0, current = 1.0;
+    double time = 0.0;                  ///< Time [s].
+    double level = 0.0;                 ///< Level of still water [m].
+    double waves = 1.0, current = 1.0;  ///< Factors of amplitudes and current [1].
     double wind = 0.0;                  ///< Speed U₁₀ with gust [m/s].
     double mean_wind = 0.0;             ///< Mean speed U₁₀ [m/s].
     double wind_x = 1.0, wind_y = 0.0;  ///< Unit vector of the wind's direction.
@@ -212,16 +221,18 @@ struct SeaMoment {
     double gust_of = -1.0;       ///< Mean wind speed of `gust` [m/s]; < 0: not set.
 };
 
-/// Water at a point. Above the surface: values at the surface below it, pressure 0.
+/// State of the water at a point. For a point above the surface: values at the surface below it,
+/// and pressure 0.
 struct WaterPoint {
-    double elevation = 0.0;            ///< z of the surface above or below the point [m].
+    double elevation = 0.0;            ///< z of the surface at the x and y of the point [m].
     Vec3 velocity{0.0, 0.0, 0.0};      ///< Velocity of waves and current [m/s].
-    Vec3 acceleration{0.0, 0.0, 0.0};  ///< Acceleration ∂/∂t [m/s²].
+    Vec3 acceleration{0.0, 0.0, 0.0};  ///< Acceleration ∂u/∂t of the waves [m/s²].
     double dynamic_pressure = 0.0;     ///< Pressure of the waves [Pa].
-    double pressure = 0.0;  ///< Total pressure above that of the air, weight included [Pa].
+    double pressure =
+        0.0;  ///< Total pressure above that of the air: weight of water and waves [Pa].
 };
 
-/// Waves, current and wind without a world.
+/// Waves, current and wind as functions of time and position, without a world.
 class Sea {
   public:
     /// Create a sea; lines, bodies, hulls and rods are ignored.
@@ -241,10 +252,10 @@ class Sea {
     [[nodiscard]] double elevation(const SeaMoment& now, double x, double y) const noexcept;
     /// Return velocity, acceleration and pressure of the water at a point.
     [[nodiscard]] WaterPoint water(const SeaMoment& now, const Vec3& point) const noexcept;
-    /// Return the current at a height z [m/s].
+    /// Return the velocity of the current at a height z [m/s].
     [[nodiscard]] Vec3 current(const SeaMoment& now, double z) const noexcept;
-    /// Return the wind at z [m/s]: 0 at still water and below. Heights above still water below 1 m
-    /// count as 1 m.
+    /// Return the velocity of the wind at a height z [m/s]. It is 0 at still water and below;
+    /// heights up to 1 m above still water count as 1 m.
     [[nodiscard]] Vec3 wind(const SeaMoment& now, double z) const noexcept;
     /// Return the level of the tide, without SeaInputs::level [m].
     [[nodiscard]] double tide(double time) const noexcept;
@@ -261,7 +272,8 @@ class Sea {
     [[nodiscard]] double gravity() const noexcept { return gravity_; }
     /// Return (u·∇)u of the waves at a point, or at the surface below it [m/s²].
     [[nodiscard]] Vec3 convection(const SeaMoment& now, const Vec3& point) const noexcept;
-    /// Return z' of a point below a surface at `elevation` [m]; 0 at the surface and above.
+    /// Return the stretched height z' (top of this file) of a point at height z below a surface at
+    /// `elevation` [m]. At the surface and above it is 0.
     [[nodiscard]] double stretched(double z, double elevation) const noexcept;
     /// Return the shortest period of a component [s]; infinite without waves.
     [[nodiscard]] double shortest_period() const noexcept;
@@ -275,19 +287,24 @@ class Sea {
     WindDef wind_;
     std::vector<WaveComponent> waves_;
     std::vector<GustComponent> gusts_;
-    int padded_ = 0;             ///< Number of components, a multiple of eight.
+    int padded_ = 0;             ///< Number of components, padded to a multiple of eight.
     std::vector<double> table_;  ///< Table for the kernels, src/marine/wave_sums.h.
 };
 
-/// Return the wave number k for ω [rad/s] and a depth d [m] from ω² = g k tanh k d, to rounding
-/// [1/m].
+/// Compute the wave number k from the dispersion relation ω² = g k tanh k d, to rounding [1/m].
+/// @param omega  Angular frequency ω [rad/s].
+/// @param depth  Depth d [m].
 [[nodiscard]] double wave_number(double omega, double depth, double gravity = 9.81) noexcept;
-/// Return the energy density of a spectrum at ω [m² s/rad], before scaling to Hs²/16.
+/// Return the energy density of a spectrum, before scaling to Hs²/16 [m² s/rad].
+/// @param omega  Angular frequency ω [rad/s].
 [[nodiscard]] double wave_spectrum(const WaveDef& def, double omega) noexcept;
-/// Return the NPD density of gusts at 10 m for U₁₀ [m/s] at a frequency [Hz], in m²/s²/Hz.
+/// Return the NPD energy density of gusts at a height of 10 m [m²/s²/Hz].
+/// @param speed  Mean speed U₁₀ [m/s].
+/// @param frequency  Frequency [Hz].
 [[nodiscard]] double gust_spectrum(double speed, double frequency) noexcept;
 
-/// Add the system "sea", owned by the world; World::add() calls it.
+/// Add the system "sea"; World::add() calls it.
+/// @return the system, owned by the world.
 /// @throws SeaError if the definition is invalid
 /// @throws DefError if the name is already used, gravity does not point down, or the world's method
 /// accepts no loads (`pgs`, `split`)
@@ -295,7 +312,7 @@ System* define(World& world, const SeaDef& def);
 
 /// Return the definition of a world's sea; null: none.
 [[nodiscard]] const SeaDef* find_sea(const World& world) noexcept;
-/// Return z of still water now, from tide and input `level` [m]; NaN: no sea.
+/// Return the present z of still water, from tide and input `level` [m]; NaN: no sea.
 [[nodiscard]] double still_water(const World& world) noexcept;
 /// Return the loads of the sea on bodies in the last step, for inspection and verification. One
 /// entry for each body, ascending; empty without a sea. Valid until the next step.

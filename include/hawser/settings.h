@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file settings.h
-/// Table of the settings of a world. Checks, scene files, documents and the identity of snapshots
-/// read their properties here.
+/// Table of the settings of a world: one entry for each member of WorldDef, with unit, range and
+/// description. Checks, scene files, documents and the identity of snapshots read it.
 ///
 /// To add a setting, add a member of WorldDef with its default, and an entry in
 /// src/world/settings.cpp. Other code needs no change, except code that uses the setting.
@@ -15,10 +15,10 @@
 
 namespace hawser {
 
-/// Type of a setting's value.
+/// Type of a setting's value. A `word` is a name of an enumerator, a `vector` has three components.
 enum class SettingType : std::uint8_t { number, integer, boolean, word, vector };
 
-/// One member of WorldDef. Ranges apply to each component of a vector.
+/// Description of one member of WorldDef. Ranges apply to each component of a vector.
 struct SettingInfo {
     const char* name = "";                   ///< Name of the member and of the key in scene files.
     SettingType type = SettingType::number;  ///< Type of the value.
@@ -31,9 +31,11 @@ struct SettingInfo {
     bool identity = false;
     bool in_scenes = true;      ///< True: key of "settings" in scene files. False: an option of
                                 ///< programs.
-    const char* fallback = "";  ///< Default in documents, if it differs from the number.
+    const char* fallback = "";  ///< Text of the default in documents; "": the number itself.
     const char* doc = "";       ///< Description, one or two sentences.
+    /// Return a component of the value. Scalars have component 0.
     double (*get)(const WorldDef&, int component) = nullptr;
+    /// Set a component of the value.
     void (*set)(WorldDef&, int component, double value) = nullptr;
 };
 

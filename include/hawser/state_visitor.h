@@ -9,35 +9,39 @@
 
 namespace hawser {
 
-/// Visits the numbers of a system's state.
+/// Interface that visits the numbers of a system's state, to save, restore, hash or copy them. A
+/// system passes its variables by reference in System::visit_state(); a visitor may read or write
+/// them.
 class StateVisitor {
   public:
     virtual ~StateVisitor() = default;
-    /// Visit a finite number.
+    /// Visit a finite number. A restored value that is not finite is rejected.
     void visit(double& value) { numbers({&value, 1}); }
-    /// Visit a number that may be NaN, such as a default before it is set.
+    /// Visit a number that may be NaN, such as a default that is not set yet.
     void visit_or_nan(double& value) { bytes(&value, sizeof value); }
+    /// Visit an integer, or a range of numbers or integers.
     void visit(std::int64_t& value) { bytes(&value, sizeof value); }
     void visit(std::int32_t& value) { bytes(&value, sizeof value); }
     void visit(std::span<double> values) { numbers(values); }
     void visit(std::span<std::int64_t> values) { bytes(values.data(), values.size_bytes()); }
     void visit(std::span<std::int32_t> values) { bytes(values.data(), values.size_bytes()); }
-    /// True if the visit is around a step. Visit then only data that the step may change and a
-    /// failed step must restore, with equal content before and after. A long memory visits only
-    /// the line that the step writes.
+    /// True if the visit saves or restores data around one step. Then visit only data that the step
+    /// may change, the same data before and after it. For example, of a long memory visit only the
+    /// entry that the step writes.
     [[nodiscard]] virtual bool around_step() const noexcept { return false; }
 
   protected:
+    /// Visit data as bytes.
     virtual void bytes(void* data, std::size_t size) = 0;
     /// Visit numbers of the state; by default as bytes.
     virtual void numbers(std::span<double> values) { bytes(values.data(), values.size_bytes()); }
 };
 
-/// Collects the first fault of a system's state that was read from bytes (System::check_state()).
+/// Rules that System::check_state() applies to a restored state. Stores the first fault.
 class StateRules {
   public:
     /// Require a condition.
-    /// @param what  String literal that names the quantity.
+    /// @param what  Fault if the condition is false, a string literal.
     void require(bool holds, const char* what) noexcept {
         if (!holds && *fault_ == '\0') fault_ = what;
     }

@@ -9,37 +9,39 @@
 /// world.set_system_signal("jaw.close", 1.0);  // engages a wire within reach
 /// world.set_system_signal("jaw.close", 0.0);  // releases it
 /// ```
-/// *Engage*. The stopper engages the material point nearest to `point` of all wires of the world,
-/// if its distance is at most `reach`. The wire gets a node there (WorldWires::insert_node()); a
-/// node within 0.1 m is used instead. If elements have no mass, the nearest node within reach is
-/// used. The node is held at its present position, so that closing causes no tension in a wire at
-/// rest.
+/// *Engagement*. The stopper engages the point of any wire of the world that is nearest to `point`,
+/// if the distance is at most `reach`. The wire gets a node there (WorldWires::insert_node()),
+/// unless it has a node within 0.1 m. If its elements have no mass, the nearest node within reach
+/// is used. The node is held at its present position, so that closing causes no tension in a wire
+/// at rest.
 ///
 /// *Hold*. A jaw (`pitch` 0) is a ball joint and holds in both directions. A chain stopper holds in
-/// the payout direction only. Its node hangs on a massless link of 1 m that runs inboard from it.
-/// The link is slack when chain is hauled in, and yields 1 mm at the rated load. After hauling by
-/// `pitch` the pawl engages the next link: the node is held at its new position. Beyond 3 m the
-/// stopper engages the nearest point instead.
+/// the payout direction only. A massless link of 1 m, which runs inboard from the node, holds the
+/// node to the body. The link is slack when chain is hauled in, and yields 1 mm at the rated load.
+/// After hauling by `pitch` the pawl engages the next link: the node is held at its new position.
+/// After more than 3 m of hauling, the stopper engages the point nearest to `point` instead.
 /// ```
 ///     ══════o══════  ►  outboard          jaw: o is held to the body
 ///           │
 ///     link o├──────o══════  ►             chain stopper: the link pulls inboard, never pushes
 ///      (body)
 /// ```
-/// *Open*. Above `rated_load` either type opens. It must be opened and closed before it engages
-/// again. A stopper that closes with nothing in reach stays empty until it is opened and closed
-/// again. The same applies if another stopper holds the node, since a node has at most one stopper.
-/// Two stoppers that are closed at the start within 0.1 m of wire are rejected.
+/// *Opening*. Above `rated_load` a stopper opens by itself. It engages again only after `close` has
+/// been 0 and then 1. The same applies to a stopper that closes with no wire in reach, and to one
+/// whose nearest node is held by another stopper, since a node has at most one stopper. Two
+/// stoppers that are closed at the start within 0.1 m of wire are rejected.
 ///
-/// A stopper is a System (system.h). Input, as "name.signal": `close`, 1 or 0. Outputs: `state` is
-/// the number of a StopperState, `held` the number of the engaged wire, 1 the first of
-/// WorldWires::ids(), 0: none. Output `load` is the force [N], `at` the material coordinate of the
-/// engaged point from the wire's first end [m]. The joint is the interaction NAME/hold.
+/// A stopper is a System (system.h). Input, as "name.signal": `close`, 1 or 0. Outputs:
+/// - `state`: number of a StopperState;
+/// - `held`: number of the engaged wire, 1 the first of WorldWires::ids(); 0: none;
+/// - `load`: force of the wire on the stopper [N];
+/// - `at`: material coordinate of the engaged point from the wire's first end [m].
 ///
-/// Events: `join` on engagement, with the distance from `point` [m]. Event `detach` on release and
-/// `overload` above the rated load, with the load [N], one step before the joint is removed. Event
-/// `missed` of the body if nothing is engaged, with the distance of the nearest wire [m]. The
-/// distance is within `reach` if another stopper holds that wire.
+/// The joint is the interaction NAME/hold. Its events: `join` on engagement, with the distance from
+/// `point` [m]; `detach` on release and `overload` above the rated load, with the load [N], one
+/// step before the joint is removed. Event of the body: `missed` if no wire is engaged, with the
+/// distance of the nearest wire [m]. That distance is within `reach` if another stopper holds that
+/// wire.
 ///
 /// Limits: elements at drums, guides and bollards are not engaged. The shape of chain links has no
 /// effect: a chain stopper also engages wire. An inserted node is removed after release, once this
@@ -57,8 +59,8 @@ class World;
 
 /// Operating state of a stopper.
 enum class StopperState : std::uint8_t {
-    open,     ///< Open.
-    closing,  ///< A wire is found, and is held from the next step on.
+    open,     ///< Open; no wire is engaged.
+    closing,  ///< A wire is found; it is engaged from the next step on.
     holding,  ///< A wire is engaged.
     opening,  ///< The wire is released in the next step.
     empty,    ///< Closed without a wire; must be opened and closed again.

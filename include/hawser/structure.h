@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file structure.h
-/// Structure of a world by index: bodies, interactions, shapes, inputs, wires.
+/// Structure of a world: the definitions of its bodies, interactions, shapes, inputs and wires, by
+/// index.
 ///
-/// A state (WorldState::save()) requires a world of equal structure. If nodes at a drum were
-/// inserted or wires were cut, a new world from the same set-up differs. Structure and state
-/// together restore it:
+/// A state (WorldState::save()) can only be restored in a world of equal structure. Edits during a
+/// run change the structure: nodes inserted at a drum, wires cut. A new world from the same set-up
+/// then differs. Structure and state together restore it:
 /// ```cpp
-/// const hawser::Structure made_of = world.state().structure();   // parts with their present
-/// masses const std::vector<std::byte> state = world.state().save(); … other.restore(made_of,
-/// state);   // equal set-up: continues with equal bits
+/// const hawser::Structure made_of = world.state().structure();
+/// const std::vector<std::byte> state = world.state().save();
+/// // … in another world from the same set-up:
+/// other.state().restore(made_of, state);        // continues with equal bits
 /// ```
-/// Systems are not included: `other` has its own of equal set-up, and the state contains their
-/// states. WorldState::identity() shows whether a structure is needed: worlds of equal identity
-/// have equal structure.
+/// Systems are not included: `other` must have systems of equal set-up; their states are in
+/// `state`. Worlds of equal WorldState::identity() have equal structure, and need none to be
+/// restored.
 ///
 /// Ids keep index and generation. Limits: outputs of `other` stay, and are NaN if their target was
-/// removed. Outputs that were added later are missing.
+/// removed. Outputs that were added during the run are missing.
 
 #include <hawser/def.h>
 #include <hawser/id.h>
@@ -30,20 +32,19 @@
 
 namespace hawser {
 
-/// Objects of one kind by index.
+/// Definitions of the objects of one kind, by index.
 template <class Def>
 struct Placed {
-    std::vector<Def> defs;  ///< Definitions; at a free index, unused values that are kept
-                            ///< unchanged.
-    std::vector<std::int32_t> generations;  ///< Number of earlier objects at each index.
-    std::vector<std::int32_t> vacant;       ///< Free indices, ascending.
+    std::vector<Def> defs;                  ///< Definition at each index; a placeholder if vacant.
+    std::vector<std::int32_t> generations;  ///< Id::generation of each index.
+    std::vector<std::int32_t> vacant;       ///< Indices without an object, ascending.
 };
 
 /// Parts of a wire.
 struct WirePieces {
-    std::string name{};
-    std::vector<BodyId> nodes{};            ///< Nodes in order; one more than elements.
-    std::vector<InteractionId> elements{};  ///< Elements in order.
+    std::string name{};                     ///< Name of the wire.
+    std::vector<BodyId> nodes{};            ///< Nodes from end to end; one more than elements.
+    std::vector<InteractionId> elements{};  ///< Elements from end to end.
     std::vector<BodyId> lumps{};            ///< Nodes that the wire owns; removed with it.
     std::vector<InteractionId> bends{};     ///< Bends that the wire owns; removed with it.
     std::vector<ShapeId> shapes{};          ///< Shapes that the wire owns; removed with it.
@@ -53,11 +54,11 @@ struct WirePieces {
 
 /// Link or joint created by WorldWires::join() or WorldWires::attach().
 struct GearPiece {
-    InteractionId id{};
-    Gear kind = Gear::splice;
+    InteractionId id{};        ///< Interaction of the link or joint.
+    Gear kind = Gear::splice;  ///< Kind of gear.
 };
 
-/// Structure of a world.
+/// Structure of a world, WorldStateView::structure().
 struct Structure {
     Placed<BodyDef> bodies;
     Placed<InteractionDef> interactions;
@@ -65,14 +66,15 @@ struct Structure {
     Placed<InputDef> inputs;
     Placed<WirePieces> wires;
     std::vector<MaterialDef> materials;  ///< Materials after the default one.
-    std::vector<MaterialPairDef> pairs;
-    std::vector<GearPiece> gear;
-    /// Values of the last analyses, if lengths and layers have changed since. Compliances ε of all
-    /// rows of existing interactions, in order [m/N, rad/(N m)], and radii of elements at drums
-    /// [m]. Empty: from the definitions.
+    std::vector<MaterialPairDef> pairs;  ///< Pairs of materials, as added.
+    std::vector<GearPiece> gear;         ///< Links and joints of wires.
+    /// Compliances ε of all rows of existing interactions, in order [m/N, rad/(N m)], and radii of
+    /// elements at drums [m]. These are the values at the time when each interaction was added,
+    /// which analyses use; `interactions` has the present lengths and radii. Empty: from
+    /// `interactions`.
     std::vector<double> compliances, radii;
-    std::vector<Coupling> coupling;  ///< Coupling of each interaction, if any was set
-                                     ///< (WorldSplits::cuts()).
+    /// Coupling of each interaction by index; empty: none was set by WorldSplits::set_coupling().
+    std::vector<Coupling> coupling;
 };
 
 }  // namespace hawser

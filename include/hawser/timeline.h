@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file timeline.h
-/// Timeline of a scene: operations at given times (key `timeline`, docs/scenes.md). Part of
-/// hawser::scene; hawser::Session executes it.
+/// Timeline of a scene: operations that a session executes at given times, such as setting an input
+/// or cutting a wire (key `timeline`, docs/scenes.md). Part of hawser::scene.
 
 #include <hawser/math.h>
 #include <hawser/wire.h>
@@ -18,11 +18,11 @@ class World;
 
 namespace hawser::scene {
 
-/// Kind of an operation.
+/// Kind of an operation: set inputs and signals, or a function of WorldWires.
 enum class OperationKind : std::uint8_t { set, cut, detach, attach, join, release };
 
-/// Entry of a timeline. Names are resolved on execution, because earlier entries may create pieces
-/// of wires.
+/// Operation of a timeline. Names are resolved when it is executed, because earlier operations may
+/// create pieces of wires.
 struct Operation {
     double at = 0.0;  ///< Time [s]; executed before the first step that starts at or after it.
     OperationKind kind = OperationKind::set;          ///< Kind of the operation.
@@ -42,11 +42,11 @@ struct Operation {
 
 /// Execute an operation.
 /// @throws DefError if a name does not exist or the operation is not possible. The world is then
-/// unchanged, except inputs of a `set` before the rejected one.
+/// unchanged, except that a `set` keeps the values set before the rejected one.
 void perform(const Operation& operation, World& world);
 
-/// Return a line without the time, such as "cut tow at 120 m". It follows the description if there
-/// is one: "the tow parts: cut tow at 120 m".
+/// Return an operation in words without its time, such as "cut tow at 120 m". A description
+/// precedes it: "the tow parts: cut tow at 120 m".
 [[nodiscard]] std::string to_string(const Operation& operation);
 
 }  // namespace hawser::scene

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file trace.h
-/// Trace of the threads: time spans of steps, stages, parallel loops and their tasks.
+/// Trace of the threads of a world: the time spans of steps, stages, parallel loops and their
+/// tasks.
 ///
 /// WorldSolver::start_trace() allocates a ring buffer for each thread. Each step then stores its
-/// spans, and the newest are kept. WorldSolver::trace() copies the steps without lost spans. Spans
-/// of one thread are nested: a step contains stages, a stage contains stages (iterations that
-/// factor) and loops, a loop the calling thread's tasks. Other threads have tasks only. Tracing
-/// does not change results; it costs two readings of the clock per span.
+/// spans; newer spans replace the oldest. WorldSolver::trace() copies the steps of which no span
+/// has been replaced. Spans of one thread are nested:
+/// ```
+///     caller   step ─ stage ─┬─ stage (iterations that factor again)
+///                            └─ loop ─┬─ task
+///     worker                          └─ task
+/// ```
+/// Tracing does not change results. It costs two readings of the clock per span.
 
 #include <hawser/stats.h>
 
@@ -39,20 +44,22 @@ struct TraceSpan {
     [[nodiscard]] double seconds() const noexcept { return end - begin; }
 };
 
-/// Dependencies of the tasks of a loop. Task i precedes next[start[i]] to next[start[i + 1]]. The
-/// ready task with the lowest rank runs first. Empty: all are independent and run by index.
+/// Dependencies of the tasks of a loop. Empty: tasks are independent and run by index.
 struct TaskWaits {
+    /// Task i must end before the tasks next[start[i]] to next[start[i + 1] − 1] begin. The ready
+    /// task with the lowest rank[i] runs first.
     std::vector<std::int32_t> start, next, rank;
 };
 
-/// Spans of whole steps, ordered by begin, longer ones first. See WorldSolver::trace().
+/// Trace of whole steps, WorldSolverView::trace().
 struct TraceView {
-    std::vector<TraceSpan> spans;
-    std::vector<std::int32_t> graph_loop;  ///< Loops with dependent tasks, ascending.
-    std::vector<TaskWaits> graph;          ///< Dependencies of each of these loops.
-    int threads = 1;                       ///< Number of threads.
-    std::int64_t steps = 0;                ///< Number of steps in the trace.
-    std::int64_t steps_lost = 0;           ///< Number of earlier steps that newer ones overwrote.
+    std::vector<TraceSpan> spans;  ///< Spans ordered by `begin`, longer ones first.
+    std::vector<std::int32_t>
+        graph_loop;                ///< Numbers of the loops with dependent tasks, ascending.
+    std::vector<TaskWaits> graph;  ///< Dependencies of each of these loops.
+    int threads = 1;               ///< Number of threads.
+    std::int64_t steps = 0;        ///< Number of steps in the trace.
+    std::int64_t steps_lost = 0;   ///< Number of earlier steps that newer ones overwrote.
 };
 
 }  // namespace hawser

@@ -22,12 +22,15 @@
 /// ```
 ///     Y = −½ρ T C_d Σ |v + x r| (v + x r) Δx        N = −½ρ T C_d Σ x |v + x r| (v + x r) Δx
 /// ```
-/// *Polynomials.* Sums of terms C · variables, in one of two scales:
-/// - `speed`: X, Y times ½ρ A U², K, N times ½ρ A L U²; variables u' = (u − U₀)/U, v', r',
-///   p' = p L/U;
-/// - `mass`: X, Y times the mass m [m/s²], K, N times m L² [1/s²]; variables in SI.
+/// *Polynomials.* A force is a sum of terms, each a coefficient C times a product of variables, in
+/// one of two scales:
+/// - `speed`: the sum for X or Y is multiplied by ½ρ A U², that for K or N by ½ρ A L U². Variables
+/// are
+///   u' = (u − U₀)/U, v', r', p' = p L/U;
+/// - `mass`: the sum for X or Y [m/s²] is multiplied by the mass m, that for K or N [1/s²] by m L².
+///   Variables are in SI units.
 ///
-/// A term names its variables by letters, a letter for each power: "vvr" is v² r.
+/// Letters name the variables of a term, one letter for each power: "vvr" is v² r.
 ///
 /// - u v r p: velocities, as above;
 /// - f: roll φ [rad];
@@ -58,38 +61,41 @@ enum class HullAxis : std::uint8_t { x, y, k, n };
 
 /// One term of a polynomial.
 struct HullTerm {
-    HullAxis axis = HullAxis::x;
-    std::string of{};    ///< Variables, as "vvr"; "0": a constant.
-    double value = 0.0;  ///< C, for angles in rad.
+    HullAxis axis = HullAxis::x;  ///< Force component.
+    std::string of{};             ///< Variables, such as "vvr"; "0": a constant.
+    double value = 0.0;           ///< Coefficient C, for angles in rad.
 };
 
+/// Scale of polynomials (top of this file).
 enum class HullScale : std::uint8_t { speed, mass };
 
 /// Polynomials of a hull.
 struct HullPolynomial {
-    std::vector<HullTerm> terms{};  ///< Empty: none.
-    HullScale scale = HullScale::speed;
-    double length = 0.0;       ///< L [m]. Required with terms.
-    double area = 0.0;         ///< A of `speed`, as L d or L² [m²].
-    double speed = 0.0;        ///< U₀ of u' [m/s].
-    double most_turn = 1.5;    ///< r'_most of `speed` [1].
-    double rudder_sign = 1.0;  ///< −1: the source counts rudder angles to port as positive.
+    std::vector<HullTerm> terms{};       ///< Terms; empty: no polynomials.
+    HullScale scale = HullScale::speed;  ///< Scale.
+    double length = 0.0;                 ///< Length L [m]. Required with terms.
+    double area = 0.0;                   ///< Area A of the scale `speed`, such as L d or L² [m²].
+    double speed = 0.0;                  ///< Speed U₀ in u' [m/s].
+    double most_turn = 1.5;    ///< Largest published turn rate r'_most, scale `speed` [1].
+    double rudder_sign = 1.0;  ///< Factor of rudder angles, 1 or −1. −1: the source counts angles
+                               ///< to port as positive.
     /// True if the terms include the Coriolis and centripetal forces of the body's own mass.
     bool own_coriolis = false;
 };
 
-/// A point of a resistance curve.
+/// Point of a resistance curve.
 struct ResistancePoint {
-    double speed = 0.0;       ///< Through the water, ascending from 0 [m/s].
+    double speed = 0.0;       ///< Speed through the water, ascending from 0 [m/s].
     double resistance = 0.0;  ///< Resistance at this speed [N].
 };
 
 /// Resistance ahead and astern.
 struct HullResistance {
-    std::vector<ResistancePoint> curve{};  ///< Linear between, quadratic beyond the last.
-    double linear = 0.0;                   ///< −X_u [N s/m].
-    double quadratic = 0.0;                ///< −X_uu [N s²/m²].
-    double blend = 2.0;                    ///< u₀ [m/s].
+    std::vector<ResistancePoint> curve{};  ///< Curve R(u): linear between points, quadratic beyond
+                                           ///< the last.
+    double linear = 0.0;                   ///< Linear coefficient −X_u [N s/m].
+    double quadratic = 0.0;                ///< Quadratic coefficient −X_uu [N s²/m²].
+    double blend = 2.0;                    ///< Speed u₀ of the transition [m/s].
 };
 
 /// Cross-flow drag.
@@ -97,37 +103,41 @@ struct CrossFlow {
     double length = 0.0;   ///< Length of the ship [m]; 0: no cross-flow drag.
     double beam = 0.0;     ///< Beam [m].
     double draught = 0.0;  ///< Draught [m].
-    double drag = 0.0;     ///< C_d [1]; 0: by Hoerner's curve of beam/(2 draught).
+    double drag = 0.0;     ///< Drag coefficient C_d [1]; 0: by Hoerner's curve of beam/(2 draught).
     int strips = 20;       ///< Number of strips of equal length.
-    /// Use `strips` + 1 strips, the outer ones centred on the ends, as in MSS' crossFlowDrag.m. Its
-    /// sway drag is 21/20 of the integral and its yaw drag 1.21 of it.
+    /// True: `strips` + 1 strips, the outer ones centred on the ends, as in MSS' crossFlowDrag.m.
+    /// With 20 strips its sway drag is 21/20 of the integral, and its yaw drag 1.21 times the
+    /// integral.
     bool end_strips = false;
 };
-/// Return Hoerner's drag coefficient of a section. @param ratio  Beam over twice the draught [1].
+/// Return Hoerner's drag coefficient of a section [1].
+/// @param ratio  Beam over twice the draught [1].
 [[nodiscard]] double hoerner_drag(double ratio) noexcept;
 
 /// Point of a table of current coefficients.
 struct CurrentPoint {
     /// Direction from which the water comes, ascending from 0 (ahead) to π [rad].
     double angle = 0.0;
-    double x = 0.0, y = 0.0, n = 0.0;  ///< C_X C_Y C_N [1].
+    double x = 0.0, y = 0.0, n = 0.0;  ///< Coefficients C_X, C_Y, C_N [1].
 };
-/// Loads of a current at low speed by its heading, as in tables of OCIMF and of model tests:
+/// Loads of a current at low speed by its direction, as in tables of OCIMF and of model tests:
 /// ```
 ///     X = ½ρ V² C_X L T      Y = ½ρ V² C_Y L T      N = ½ρ V² C_N L² T
 /// ```
-/// V is the speed of O through the water. Coefficients are linear between points; from port Y and N
-/// change sign. The load replaces resistance and cross-flow drag: a vessel with both is refused.
-/// Turning at rest needs `damping`.
+/// V is the speed of O through the water. Coefficients are linear between points. For water from
+/// port, Y and N change sign. This load replaces resistance and cross-flow drag: a vessel with both
+/// is rejected. It has no resistance against turning at rest: use VesselDef::damping for this.
 struct CurrentLoad {
-    std::vector<CurrentPoint> points{};  ///< Empty: none. From starboard.
-    double length = 0.0;                 ///< L [m].
-    double draught = 0.0;                ///< T [m].
+    std::vector<CurrentPoint> points{};  ///< Points for water from starboard; empty: no load.
+    double length = 0.0;                 ///< Length L [m].
+    double draught = 0.0;                ///< Draught T [m].
 };
-/// Return the coefficients of water that comes from an angle, positive from starboard [rad].
+/// Return the coefficients for a direction of the water.
+/// @param angle  Direction from which the water comes, from ahead, positive from starboard [rad].
 [[nodiscard]] CurrentPoint current_coefficients(const CurrentLoad& load, double angle) noexcept;
 
-/// Ships of W. Blendermann, "Parameter identification of wind loads on ships", 1994.
+/// Type of ship with published wind coefficients. Source: W. Blendermann, "Parameter identification
+/// of wind loads on ships", 1994.
 enum class WindShip : std::uint8_t {
     none,
     car_carrier,
@@ -148,22 +158,23 @@ enum class WindShip : std::uint8_t {
 [[nodiscard]] const char* to_string(WindShip ship) noexcept;
 inline constexpr int kWindShipCount = 14;
 
-/// Wind on a ship: forces by Blendermann's coefficients at the relative wind at a height.
+/// Wind load on a ship, by Blendermann's coefficients and the relative wind at `height`.
 struct WindLoad {
-    WindShip ship = WindShip::none;
-    double frontal_area = 0.0;  ///< A_F [m²].
-    double lateral_area = 0.0;  ///< A_L [m²].
-    double length = 0.0;        ///< Length over all L_oa [m].
-    double centre = 0.0;        ///< Centre of A_L ahead of O, s_L [m].
-    double height = 0.0;        ///< Centre of A_L above the water, s_H [m].
-    double density = 1.225;     ///< Density of the air if the world has no sea [kg/m³].
+    WindShip ship = WindShip::none;  ///< Type of the ship; none: no wind load.
+    double frontal_area = 0.0;       ///< Frontal projected area A_F [m²].
+    double lateral_area = 0.0;       ///< Lateral projected area A_L [m²].
+    double length = 0.0;             ///< Length over all L_oa [m].
+    double centre = 0.0;             ///< Distance of the centre of A_L ahead of O, s_L [m].
+    double height = 0.0;             ///< Height of the centre of A_L above the water, s_H [m].
+    double density = 1.225;          ///< Density of the air if the world has no sea [kg/m³].
 };
-/// Coefficients of wind at an angle from ahead.
+/// Wind coefficients at an angle.
 struct WindCoefficients {
-    double x = 0.0, y = 0.0, k = 0.0, n = 0.0;  ///< C_X C_Y C_K C_N [1].
+    double x = 0.0, y = 0.0, k = 0.0, n = 0.0;  ///< Coefficients C_X, C_Y, C_K, C_N [1].
 };
-/// Compute the wind coefficients. Signs: X ahead; Y, K, N as in the marine frame. @param angle
-/// Direction from which the wind comes, 0 ahead, positive from starboard, |angle| ≤ π [rad].
+/// Compute the wind coefficients. Signs: X ahead; Y, K, N as in the marine frame.
+/// @param angle  Direction from which the wind comes, from ahead, positive from starboard, |angle|
+/// ≤ π [rad].
 [[nodiscard]] WindCoefficients wind_coefficients(const WindLoad& load, double angle) noexcept;
 
 /// Propeller and rudder of the MMG standard method (H. Yasukawa and Y. Yoshimura, "Introduction of
@@ -178,23 +189,24 @@ struct WindCoefficients {
 ///     N = −(x_R + a_H x_H) F_N cos δ
 /// ```
 struct MmgStern {
-    double diameter = 0.0;                            ///< D [m]; 0: the vessel has no such stern.
-    double k0 = 0.0, k1 = 0.0, k2 = 0.0;              ///< K_T = k0 + k1 J + k2 J².
-    double thrust_deduction = 0.0;                    ///< Thrust deduction t_P.
-    double wake = 0.0;                                ///< Wake fraction w_P0.
-    double wake_port = 1.0, wake_star = 1.0;          ///< C for β_P > 0 and for β_P < 0.
-    double propeller_x = 0.0;                         ///< Position of the propeller x_P'.
-    double rudder_area = 0.0;                         ///< Area of the rudder A_R [m²].
-    double height_share = 1.0;                        ///< η = D/H_R.
-    double steering_deduction = 0.0;                  ///< Steering resistance deduction t_R.
-    double hull_increase = 0.0;                       ///< a_H.
-    double hull_x = 0.0, rudder_x = 0.0;              ///< Positions x_H' and x_R' over the length.
-    double wake_ratio = 1.0;                          ///< Ratio of wake fractions ε.
-    double slipstream = 0.0;                          ///< Factor of the slipstream κ.
-    double lift_slope = 0.0;                          ///< Lift gradient f_α.
-    double inflow_x = 0.0;                            ///< Effective position of the inflow l_R'.
-    double straight_port = 1.0, straight_star = 1.0;  ///< γ_R for β_R < 0 and for β_R > 0.
-    double length = 0.0;                              ///< L [m].
+    double diameter = 0.0;                    ///< Propeller diameter D [m]; 0: no such stern.
+    double k0 = 0.0, k1 = 0.0, k2 = 0.0;      ///< Thrust coefficient K_T = k0 + k1 J + k2 J² [1].
+    double thrust_deduction = 0.0;            ///< Thrust deduction t_P [1].
+    double wake = 0.0;                        ///< Wake fraction w_P0 [1].
+    double wake_port = 1.0, wake_star = 1.0;  ///< Wake factor C for β_P > 0 and for β_P < 0 [1].
+    double propeller_x = 0.0;             ///< Position of the propeller over the length x_P' [1].
+    double rudder_area = 0.0;             ///< Area of the rudder A_R [m²].
+    double height_share = 1.0;            ///< Propeller diameter over rudder height η = D/H_R [1].
+    double steering_deduction = 0.0;      ///< Steering resistance deduction t_R [1].
+    double hull_increase = 0.0;           ///< Increase of the side force on the hull a_H [1].
+    double hull_x = 0.0, rudder_x = 0.0;  ///< Positions x_H' and x_R' over the length [1].
+    double wake_ratio = 1.0;              ///< Ratio of wake fractions ε [1].
+    double slipstream = 0.0;              ///< Factor of the slipstream κ [1].
+    double lift_slope = 0.0;              ///< Lift gradient f_α [1].
+    double inflow_x = 0.0;                ///< Effective position of the inflow l_R' [1].
+    double straight_port = 1.0, straight_star = 1.0;  ///< Flow straightening γ_R for β_R < 0 and
+                                                      ///< for β_R > 0 [1].
+    double length = 0.0;                              ///< Length L [m].
 };
 
 /// Propeller and rudder of K. H. Son and K. Nomoto, "On the coupled motion of steering and rolling
@@ -207,14 +219,17 @@ struct MmgStern {
 ///     K' = −(1 + a_H) z_R F_N' cos δ                        N' = (x_R + a_H x_H) F_N' cos δ
 /// ```
 struct SonNomotoStern {
-    double diameter = 0.0;  ///< D [m]; 0: the vessel has no such stern.
-    double length = 0.0;    ///< L [m].
-    double k0 = 0.0, k1 = 0.0;
+    double diameter = 0.0;      ///< Propeller diameter D [m]; 0: no such stern.
+    double length = 0.0;        ///< Length L [m].
+    double k0 = 0.0, k1 = 0.0;  ///< Thrust coefficient K_T = k0 + k1 J [1].
+    /// Thrust deduction t, wake fraction w, factor τ of the wake in a turn, position x_P [1].
     double thrust_deduction = 0.0, wake = 0.0, wake_turn = 0.0, propeller_x = 0.0;
-    double rudder_area = 0.0, aspect = 1.0;
-    double wake_ratio = 1.0, slipstream = 0.0;
-    double gamma = 0.0, c_r = 0.0, c_rrr = 0.0, c_rrv = 0.0;
-    double drag_share = 1.0;  ///< c_RX.
+    double rudder_area = 0.0,
+           aspect = 1.0;  ///< Area A_R [m²] and aspect ratio Λ [1] of the rudder.
+    double wake_ratio = 1.0, slipstream = 0.0;  ///< Factors ε and k of the rudder's inflow [1].
+    double gamma = 0.0, c_r = 0.0, c_rrr = 0.0, c_rrv = 0.0;  ///< Coefficients of v_R' [1].
+    double drag_share = 1.0;  ///< Factor c_RX of the rudder's drag [1].
+    /// Increase a_H of the side force on the hull, positions x_R, z_R and x_H over the length [1].
     double hull_increase = 0.0, rudder_x = 0.0, rudder_z = 0.0, hull_x = 0.0;
 };
 

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file water_hull.h
-/// Hulls in the sea (sea.h): pressure, radiation, scattering, drag, drift.
+/// Hulls of rigid bodies in the sea (sea.h). Their loads are pressure, radiation, scattering, drag
+/// and drift. Formulas of pressure: hull.h. Formulas of radiation and scattering: hydro.h.
 ///
-/// Formulas of pressure: hull.h. Formulas of coefficients: hydro.h.
-///
-/// *Constants* of added mass and damping use the mean motion of the water over the wet volume. The
-/// hull is divided into cells (hull_cells()) of volume V and wet fraction w, the submerged fraction
-/// of their height. The water has the velocity u and acceleration a at a cell's centre. The centre
-/// has the position r relative to that of the wet volume.
+/// *Added mass and damping* that are constant (members `added_mass`, `damping`) act relative to the
+/// mean motion of the water over the wet volume. The hull is divided into cells (hull_cells()) of
+/// volume V and wet fraction w, the submerged fraction of their height. At the centre of a cell the
+/// water has the velocity u and the acceleration a. The vector r leads from the centre of the wet
+/// volume to this centre.
 /// ```
 ///     ū = Σ wV u/Σ wV        ω_k = Σ wV (r × u)_k/Σ wV (r² − r_k²)
 ///     F = A (ā − v̇) + B (ū − v)        M = A (α − ω̇_body) + B (ω − ω_body)
 /// ```
-/// Likewise, α follows from a. In waves much longer than the hull these are the values at one
-/// point. In short waves crests and troughs along the hull cancel, as in the pressure.
+/// The means ā and α follow from a as ū and ω from u. In waves much longer than the hull these are
+/// the values at one point. In short waves crests and troughs along the hull cancel, as in the
+/// pressure.
 ///
 /// *Drag areas* hold at the design draught. Along each axis of the body they are scaled by the wet
 /// projected area over that at the design draught, upright in still water. The projected area along
@@ -45,13 +46,13 @@ enum class RadiationKind : std::uint8_t {
     convolution,  ///< A(∞), and the memory as a sum over past velocities.
     state_space,  ///< A(∞), and the memory as a state space.
     constant,     ///< A and B at one period, WaterHull::constant_period.
-    none          ///< None; coefficients serve the waves only.
+    none          ///< No radiation force; the coefficients only give the wave force.
 };
-/// Coefficients of the wave force.
+/// Wave force that follows from coefficients.
 enum class ExcitationKind : std::uint8_t {
-    none,        ///< None.
+    none,        ///< No force from coefficients.
     full,        ///< Total wave force; only for a hull without wave pressure on its mesh.
-    scattering,  ///< Scattered part, in addition to the pressure on the mesh.
+    scattering,  ///< Force of the scattered waves, in addition to the pressure on the mesh.
 };
 
 /// Drag of a strip of a hull, ½ρ C_dA |r·n| (r·n) n at a point. The water there has the relative
@@ -64,13 +65,13 @@ struct HullStrip {
 
 /// Linear hydrostatics for small motions, instead of those of a mesh.
 struct LinearStatics {
-    bool on = false;           ///< True: linear hydrostatics are used.
+    bool on = false;           ///< True: linear hydrostatics replace those of the mesh.
     double height = 0.0;       ///< z of the centre of mass at rest, above still water [m].
     double weight = kDefault;  ///< Weight of the displaced water at rest [N]; default: that of the
                                ///< body.
 };
 
-/// Hull of a rigid body.
+/// Definition of the hull of a rigid body, an entry of SeaDef::hulls.
 struct WaterHull {
     BodyId body{};    ///< Body of kind rigid. Required.
     HullMesh mesh{};  ///< Closed mesh in the body's frame, from its centre of mass [m]. Required.
@@ -115,18 +116,21 @@ struct WaterHull {
 /// Memory of a hull, for inspection and verification.
 struct HullMemory {
     RadiationKind kind = RadiationKind::none;
-    double step = 0.0;                          ///< Time between samples [s].
-    std::vector<std::array<double, 6>> past{};  ///< ν̄ at the reference, body's axes, newest first.
-    std::array<double, 6> last{};               ///< ν before the last step.
-    bool begun = false;                         ///< True if `last` is set.
-    /// State space d x/dt = A x + B ν̄ with memory C x: x, and A, B, C row by row.
+    double step = 0.0;  ///< Time between samples [s].
+    /// Mean velocities ν̄ of past steps at the reference point, body's axes, newest first.
+    std::vector<std::array<double, 6>> past{};
+    std::array<double, 6> last{};  ///< Velocity ν before the last step.
+    bool begun = false;            ///< True if `last` is set.
+    /// State space dx/dt = A x + B ν̄ with the memory force C x: states x, and A, B, C row by row.
     std::vector<double> states{}, a{}, b{}, c{};
-    Matrix6 first = Matrix6::Zero();  ///< K(0) in use.
-    Matrix6 added = Matrix6::Zero();  ///< Damping added for passivity.
+    Matrix6 first = Matrix6::Zero();  ///< Retardation function K(0) in use.
+    Matrix6 added = Matrix6::Zero();  ///< Constant damping that was added so that the hull adds no
+                                      ///< energy.
     double fit_error = 0.0;           ///< Largest ‖K − C e^{At} B‖ over ‖K(0)‖, scaled entries [1].
     std::array<double, 3> lag[4]{};   ///< Slow x, y and heading after each lag [m, m, rad].
 };
-/// Return the memory of the sea's hull i.
+/// Return the memory of a hull.
+/// @param i  Index in SeaDef::hulls.
 /// @throws DefError if the hull does not exist.
 [[nodiscard]] HullMemory hull_memory(const World& world, std::size_t i);
 

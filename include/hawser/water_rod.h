@@ -4,25 +4,28 @@
 /// Water loads on slender bodies: line coefficients, and rods of rigid bodies (sea.h). Examples are
 /// legs, braces, spar buoys, booms and pipes.
 ///
-/// *Rods*. A rod of length L is divided into n segments of length l = L/n. Loads act at a segment's
-/// centre p, from the body's centre of mass, world axes. There the water has the relative velocity
-/// r = u − v − ω × p. With t along the rod, A the displaced area and w the wet fraction:
+/// *Rods*. A rod of length L is divided into n segments of length l = L/n. Loads act at the centre
+/// p of a segment (from the body's centre of mass, world axes), where the water has the relative
+/// velocity r = u − v − ω × p. With the unit vector t along the rod, the displaced area A per
+/// length and the wet fraction w:
 /// ```
 ///     f = w l (½ρ C_dn d |r_n| r_n + ½ρ C_dt π d |r_t| r_t + ρ A (a + C_a (a − a_p)) + ρ g A z)
 ///     a_p = v̇ + ω̇ × p + ω × (ω × p)
 /// ```
 /// z points up, a is the water's acceleration. C_a has separate values across and along the rod.
 /// Source: J. R. Morison and others, "The force exerted by surface waves on piles", 1950. The body
-/// receives f and p × f. Terms that depend on its motion enter as blocks of six rows Jᵀ B J, J =
-/// [E, −[p]×]. B is the added mass, the tangent of drag, or the stiffness of buoyancy:
+/// receives the force f and the moment p × f. Terms that depend on its motion are matrices of six
+/// rows Jᵀ B J, J = [E, −[p]×]. B is the added mass, the tangent of drag, or the stiffness of
+/// buoyancy:
 /// ```
 ///     A = ρ A l w (C_an (E − t tᵀ) + C_at t tᵀ),    K = ρ g A l/s z zᵀ  where the surface cuts it,
 ///     D = c_n (|r_n| (E − t tᵀ) + r_n r_nᵀ/|r_n|) + 2 c_t |r_t| t tᵀ
 /// ```
-/// Each is a sum of b bᵀ with b = (n, p × n). A segment has the vertical extent s = l |t_z| + d √(1
-/// − t_z²) of a cylinder; its wet fraction is the part below the surface. A fully submerged rod has
-/// the stiffness of the secant to the position above the water. It also has the stable part of the
-/// moment of its buoyancy about the centre of mass (hull.h has both).
+/// Each is a sum of b bᵀ with b = (n, p × n), and therefore positive semi-definite. A segment has
+/// the vertical extent s = l |t_z| + d √(1 − t_z²) of a cylinder; its wet fraction is the part of s
+/// below the surface. A fully submerged rod has the secant stiffness to the position above the
+/// water, and the stable part of the moment of its buoyancy about the centre of mass (both as in
+/// hull.h).
 ///
 /// Limits: slender rods, d ≪ λ/5 and d ≪ L, without diffraction and wave radiation. Ends have no
 /// loads; represent them by WaterBody, or by C_dt and C_at. The flow is the undisturbed one at the

@@ -37,19 +37,32 @@
 /// *Heave compensation*. In mode heave the motor pays out by the upward motion of a point of the
 /// ship. A load below the point keeps its height.
 ///
-/// *Overload protection*. Above `overload_limit`
-/// the winch pays out in every mode: AOPS. The input `mops` reduces its holding force to
-/// `overload_retained` at once: MOPS.
+/// *Overload protection*. Automatic (AOPS): above `overload_limit` the winch pays out in every
+/// mode. Manual (MOPS): the input `mops` reduces its holding force to `overload_retained` at once.
 ///
-/// Inputs, as "name.signal": `mode` (number of a WinchMode), `speed` [m/s], `tension` [N], `brake`
-/// 0 to 1, `clutch` 0 or 1.
+/// Inputs, as "name.signal":
+/// - `mode`: number of a WinchMode; `speed` [m/s], `tension` [N]: set values of the modes;
+/// - `brake`: applied fraction of the brake torque, 0 to 1; `clutch`: 1 engaged, 0 open;
+/// - with protection: `aops`, `mops`: 1 active, 0 off.
 ///
-/// Outputs: `layer`, `wraps`, `wire_left` [m], `radius` [m], `across` [m], `pull` [N], `pull_limit`
-/// [N], `inertia` [kg m²]. Further `at_drum` [m] (rest length of the element at the drum), `slip`
-/// [m], `heat` [J], `state` (number of a WinchState). A gypsy adds `jumps`, `jumped` [m], `grip`
-/// [N] and `tail` [N]. Protection and compensation add the inputs `aops` and `mops`, 0 or 1, and
-/// the outputs `wire_out` [m], `wire_speed` [m/s], `peak_pull` [N], `overload` 0 or 1,
-/// `overload_out` [m] and `heave_error` [m].
+/// Outputs:
+/// - `layer`, `wraps`: number of the outer layer, 1 the innermost; turns on the drum;
+/// - `wire_left`: wire on the drum [m]; `radius`: radius of the outer layer [m]; `across`: position
+/// of
+///   the wire across the drum from its middle [m]; `at_drum`: rest length of the element at the
+///   drum [m];
+/// - `pull`, `pull_limit`: tension at the fairlead, largest pull in the present mode [N];
+/// - `inertia`: inertia of the drum with its wire [kg m²];
+/// - `slip`, `heat`: wire that slipped through the brake [m], heat of the brake [J];
+/// - `state`: number of a WinchState;
+/// - of a gypsy: `jumps`, `jumped`: number of jumps and their length [m]; `grip`: force of the
+/// wheel on
+///   the chain [N]; `tail`: force of the chain inboard of the wheel [N];
+/// - with protection or compensation: `wire_out`, `wire_speed`: wire outboard [m] and its speed, >
+/// 0
+///   out [m/s]; `peak_pull`: largest tension since the start [N]; `overload`: 1 while the
+///   protection pays out; `overload_out`: wire that it has paid out [m]; `heave_error`: wire that
+///   the compensation lacks [m].
 ///
 /// Limits and derivations: docs/winches.md.
 
@@ -68,13 +81,13 @@ class World;
 /// Operating mode of a winch.
 enum class WinchMode : std::uint8_t {
     speed,    ///< Speed control: the motor drives the wire at `speed`; > 0 pays out, < 0 hauls.
-    tension,  ///< The motor applies the torque `tension` × radius at any speed.
+    tension,  ///< Constant tension: the motor applies the torque `tension` × radius at any speed.
     render,   ///< Render and recover: pays out above tension + deadband, hauls below tension −
               ///< deadband, stands between them.
     brake,    ///< The band brake acts with the fraction `brake` of its torque; the motor is off.
     free,     ///< Motor and brake are off.
-    release,  ///< Emergency release: after `release_delay` only `release_load` resists.
-    heave,    ///< Heave compensation: `speed`, and the upward speed of the point heave_point.
+    release,  ///< Emergency release: after `release_delay` only the tension `release_load` resists.
+    heave,    ///< Heave compensation: pays out at `speed` plus the upward speed of heave_point.
 };
 
 /// Return the names of the modes in the order of WinchMode: "speed", "tension", "render", "brake",
@@ -87,7 +100,7 @@ enum class WinchState : std::uint8_t {
     paying,      ///< Wire is paid out.
     hauling,     ///< Wire is hauled in.
     slipping,    ///< The brake slips.
-    waiting,     ///< An emergency release waits for `release_delay`.
+    waiting,     ///< An emergency release is requested, and `release_delay` runs.
     released,    ///< The emergency release is in effect.
     last_wraps,  ///< Only the dead wraps are left; the motor pays out no more.
     full,    ///< The drum is full, or the wire's end is at the fairlead and jams there in any mode.
@@ -97,8 +110,8 @@ enum class WinchState : std::uint8_t {
     jumping,  ///< The chain is between two pockets of the gypsy.
 };
 
-/// Chain wheel and chain locker. Five pockets and links of 4 d are usual; chain_properties()
-/// returns the values of a chain.
+/// Gypsy: chain wheel with pockets, and its chain locker. Usual values: five pockets, and links
+/// with a pitch of 4 bar diameters. chain_properties() returns the properties of a chain.
 struct GypsyDef {
     int pockets = 0;  ///< Number of pockets, one for each flat link; 0: a drum instead of a gypsy.
     double pitch = kDefault;  ///< Pitch of one link [m], two per pocket; default: 4 bar diameters.
@@ -111,20 +124,21 @@ struct GypsyDef {
     double wrap = 3.141592653589793;  ///< Angle of the wheel that is covered with chain [rad].
 };
 
-/// Winch at an end of a wire. World::add() copies the definition. Units: m, N at the wire, N m at
-/// the drum.
+/// Definition of a winch at an end of a wire. World::add() copies it. Forces apply at the wire,
+/// torques at the drum.
 struct WinchDef {
     std::string name{};  ///< Unique name among systems. Parts: name/drum, name/motor,
                          ///< name/friction.
     WireId wire{};       ///< Wire whose end lies on the drum. Required.
     int end = 0;         ///< End on the drum: 0 the first, 1 the last.
-    /// Scalar body with the mass `inertia` that already carries this end by a WinchStretch.
-    /// Invalid: the winch creates the drum and the end's element (WorldWires::spool()).
+    /// Existing drum: a scalar body with the mass `inertia`, on which a WinchStretch already winds
+    /// this end. Invalid: the winch creates the drum and the element at it (WorldWires::spool()).
     BodyId drum{};
 
-    /// Chain wheel instead of a drum. core_radius, width, flange_radius and layer_pitch are then
-    /// not used. Length `stored` lies in the locker [m]; `dead_wraps` turns of the wheel stay
-    /// there. Breaking load of the bitter end: `weak_link` [N].
+    /// Chain wheel instead of a drum, if `pockets` > 0. The members core_radius, width,
+    /// flange_radius and layer_pitch are then not used. The length `stored` lies in the locker [m];
+    /// `dead_wraps` turns of the wheel stay there. The breaking load of the bitter end is
+    /// `weak_link` [N].
     GypsyDef gypsy{};
     /// Scalar body of the chain on the gypsy, with the mass gypsy_chain_inertia(), that already
     /// carries the end. Required with a gypsy if `drum` is set.
@@ -176,14 +190,14 @@ struct WinchDef {
     double heave_acceleration = 1e30;  ///< Largest acceleration of the compensation [m/s²].
     double heave_falls = 1.0;  ///< Wire paid out per height of the point [1]; falls of a tackle.
     BodyId heave_body{};       ///< Body of the compensated point; invalid: that of the fairlead.
-    Vec3 heave_point{0.0, 0.0, 0.0};  ///< Point, in the frame of heave_body [m]; not used if that
-                                      ///< is invalid.
-    WinchMode mode = WinchMode::brake;
+    Vec3 heave_point{0.0, 0.0, 0.0};    ///< Point, in the frame of heave_body [m]; not used if that
+                                        ///< is invalid.
+    WinchMode mode = WinchMode::brake;  ///< Mode at the start.
 };
 
 /// Parts of a winch.
 struct WinchIds {
-    BodyId drum{};
+    BodyId drum{};                   ///< Scalar body of the drum.
     InteractionId line{};            ///< Element at the drum.
     InteractionId motor{}, brake{};  ///< Motor and brake.
     BodyId chain{};  ///< Scalar body of the chain on a gypsy, which carries the element.
@@ -191,8 +205,8 @@ struct WinchIds {
     InteractionId grip{}, bitter_end{};
 };
 
-/// Return the mass of the scalar body of a drum [kg m²]: `inertia`; 1e-4 of it with an
-/// overload_limit. The winch adds the rest to the drum, except while the protection acts.
+/// Return the mass of the scalar body of a drum [kg m²]. It is `inertia`, or with an overload_limit
+/// 1e-4 of it: the winch then adds the rest as a load, except while the protection pays out.
 [[nodiscard]] double drum_mass(const WinchDef& def) noexcept;
 /// Return the radius of a gypsy, at which one turn pays out two pitches per pocket: pockets ×
 /// pitch/π [m].

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file world.h
-/// The world: bodies, interactions, and the step that moves them. Wires, saved states, events, the
-/// solver and splits have facets (facet.h).
+/// World: bodies, interactions, and the step that moves them.
 ///
 /// ```cpp
 /// hawser::World world({.step = 1.0 / 60.0});
@@ -13,14 +12,23 @@
 /// while (world.time() < 10.0)
 ///     if (world.step() != hawser::Status::ok) break;
 /// ```
-/// Set-up functions throw DefError, as does every function for an invalid id. step() does not
-/// throw. A function that throws any exception leaves the world unchanged, and so does a failed
-/// step. A retry gives the same bits as without the failure. An unknown name gives an invalid id.
-/// One thread at a time uses a world: a second one that changes it or steps is rejected (UseError,
-/// Status::in_use). Different worlds are independent. Bodies, interactions, shapes and inputs may
-/// be added and removed between steps. The next step repairs its analysis, and bodies near an edit
-/// wake. Velocities of later additions are used without a staggered start. Energy of edits counts
-/// as edited (Energy).
+/// *Time*. The scheme is staggered: at time() = t, poses belong to t and velocities to t − h/2,
+/// with the step h. See docs/theory/step.md.
+///
+/// *Facets*. Wires, states, events, the solver and splits have objects of their own, such as
+/// World::wires() (facet.h).
+///
+/// *Errors*. Set-up functions, and every function with an invalid id, throw DefError. step() does
+/// not throw. A function that throws leaves the world unchanged, and so does a failed step; a retry
+/// gives the same bits as without the failure. A search for an unknown name returns an invalid id.
+///
+/// *Threads*. One thread at a time may use a world. A second one that changes it or steps is
+/// rejected (UseError, Status::in_use). Different worlds are independent.
+///
+/// *Edits*. Bodies, interactions, shapes and inputs may be added and removed between steps. The
+/// next step repairs its analysis, and bodies near an edit wake. Velocities of bodies that are
+/// added later belong to time() − h/2 already (no staggered start). Energy of edits counts as
+/// edited (Energy).
 
 #include <hawser/attempt.h>
 #include <hawser/def.h>
@@ -55,14 +63,15 @@ class ChangeListener;   // changes.h
 class WorldSplits;      // experimental/splits.h
 class WorldSplitsView;  // experimental/splits.h
 
+/// A system of bodies with its solver.
 class World : public OldWorld {
   public:
     /// Create a world.
     /// @throws DefError on a value out of range, ThreadError if the worker threads cannot be
     ///        started, EnvironmentError (see check_environment()), std::bad_alloc.
     explicit World(const WorldDef& def = {});
-    ~World();                 ///< In a forked child: attempt.h.
-    World(World&&) noexcept;  ///< The source may be destroyed or assigned to: attempt.h.
+    ~World();  ///< Ends the worker threads. A forked child has none and does not wait.
+    World(World&&) noexcept;  ///< The source may then only be destroyed or assigned to.
     World& operator=(World&&) noexcept;
     World(const World&) = delete;
     World& operator=(const World&) = delete;
@@ -93,18 +102,22 @@ class World : public OldWorld {
     /// Add an interaction.
     /// @throws DefError on unknown bodies, no moving body, a parameter missing or out of range.
     InteractionId add_interaction(const InteractionDef& def);
-    /// Add several, all or none. A load with a factor but no interaction belongs to the first one.
-    /// @param ids  As many as definitions.
-    /// @throws DefError.
+    /// Add several interactions, all or none. A friction load with a factor but without an
+    /// interaction refers to the first of them.
+    /// @param ids  Receives the ids; as many as definitions.
+    /// @throws DefError as add_interaction().
     void add_interactions(std::span<const InteractionDef> defs, std::span<InteractionId> ids);
-    /// Add a typed definition of joints.h or lines.h; see there for the result.
+    /// Add a typed definition, such as HingeDef, GuideDef or SeaDef: all of its parts or none. The
+    /// result is that of the function define() in the header of the definition.
     template <class Def>
     auto add(const Def& def) {
         const Attempt attempt(*this);
         return define(*this, def);
     }
     /// Add an input.
-    /// @throws DefError if the parameter cannot be driven or the name is in use.
+    /// @throws DefError if an input cannot drive the parameter (ParamInfo::input), or if the name
+    /// is
+    ///        in use.
     InputId add_input(const InputDef& def);
     /// Add a material.
     /// @throws DefError on a name in use, a value out of range.
@@ -117,26 +130,28 @@ class World : public OldWorld {
     ///        vertices that span no volume.
     ShapeId add_shape(const ShapeDef& def);
     /// Remove a body with its interactions, its shapes, the segments of wires that end at it, and
-    /// their inputs. Friction loaded by one of these stays, without that load.
+    /// their inputs. Friction loaded by a removed interaction remains, without that load.
     /// @return the removed objects; valid until the next removal.
-    /// @throws DefError, std::bad_alloc; without changes.
+    /// @throws DefError if a system needs one of them (System::holds()), with the system's name
+    /// @throws std::bad_alloc
     const Removed& remove_body(BodyId id);
-    /// Remove an interaction, with the inputs that drive it …
+    /// Remove an interaction and the inputs that drive it. Result and exceptions as remove_body().
     const Removed& remove_interaction(InteractionId id);
-    const Removed& remove_shape(ShapeId id);  ///< … a shape …
-    const Removed& remove_input(InputId id);  ///< … or an input, whose last value remains.
-    // Objects that a system holds (System::holds()) are not removed.
-    // @throws DefError with its name.
-    /// Set the listener for all further changes, see changes.h; null: none. It must outlive the
-    /// world or be reset. A twin() has none.
+    /// Remove a shape. Result and exceptions as remove_body().
+    const Removed& remove_shape(ShapeId id);
+    /// Remove an input. Its last value remains in effect. Result and exceptions as remove_body().
+    const Removed& remove_input(InputId id);
+    /// Set the listener for all further changes (changes.h); null: none. It must outlive the world
+    /// or be reset. A twin() has no listener.
     void set_change_listener(ChangeListener* listener) noexcept;
-    /// Analyse now instead of in the first step. @throws std::bad_alloc, LimitError.
+    /// Analyse the model now instead of in the first step.
+    /// @throws std::bad_alloc, LimitError.
     void prepare();
 
     // --- Systems (system.h) ---------------------------------------------------------------
-    /// Add a system, which acts from the next step on after the others, with outputs
-    /// "system.signal".
-    /// @return the same system, now owned by the world.
+    /// Add a system. It acts from the next step on, after the systems added before. Each of its
+    /// signals becomes an output "system.signal".
+    /// @return the added system, now owned by the world.
     /// @throws DefError on an empty name or one in use, signals with empty or equal names, or the
     ///        method `pgs` or `split`.
     System& add_system(std::unique_ptr<System> system);
@@ -144,52 +159,64 @@ class World : public OldWorld {
     /// @return the system with its state.
     /// @throws DefError if it does not belong to this world.
     std::unique_ptr<System> remove_system(const System& system);
-    [[nodiscard]] int system_count() const noexcept;
-    [[nodiscard]] System& system(int index);  ///< In the order in which they act. @throws DefError.
-    [[nodiscard]] System* find_system(std::string_view name) noexcept;  ///< Null: none.
+    [[nodiscard]] int system_count() const noexcept;  ///< Number of systems.
+    /// Return a system by its index in the order in which systems act.
+    /// @throws DefError if the index is out of range.
+    [[nodiscard]] System& system(int index);
+    /// Return the system with this name; null: none.
+    [[nodiscard]] System* find_system(std::string_view name) noexcept;
     [[nodiscard]] const System* find_system(std::string_view name) const noexcept;
-    /// Return the inputs and outputs of all systems.
+    /// Return the signals (inputs and outputs) of all systems.
     [[nodiscard]] std::span<const SystemSignal> system_signals() const noexcept;
-    /// Return the value of "system.name".
-    /// @throws DefError if there is none, with the nearest name.
+    /// Return the value of a signal, in its unit.
+    /// @param name  "system.signal".
+    /// @throws DefError if the signal does not exist, with the nearest name.
     [[nodiscard]] double system_signal(std::string_view name) const;
-    /// Set a signal, clamped to its range, with an event.
+    /// Set an input signal. A value outside its range is clamped, with the event `input_clamped`.
+    /// @param name  "system.signal".
     /// @throws DefError on an unknown input or a value that is not finite.
     void set_system_signal(std::string_view name, double value);
-    /// Return the loads of systems in the last or failed step, by body; valid until the next step.
+    /// Return the loads of systems on each body in the last step, also in a failed one. Valid until
+    /// the next step.
     [[nodiscard]] std::vector<LoadView> loads() const;
-    /// Return the loads of the last step for a recording; valid until the next step.
+    /// Return the loads of the last step that a recording must store; valid until the next step.
     [[nodiscard]] LoadRecord load_record() const;
-    /// Return the reason of the last Status::bad_load or bad_edit.
+    /// Return the reason of the last Status::bad_load or Status::bad_edit.
     [[nodiscard]] const BadLoad& bad_load() const noexcept;
 
     // --- Stepping -----------------------------------------------------------------------
-    /// Advance by WorldDef::step. If the status is not ok the state is the last good one.
+    /// Advance the world by WorldDef::step.
+    /// @return ok; any other status: the step failed, and the world keeps the state before it.
     Status step() noexcept;
-    /// Cancel the current step between parts of the factorisation or of the collisions, or else the
-    /// next one at its start: Status::cancelled, with the last good state. An analysis is completed
-    /// first. Other threads and signal handlers may call it: it sets a flag.
+    /// Cancel the current step, or the next one if none is running. It returns Status::cancelled,
+    /// and the state before it remains. The step ends between two parts of the factorisation or of
+    /// collision detection; an analysis is completed first. Other threads and signal handlers may
+    /// call this function: it sets a flag.
     void cancel() noexcept;
-    [[nodiscard]] double time() const noexcept;  ///< [s].
-    [[nodiscard]] std::int64_t step_count() const noexcept;
-    [[nodiscard]] const StepStats& stats() const noexcept;
+    [[nodiscard]] double time() const noexcept;              ///< Simulated time [s].
+    [[nodiscard]] std::int64_t step_count() const noexcept;  ///< Number of completed steps.
+    [[nodiscard]] const StepStats& stats() const noexcept;   ///< Figures of the last step.
     [[nodiscard]] Energy energy() const noexcept;  ///< Energy of the state; zeros before prepare().
-    /// Return the worst result over all states since the start or the last restore(). It includes
-    /// the present state, or the rejected state of a diverged step.
+    /// Return the result of the monitors: the worst over all states since the start or the last
+    /// restore(). It includes the present state, or the rejected state of a diverged step.
     [[nodiscard]] Verdict verdict() const noexcept;
 
     // --- Inputs and applied forces --------------------------------------------------------
-    [[nodiscard]] int input_count() const noexcept;                  ///< Indices, as body_count().
-    [[nodiscard]] std::span<const InputId> inputs() const noexcept;  ///< As bodies().
-    [[nodiscard]] const InputDef& input_def(InputId id) const;
+    [[nodiscard]] int input_count() const noexcept;  ///< Number of indices, as body_count().
+    [[nodiscard]] std::span<const InputId> inputs() const noexcept;  ///< All ids, as bodies().
+    [[nodiscard]] const InputDef& input_def(InputId id) const;       ///< Definition as added.
+    /// Return the input with this name; invalid: none.
     [[nodiscard]] InputId find_input(std::string_view name) const noexcept;
-    [[nodiscard]] double input(InputId id) const;  ///< Last value set, or that of the definition.
-    /// Set an input, clamped to its range, with an event.
-    /// @throws DefError outside the range of the driven parameter.
+    /// Return the value of an input: the last one set. Initially it is the value of the driven
+    /// parameter, or 0 for a force or torque.
+    [[nodiscard]] double input(InputId id) const;
+    /// Set an input. A value outside InputDef::min to max is clamped, with the event
+    /// `input_clamped`.
+    /// @throws DefError if the value is outside the range of the driven parameter.
     void set_input(InputId id, double value);
-    /// Replace the applied force [N] and torque [N m], world frame. Forces of inputs and loads of
-    /// systems are separate; all three add up.
-    /// @throws DefError if not finite or above 1e300, as add_body().
+    /// Replace the applied force [N] and torque [N m] of a body (BodyDef::force, torque), world
+    /// frame. Forces of inputs and loads of systems are separate; all three add up.
+    /// @throws DefError if a component is not finite or above 1e300, as add_body().
     void set_force(BodyId body, const Vec3& force, const Vec3& torque);
 
     // --- Outputs (outputs.h) ----------------------------------------------------------------
@@ -199,22 +226,25 @@ class World : public OldWorld {
     /// Remove an output: its value is NaN, and the next added output gets its index.
     /// @throws DefError on an invalid id, or on a signal, which is removed with its system.
     void remove_output(OutputId id);
-    [[nodiscard]] bool alive(OutputId id) const noexcept;
-    [[nodiscard]] int output_count() const noexcept;  ///< Indices, as body_count().
-    [[nodiscard]] std::span<const OutputId> output_ids() const noexcept;  ///< As bodies().
-    [[nodiscard]] const OutputDef& output_def(OutputId id) const;  ///< With component and unit.
+    [[nodiscard]] bool alive(OutputId id) const noexcept;  ///< True if the output exists.
+    [[nodiscard]] int output_count() const noexcept;       ///< Number of indices, as body_count().
+    [[nodiscard]] std::span<const OutputId> output_ids() const noexcept;  ///< All ids, as bodies().
+    /// Return the definition with component and unit filled in.
+    [[nodiscard]] const OutputDef& output_def(OutputId id) const;
+    /// Return the output with this name; invalid: none.
     [[nodiscard]] OutputId find_output(std::string_view name) const noexcept;
-    [[nodiscard]] double output(OutputId id) const;  ///< Its value now, in SI units.
-    /// Return all values, by index, of the last good step or later changes; valid until an
-    /// addition. NaN if the output or its source has been removed.
+    [[nodiscard]] double output(OutputId id) const;  ///< Present value, in SI units.
+    /// Return the values of all outputs by index, after the last good step or later changes. Valid
+    /// until an addition. NaN if the output or its source has been removed.
     [[nodiscard]] std::span<const double> outputs() const noexcept;
 
     // --- Bodies ---------------------------------------------------------------------------
-    /// Return the number of indices of bodies, including vacant ones after removals.
+    /// Return the number of indices of bodies, that is the size of arrays by body. Indices of
+    /// removed bodies count, too.
     [[nodiscard]] int body_count() const noexcept;
-    /// Return the ids of all bodies, ascending; valid until an addition or removal.
+    /// Return the ids of all existing bodies, ascending; valid until an addition or removal.
     [[nodiscard]] std::span<const BodyId> bodies() const noexcept;
-    /// Return true if an id names an existing object of this world.
+    /// Return true if the object of an id exists in this world.
     [[nodiscard]] bool alive(BodyId id) const noexcept;
     [[nodiscard]] bool alive(InteractionId id) const noexcept;
     [[nodiscard]] bool alive(ShapeId id) const noexcept;
@@ -222,32 +252,43 @@ class World : public OldWorld {
     [[nodiscard]] bool alive(WireId id) const noexcept;
     /// Return the definition as added, with the present group and applied force and torque.
     [[nodiscard]] const BodyDef& body_def(BodyId id) const;
+    /// Return the body with this name; invalid: none.
     [[nodiscard]] BodyId find_body(std::string_view name) const noexcept;
-    [[nodiscard]] Pose pose(BodyId id) const;       ///< At time().
-    [[nodiscard]] Twist velocity(BodyId id) const;  ///< At time() − h/2 (the scheme is staggered).
-    [[nodiscard]] Twist predicted_velocity(BodyId id) const;  ///< 2 v − v of the previous step.
-    /// Move a body between steps; multipliers are kept. The velocity is used without a staggered
-    /// start.
-    /// @throws DefError like add_body(): if the position is not finite or beyond 1e7 m, if the
-    ///        length of the orientation is far from 1. Also if the speed is not finite or beyond
-    ///        1e5, or if a fixed body gets a velocity.
+    [[nodiscard]] Pose pose(BodyId id) const;       ///< Pose at time(), world frame.
+    [[nodiscard]] Twist velocity(BodyId id) const;  ///< Velocity at time() − h/2, world frame.
+    /// Return the velocity extrapolated to time() + h/2, 2 v_k − v_{k−1} of the last two steps. For
+    /// a fixed or kinematic body: velocity().
+    [[nodiscard]] Twist predicted_velocity(BodyId id) const;
+    /// Set the pose of a body between steps. Multipliers of its interactions remain, as start
+    /// values of the next step.
+    /// @throws DefError if the position is not finite or beyond 1e7 m, or if the length of the
+    ///        quaternion is far from 1.
     void set_pose(BodyId id, const Pose& pose);
+    /// Set the velocity of a body at time() − h/2 (no staggered start), or the prescribed velocity
+    /// of a kinematic body.
+    /// @throws DefError if the speed is not finite or beyond 1e5, or if a fixed body gets a
+    /// velocity.
     void set_velocity(BodyId id, const Twist& twist);
-    /// Return true if it sleeps (WorldDef::sleep_after). Its velocity is then that of its last
-    /// step.
+    /// Return true if the body sleeps (WorldDef::sleep_after). Its velocity is then that of its
+    /// last step before it slept.
     [[nodiscard]] bool asleep(BodyId id) const;
-    /// Wake a body and its island in the next step; a fixed or kinematic body wakes all. Changes of
-    /// a body, its forces or its interactions wake it anyway.
+    /// Wake a body and its island in the next step; a fixed or kinematic body wakes all islands.
+    /// Changes of a body, its forces or its interactions wake it without this call.
     void wake(BodyId id);
-    /// Return the world position of a point in the body's frame, from its centre of mass [m].
+    /// Return the position in the world frame of a point given in a body's frame [m].
+    /// @param local  Point from the centre of mass [m].
     [[nodiscard]] Vec3 world_point(BodyId id, const Vec3& local) const;
-    [[nodiscard]] Vec3 local_point(BodyId id, const Vec3& point) const;  ///< The inverse [m].
+    /// Return the position in a body's frame, from its centre of mass, of a point in the world
+    /// frame [m].
+    [[nodiscard]] Vec3 local_point(BodyId id, const Vec3& point) const;
 
     // --- Interactions -----------------------------------------------------------------------
-    [[nodiscard]] int interaction_count() const noexcept;  ///< Indices, as body_count().
-    [[nodiscard]] std::span<const InteractionId> interactions() const noexcept;  ///< As bodies().
+    [[nodiscard]] int interaction_count() const noexcept;  ///< Number of indices, as body_count().
+    /// Return the ids of all interactions, as bodies().
+    [[nodiscard]] std::span<const InteractionId> interactions() const noexcept;
     /// Return the definition with defaults filled in.
     [[nodiscard]] const InteractionDef& interaction_def(InteractionId id) const;
+    /// Return the interaction with this name; invalid: none.
     [[nodiscard]] InteractionId find_interaction(std::string_view name) const noexcept;
     /// Return the force of each row in the last step, along Gᵀ [N or N m]; zero before the first.
     /// Rows 0-2 of ball, hinge, universal and lock are the force on body 1 in world axes. A line in
@@ -255,51 +296,60 @@ class World : public OldWorld {
     [[nodiscard]] std::span<const double> force(InteractionId id) const;
     /// Return the coordinate of an interaction whose kind has one (KindInfo::coordinate). Hinges:
     /// the angle of frame 1 relative to frame 0 about z, −π to π [rad], 0 if their x axes agree.
-    /// Sliders: the distance of point 1 along z of frame 0 [m]. Scalar bodies: the position.
-    /// Limits, drives and friction of a joint have the same coordinate.
-    /// @throws DefError.
+    /// Sliders: the distance of point 1 from point 0 along z of frame 0 [m]. Scalar bodies: the
+    /// position [m or rad]. Limits, motors and friction of a joint have the same coordinate.
+    /// @throws DefError if the kind has no coordinate.
     [[nodiscard]] double coordinate(InteractionId id) const;
-    [[nodiscard]] double speed(InteractionId id) const;  ///< Its rate, at time() − h/2.
+    /// Return the rate of coordinate() at time() − h/2 [m/s or rad/s].
+    [[nodiscard]] double speed(InteractionId id) const;
     /// Return the force of a motor in the last step, positive if it increases the coordinate [N or
     /// N m].
     [[nodiscard]] double motor_force(InteractionId id) const;
     /// Return the violation g of each row at the present poses [m or rad]; 0 for velocity rows.
     [[nodiscard]] std::array<double, kMaxInteractionRows> violation(InteractionId id) const;
-    [[nodiscard]] bool intact(InteractionId id) const;  ///< False after an element has broken.
+    /// Return true unless the interaction is an element of a line that has broken.
+    [[nodiscard]] bool intact(InteractionId id) const;
 
     // --- Shapes and contacts ----------------------------------------------------------------
-    /// Return the number of materials with the default one, which is the first.
+    /// Return the number of materials, including the default material, which is the first.
     [[nodiscard]] int material_count() const noexcept;
-    [[nodiscard]] const MaterialDef& material_def(MaterialId id) const;
+    [[nodiscard]] const MaterialDef& material_def(MaterialId id) const;  ///< Definition as added.
+    /// Return the material with this name; invalid: none.
     [[nodiscard]] MaterialId find_material(std::string_view name) const noexcept;
-    /// Return the pairs as added, in that order.
+    /// Return the pairs of materials in the order of their addition.
     [[nodiscard]] std::span<const MaterialPairDef> material_pairs() const noexcept;
-    [[nodiscard]] int shape_count() const noexcept;                  ///< Indices, as body_count().
-    [[nodiscard]] std::span<const ShapeId> shapes() const noexcept;  ///< As bodies().
-    [[nodiscard]] const ShapeDef& shape_def(ShapeId id) const;       ///< As added.
+    [[nodiscard]] int shape_count() const noexcept;  ///< Number of indices, as body_count().
+    [[nodiscard]] std::span<const ShapeId> shapes() const noexcept;  ///< All ids, as bodies().
+    [[nodiscard]] const ShapeDef& shape_def(ShapeId id) const;       ///< Definition as added.
+    /// Return the shape with this name; invalid: none.
     [[nodiscard]] ShapeId find_shape(std::string_view name) const noexcept;
-    /// Return contact points with overlap (gap < 0) at the present poses, ascending by their
-    /// shapes, without a step or changes. Forces follow from overlap and contact stiffness; laws
-    /// are zeros.
+    /// Compute the contact points with overlap (gap < 0) at the present poses, ascending by their
+    /// shapes. The world is not changed, and no step is needed. Forces follow from overlap and
+    /// contact stiffness; the members for verification are zeros.
     /// @throws std::bad_alloc, LimitError; DefError if a body with a shape is beyond 1e100 m.
     [[nodiscard]] std::vector<ContactView> overlaps() const;
-    /// Return the contact points of the last step, ascending by their shapes, sleeping ones last,
-    /// with near ones without touch. Empty before the first step and after restore().
+    /// Return the contact points of the last step, including those that do not touch yet. They are
+    /// ascending by their shapes; contacts of sleeping bodies are last. Empty before the first step
+    /// and after restore().
     [[nodiscard]] std::vector<ContactView> contacts() const;
-    void contacts(std::vector<ContactView>& out) const;  ///< In the caller's buffer.
-    /// List the shapes that pressed on one in the last step, one per contact; also after restore().
+    void contacts(std::vector<ContactView>& out) const;  ///< The same, in the caller's buffer.
+    /// List the shapes that pressed on a shape in the last step, one entry per contact point. Also
+    /// valid after restore().
+    /// @param out  Its contents are replaced.
     void pressing(ShapeId id, std::vector<ShapeId>& out) const;
-    /// Set 1 at indices of bodies whose segment touched or was near (contact_margin) something in
-    /// the last step; also after restore(). Contents of `out` are replaced.
+    /// List the bodies whose segment had a contact point in the last step, touching or nearer than
+    /// contact_margin. Also valid after restore().
+    /// @param out  Its contents are replaced: 1 at the indices of these bodies, else 0.
     /// @throws std::bad_alloc.
     void touching(std::vector<std::uint8_t>& out) const;
 
     // --- Copies and settings ----------------------------------------------------------------
-    /// Return a world with the same definitions and state, for comparing one step with another.
+    /// Return another world with equal definitions and state, for example to compare two couplings.
     /// @param coupling  Coupling of all interactions; none: as in this world.
-    /// @throws DefError as set-up functions.
+    /// @throws DefError if a system cannot be copied (System::clone()), or as set-up functions.
     [[nodiscard]] World twin(std::optional<Coupling> coupling = std::nullopt) const;
-    [[nodiscard]] const WorldDef& settings() const noexcept;  ///< As given, with later changes.
+    /// Return the settings as given, with later changes (WorldSplits::follow_groups()).
+    [[nodiscard]] const WorldDef& settings() const noexcept;
 
   private:
     friend class Attempt;

@@ -1,7 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file world_events.h
-/// Events of a world: World::events(). Kinds and fields: stats.h.
+/// Events of a world, World::events(): incidents in steps, such as a broken line or a motor at its
+/// limit. Kinds and fields: stats.h.
+///
+/// ```cpp
+/// std::uint64_t cursor = world.events().cursor();      // from now on
+/// std::vector<hawser::Event> events;
+/// world.step();
+/// world.events().since(cursor, events);
+/// ```
+/// A world stores a limited number of events: WorldEvents::take(). Readers with a cursor are
+/// independent of each other and of take().
 
 #include <hawser/facet.h>
 #include <hawser/stats.h>
@@ -16,26 +26,27 @@ class WorldEventsView : public Facet {
   public:
     explicit WorldEventsView(const World& world) noexcept : Facet(world) {}
 
-    /// Read events from a reader's cursor on, oldest first, and advance it. 0 starts with the
-    /// oldest stored event. Independent of WorldEvents::take().
-    /// @param out  Its contents are replaced.
-    /// @return the number of events lost since the cursor.
+    /// Read the events since a cursor, oldest first, and advance the cursor.
+    /// @param cursor  Cursor of the reader; 0: starts with the oldest stored event.
+    /// @param out  Receives the events; its contents are replaced.
+    /// @return the number of events since the cursor that were lost, because newer ones replaced
+    /// them.
     /// @throws UseError, std::bad_alloc.
     std::uint64_t since(std::uint64_t& cursor, std::vector<Event>& out) const;
-    /// Return the cursor after all events, for a reader that skips them.
+    /// Return the cursor behind the newest event, for a reader that skips earlier events.
     [[nodiscard]] std::uint64_t cursor() const noexcept;
-    /// Return the count of a kind, its first and its worst event, independent of
-    /// WorldEvents::take().
+    /// Return the number of events of a kind, its first and its worst event.
     [[nodiscard]] EventExtremes extremes(EventKind kind) const noexcept;
 };
 
-/// Reads and takes the events of a world.
+/// Reads and removes the events of a world.
 class WorldEvents : public WorldEventsView {
   public:
     explicit WorldEvents(World& world) noexcept;
 
-    /// Return events since the last call, oldest first: at most the newest 16,384 of slack and of
-    /// taut each, and 4,096 of any other kind.
+    /// Return the events since the last call, oldest first. A world stores the newest 16,384 events
+    /// of the kinds slack and taut each, and the newest 4,096 of any other kind; older ones are
+    /// lost.
     /// @throws UseError, std::bad_alloc.
     [[nodiscard]] std::vector<Event> take();
 };

@@ -33,7 +33,7 @@ class Coarsening {
     bool possible = false;  ///< True if a system would remove more nodes at a higher level.
     [[nodiscard]] int level() const noexcept { return level_; }
     /// True if wires must be coarsened before any other measure is used.
-    [[nodiscard]] bool comes_first() const noexcept {
+    [[nodiscard]] bool has_priority() const noexcept {
         return possible && (level_ == 0 || (level_ == 1 && rises_ && since_ < kAct));
     }
     /// Record a step without analysis. @param demand  Time of the step divided by the budget.

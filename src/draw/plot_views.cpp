@@ -62,15 +62,17 @@ Layout arrange_two_panels(Bounds b) {
     }
     const Vec3 size = b.high - b.low;
     const double wide = size[across], deep = size[1 - across], high = size.z();
-    const double room_x = kWidth - kViewsLeft - kRight, room_y = kMaxHeight - kViewsTop - kBottom;
-    const double stacked = std::min(room_x / wide, (room_y - kViewsBetween) / (high + deep));
-    const double beside =
-        std::min((room_x - kViewsBetween) / (2.0 * wide), room_y / std::max(high, deep));
+    const double available_width = kWidth - kViewsLeft - kRight,
+                 available_height = kMaxHeight - kViewsTop - kBottom;
+    const double stacked =
+        std::min(available_width / wide, (available_height - kViewsBetween) / (high + deep));
+    const double beside = std::min((available_width - kViewsBetween) / (2.0 * wide),
+                                   available_height / std::max(high, deep));
     const bool above = stacked >= 0.9 * beside;
     const double scale = above ? stacked : beside;
     const double w = wide * scale, h0 = high * scale, h1 = deep * scale;
     if (above) {
-        const double x = kViewsLeft + 0.5 * (room_x - w);
+        const double x = kViewsLeft + 0.5 * (available_width - w);
         out.axes[0] = panel(out.view[0], b, {x, kViewsTop, w, h0});
         out.axes[1] = panel(out.view[1], b, {x, kViewsTop + h0 + kViewsBetween, w, h1});
         out.height = kViewsTop + h0 + kViewsBetween + h1 + kBottom;
@@ -141,25 +143,25 @@ Layout arrange_one_panel(const Bounds& b, const ViewOptions& options, double mar
             : View{across, 1 - across, across == 0 ? 1.0 : -1.0, "Top view"};
     const View& view = out.view[0];
     out.width = options.width > 0.0 ? options.width : kWidth;
-    const double room_x = out.width - kViewsLeft - kRight;
+    const double available_width = out.width - kViewsLeft - kRight;
     const double wide = std::max(1e-3, extent[view.right] * margin);
     double high = std::max(extent[view.up] * margin, wide / 7.0);
-    double scale = room_x / wide;
+    double scale = available_width / wide;
     out.height = options.height > 0.0
                      ? options.height
                      : std::clamp(scale * high + kViewsTop + kBottom, kMinHeight, kMaxHeight);
-    const double room_y = out.height - kViewsTop - kBottom;
-    scale = std::min(scale, room_y / high);
+    const double available_height = out.height - kViewsTop - kBottom;
+    scale = std::min(scale, available_height / high);
     // Extend the axes to fill the remaining space.
     Bounds shown = b;
-    const double half[2] = {0.5 * room_x / scale, 0.5 * room_y / scale};
+    const double half[2] = {0.5 * available_width / scale, 0.5 * available_height / scale};
     for (int k = 0; k < 2; ++k) {
         const int axis = k == 0 ? view.right : view.up;
         const double middle = 0.5 * (b.low[axis] + b.high[axis]);
         shown.low[axis] = middle - half[k];
         shown.high[axis] = middle + half[k];
     }
-    out.axes[0] = panel(view, shown, {kViewsLeft, kViewsTop, room_x, room_y});
+    out.axes[0] = panel(view, shown, {kViewsLeft, kViewsTop, available_width, available_height});
     out.bar_x = out.axes[0].frame.right() + 40;
     return out;
 }

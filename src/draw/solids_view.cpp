@@ -17,12 +17,12 @@ int compare_depth(const Solid& a, const Solid& b, const Camera& camera) {
     const double slack = 1e-6 * (1.0 + std::abs(a.depth) + std::abs(b.depth));
     for (std::size_t f = 0; f < a.normals.size(); ++f) {
         const Vec3& n = a.normals[f];
-        const double looks = n.dot(camera.to_viewer);
-        if (std::abs(looks) < 1e-9) continue;
+        const double facing = n.dot(camera.to_viewer);
+        if (std::abs(facing) < 1e-9) continue;
         const bool beyond =
             std::all_of(b.surface.points.begin(), b.surface.points.end(),
                         [&](const Vec3& p) { return n.dot(p) >= a.offsets[f] - slack; });
-        if (beyond) return looks > 0.0 ? 1 : -1;
+        if (beyond) return facing > 0.0 ? 1 : -1;
     }
     return 0;
 }

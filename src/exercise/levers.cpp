@@ -45,11 +45,11 @@ void Controls::ask(const Session& session, const std::string& input, double valu
 }
 
 void Controls::begin(const Session& session, const Fault& fault) {
-    std::vector<Bent> inputs;
+    std::vector<FaultyInput> inputs;
     if (fault.kind == FaultKind::input_stuck || fault.kind == FaultKind::input_late)
         inputs.push_back({resolve_target(session.scene(), fault.target, 0.0).first, false});
     else if (fault.kind == FaultKind::motor_loses_force || fault.kind == FaultKind::brake_slips)
-        inputs = bent_inputs(fault, session.world());
+        inputs = faulty_inputs(fault, session.world());
     for (const auto& [input, mode] : inputs) {
         Control& l = control(session, input);
         l.mode = l.mode || mode;

@@ -65,8 +65,8 @@ InputId driving_input(const World& world, InteractionId interaction, const std::
     return {};
 }
 
-std::vector<Bent> bent_inputs(const Fault& fault, const World& world) {
-    std::vector<Bent> out;
+std::vector<FaultyInput> faulty_inputs(const Fault& fault, const World& world) {
+    std::vector<FaultyInput> out;
     if (is_winch(world, fault.target)) {
         const bool motor = fault.kind == FaultKind::motor_loses_force;
         out.push_back({fault.target + (motor ? ".mode" : ".brake"), motor});

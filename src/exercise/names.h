@@ -24,13 +24,13 @@ namespace hawser::exercise {
 
 /// Target of a fault, as named by resolve_target(): an input that is scaled, or the mode of a
 /// winch.
-struct Bent {
+struct FaultyInput {
     std::string input;
     bool mode = false;  ///< True: modes with a motor become free.
 };
 /// Return the inputs that a fault modifies. @param world  World in which each parameter that the
 /// fault needs has an input.
-[[nodiscard]] std::vector<Bent> bent_inputs(const Fault& fault, const World& world);
+[[nodiscard]] std::vector<FaultyInput> faulty_inputs(const Fault& fault, const World& world);
 /// Return the parameters of an interaction that a fault changes; empty if its kind is not suitable.
 [[nodiscard]] std::vector<std::string> fault_params(FaultKind kind, const World& world,
                                                     InteractionId interaction);

@@ -36,7 +36,7 @@ struct Run::Impl {
         std::vector<Standing> faults;
         Scorer scorer;
         /// Index of the first operation of the timeline that is not applied yet.
-        std::size_t next_lever = 0;
+        std::size_t next_operation = 0;
         Curves curves;
         std::size_t every = 1, seen = 0;
     };
@@ -231,9 +231,10 @@ double Run::shown(std::string_view output) const {
 void Run::before_step() {
     auto& state = impl_->state;
     const std::vector<scene::Operation>& levers = impl_->exercise.levers;
-    for (; state.next_lever < levers.size() && levers[state.next_lever].at <= impl_->now();
-         ++state.next_lever)
-        for (const auto& [input, value] : levers[state.next_lever].set) impl_->ask(input, value);
+    for (; state.next_operation < levers.size() && levers[state.next_operation].at <= impl_->now();
+         ++state.next_operation)
+        for (const auto& [input, value] : levers[state.next_operation].set)
+            impl_->ask(input, value);
     impl_->update_faults();
     state.levers.apply(impl_->session);
 }

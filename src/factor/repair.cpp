@@ -217,10 +217,10 @@ void Analysis::keep_unchanged_chains(const Pattern& next, RepairReport& report) 
         for (std::int32_t u = chains_.begin[at(c)]; u < chains_.begin[at(c) + 1]; ++u)
             for (const std::int32_t v : chains_.unit(u))
                 if (v >= 0) chain_of_[at(v)] = c;
-    kept_chains_.clear();
+    intact_chains_.clear();
     for (int c = 0; c < chains_.count(); ++c) {
         if (chain_holds(next, c)) {
-            append(chains_, c, kept_chains_);
+            append(chains_, c, intact_chains_);
             continue;
         }
         ++report.dissolved;
@@ -228,7 +228,7 @@ void Analysis::keep_unchanged_chains(const Pattern& next, RepairReport& report) 
             for (const std::int32_t v : chains_.unit(u))
                 if (v >= 0) chain_of_[at(v)] = -1;
     }
-    std::swap(chains_, kept_chains_);
+    std::swap(chains_, intact_chains_);
 }
 
 /// Return true if a chain is unchanged inside and has no neighbour in another chain. Its boundary

@@ -201,7 +201,7 @@ class Analysis {
     std::vector<std::int32_t> bodies_before_;  ///< By rank: bodies placed before that node.
     std::vector<std::int32_t> rows_behind_;    ///< Rows placed behind a node.
     std::vector<std::int32_t> next_;           ///< Links of both lists.
-    Chains kept_chains_;
+    Chains intact_chains_;
 };
 
 }  // namespace hawser::factor

@@ -18,15 +18,16 @@ const Vec3& corner_of(const HullMesh& mesh, std::int32_t i) {
     return mesh.vertices[static_cast<std::size_t>(i)];
 }
 
-std::string place_of(const Vec3& x) {
+std::string coordinates_text(const Vec3& x) {
     char text[96];
     std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", x.x(), x.y(), x.z());
     return text;
 }
 
 std::string edge_of(const HullMesh& mesh, std::int32_t a, std::int32_t b) {
-    return "the edge from vertex " + std::to_string(a) + " at " + place_of(corner_of(mesh, a)) +
-           " to vertex " + std::to_string(b) + " at " + place_of(corner_of(mesh, b));
+    return "the edge from vertex " + std::to_string(a) + " at " +
+           coordinates_text(corner_of(mesh, a)) + " to vertex " + std::to_string(b) + " at " +
+           coordinates_text(corner_of(mesh, b));
 }
 
 std::string numbers_fault(const HullMesh& mesh) {

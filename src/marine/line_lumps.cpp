@@ -62,7 +62,7 @@ void prefetch_element(const World& world, std::span<const InteractionId> element
 
 }  // namespace
 
-int LineTable::sort_of(InteractionId id) const noexcept {
+int LineTable::coefficient_set_of(InteractionId id) const noexcept {
     const auto place = static_cast<std::size_t>(id.index);
     if (id.index < 0 || place >= of_element.size()) return -1;
     return of_element[place].generation == id.generation ? of_element[place].sort : -1;
@@ -91,15 +91,15 @@ LineTable line_table(const World& world, const SeaDef& def) {
     return out;
 }
 
-void LineNodes::find_sorts(const Wire& wire) noexcept {
-    int* const sorts = sorts_.data() + wire.first;
+void LineNodes::assign_coefficient_sets(const Wire& wire) noexcept {
+    int* const sorts = coefficient_sets_.data() + wire.first;
     int last = -1;
     std::size_t unknown = 0;
     for (std::size_t e = 0; e < wire.elements.size(); ++e) {
-        const int sort = table_.sort_of(wire.elements[e]);
-        if (sort >= 0 && last < 0)  // elements before the first known one have its sort
-            for (std::size_t i = 0; i < unknown; ++i) sorts[i] = sort;
-        if (sort >= 0) last = sort;
+        const int set_index = table_.coefficient_set_of(wire.elements[e]);
+        if (set_index >= 0 && last < 0)  // elements before the first known one have its set
+            for (std::size_t i = 0; i < unknown; ++i) sorts[i] = set_index;
+        if (set_index >= 0) last = set_index;
         if (last < 0) ++unknown;
         sorts[e] = last;
     }
@@ -112,10 +112,10 @@ void LineNodes::find_spans(const World& world, const Wire& wire) noexcept {
         prefetch_element(world, wire.elements, e + kAhead);
         Span& span = spans_[wire.first + e];
         const InteractionId id = wire.elements[e];
-        const int sort = sorts_[wire.first + e];
+        const int set_index = coefficient_sets_[wire.first + e];
         span.of = nullptr;
-        if (sort < 0 || !world.alive(id)) continue;
-        span.of = &table_.sorts[static_cast<std::size_t>(sort)];
+        if (set_index < 0 || !world.alive(id)) continue;
+        span.of = &table_.sorts[static_cast<std::size_t>(set_index)];
         const InteractionDef& def = world.interaction_def(id);
         const int param = table_.length_param[static_cast<std::size_t>(def.kind)];
         const std::size_t node = wire.first + e;
@@ -149,7 +149,7 @@ void LineNodes::list(const World& world) {
             wires_.push_back({world.wires().nodes(wire), world.wires().elements(wire), nodes});
             nodes += wires_.back().nodes.size();
         }
-    sorts_.resize(nodes);
+    coefficient_sets_.resize(nodes);
     places_.resize(nodes, Vec3::Zero());
     nodes_.resize(nodes);
     spans_.resize(nodes);
@@ -160,8 +160,8 @@ void LineNodes::list(const World& world) {
 void LineNodes::find(const World& world, int number) noexcept {
     const Wire& wire = wires_[at(number)];
     const auto& [nodes, elements, first] = wire;
-    find_sorts(wire);
-    const bool wet = !elements.empty() && sorts_[first + elements.size() - 1] >= 0;
+    assign_coefficient_sets(wire);
+    const bool wet = !elements.empty() && coefficient_sets_[first + elements.size() - 1] >= 0;
     for (std::size_t i = 0; wet && i < kAhead; ++i) prefetch_node(world, nodes, i);
     for (std::size_t i = 0; wet && i < nodes.size(); ++i) {
         prefetch_node(world, nodes, i + kAhead);

@@ -84,8 +84,8 @@ MatrixXd run(const std::vector<MemoryModel::Block>& blocks, const MatrixXd& b, d
 
 /// Compute the blocks and B of the state-space model from the first `order` singular values of the
 /// Hankel matrix H.
-void realise(const Scaled& k, double end, int order, std::vector<MemoryModel::Block>& blocks,
-             MatrixXd& b) {
+void fit_state_space(const Scaled& k, double end, int order,
+                     std::vector<MemoryModel::Block>& blocks, MatrixXd& b) {
     const auto n = static_cast<Eigen::Index>(k.motions.size());
     const Eigen::Index q = std::min<Eigen::Index>(60, kBlockRows / n);
     const double delta = end / static_cast<double>(2 * q);
@@ -137,11 +137,11 @@ void realise(const Scaled& k, double end, int order, std::vector<MemoryModel::Bl
 
 /// Return the largest deficit of passivity of C (iω − A)⁻¹ B over frequencies, with scaled entries.
 /// The Hermitian part P + iQ has the eigenvalues of the symmetric (P, −Q; Q, P), each twice.
-double lack_of(const std::vector<MemoryModel::Block>& blocks, const MatrixXd& b, const MatrixXd& c,
-               double top) {
+double passivity_deficit(const std::vector<MemoryModel::Block>& blocks, const MatrixXd& b,
+                         const MatrixXd& c, double top) {
     using std::complex;
     const Eigen::Index n = c.rows();
-    double lack = 0.0;
+    double largest_deficit = 0.0;
     MatrixXd real(b.rows(), b.cols()), imaginary(b.rows(), b.cols()), both(2 * n, 2 * n);
     for (int p = 0; p <= 600; ++p) {
         const complex<double> s(0.0, top * p / 600.0);
@@ -167,9 +167,9 @@ double lack_of(const std::vector<MemoryModel::Block>& blocks, const MatrixXd& b,
         both.topLeftCorner(n, n) = both.bottomRightCorner(n, n) = 0.5 * (y + y.transpose());
         both.bottomLeftCorner(n, n) = 0.5 * (z - z.transpose());
         both.topRightCorner(n, n) = both.bottomLeftCorner(n, n).transpose();
-        lack = std::max(lack, -base::symmetric_eigenvalues(both)(0));
+        largest_deficit = std::max(largest_deficit, -base::symmetric_eigenvalues(both)(0));
     }
-    return lack;
+    return largest_deficit;
 }
 
 }  // namespace
@@ -181,7 +181,7 @@ MemoryModel memory_model(const WaveCoefficients& coefficients, int order, double
     if (k.motions.empty()) return out;
     const double end = k.end();
     MatrixXd b;
-    realise(k, end, order, out.blocks, b);
+    fit_state_space(k, end, order, out.blocks, b);
     const auto n = static_cast<Eigen::Index>(k.motions.size());
     MatrixXd left(kSamples * n, b.rows()), right(kSamples * n, n);
     for (int i = 0; i < kSamples; ++i) {
@@ -195,7 +195,7 @@ MemoryModel memory_model(const WaveCoefficients& coefficients, int order, double
         out.fit_error = std::max(
             out.fit_error,
             (left.middleRows(i * n, n) * c.transpose() - right.middleRows(i * n, n)).norm() / all);
-    const double lack = lack_of(out.blocks, b, c, nodes.frequency.back());
+    const double largest_deficit = passivity_deficit(out.blocks, b, c, nodes.frequency.back());
     for (Eigen::Index s = 0; s < b.rows(); ++s) {
         std::array<double, 6> row{}, column{};
         for (Eigen::Index i = 0; i < n; ++i) {
@@ -209,7 +209,8 @@ MemoryModel memory_model(const WaveCoefficients& coefficients, int order, double
     }
     const Matrix6 first = out.at(0.0);
     out.first = without_negative(first);
-    for (const int i : k.motions) out.added(i, i) = std::max(lack, 0.0) * k.scale[i] * k.scale[i];
+    for (const int i : k.motions)
+        out.added(i, i) = std::max(largest_deficit, 0.0) * k.scale[i] * k.scale[i];
     return out;
 }
 

@@ -136,7 +136,7 @@ Retardation sampled_retardation(const WaveCoefficients& c, double step, double m
     const Vec6 scale = memory_scale(out.first);
     const double top = std::min(kPi / step, nodes.frequency.back());
     const int points = std::clamp(static_cast<int>(2.0 * top * memory / kPi), 32, 400);
-    double lack = 0.0;
+    double largest_deficit = 0.0;
     for (int p = 0; p <= points; ++p) {
         const double omega = top * p / points;
         const double c1 = std::cos(omega * step), s1 = std::sin(omega * step);
@@ -148,9 +148,9 @@ Retardation sampled_retardation(const WaveCoefficients& c, double step, double m
             x = next;
             sum += x * k;
         }
-        lack = std::max(lack, deficit(step * sum, scale));
+        largest_deficit = std::max(largest_deficit, deficit(step * sum, scale));
     }
-    out.added = scaled_damping(lack, out.first);
+    out.added = scaled_damping(largest_deficit, out.first);
     return out;
 }
 

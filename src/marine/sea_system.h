@@ -46,7 +46,7 @@ struct LineTable {
     std::vector<BodyId> holders;       ///< Ascending.
     std::array<int, 64> length_param;  ///< By kind, −1: none.
 
-    [[nodiscard]] int sort_of(InteractionId id) const noexcept;
+    [[nodiscard]] int coefficient_set_of(InteractionId id) const noexcept;
     [[nodiscard]] bool holds(BodyId id) const noexcept;
 };
 /// Return the index of the parameter `length` by kind of element, −1: none.
@@ -100,7 +100,7 @@ class LineNodes {
         std::span<const InteractionId> elements;
         std::size_t first;  ///< Index of its first node.
     };
-    void find_sorts(const Wire& wire) noexcept;
+    void assign_coefficient_sets(const Wire& wire) noexcept;
     enum class NodeState : std::uint8_t { gone, lump, other };
     /// Element in the water.
     struct Span {
@@ -115,7 +115,7 @@ class LineNodes {
     LineTable table_;
     std::vector<Wire> wires_;
     // By node of all wires; an element has the index of the node before it.
-    std::vector<int> sorts_;
+    std::vector<int> coefficient_sets_;
     std::vector<Vec3> places_;
     std::vector<NodeState> nodes_;
     std::vector<Span> spans_;

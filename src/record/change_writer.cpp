@@ -248,7 +248,7 @@ void ChangeBytes::detached(InteractionId element, int end) noexcept {
         put(static_cast<std::int32_t>(end));
     });
 }
-void ChangeBytes::detached_carried(InteractionId element, int end, double mass) noexcept {
+void ChangeBytes::detached_with_mass(InteractionId element, int end, double mass) noexcept {
     bodies_changed_ = true;
     write([&](PutFields& put) {
         begin(put, ChangeKind::detach_carried);

@@ -53,7 +53,7 @@ class ChangeBytes : public ChangeListener {
     void detached(InteractionId element, int end) noexcept override;
     /// Report a released end whose element has its mass from a system (System::carried_mass())
     /// [kg].
-    void detached_carried(InteractionId element, int end, double mass) noexcept;
+    void detached_with_mass(InteractionId element, int end, double mass) noexcept;
     void released(InteractionId hook) noexcept override;
     void restored(std::span<const std::byte> bytes) noexcept override;
     void restored(const Structure& made_of, std::span<const std::byte> bytes) noexcept override;

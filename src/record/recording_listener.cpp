@@ -40,7 +40,7 @@ void RecordingListener::undone(std::size_t mark) noexcept {
 void RecordingListener::detached(InteractionId element, int end) noexcept {
     double mass = 0.0;
     for (int i = 0; i < world_.system_count(); ++i) mass += world_.system(i).carried_mass(element);
-    mass > 0.0 ? detached_carried(element, end, mass) : ChangeBytes::detached(element, end);
+    mass > 0.0 ? detached_with_mass(element, end, mass) : ChangeBytes::detached(element, end);
 }
 
 /// Store a restored state in a separate chunk, at the step of the world before the restore. A
@@ -52,7 +52,7 @@ void RecordingListener::begin_branch(F&& reported) noexcept {
         flush(before);
         reported();
         flush(before);
-        if (before != last_step_) writer_.add_take(before, last_step_);
+        if (before != last_step_) writer_.add_branch(before, last_step_);
     } catch (const std::bad_alloc&) {
         lost();
     } catch (const std::exception&) {

@@ -336,7 +336,7 @@ void RecordingWriter::add_event(const World& world, const Event& event) {
     write_chunk(kEventChunk);
 }
 
-void RecordingWriter::add_take(std::int64_t from, std::int64_t to) {
+void RecordingWriter::add_branch(std::int64_t from, std::int64_t to) {
     payload_.put(from);
     payload_.put(to);
     write_chunk(kTakeChunk);

@@ -46,7 +46,7 @@ class RecordingWriter {
     void add_event(const World& world, const Event& event);
     /// Write that the world has restored one of its earlier states. The last change must be this
     /// restore.
-    void add_take(std::int64_t from, std::int64_t to);
+    void add_branch(std::int64_t from, std::int64_t to);
     void finish(const World& world, Ending ending);
 
   private:

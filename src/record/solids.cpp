@@ -68,14 +68,14 @@ class Hull {
 
     void enclose_point(std::uint32_t point) {
         std::map<std::pair<std::uint32_t, std::uint32_t>, int> seen_edges;
-        bool sees = false;
+        bool removes_face = false;
         for (Face& face : faces_) {
             if (face.normal.dot(p_[point]) - face.offset <= kFlat * extent_) continue;
-            face.is_removed = sees = true;
+            face.is_removed = removes_face = true;
             for (std::size_t k = 0; k < 3; ++k)
                 seen_edges[{face.corner[k], face.corner[(k + 1) % 3]}] = 1;
         }
-        if (!sees) return;
+        if (!removes_face) return;
         std::erase_if(faces_, [](const Face& f) { return f.is_removed; });
         for (const auto& [edge, one] : seen_edges)
             if (!seen_edges.contains({edge.second, edge.first}))

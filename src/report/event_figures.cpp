@@ -131,7 +131,7 @@ std::string plural(std::int64_t count, const char* one, const char* many) {
 }
 
 /// Return the number of events, for kinds without a figure of their own.
-std::string how_often(const EventFigures& e) {
+std::string occurrence_text(const EventFigures& e) {
     const char* what = e.kind == EventKind::lift_off ? "wires left their guides "
                        : e.kind == EventKind::lay_on ? "wires returned to their guides "
                                                      : "joints were solved approximately ";
@@ -216,7 +216,7 @@ std::string event_text(const EventFigures& e) {
         case EventKind::lift_off:
         case EventKind::lay_on:
         case EventKind::incomplete:
-            return how_often(e);
+            return occurrence_text(e);
         case EventKind::shed:
             return "consumers of vessels lacked power " + plural(e.count, "time", "times");
         case EventKind::failure:

@@ -157,17 +157,17 @@ Json bodies_json(const Summary& s) {
 
 Json verdict_json(const VerdictText& text) {
     const auto number = [](double x) { return std::isfinite(x) ? Json(x) : Json(); };
-    Json judges = Json::object();
+    Json margins = Json::object();
     for (std::size_t k = 0; k < kJudgeCount; ++k) {
         const Finding& f = text.verdict.worst[k];
-        judges[to_string(static_cast<Judge>(k))] = {{"value", number(f.value)},
-                                                    {"of_doubtful", number(f.doubtful)},
-                                                    {"of_wrong", number(f.wrong)},
-                                                    {"time", f.time},
-                                                    {"where", text.where[k]}};
+        margins[to_string(static_cast<Judge>(k))] = {{"value", number(f.value)},
+                                                     {"of_doubtful", number(f.doubtful)},
+                                                     {"of_wrong", number(f.wrong)},
+                                                     {"time", f.time},
+                                                     {"where", text.where[k]}};
     }
     return {
-        {"grade", to_string(text.verdict.grade)}, {"said", text.description}, {"margins", judges}};
+        {"grade", to_string(text.verdict.grade)}, {"said", text.description}, {"margins", margins}};
 }
 
 Json event_counts(const Summary& s) {

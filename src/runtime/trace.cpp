@@ -29,9 +29,9 @@ std::vector<std::int32_t> Trace::copy_numbers(std::uint64_t begin, std::size_t c
     return out;
 }
 
-double Trace::lost_until() const noexcept {
+double Trace::end_of_overwritten() const noexcept {
     double until = 0.0;
-    for (const Ring& r : ring_) until = std::max(until, r.lost_until);
+    for (const Ring& r : ring_) until = std::max(until, r.end_of_overwritten);
     return until;
 }
 

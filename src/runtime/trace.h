@@ -30,7 +30,7 @@ class Trace {
     void push(const TraceSpan& span) noexcept {
         Ring& ring = ring_[static_cast<std::size_t>(span.thread)];
         TraceSpan& to = ring.span[ring.next];
-        if (ring.count >= ring.span.size()) ring.lost_until = to.end;
+        if (ring.count >= ring.span.size()) ring.end_of_overwritten = to.end;
         to = span;
         ++ring.count;
         if (++ring.next == ring.span.size()) ring.next = 0;
@@ -60,7 +60,7 @@ class Trace {
     void announce(const base::TaskOrder& order) noexcept;
     [[nodiscard]] int threads() const noexcept { return static_cast<int>(ring_.size()); }
     /// Return the latest time before which spans may be missing [s].
-    [[nodiscard]] double lost_until() const noexcept;
+    [[nodiscard]] double end_of_overwritten() const noexcept;
     /// Copy all spans that begin at `from` [s] or later and the graphs of their loops. Spans are
     /// sorted by their begin, and by descending length for equal begins.
     void copy(double from, TraceView& to) const;
@@ -77,8 +77,8 @@ class Trace {
         base::Array<TraceSpan> span;
         std::size_t next = 0;
         std::uint64_t count = 0;
-        double lost_until = 0.0;  ///< End of the most recently overwritten span [s].
-        double begun = 0.0;       ///< Begin of the current node [s]; see begin_node().
+        double end_of_overwritten = 0.0;  ///< End of the most recently overwritten span [s].
+        double begun = 0.0;               ///< Begin of the current node [s]; see begin_node().
         std::int32_t node = -1;
     };
     /// Graph of a loop: its numbers start at `begin` in the ring `numbers_`.

@@ -57,7 +57,7 @@ CableEnd read_end(Description& out, const Scope& scope, const Json& json, bool l
 void read_ends(CableLayout& c, Description& out, const Scope& scope, const Scope& to_scope,
                const Json& cable, const SourceLocation& location) {
     const Json* from = cable.contains("from") ? &cable["from"] : nullptr;
-    SourceLocation from_place = location / "from";
+    SourceLocation from_location = location / "from";
     if (const auto winch = cable.find("winch"); winch != cable.end()) {
         const SourceLocation at = location / "winch";
         if (c.links) {
@@ -75,13 +75,13 @@ void read_ends(CableLayout& c, Description& out, const Scope& scope, const Scope
                 throw_error(at / "fairlead", "the cable starts at \"from\" already; leave one out");
             }
             from = &(*winch)["fairlead"];
-            from_place = at / "fairlead";
+            from_location = at / "fairlead";
         }
     }
     if (from == nullptr) {
         throw_error(location, "a cable needs the key \"from\" (a cable end)");
     }
-    c.from = read_end(out, scope, *from, c.links, from_place);
+    c.from = read_end(out, scope, *from, c.links, from_location);
     c.to = read_end(out, to_scope, cable["to"], c.links, location / "to");
 }
 

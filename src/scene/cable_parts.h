@@ -84,7 +84,7 @@ struct CableLayout {
 
 /// Read "resolution" of a cable with a layout (resolutions.cpp). @throws SceneError.
 void read_resolution(Description& out, const CableLayout& cable, const Json& json,
-                     const SourceLocation& cable_place);
+                     const SourceLocation& cable_location);
 /// Read the water forces on a cable of nodes. If some sections have drag, the others have no water
 /// forces, and no part of the others may be in air. @throws SceneError.
 void read_water(Description& out, const CableLayout& cable, const Document& document,

@@ -70,7 +70,7 @@ class AtRest {
 
     /// Return the largest length with a straight shape. The cable then hangs vertically from ends
     /// above the bottom, and lies straight along it.
-    [[nodiscard]] double laid_length() const {
+    [[nodiscard]] double seabed_length() const {
         const Vec3 d = def_.to - def_.from;
         const double up = height(def_.to) - height(def_.from);
         const double span = std::sqrt(std::max(0.0, d.squaredNorm() - up * up));
@@ -288,7 +288,7 @@ void place_nodes(CableLayout& c, const Description& out, const Scope& scope, con
     if (at_rest || (kind == "catenary" && (seabed || (sea && in_water(c))))) {
         AtRest rest(c, out, scope, cable, sea, location);
         if (kind == "laid" && !given) {
-            c.length = rest.laid_length();
+            c.length = rest.seabed_length();
         }
         rest.lay_out();
     } else if (kind == "catenary") {

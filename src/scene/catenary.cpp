@@ -60,7 +60,7 @@ double sinh_ratio_root(double ratio) {
     return 0.5 * (low + high);
 }
 
-Slopes smooth_guess(const CatenaryProblem& p) {
+Slopes smooth_start_slopes(const CatenaryProblem& p) {
     const double n = p.n;
     const double ratio = std::sqrt(n * n - p.rise * p.rise) / p.span;
     const double x = std::max(sinh_ratio_root(std::max(ratio, 1.0)), 1e-9);
@@ -162,9 +162,9 @@ std::optional<std::vector<Vec3>> hanging_nodes(const Vec3& a, const Vec3& b, dou
     }
     const double l = length / n;
     const CatenaryProblem p{span / l, rise / l, n};
-    Slopes slopes = smooth_guess(p);
+    Slopes slopes = smooth_start_slopes(p);
     if (!newton(p, slopes)) {
-        slopes = smooth_guess(p);
+        slopes = smooth_start_slopes(p);
         if (!bisect(p, slopes)) {
             return {};
         }

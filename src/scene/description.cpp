@@ -101,14 +101,14 @@ void Description::add_input(InputDef def, int location) {
     input_at_.push_back(static_cast<std::size_t>(location));
 }
 
-void Description::add_lever(SignalInput input, int location) {
+void Description::add_signal_input(SignalInput input, int location) {
     const SourceLocation& at = locations_[static_cast<std::size_t>(location)];
     if (const auto other = input_names_.find(input.name); other != input_names_.end())
         throw_duplicate_name("the input", input.name, at,
                              input_location(static_cast<std::size_t>(other->second)));
     for (std::size_t i = 0; i < levers.size(); ++i)
         if (levers[i].input.name == input.name)
-            throw_duplicate_name("the input", input.name, at, lever_location(i));
+            throw_duplicate_name("the input", input.name, at, signal_input_location(i));
     levers.push_back({std::move(input), location});
 }
 

@@ -184,7 +184,7 @@ class Description {
     [[nodiscard]] const SourceLocation& crane_location(std::size_t i) const {
         return locations_[static_cast<std::size_t>(cranes[i].location)];
     }
-    [[nodiscard]] const SourceLocation& lever_location(std::size_t i) const {
+    [[nodiscard]] const SourceLocation& signal_input_location(std::size_t i) const {
         return locations_[static_cast<std::size_t>(levers[i].location)];
     }
     [[nodiscard]] const SourceLocation& shape_location(std::size_t i) const {
@@ -207,7 +207,7 @@ class Description {
     BodyId add_body(BodyDef def, int location);
     InteractionId add_interaction(InteractionDef def, int location);
     void add_input(InputDef def, int location);
-    void add_lever(SignalInput input, int location);
+    void add_signal_input(SignalInput input, int location);
     void add_output(OutputDef def, int location);
     void add_cable(Cable cable, const SourceLocation& location);
 

@@ -171,13 +171,13 @@ void read_state(Document& document, const std::filesystem::path& file) {
     document.files.push_back(stored);
     document.state_file = stored;
     Json content = read_json_file(stored, outermost_keys(), document.mistakes, "a settled state");
-    const SourceLocation stored_place{stored.string(), ""};
-    check_document(content, *format().state, stored_place, document.mistakes);
+    const SourceLocation stored_location{stored.string(), ""};
+    check_document(content, *format().state, stored_location, document.mistakes);
     if (!content.is_object() || !content.contains("bodies")) {
         return;
     }
     *state = Json{{"bodies", std::move(content["bodies"])}};
-    document.state = stored_place / "bodies";
+    document.state = stored_location / "bodies";
 }
 
 }  // namespace

@@ -186,7 +186,7 @@ class Expander {
 
     /// Return the lists of the template with values for the parameters, checked again.
     Json fill_in(const Json& definition, const Json& instance, const InstanceScope& inner,
-                 const SourceLocation& instance_place) {
+                 const SourceLocation& instance_location) {
         Json parameters = definition.value("parameters", Json::object());
         if (const auto given = instance.find("parameters"); given != instance.end()) {
             std::vector<std::string> known;
@@ -194,7 +194,7 @@ class Expander {
                 known.push_back(key);
             }
             for (const auto& [key, value] : given->items()) {
-                const SourceLocation at = instance_place / "parameters" / key;
+                const SourceLocation at = instance_location / "parameters" / key;
                 if (!parameters.contains(key)) {
                     throw_error(at, "the template has no parameter " + in_quotes(key) +
                                         suggestion(key, known));

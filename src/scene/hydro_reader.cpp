@@ -31,7 +31,7 @@ constexpr int kReaderArguments = 9;  // program, word, file, three units, body, 
 constexpr std::size_t kMinReaderMemory = std::size_t{64} << 20;
 
 /// Return the flag that is true if this program can act as the reader when it is started again.
-bool& serves_itself() {
+bool& is_reader_program() {
     static bool serves = false;
     return serves;
 }
@@ -107,7 +107,7 @@ std::string reader_program(const ReaderLimits& limits) {
     if (!limits.program.empty()) return limits.program;
     if (const char* named = std::getenv("HAWSER_READER"); named && *named) return named;
     const char* const self = "/proc/self/exe";
-    if (serves_itself()) return self;
+    if (is_reader_program()) return self;
     std::error_code error;
     const Path beside = std::filesystem::read_symlink(self, error).parent_path() / "hawser";
     if (!error && access(beside.c_str(), X_OK) == 0) return beside.string();
@@ -206,7 +206,7 @@ ReaderLimits ReaderLimits::of_environment() {
 std::optional<int> serve_coefficients_reader(int argc, char** argv) {
     if (argc == scene::kReaderArguments && std::strcmp(argv[1], scene::kReaderWord) == 0)
         return scene::serve(argv);
-    scene::serves_itself() = true;
+    scene::is_reader_program() = true;
     return std::nullopt;
 }
 

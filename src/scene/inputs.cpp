@@ -98,7 +98,8 @@ InputDef read_input(Description& out, const Scope& scope, const Json& json,
 }
 
 /// Read an input that sets a signal. The signal exists only after the world is built.
-SignalInput read_lever(const Scope& scope, const Json& json, const SourceLocation& location) {
+SignalInput read_signal_input(const Scope& scope, const Json& json,
+                              const SourceLocation& location) {
     SignalInput out;
     out.name = scope.prefix + json["name"].get<std::string>();
     out.signal = json["signal"].get<std::string>();
@@ -125,8 +126,8 @@ void expand_inputs(Description& out, const Scope& scope) {
         const SourceLocation location = scope.location / "inputs" / i;
         (void)attempt(out.mistakes, [&] {
             if ((*list)[i].contains("signal")) {
-                out.add_lever(read_lever(scope, (*list)[i], location),
-                              out.store_location(location));
+                out.add_signal_input(read_signal_input(scope, (*list)[i], location),
+                                     out.store_location(location));
                 return;
             }
             InputDef def = read_input(out, scope, (*list)[i], location);

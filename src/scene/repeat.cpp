@@ -99,7 +99,7 @@ class Copier {
         add_bodies(prefix, shift);
         add_interactions(prefix, shift);
         add_inputs(prefix);
-        add_levers(prefix);
+        add_signal_inputs(prefix);
         add_outputs(prefix, shift);
         add_cables(prefix, shift);
         add_winches(prefix);
@@ -266,7 +266,7 @@ class Copier {
 
     void add_shapes(const std::string& prefix, const Vec3& shift) {
         for (std::size_t i = 0; i < first_extent_.shapes; ++i) {
-            if (serves_all_copies(out_.shapes[i])) {
+            if (is_common_to_copies(out_.shapes[i])) {
                 continue;
             }
             ShapeDef def = out_.shapes[i];
@@ -290,13 +290,13 @@ class Copier {
         }
     }
 
-    void add_levers(const std::string& prefix) {
+    void add_signal_inputs(const std::string& prefix) {
         for (std::size_t i = 0; i < first_extent_.levers; ++i) {
             SignalInput input = out_.levers[i].input;
             if (input.signal.starts_with("sea.")) continue;  // Of all copies together.
             rename(input.name, prefix);
             rename(input.signal, prefix);
-            out_.add_lever(std::move(input), copy_number_);
+            out_.add_signal_input(std::move(input), copy_number_);
         }
     }
 
@@ -324,7 +324,7 @@ class Copier {
 
     /// @return true for a plane of a fixed body that is parallel to the offset: one plane serves
     ///        all copies.
-    [[nodiscard]] bool serves_all_copies(const ShapeDef& def) const {
+    [[nodiscard]] bool is_common_to_copies(const ShapeDef& def) const {
         const BodyDef& body = out_.body(def.body);
         const Vec3 normal = body.orientation * (def.orientation * Vec3::UnitZ());
         return def.kind == ShapeKind::plane && body.kind == BodyKind::fixed &&

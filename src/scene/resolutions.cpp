@@ -67,10 +67,10 @@ void check_limits(const ResolutionDef& def, const SourceLocation& location) {
 std::span<const FieldInfo<ResolutionDef>> resolution_fields() noexcept { return kFields; }
 
 void read_resolution(Description& out, const CableLayout& cable, const Json& json,
-                     const SourceLocation& cable_place) {
+                     const SourceLocation& cable_location) {
     const auto given = json.find("resolution");
     if (given == json.end()) return;
-    const SourceLocation location = cable_place / "resolution";
+    const SourceLocation location = cable_location / "resolution";
     if (cable.links) throw_error(location, "a cable of links has the elements that it has");
     if (!cable.consistent_mass)
         throw_error(location,

@@ -22,8 +22,8 @@ RouteEnd read_end(Description& out, const Scope& scope, const Json& json,
     return end;
 }
 
-RoutePlace read_route_place(Description& out, const Scope& scope, const Json& json,
-                            const SourceLocation& location) {
+RoutePlace read_contact_point(Description& out, const Scope& scope, const Json& json,
+                              const SourceLocation& location) {
     RoutePlace p;
     p.body = resolve_body(out, scope, json["body"].get<std::string>(), location / "body");
     p.point = vector_or(json, "point", p.point);
@@ -46,7 +46,7 @@ void read_route(Description& out, const Scope& scope, const Json& json,
     def.last = read_end(out, scope, json["last"], location / "last");
     const Json& places = json["places"];
     for (std::size_t i = 0; i < places.size(); ++i)
-        def.places.push_back(read_route_place(out, scope, places[i], location / "places" / i));
+        def.places.push_back(read_contact_point(out, scope, places[i], location / "places" / i));
     def.length = number_or(json, "length", def.length);
     def.tension = number_or(json, "tension", def.tension);
     def.breaking_load = number_or(json, "breaking_load", def.breaking_load);

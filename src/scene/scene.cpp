@@ -40,9 +40,9 @@ class Builder {
   public:
     explicit Builder(const Description& description) : description_(description) {}
 
-    World build(const Options& options, const SourceLocation& settings_place) {
+    World build(const Options& options, const SourceLocation& settings_location) {
         std::optional<World> world;
-        (void)take(settings_place, [&] { world.emplace(settings_with(options)); });
+        (void)take(settings_location, [&] { world.emplace(settings_with(options)); });
         if (!world) {
             return World();
         }
@@ -66,7 +66,7 @@ class Builder {
                        [&] { world->add_input(description_.inputs[i]); });
         }
         if (numbered_ && whole_) add_sections(*world, description_);
-        check_levers(*world);
+        check_signal_inputs(*world);
         for (std::size_t i = 0; i < description_.outputs.size() && numbered_; ++i) {
             (void)take(description_.output_location(i),
                        [&] { world->add_output(output_of(description_, i, *world)); });
@@ -188,8 +188,8 @@ class Builder {
 
     /// Check that the signal accepts all values within the declared range of an input.
     /// @throws SceneError.
-    static void check_lever_range(const SignalInput& input, const SystemSignal& signal,
-                                  const SourceLocation& location) {
+    static void check_signal_input_range(const SignalInput& input, const SystemSignal& signal,
+                                         const SourceLocation& location) {
         constexpr double kNone = 1e29;   // SignalInput::max is 1e30 without a declared range.
         constexpr double kRound = 1e-9;  // relative rounding of the products with `factor`
         for (const auto& [key, value] :
@@ -206,7 +206,7 @@ class Builder {
     }
 
     /// Check that each lever has an input of a system. @throws SceneError.
-    void check_levers(const World& world) {
+    void check_signal_inputs(const World& world) {
         for (std::size_t i = 0; i < description_.levers.size() && numbered_; ++i) {
             const std::string& wanted = description_.levers[i].input.signal;
             if (description_.sea && world.find_system("sea") == nullptr &&
@@ -218,8 +218,8 @@ class Builder {
             });
             if (found != signals.end()) {
                 (void)attempt(description_.mistakes, [&] {
-                    check_lever_range(description_.levers[i].input, *found,
-                                      description_.lever_location(i));
+                    check_signal_input_range(description_.levers[i].input, *found,
+                                             description_.signal_input_location(i));
                 });
                 continue;
             }
@@ -227,7 +227,7 @@ class Builder {
             for (const SystemSignal& s : signals)
                 if (s.input) known.push_back(s.system + "." + s.name);
             (void)attempt(description_.mistakes, [&] {
-                throw_error(description_.lever_location(i) / "signal",
+                throw_error(description_.signal_input_location(i) / "signal",
                             "there is no signal " + in_quotes(wanted) + " that may be set" +
                                 suggestion(wanted, known));
             });

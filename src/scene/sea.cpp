@@ -21,7 +21,7 @@ double read_degrees(const Json& object, const char* key) {
 }
 
 /// Read a value for each axis. The JSON value is one number for all axes, or three numbers.
-Vec3 one_or_three(const Json& object, const char* key) {
+Vec3 read_axis_values(const Json& object, const char* key) {
     const auto value = object.find(key);
     if (value == object.end()) return Vec3::Zero();
     return value->is_array() ? vector_of(*value) : Vec3::Constant(value->get<double>());
@@ -112,10 +112,10 @@ class SeaReader {
             const SourceLocation location = location_ / "bodies" / i;
             (void)attempt(out_.mistakes, [&] {
                 WaterBody body;
-                body.drag_area = one_or_three(all[i], "drag_area");
-                body.wind_area = one_or_three(all[i], "wind_area");
+                body.drag_area = read_axis_values(all[i], "drag_area");
+                body.wind_area = read_axis_values(all[i], "wind_area");
                 body.volume = number_or(all[i], "volume", 0.0);
-                body.added_mass = one_or_three(all[i], "added_mass");
+                body.added_mass = read_axis_values(all[i], "added_mass");
                 body.height = number_or(all[i], "height", 0.0);
                 for (const BodyId id : bodies(all[i], location)) {
                     body.body = id;
@@ -133,8 +133,8 @@ class SeaReader {
             const SourceLocation location = location_ / "hulls" / i;
             (void)attempt(out_.mistakes, [&] {
                 WaterHull hull = hull_of(all[i], location);
-                hull.drag_area = one_or_three(all[i], "drag_area");
-                hull.wind_area = one_or_three(all[i], "wind_area");
+                hull.drag_area = read_axis_values(all[i], "drag_area");
+                hull.wind_area = read_axis_values(all[i], "wind_area");
                 for (const BodyId id : bodies(all[i], location)) {
                     hull.body = id;
                     sea.hulls.push_back(hull);

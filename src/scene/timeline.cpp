@@ -41,7 +41,7 @@ JoinDef read_gear(const Json& json) {
 class Reader {
   public:
     Reader(const World& world, const InputWords& words, std::span<const SignalInput> levers)
-        : world_(world), words_(words), levers_(levers) {
+        : world_(world), words_(words), signal_inputs_(levers) {
         for (const WireId id : world.wires().ids()) {
             const auto elements = world.wires().elements(id);
             Length& one = wires_[world.wires().name(id)];
@@ -111,7 +111,7 @@ class Reader {
         for (const InputId id : world_.inputs()) known.push_back(world_.input_def(id).name);
         for (const SystemSignal& s : world_.system_signals())
             if (s.input) known.push_back(s.system + "." + s.name);
-        for (const SignalInput& lever : levers_) known.push_back(lever.name);
+        for (const SignalInput& lever : signal_inputs_) known.push_back(lever.name);
         for (const auto& [name, value] : json.items()) {
             if (std::find(known.begin(), known.end(), name) == known.end())
                 throw_error(location / name,
@@ -125,9 +125,9 @@ class Reader {
     [[nodiscard]] std::pair<std::string, double> by_signal(const std::string& name,
                                                            const Json& json,
                                                            const SourceLocation& location) const {
-        const auto lever = std::find_if(levers_.begin(), levers_.end(),
+        const auto lever = std::find_if(signal_inputs_.begin(), signal_inputs_.end(),
                                         [&](const SignalInput& l) { return l.name == name; });
-        if (lever == levers_.end()) {
+        if (lever == signal_inputs_.end()) {
             const double value = value_of(name, json, location);
             for (const SystemSignal& s : world_.system_signals())
                 if (s.system + "." + s.name == name) check_range(value, s.min, s.max, location);
@@ -261,7 +261,7 @@ class Reader {
 
     const World& world_;
     const InputWords& words_;
-    const std::span<const SignalInput> levers_;
+    const std::span<const SignalInput> signal_inputs_;
     struct Length {
         double most = 0.0;              ///< Largest possible length at that time [m].
         double stored[2] = {0.0, 0.0};  ///< Part of it on drums at its ends, now or before [m].

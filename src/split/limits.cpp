@@ -66,9 +66,9 @@ void begin_budget(context::StepContext& ctx) noexcept {
                           .imposed = ctx.state.imposed};
     ctx.work.stats.degradation.wires =
         ctx.state.imposed.any() ? ctx.state.imposed.wires : ctx.work.limits.coarsening.level();
-    if (ctx.work.limits.coarsening.comes_first() && !ctx.state.imposed.any()) limits.seconds = 0.0;
+    if (ctx.work.limits.coarsening.has_priority() && !ctx.state.imposed.any()) limits.seconds = 0.0;
     // Impacts are not limited. Ending a solve takes one factorisation; 0 means no limit.
-    if (ctx.model.def.budget_work > 0.0 && !ctx.work.limits.coarsening.comes_first())
+    if (ctx.model.def.budget_work > 0.0 && !ctx.work.limits.coarsening.has_priority())
         limits.work = std::max(
             1.0, ctx.model.def.budget_work - static_cast<double>(ctx.work.stats.factor_flops));
     ctx.work.limits.budget.begin(limits, {});

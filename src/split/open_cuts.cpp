@@ -35,7 +35,7 @@ void unite_parts(context::Model& model, std::span<const std::int32_t> bodies) {
 }
 
 /// True if two bodies of different groups are connected without this cut.
-bool holds_otherwise(context::Model& model, const context::Cut& cut) {
+bool is_coupled_without(context::Model& model, const context::Cut& cut) {
     const auto bodies = context::bodies_of(model.interactions, cut.id);
     for (std::size_t i = 0; i < bodies.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
@@ -83,7 +83,7 @@ bool open_cuts(context::Model& model) {
     for (bool again = true; again;) {
         again = false;
         for (context::Cut& c : cuts.list) {
-            if (!c.open || !holds_otherwise(model, c)) continue;
+            if (!c.open || !is_coupled_without(model, c)) continue;
             c.open = false;
             unite_parts(model, context::bodies_of(model.interactions, c.id));
             again = true;

@@ -130,7 +130,7 @@ bool due(const context::Model& model, const context::State& state) noexcept {
 }
 
 /// Perform the part of prepare() that depends on groups.
-void remake_cuts(context::StepContext& ctx) {
+void rebuild_cuts(context::StepContext& ctx) {
     make_cuts(ctx.model);
     ctx.model.cuts.asked = 0;  // interfaces have new indices
     ctx.work.limits.cut_levels.set({});
@@ -200,7 +200,7 @@ Status regroup(context::StepContext& ctx) noexcept {
         const std::int64_t moved = assign_groups(ctx.model);
         if (moved == 0) return;
         state::save_state(ctx, context::Undo::Depth::model);
-        remake_cuts(ctx);
+        rebuild_cuts(ctx);
         ++ctx.work.stats.regroupings;
         ctx.work.stats.regrouped_bodies += moved;
     });

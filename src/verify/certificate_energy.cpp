@@ -16,7 +16,7 @@ namespace hawser::verify {
 
 namespace {
 
-std::size_t place_of(std::int32_t i) { return static_cast<std::size_t>(i); }
+std::size_t array_index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 // Return ½ g²/ε of the rows of an interaction at the present poses. A tension-only line that is
 // shorter than its rest length stores no energy.
@@ -25,7 +25,7 @@ double energy_of_spring(const World& world, InteractionId id) {
     if (!world.intact(id)) return 0.0;
     const auto g = world.violation(id);
     double sum = 0.0;
-    for (std::size_t r = 0; r < place_of(kind_info(def.kind).rows); ++r) {
+    for (std::size_t r = 0; r < array_index(kind_info(def.kind).rows); ++r) {
         if (is_elastic_line(def.kind) && g[r] < 0.0 && def.get("tension_only") != 0.0) continue;
         const double compliance = is_elastic_line(def.kind)
                                       ? parameter(world, id, "length") / def.get("EA")
@@ -79,7 +79,7 @@ double StateVerifier::gravity(const World& world) const {
 double StateVerifier::elastic(const World& world) const {
     double sum = 0.0;
     for (const InteractionId id : interactions_)
-        if (role_[place_of(id.index)] == Role::spring) sum += energy_of_spring(world, id);
+        if (role_[array_index(id.index)] == Role::spring) sum += energy_of_spring(world, id);
     return sum;
 }
 
@@ -94,7 +94,7 @@ void StateVerifier::count_edit_energy(const World& world) {
     // body has no path after it.
     for (const BodyId id : moving_) {
         if (world.alive(id)) continue;
-        const std::size_t b = place_of(id.index);
+        const std::size_t b = array_index(id.index);
         const Displacement way = displacement_between(pose_[b], arrived_[b]);
         work_ += 0.5 * (force_[b].dot(way.moved_by) + torque_[b].dot(way.turned_by));
     }
@@ -105,7 +105,7 @@ void StateVerifier::count_edit_energy(const World& world) {
     for (const BodyId id : bodies_) {
         if (std::binary_search(bodies.begin(), bodies.end(), id)) continue;
         // Treat a new body as if it had moved at its velocity without force.
-        const std::size_t b = place_of(id.index);
+        const std::size_t b = array_index(id.index);
         force_[b].setZero();
         torque_[b].setZero();
         pose_[b] = arrived_[b] = world.pose(id);
@@ -115,7 +115,7 @@ void StateVerifier::count_edit_energy(const World& world) {
             pose_[b].orientation =
                 Quat(Eigen::AngleAxisd(-turn, twist.angular.normalized())) * pose_[b].orientation;
     }
-    excuse_joints(world, interactions);
+    allow_initial_gaps(world, interactions);
     loss_ends_ = true;
 }
 
@@ -123,29 +123,29 @@ void StateVerifier::add_sources(const World& world) {
     force_before_ = force_;
     torque_before_ = torque_;
     for (const BodyId id : moving_) {
-        force_[place_of(id.index)] = world.body_def(id).force;
-        torque_[place_of(id.index)] = world.body_def(id).torque;
+        force_[array_index(id.index)] = world.body_def(id).force;
+        torque_[array_index(id.index)] = world.body_def(id).torque;
     }
     for (const InputId id : inputs_) {
         const InputDef& input = world.input_def(id);
         if (!input.body.valid()) continue;
-        const std::size_t b = place_of(input.body.index);
+        const std::size_t b = array_index(input.body.index);
         const Vec3 axis = Vec3::Unit(input.component % 3);
         (input.component < 3 ? force_ : torque_)[b] +=
             world.input(id) * (input.local ? Vec3(pose_[b].orientation * axis) : axis);
     }
     for (const InteractionId id : interactions_) {
-        if (role_[place_of(id.index)] != Role::source) continue;
+        if (role_[array_index(id.index)] != Role::source) continue;
         const InteractionDef& def = world.interaction_def(id);
         const Wrenches w = row_wrenches(world, id, pose_, world.force(id));
         for (int k = 0; k < kind_info(def.kind).bodies; ++k) {
-            force_[place_of(def.body[place_of(k)].index)] += w.on[place_of(k)].force;
-            torque_[place_of(def.body[place_of(k)].index)] += w.on[place_of(k)].torque;
+            force_[array_index(def.body[array_index(k)].index)] += w.on[array_index(k)].force;
+            torque_[array_index(def.body[array_index(k)].index)] += w.on[array_index(k)].torque;
         }
     }
     for (const LoadImpulse& load : load_impulses(world, pose_, twist_)) {
-        force_[place_of(load.body.index)] += load.linear / world.settings().step;
-        torque_[place_of(load.body.index)] += load.angular / world.settings().step;
+        force_[array_index(load.body.index)] += load.linear / world.settings().step;
+        torque_[array_index(load.body.index)] += load.angular / world.settings().step;
     }
     for (const ContactView& c : world.contacts())
         for (int k = 0; k < 2; ++k) {
@@ -155,10 +155,10 @@ void StateVerifier::add_sources(const World& world) {
                 world, c.shape[k], c.point + sign * to_axis * c.normal, c.point, pose_);
             for (int i = 0; i < side.count; ++i) {
                 const Vec3 force = sign * side.fraction[i] * c.force;
-                force_[place_of(side.body[i].index)] += force;
-                torque_[place_of(side.body[i].index)] += side.arm[i].cross(force);
+                force_[array_index(side.body[i].index)] += force;
+                torque_[array_index(side.body[i].index)] += side.arm[i].cross(force);
             }
-            torque_[place_of(side.body[0].index)] += sign * c.moment;
+            torque_[array_index(side.body[0].index)] += sign * c.moment;
         }
 }
 
@@ -166,7 +166,7 @@ void StateVerifier::add_springs_and_drag(const World& world) {
     other_force_before_ = other_force_;
     other_torque_before_ = other_torque_;
     for (const BodyId id : moving_) {
-        const std::size_t b = place_of(id.index);
+        const std::size_t b = array_index(id.index);
         const BodyDef& def = world.body_def(id);
         const Twist v = world.velocity(id);
         const Quat& turned_by = pose_[b].orientation;
@@ -180,16 +180,16 @@ void StateVerifier::add_springs_and_drag(const World& world) {
             along_axes(def.angular_damping, twist_[b].angular, v.angular) + turn_impulse_[b] / h;
     }
     for (const InteractionId id : interactions_) {
-        if (role_[place_of(id.index)] != Role::spring) continue;
+        if (role_[array_index(id.index)] != Role::spring) continue;
         const InteractionDef& def = world.interaction_def(id);
         const Wrenches w = row_wrenches(world, id, pose_, world.force(id));
         for (int k = 0; k < kind_info(def.kind).bodies; ++k) {
-            const std::size_t b = place_of(def.body[place_of(k)].index);
-            other_force_[b] += w.on[place_of(k)].force;
-            other_torque_[b] += w.on[place_of(k)].torque;
+            const std::size_t b = array_index(def.body[array_index(k)].index);
+            other_force_[b] += w.on[array_index(k)].force;
+            other_torque_[b] += w.on[array_index(k)].torque;
             if (is_elastic_line(def.kind))
-                line_work_ +=
-                    std::abs(w.on[place_of(k)].force.dot(arrived_[b].position - pose_[b].position));
+                line_work_ += std::abs(
+                    w.on[array_index(k)].force.dot(arrived_[b].position - pose_[b].position));
         }
     }
 }
@@ -202,7 +202,7 @@ std::string StateVerifier::check_loss(const World& world, double kinetic_now) {
     add_springs_and_drag(world);
     if (steps_ > 0)
         for (const BodyId id : moving_) {
-            const std::size_t b = place_of(id.index);
+            const std::size_t b = array_index(id.index);
             const Displacement way = displacement_between(pose_before_[b], arrived_[b]);
             other_work_ += 0.5 * (other_force_[b] + other_force_before_[b]).dot(way.moved_by);
             if (world.body_def(id).kind == BodyKind::rigid)
@@ -227,7 +227,7 @@ std::string StateVerifier::check_loss(const World& world, double kinetic_now) {
     const double fraction = 1.0 - std::exp(-h / limit::kMean);
     // Joints that the scene or an edit opened dissipate energy until they are closed.
     constexpr double kClosed = 0.01;
-    if (steps_ == 0 || excused_ > kClosed) {
+    if (steps_ == 0 || gap_allowance_ > kClosed) {
         mean_moving_ = most_ = left;
     } else {
         mean_moving_ += fraction * (left - mean_moving_);
@@ -273,7 +273,7 @@ std::string StateVerifier::check_energy(const World& world) {
     add_sources(world);
     if (steps_ > 0) {
         for (const BodyId id : moving_) {
-            const std::size_t b = place_of(id.index);
+            const std::size_t b = array_index(id.index);
             const Displacement way = displacement_between(pose_before_[b], arrived_[b]);
             work_ += 0.5 * (force_[b] + force_before_[b]).dot(way.moved_by);
             if (world.body_def(id).kind == BodyKind::rigid)
@@ -287,8 +287,9 @@ std::string StateVerifier::check_energy(const World& world) {
     // The mean of the kinetic energies before and after the start is higher than the energy at the
     // start.
     mean_ = steps_ == 0 ? left : mean_ + (1.0 - std::exp(-h / limit::kMean)) * (left - mean_);
-    least_ = steps_ == 0 || excused_ > 1.0 ? mean_
-                                           : std::min(mean_, least_ + forgotten * (mean_ - least_));
+    least_ = steps_ == 0 || gap_allowance_ > 1.0
+                 ? mean_
+                 : std::min(mean_, least_ + forgotten * (mean_ - least_));
     energy_ = energy;
     std::string lost = check_loss(world, now);
     kinetic_ = now;

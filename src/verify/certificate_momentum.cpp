@@ -101,10 +101,10 @@ void Verifier::add_interactions(const World& world) {
         // end.
         const bool held = intact_[i] && (world.intact(id) || has_force(world, id));
         // For an interaction from an edit, the wire's alert is known only after the step.
-        const int alert = std::max(damped_before_[i], world.wires().damped_steps(id));
-        const Wrenches other =
-            held ? stiffness_wrenches(world, id, pose_, twist_, earlier_, last_[i], alert)
-                 : Wrenches{};
+        const int damped_steps_before = std::max(damped_before_[i], world.wires().damped_steps(id));
+        const Wrenches other = held ? stiffness_wrenches(world, id, pose_, twist_, earlier_,
+                                                         last_[i], damped_steps_before)
+                                    : Wrenches{};
         for (int k = 0; k < kind_info(def.kind).bodies; ++k) {
             const BodyId on = def.body[index_of(k)];
             const std::size_t b = index_of(on.index);

@@ -127,13 +127,15 @@ void StateVerifier::before_step(const World& world) {
 }
 
 /// Add the initial opening of new joints to their allowance, as at the start of a run.
-void StateVerifier::excuse_joints(const World& world, const std::vector<InteractionId>& known) {
+void StateVerifier::allow_initial_gaps(const World& world,
+                                       const std::vector<InteractionId>& known) {
     std::vector<Pose> now = pose_;
     for (const BodyId id : bodies_) now[number(id.index)] = world.pose(id);
     for (const InteractionId id : interactions_)
         if (!std::binary_search(known.begin(), known.end(), id))
-            excused_ = std::max(excused_, joint_opening(world, id, now).part * limit::kOpen.wrong /
-                                              limit::kOpen.doubtful);
+            gap_allowance_ =
+                std::max(gap_allowance_, joint_opening(world, id, now).part * limit::kOpen.wrong /
+                                             limit::kOpen.doubtful);
 }
 
 std::string StateVerifier::restart(const World& world) {
@@ -163,11 +165,11 @@ std::string StateVerifier::check_joints(const World& world) {
     };
     if (steps_ == 0) {
         sample(pose_);
-        excused_ = worst * limit::kOpen.wrong / limit::kOpen.doubtful;
+        gap_allowance_ = worst * limit::kOpen.wrong / limit::kOpen.doubtful;
     }
     sample(now_);
-    excused_ *= std::exp(-1.0 / limit::kSettled);
-    worst = std::max(0.0, worst - excused_ * limit::kOpen.doubtful / limit::kOpen.wrong);
+    gap_allowance_ *= std::exp(-1.0 / limit::kSettled);
+    worst = std::max(0.0, worst - gap_allowance_ * limit::kOpen.doubtful / limit::kOpen.wrong);
     result_.open = std::max(result_.open, worst);
     if (worst <= 1.0) return {};
     return fmt::format("joint '{}'{} stands open by {} and {:.3g} rad (step of {:.4g} s)",

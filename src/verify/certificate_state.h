@@ -69,7 +69,7 @@ class StateVerifier {
     void count_edit_energy(const World& world);
     /// Add the initial opening of new joints to their allowance. @param known  Interactions that
     /// existed before.
-    void excuse_joints(const World& world, const std::vector<InteractionId>& known);
+    void allow_initial_gaps(const World& world, const std::vector<InteractionId>& known);
     [[nodiscard]] double kinetic(const World& world) const;
     [[nodiscard]] double gravity(const World& world) const;
     [[nodiscard]] double elastic(const World& world) const;
@@ -122,7 +122,7 @@ class StateVerifier {
     LastingFaults lasting_faults_;
     EditedStretch edited_stretch_;
     double edited_ = 0.0, min_edited_ = 0.0;  ///< Stretch added by edits, and its minimum [J].
-    double excused_ = 0.0;                    ///< Opening of joints at the start.
+    double gap_allowance_ = 0.0;              ///< Opening of joints at the start.
     std::array<double, 2>
         previous_deviations_{};  ///< Deviations of the worst elements in the two previous steps.
     std::int64_t steps_ = 0;

@@ -106,11 +106,11 @@ double EditedStretch::elastic_change(const World& world, std::span<const Pose> p
         const auto of = [](const std::vector<Pose>& all) {
             return [&all](BodyId body) -> const Pose& { return all[at_index(body.index)]; };
         };
-        const double rest_then = rest_length_at(world, id, true, of(before)),
-                     rest_now = rest_length_at(world, id, true, of(now));
-        const double gap =
-            world.violation(id)[0] - elongation(world, id, before, now) + (rest_now - rest_then);
-        sum += stretch_energy(def, gap, rest_then);
+        const double rest_length_before = rest_length_at(world, id, true, of(before)),
+                     rest_length_now = rest_length_at(world, id, true, of(now));
+        const double gap = world.violation(id)[0] - elongation(world, id, before, now) +
+                           (rest_length_now - rest_length_before);
+        sum += stretch_energy(def, gap, rest_length_before);
     });
     return sum - before_;
 }

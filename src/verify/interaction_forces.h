@@ -38,11 +38,11 @@ struct Wrenches {
 /// (docs/theory/stiffness.md). They belong to the step from velocities `before` to the present
 /// ones.
 /// @param earlier  Velocities one step earlier than `before`. @param last  Forces of the rows in
-/// that step. @param alert  WorldWires::damped_steps() before the present step.
+/// that step. @param damped_steps_before  WorldWires::damped_steps() before the present step.
 [[nodiscard]] Wrenches stiffness_wrenches(const World& world, InteractionId id,
                                           std::span<const Pose> pose, std::span<const Twist> before,
                                           std::span<const Twist> earlier,
-                                          std::span<const double> last, int alert);
+                                          std::span<const double> last, int damped_steps_before);
 
 /// Return the mass of an element that moves as a straight piece between two nodes (its parameter
 /// `mass`); 0 for other interactions [kg].

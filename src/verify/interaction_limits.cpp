@@ -68,10 +68,10 @@ double vibration_reduction(const Attached& on, double s) {
 // Add the impulse of the transverse stiffness of a line under tension. It depends on the changes of
 // velocity in the step, and on the differences from velocities extrapolated from the last two steps
 // (docs/theory/wires.md).
-// @param calm  True: a wire that is damped because its step was rejected.
+// @param damped  True: a wire that is damped because its step was rejected.
 // @param held  Fraction of the stiffness that acts in the step.
 void add_transverse_stiffness(const World& world, const Attached& on, std::span<const Twist> before,
-                              std::span<const Twist> earlier, double tension, bool calm,
+                              std::span<const Twist> earlier, double tension, bool damped,
                               double held, Wrenches& out) {
     const double h = world.settings().step;
     const LineEnds ends = line_ends(on);
@@ -84,7 +84,7 @@ void add_transverse_stiffness(const World& world, const Attached& on, std::span<
                          on.kind(1) != BodyKind::rigid)
                 ? (s - 0.25) / (s + 0.25)
                 : 0.0;
-    const double late = 0.25 + p * (calm ? 0.75 : 0.25), ahead = p * (calm ? -0.2 : -0.1);
+    const double late = 0.25 + p * (damped ? 0.75 : 0.25), ahead = p * (damped ? -0.2 : -0.1);
     Vec3 arm[2], push = Vec3::Zero();
     for (int b = 0; b < 2; ++b) {
         const BodyId body = on.def().body[static_cast<std::size_t>(b)];
@@ -204,7 +204,7 @@ void add_piece(const World& world, InteractionId id, std::span<const Twist> befo
 
 Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<const Pose> pose,
                             std::span<const Twist> before, std::span<const Twist> earlier,
-                            std::span<const double> last, int alert) {
+                            std::span<const double> last, int damped_steps_before) {
     const Attached on(world, id, pose);
     const InteractionKind kind = on.def().kind;
     const WorldDef& settings = world.settings();
@@ -262,7 +262,8 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
                 (arm_stiffness(b == 0 ? Vec3(-pull) : pull, arm[b]) * turned[b]);
     }
     if (is_line(kind)) {
-        add_transverse_stiffness(world, on, before, earlier, -last[0], alert > 0, held, out);
+        add_transverse_stiffness(world, on, before, earlier, -last[0], damped_steps_before > 0,
+                                 held, out);
     } else if (damped && !completed) {
         const double damping = settings.rotation_damping * h * h * pull.norm() *
                                std::min(arm[0].norm(), arm[1].norm()) *

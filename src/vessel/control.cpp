@@ -34,7 +34,7 @@ bool finite(const Vec3& v) noexcept {
 
 }  // namespace
 
-const char* Control::reason_against(ControlMode mode) const noexcept {
+const char* Control::rejection_reason(ControlMode mode) const noexcept {
     const bool rudder = !def_.rudders.empty() || def_.mmg.diameter > 0.0 ||
                         def_.son_nomoto.diameter > 0.0 || !def_.polynomial.terms.empty();
     const bool yaw = largest_[2] > 0.0;
@@ -93,7 +93,7 @@ void Control::choose_mode(Prestep& now, const ControlSense& sense,
         return;
     }
     const auto mode = static_cast<ControlMode>(static_cast<int>(wanted));
-    if (wanted != mode_input_ || *reason_against(mode) != '\0') {
+    if (wanted != mode_input_ || *rejection_reason(mode) != '\0') {
         now.tell(EventKind::mode_refused, def_.body, mode_input_);
         mode_input_ = active_mode_;
         return;

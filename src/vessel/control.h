@@ -61,7 +61,7 @@ class Control {
     /// Return the names of the signals of the control, which propulsors and rudders must not have.
     [[nodiscard]] static const std::vector<std::string>& signal_names();
     /// Return the reason why a mode is not possible; "" if it is.
-    [[nodiscard]] const char* reason_against(ControlMode mode) const noexcept;
+    [[nodiscard]] const char* rejection_reason(ControlMode mode) const noexcept;
 
   private:
     void choose_mode(Prestep& now, const ControlSense& sense,

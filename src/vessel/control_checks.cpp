@@ -96,9 +96,9 @@ void check_control(const World& world, const VesselDef& def) {
     if (!(c.target == BodyId{}) && !world.alive(c.target))
         fail_control(def, "target", "there is no such body");
     const Control trial(def, Vec3(1.0, 1.0, 1.0));
-    if (const char* why = trial.reason_against(c.mode); *why != '\0')
+    if (const char* why = trial.rejection_reason(c.mode); *why != '\0')
         fail_control(def, "mode", why);
-    if (const char* why = trial.reason_against(ControlMode::heading); *why != '\0')
+    if (const char* why = trial.rejection_reason(ControlMode::heading); *why != '\0')
         throw DefError("vessel '" + def.name + "': control: " + why);
 }
 

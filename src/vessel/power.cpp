@@ -96,7 +96,7 @@ double PowerBus::capacity(const Board& board) noexcept {
     return sum;
 }
 
-bool PowerBus::share_boards(const Consumer& a, const Consumer& b) const noexcept {
+bool PowerBus::have_common_board(const Consumer& a, const Consumer& b) const noexcept {
     if (failed(boards_[a.board].part) || failed(boards_[b.board].part)) return false;
     return tie_ >= 0.5 || a.board == b.board;
 }
@@ -110,7 +110,7 @@ double PowerBus::available_fraction(std::size_t propulsor,
     for (const Board& b : boards_)
         if (tie_ >= 0.5 || &b == &boards_[c->board]) left += available_fraction_ * capacity(b);
     for (const Consumer& other : consumers_) {
-        if (other.priority > c->priority || !share_boards(other, *c)) continue;
+        if (other.priority > c->priority || !have_common_board(other, *c)) continue;
         const double present = is_load(other) ? other.load : other.demand;
         if (other.priority < c->priority)
             left -= present;

@@ -85,7 +85,7 @@ class PowerBus {
     [[nodiscard]] static bool failed(const Part& part) noexcept { return part.failed >= 0.5; }
     [[nodiscard]] static double capacity(const Board& board) noexcept;
     /// Return true if two consumers use the capacity of one board, or of tied boards.
-    [[nodiscard]] bool share_boards(const Consumer& a, const Consumer& b) const noexcept;
+    [[nodiscard]] bool have_common_board(const Consumer& a, const Consumer& b) const noexcept;
     [[nodiscard]] const Consumer* find(std::size_t propulsor) const noexcept;
     /// Distribute a capacity among the consumers of one board, or of all boards that have not
     /// failed.

@@ -33,9 +33,9 @@ Wrench stern_force(const MmgStern& s, const Flow& flow) noexcept {
     const double turn = speed > 1e-9 ? flow.r() * s.length / speed : 0.0;
     const double at_propeller = drift - s.propeller_x * turn;
     const double change = at_propeller > 0.0 ? s.wake_port : s.wake_star;
-    const double wake_share =
+    const double inflow_fraction =
         (1.0 - s.wake) * (1.0 + (1.0 - std::exp(-2.0 * std::abs(at_propeller))) * (change - 1.0));
-    const double inflow = u * wake_share;
+    const double inflow = u * inflow_fraction;
     const double thrust =
         quadratic_thrust(s.k0, s.k1, s.k2, flow.rps, inflow, s.diameter, flow.density);
     // U β_R stays finite at rest: U (β − l r') = U β − l r L.

@@ -91,7 +91,7 @@ void WorldSplits::set_groups(int parts) {
     step::Transaction all(m.ctx);
     state::save_state(m.ctx, context::Undo::Depth::model);
     try {
-        const WorldImpl::SilencedListener untold(m);
+        const WorldImpl::SilencedListener silenced(m);
         regroup_all(parts);
     } catch (...) {
         m.ctx.model.def = before;

@@ -14,8 +14,8 @@
 
 namespace hawser {
 
-using world::claim_for;
 using world::claim_name;
+using world::reserve_name_for;
 
 namespace {
 
@@ -65,7 +65,8 @@ BodyId World::add_body(const BodyDef& def) {
     c.model.bodies.reserve_more();
     const std::int32_t place = next_index(c.model.bodies.place_for(def.kind), body_count());
     std::int32_t group = -1;
-    claim_for(m.body_names, def.name, place, "body", [&] { group = m.number_of_group(def.group); });
+    reserve_name_for(m.body_names, def.name, place, "body",
+                     [&] { group = m.number_of_group(def.group); });
     // No call below throws.
     edit::begin_edit(c);
     (void)c.model.bodies.add(def);
@@ -122,8 +123,8 @@ ShapeId World::add_shape(const ShapeDef& def) {
     base::reserve_more(m.shape_ids, 1);
     const std::int32_t place = next_index(
         m.ctx.model.collider.slots.find_vacant([](std::int32_t) { return true; }), shape_count());
-    claim_for(m.shape_names, def.name, place, "shape",
-              [&] { m.ctx.model.collider.add(def, m.ctx.model.bodies); });
+    reserve_name_for(m.shape_names, def.name, place, "shape",
+                     [&] { m.ctx.model.collider.add(def, m.ctx.model.bodies); });
     // No call below throws.
     store_at(m.shape_defs, place, std::move(kept));
     edit::begin_shape_edit(m.ctx);
@@ -158,7 +159,7 @@ template <class Impl, class Id>
 const Removed& remove_object(Impl& impl, Id id, const char* call) {
     const world::Using use(impl.use, call);
     (void)impl.index_of(id);
-    impl.check_not_held(id);
+    impl.check_not_needed(id);
     impl.reserve_removal();
     impl.remove(id);
     if (impl.listener != nullptr) impl.listener->removed(id);

@@ -46,17 +46,19 @@ struct WorldImpl final : private world::InputAccess {
     /// Return the index of an id.
     /// @throws DefError for an invalid id or a removed object.
     [[nodiscard]] std::size_t index_of(BodyId id) const {
-        return world::place_of(id, ctx.model.bodies.slots, context::body_count(ctx.model), "body");
+        return world::slot_index_of(id, ctx.model.bodies.slots, context::body_count(ctx.model),
+                                    "body");
     }
     [[nodiscard]] std::size_t index_of(InteractionId id) const {
-        return world::place_of(id, ctx.model.interactions.slots,
-                               context::interaction_count(ctx.model), "interaction");
+        return world::slot_index_of(id, ctx.model.interactions.slots,
+                                    context::interaction_count(ctx.model), "interaction");
     }
     [[nodiscard]] std::size_t index_of(ShapeId id) const {
-        return world::place_of(id, ctx.model.collider.slots, ctx.model.collider.count(), "shape");
+        return world::slot_index_of(id, ctx.model.collider.slots, ctx.model.collider.count(),
+                                    "shape");
     }
     [[nodiscard]] std::size_t index_of(InputId id) const {
-        return world::place_of(id, input_slots, input_slots.count(), "input");
+        return world::slot_index_of(id, input_slots, input_slots.count(), "input");
     }
 
     // Ids of existing objects, ascending.
@@ -91,7 +93,7 @@ struct WorldImpl final : private world::InputAccess {
     /// Reserve capacity for one more wire and claim its name.
     /// @return the vacant index for the wire; −1: append it.
     /// @throws DefError, std::bad_alloc.
-    [[nodiscard]] std::int32_t claim_wire(const std::string& name);
+    [[nodiscard]] std::int32_t reserve_wire_slot(const std::string& name);
     WireId put_wire(world::Wire& wire, std::int32_t vacant) noexcept;
     void forget_wire(WireId id) noexcept;
     [[nodiscard]] const world::Wire& wire(WireId id) const;
@@ -113,9 +115,9 @@ struct WorldImpl final : private world::InputAccess {
     void join_short_end(World& world, InteractionId end, std::size_t side) noexcept;
     void check_cut_at_node(const std::string& where, edit::NodeSurroundings& place) const;
     [[nodiscard]] bool is_carried(const world::Wire& wire, std::size_t element) const noexcept;
-    [[nodiscard]] std::pair<InteractionId, double> cut_beside_carried(const world::Wire& wire,
-                                                                      std::size_t node,
-                                                                      double s) const noexcept;
+    [[nodiscard]] std::pair<InteractionId, double> cut_outside_carried(const world::Wire& wire,
+                                                                       std::size_t node,
+                                                                       double s) const noexcept;
     void replace_bend_neighbour(BodyId lump, BodyId from, BodyId to, const Vec3& point) noexcept;
     void drop_folded(std::int32_t bend) noexcept;
     [[nodiscard]] world::Wire& wire_on_guide(InteractionId before, InteractionId behind,
@@ -164,10 +166,10 @@ struct WorldImpl final : private world::InputAccess {
     /// Check that no system refers to an object, or to objects that would be removed with it.
     /// @param stays  Interaction on the body that is not removed with it; invalid: all are removed.
     /// @throws DefError
-    void check_not_held(BodyId id, InteractionId stays = {}) const;
-    void check_not_held(InteractionId id) const;
-    void check_not_held(ShapeId id) const;
-    void check_not_held(InputId id) const;
+    void check_not_needed(BodyId id, InteractionId stays = {}) const;
+    void check_not_needed(InteractionId id) const;
+    void check_not_needed(ShapeId id) const;
+    void check_not_needed(InputId id) const;
 
     ChangeListener* listener = nullptr;
     /// Suspends the listener, for calls within a reported call.
@@ -238,7 +240,7 @@ struct WorldImpl final : private world::InputAccess {
         std::vector<InteractionId> interaction_ids;
         std::vector<ShapeId> shape_ids;
         std::vector<world::Wire> wires;
-        base::Slots wire_places;
+        base::Slots wire_slots;
         world::Names wire_names;
         std::vector<WireId> wire_ids;
         std::vector<world::GearInUse> gear;
@@ -278,10 +280,10 @@ struct WorldImpl final : private world::InputAccess {
     // (world/systems.h).
     bool set(InputId id, double value, Before& before) noexcept override;
     bool set_unreported(InputId id, double value, Before& before) noexcept override {
-        const SilencedListener untold(*this);
+        const SilencedListener silenced(*this);
         return set(id, value, before);
     }
-    [[nodiscard]] bool empties_range(std::int32_t input) const noexcept override;
+    [[nodiscard]] bool leaves_empty_range(std::int32_t input) const noexcept override;
     [[nodiscard]] InputId id_of(std::int32_t input) const noexcept override {
         return input_slots.id<InputId>(input);
     }

@@ -198,7 +198,7 @@ void World::set_input(InputId id, double value) {
     if (impl_->listener != nullptr) impl_->listener->set(id, value);
 }
 
-bool WorldImpl::empties_range(std::int32_t input) const noexcept {
+bool WorldImpl::leaves_empty_range(std::int32_t input) const noexcept {
     const InputDef& def = inputs[at(input)];
     if (!def.interaction.valid()) return false;
     const InteractionDef& d = ctx.model.interactions.def[at(def.interaction.index)];

@@ -40,7 +40,7 @@ void check_parts(const world::Where& where, const InteractionDef& old, const Int
 /// Return the mass that a node transfers to the guide for its half of an element [kg]. This is the
 /// whole half. If a drum or guide also loads the next element, a hundredth remains, because a body
 /// needs some mass (edit/node_drum.cpp). 0: not possible.
-double mass_given_to_guide(const World& world, const world::Wire& wire, InteractionId element,
+double mass_moved_to_guide(const World& world, const world::Wire& wire, InteractionId element,
                            std::size_t end, double half) {
     const double has = world.body_def(world.interaction_def(element).body[end]).mass;
     if (edit::exceeds_half(has, half)) return half;
@@ -99,11 +99,11 @@ std::array<InteractionId, 2> WorldWires::engage(InteractionId element, Interacti
     std::array<double, 2> given{};
     for (const std::size_t end : {0U, 1U}) {
         if (world_->body_def(old.body[end]).kind != BodyKind::lump || !(half > 0.0)) continue;
-        given[end] = mass_given_to_guide(*world_, *wire, element, end, half);
+        given[end] = mass_moved_to_guide(*world_, *wire, element, end, half);
         if (!(given[end] > 0.0))
             world::throw_def_error(where, "a node at its end has less than half of it");
     }
-    m.check_not_held(element);
+    m.check_not_needed(element);
     base::reserve_more(wire->elements, 1);
     base::reserve_more(wire->nodes, 1);
     base::reserve_more(wire->shapes, 2);
@@ -111,7 +111,7 @@ std::array<InteractionId, 2> WorldWires::engage(InteractionId element, Interacti
                                     edit::speed_of(m.ctx, element.index, 1, m.ctx.model.bodies.v)};
     std::array<InteractionId, 2> out;
     {
-        const WorldImpl::SilencedListener untold(m);
+        const WorldImpl::SilencedListener silenced(m);
         // The name moves after all checks.
         const std::string name_before = std::exchange(before.name, "");
         const Parts parts =
@@ -195,7 +195,7 @@ InteractionId WorldWires::disengage(InteractionId before, InteractionId behind,
     WorldImpl& m = impl();
     const InteractionDef a = world_->interaction_def(before), b = world_->interaction_def(behind);
     world::Wire& wire = m.wire_on_guide(before, behind, element);
-    m.check_not_held(a.body[2]);
+    m.check_not_needed(a.body[2]);
     const std::string given = std::exchange(element.name, "");
     const auto is_free_node = [&](BodyId id) {
         return world_->body_def(id).kind == BodyKind::lump;
@@ -210,7 +210,7 @@ InteractionId WorldWires::disengage(InteractionId before, InteractionId behind,
     };
     InteractionId out;
     {
-        const WorldImpl::SilencedListener untold(m);
+        const WorldImpl::SilencedListener silenced(m);
         weigh(half);  // An element with a mass needs nodes with that mass.
         ShapeId capsule;
         try {

@@ -22,7 +22,7 @@ namespace hawser::world {
 
 /// Return the index of an id. @throws DefError if the id is invalid or its object has been removed.
 template <class Id>
-std::size_t place_of(const Id& id, const base::Slots& slots, int count, const char* what) {
+std::size_t slot_index_of(const Id& id, const base::Slots& slots, int count, const char* what) {
     if (id.index >= 0 && id.index < count && slots.names(id)) return at(id.index);
     const std::string number = std::to_string(id.index);
     if (id.index < 0 || id.index >= count)
@@ -143,7 +143,8 @@ inline void claim_name(Names& names, const std::string& name, std::int32_t index
 
 /// Claim a name and call f(). Release the claim if f() throws; f() undoes its own changes.
 template <class F>
-void claim_for(Names& names, const std::string& name, std::int32_t index, const char* what, F&& f) {
+void reserve_name_for(Names& names, const std::string& name, std::int32_t index, const char* what,
+                      F&& f) {
     claim_name(names, name, index, what);
     try {
         f();

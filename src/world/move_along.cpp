@@ -86,7 +86,7 @@ bool WorldWires::move_along(InteractionId before, InteractionId behind, double a
         Vec3 point, bend;
         double zero;
     };
-    const auto place_of = [&](const Part& part) {
+    const auto position_of = [&](const Part& part) {
         const InteractionDef& d = in.def[at(part.id)];
         return Place{d.point[part.place],
                      part.bend < 0 ? Vec3::Zero() : in.def[at(part.bend)].point[part.slot],
@@ -100,7 +100,7 @@ bool WorldWires::move_along(InteractionId before, InteractionId behind, double a
         in.def[at(part.bend)].point[part.slot] = to.bend;
         in.refresh(part.bend, c.model.bodies, c.model.def.step);
     };
-    const std::array<Place, 2> was{place_of(parts[0]), place_of(parts[1])};
+    const std::array<Place, 2> was{position_of(parts[0]), position_of(parts[1])};
     const Held had = held();
     for (const std::size_t k : {0U, 1U}) {
         const InteractionDef& d = in.def[at(parts[k].id)];

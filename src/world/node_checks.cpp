@@ -98,7 +98,7 @@ std::int32_t WorldImpl::check_node_removable(BodyId node, edit::NodeSurroundings
     if (systems.refuses_nodes(ctx.model.interactions.id(stays)))
         world::throw_def_error(where,
                                "its winch removes it when it hauls; choose one farther away");
-    check_not_held(node, ctx.model.interactions.id(stays));
+    check_not_needed(node, ctx.model.interactions.id(stays));
     return stays;
 }
 

@@ -222,7 +222,7 @@ void Outputs::bind(std::span<const SystemSignal> signals) noexcept {
 }
 
 std::size_t Outputs::index_of(OutputId id) const {
-    return place_of(id, slots_, slots_.count(), "output");
+    return slot_index_of(id, slots_, slots_.count(), "output");
 }
 
 void Outputs::store_figures(const StepStats& s) noexcept {

@@ -54,7 +54,7 @@ WireId QueuedEdits::add(const WireDef& def) noexcept {
 
 void QueuedEdits::clear() noexcept {
     list_.clear();
-    made_ = {};
+    added_ids_ = {};
     done_ = 0;
     bodies_ = interactions_ = shapes_ = wires_ = 0;
     out_of_memory_ = false;
@@ -107,7 +107,7 @@ void QueuedEdits::make(const Edit& edit, World& world, Made& made) {
 }
 
 void QueuedEdits::make_next(World& world) {
-    make(list_[done_].edit, world, made_);
+    make(list_[done_].edit, world, added_ids_);
     ++done_;
 }
 

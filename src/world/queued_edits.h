@@ -61,7 +61,7 @@ class QueuedEdits final : public Edits::Hands {
 
     std::vector<Entry> list_;
     std::size_t done_ = 0;
-    Made made_;
+    Made added_ids_;
     /// Numbers of queued additions.
     std::int32_t bodies_ = 0, interactions_ = 0, shapes_ = 0, wires_ = 0;
     std::string_view system_;

@@ -22,7 +22,7 @@ SavedState::SavedState(const context::StepContext& ctx, const std::vector<double
     model.system.contacts.resistances.memory.resize(header.resistances);
     model.system.contacts.links.resize(header.links);
     model.system.contacts.link_used.resize(header.links);
-    order = capacity_for_order(header);
+    order = allocate_order(header);
 }
 
 std::uint64_t SavedState::size() {
@@ -38,7 +38,7 @@ void SavedState::read(std::span<const std::byte> from) {
     });
 }
 
-factor::AnalysisState capacity_for_order(const Header& header) {
+factor::AnalysisState allocate_order(const Header& header) {
     factor::AnalysisState s;
     s.elimination.order.resize(header.nodes);
     s.at_branch_meeting.resize(header.nodes);

@@ -203,7 +203,7 @@ struct SavedState {
 };
 
 /// Allocate the arrays of an elimination order with the sizes of a header.
-[[nodiscard]] factor::AnalysisState capacity_for_order(const Header& header);
+[[nodiscard]] factor::AnalysisState allocate_order(const Header& header);
 
 /// Check that a world can continue from a state: valid indices, finite numbers, consistent counts
 /// and steps. The analysis checks that the elimination order belongs to the system's pattern.

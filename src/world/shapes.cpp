@@ -17,8 +17,8 @@ const char* to_string(ShapeKind kind) noexcept {
     return kNames[static_cast<std::size_t>(kind)];
 }
 
-using world::claim_for;
 using world::lookup;
+using world::reserve_name_for;
 
 namespace {
 
@@ -52,8 +52,8 @@ MaterialId World::add_material(const MaterialDef& def) {
     Impl& m = *impl_;
     world::check(def, m.ctx.model.def.nonsmooth);
     const int index = material_count();
-    claim_for(m.material_names, def.name, index, "material",
-              [&] { m.ctx.model.collider.materials.add(def); });
+    reserve_name_for(m.material_names, def.name, index, "material",
+                     [&] { m.ctx.model.collider.materials.add(def); });
     m.ctx.state.changed = context::Changed::all;
     if (m.listener != nullptr) m.listener->added(def);
     return MaterialId{index};

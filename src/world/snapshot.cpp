@@ -123,7 +123,7 @@ void apply_saved_arrays(context::StepContext& ctx, std::vector<double>& inputs,
     resize_contacts(ctx, header.contacts, header.resistances);
     ctx.model.system.contacts.links.resize(header.links);
     ctx.model.system.contacts.link_used.resize(header.links);
-    factor::AnalysisState order = world::capacity_for_order(header);
+    factor::AnalysisState order = world::allocate_order(header);
     visit_state(ctx, inputs, order, [&](void* to, std::size_t n) {
         if (n > 0) std::memcpy(to, from, n);
         from += n;

@@ -193,8 +193,8 @@ bool list_contains(const std::vector<Id>& list, Id id) {
     return std::find(list.begin(), list.end(), id) != list.end();
 }
 
-[[noreturn]] void throw_held_error(std::string_view system, const char* what, std::int32_t index,
-                                   const std::string& name) {
+[[noreturn]] void throw_needed_error(std::string_view system, const char* what, std::int32_t index,
+                                     const std::string& name) {
     throw DefError("system '" + std::string(system) + "' holds the " + what + " " +
                    (name.empty() ? std::to_string(index) : "'" + name + "'") +
                    ", or an object that would be removed with it; remove the system first");
@@ -202,8 +202,8 @@ bool list_contains(const std::vector<Id>& list, Id id) {
 
 }  // namespace
 
-void WorldImpl::check_not_held(BodyId id, InteractionId stays) const {
-    systems.for_each_held([&](std::string_view system, const HoldTable& held) {
+void WorldImpl::check_not_needed(BodyId id, InteractionId stays) const {
+    systems.for_each_hold_table([&](std::string_view system, const HoldTable& held) {
         const auto on = [&](InteractionId i) {
             if (!ctx.model.interactions.slots.names(i) || i == stays) return false;
             const InteractionDef& def = ctx.model.interactions.def[at(i.index)];
@@ -222,33 +222,33 @@ void WorldImpl::check_not_held(BodyId id, InteractionId stays) const {
             std::any_of(held.interactions.begin(), held.interactions.end(), on) ||
             std::any_of(held.shapes.begin(), held.shapes.end(), of) ||
             std::any_of(held.inputs.begin(), held.inputs.end(), drives))
-            throw_held_error(system, "body", id.index, body_defs[at(id.index)].name);
+            throw_needed_error(system, "body", id.index, body_defs[at(id.index)].name);
     });
 }
 
-void WorldImpl::check_not_held(InteractionId id) const {
-    systems.for_each_held([&](std::string_view system, const HoldTable& held) {
+void WorldImpl::check_not_needed(InteractionId id) const {
+    systems.for_each_hold_table([&](std::string_view system, const HoldTable& held) {
         const auto drives = [&](InputId k) {
             return input_slots.names(k) && inputs[at(k.index)].interaction == id;
         };
         if (list_contains(held.interactions, id) ||
             std::any_of(held.inputs.begin(), held.inputs.end(), drives))
-            throw_held_error(system, "interaction", id.index,
-                             ctx.model.interactions.def[at(id.index)].name);
+            throw_needed_error(system, "interaction", id.index,
+                               ctx.model.interactions.def[at(id.index)].name);
     });
 }
 
-void WorldImpl::check_not_held(ShapeId id) const {
-    systems.for_each_held([&](std::string_view system, const HoldTable& held) {
+void WorldImpl::check_not_needed(ShapeId id) const {
+    systems.for_each_hold_table([&](std::string_view system, const HoldTable& held) {
         if (list_contains(held.shapes, id))
-            throw_held_error(system, "shape", id.index, shape_defs[at(id.index)].name);
+            throw_needed_error(system, "shape", id.index, shape_defs[at(id.index)].name);
     });
 }
 
-void WorldImpl::check_not_held(InputId id) const {
-    systems.for_each_held([&](std::string_view system, const HoldTable& held) {
+void WorldImpl::check_not_needed(InputId id) const {
+    systems.for_each_hold_table([&](std::string_view system, const HoldTable& held) {
         if (list_contains(held.inputs, id))
-            throw_held_error(system, "input", id.index, inputs[at(id.index)].name);
+            throw_needed_error(system, "input", id.index, inputs[at(id.index)].name);
     });
 }
 

@@ -204,7 +204,7 @@ Status Systems::act_all(context::StepContext& ctx) {
         reported_.reserve(kEventsOfOne * list_.size());
     drive_ = ctx.state.ledger.drive;
     acted_ = true;
-    const UnrotatedForces unturned(input_access_);
+    const UnrotatedForces unrotated(input_access_);
     if (pending_action_.is_known) {
         repeat_action(ctx);
         return ctx.state.loads.out_of_memory() ? Status::out_of_memory : Status::ok;
@@ -235,7 +235,7 @@ Status Systems::act_all(context::StepContext& ctx) {
 /// sets a minimum above its maximum.
 void Systems::check_ranges(std::size_t first) noexcept {
     for (std::size_t i = first; i < set_.size() && bad.reason[0] == '\0'; ++i) {
-        if (!input_access_.empties_range(set_[i].input)) continue;
+        if (!input_access_.leaves_empty_range(set_[i].input)) continue;
         bad.of_input = true;
         bad.input = input_access_.id_of(set_[i].input);
         bad.reason =
@@ -266,7 +266,7 @@ void Systems::accept(context::StepContext& ctx) noexcept {
 
 void Systems::go_back(context::StepContext& ctx) noexcept {
     if (!acted_) return;
-    const UnrotatedForces unturned(input_access_);
+    const UnrotatedForces unrotated(input_access_);
     for (auto before = set_.rbegin(); before != set_.rend(); ++before)
         input_access_.take_back(*before);
     set_.clear();

@@ -42,7 +42,7 @@ class InputAccess {
     virtual bool set_unreported(InputId id, double value, Before& before) noexcept = 0;
     /// True if the input drives one end of a range, and the minimum of this range is above its
     /// maximum.
-    [[nodiscard]] virtual bool empties_range(std::int32_t input) const noexcept = 0;
+    [[nodiscard]] virtual bool leaves_empty_range(std::int32_t input) const noexcept = 0;
     [[nodiscard]] virtual InputId id_of(std::int32_t input) const noexcept = 0;
     virtual void take_back(const Before& before) noexcept = 0;
     /// Send the event that a requested value was outside its range.
@@ -91,7 +91,7 @@ class Systems final : public context::Actors {
     /// Call f for the objects that each system refers to, with the name of the system. @throws
     /// std::bad_alloc, and exceptions of f.
     template <class F>
-    void for_each_held(F&& f) const {
+    void for_each_hold_table(F&& f) const {
         for (const auto& s : list_) {
             held_.bodies.clear();
             held_.interactions.clear();
@@ -187,7 +187,7 @@ class Systems final : public context::Actors {
     const World* world_ = nullptr;
     std::vector<std::unique_ptr<System>> list_;
     std::vector<SystemSignal> signals_;
-    mutable HoldTable held_;  ///< Scratch of for_each_held(); its memory is reused.
+    mutable HoldTable held_;  ///< Scratch of for_each_hold_table(); its memory is reused.
     bool acted_ = false;      ///< True if systems have acted in the current step.
     bool editing_ = false;    ///< True during begin_step().
     std::vector<std::byte> step_start_states_;  ///< States at the start of the step, …

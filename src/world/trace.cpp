@@ -28,7 +28,7 @@ TraceView WorldSolverView::trace(std::int64_t steps) const {
     TraceView view;
     const runtime::Trace* const trace = impl().ctx.trace.get();
     if (trace == nullptr) return view;
-    trace->copy(trace->lost_until(), view);
+    trace->copy(trace->end_of_overwritten(), view);
     // The last of the complete steps.
     std::vector<double> begin;
     double end = 0.0;

@@ -48,7 +48,7 @@ void WorldImpl::save_for_undo(StepUndo& u) const {
     u.interaction_ids = interaction_ids;
     u.shape_ids = shape_ids;
     u.wires = wires.wires;
-    u.wire_places = wires.slots;
+    u.wire_slots = wires.slots;
     u.wire_names.copy(wires.names);
     u.wire_ids = wires.ids;
     u.gear = gear;
@@ -76,7 +76,7 @@ void WorldImpl::restore_undo(StepUndo& u) noexcept {
     interaction_ids.swap(u.interaction_ids);
     shape_ids.swap(u.shape_ids);
     wires.wires.swap(u.wires);
-    std::swap(wires.slots, u.wire_places);
+    std::swap(wires.slots, u.wire_slots);
     wires.names.restore_names(u.wire_names);
     wires.ids.swap(u.wire_ids);
     gear.swap(u.gear);

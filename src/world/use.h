@@ -30,7 +30,7 @@ class Use {
     void leave() noexcept { user_.store(kNobody, std::memory_order_release); }
     /// Mark the start or end of a step, by the thread that uses the world.
     void mark_stepping(bool on) noexcept { stepping_ = on; }
-    [[nodiscard]] bool is_held_by_this_thread() const noexcept {
+    [[nodiscard]] bool is_used_by_this_thread() const noexcept {
         return user_.load(std::memory_order_relaxed) == this_thread();
     }
 
@@ -65,7 +65,7 @@ class Using {
   private:
     [[noreturn]] void throw_def_error(const char* call) const {
         throw UseError(std::string(call) +
-                       (use_.is_held_by_this_thread()
+                       (use_.is_used_by_this_thread()
                             ? ": called from within World::step(); do it between steps"
                             : ": the world is in use by another thread; let one thread "
                               "at a time use a world"));

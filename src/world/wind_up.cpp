@@ -85,7 +85,7 @@ InteractionId WorldWires::spool(WireId id, int end, BodyId drum, double radius) 
     world::check(whole, impl().ctx.model.bodies, world_->body_count(),
                  std::span(in.def).first(at(world_->interaction_count())), in.slots);
     world::fill_in(whole, impl().ctx);
-    impl().check_not_held(old);
+    impl().check_not_needed(old);
     impl().reserve_removal();
     impl().ctx.model.interactions.reserve_more(d.kind);
     // No call below throws: the name moves with its table node.

@@ -160,7 +160,7 @@ void WorldImpl::join_short_end(World& world, InteractionId end, std::size_t side
     const std::int32_t next = side == 0 ? place.second : place.first;
     if (in.rest_length[at(end.index)] >= kShort * in.rest_length[at(next)]) return;
     try {
-        const SilencedListener untold(*this);
+        const SilencedListener silenced(*this);
         (void)world.wires().remove_node(ctx.model.bodies.id(place.node), std::numbers::pi);
     } catch (const std::exception&) {
         return;  // an object that holds the node also keeps the element
@@ -177,9 +177,9 @@ bool WorldImpl::is_carried(const world::Wire& wire, std::size_t element) const n
 /// @param node  Index of the node at the cut.
 /// @param s  Material coordinate of the cut [m].
 /// @return the element, and the fraction of its length at which the cut lies.
-std::pair<InteractionId, double> WorldImpl::cut_beside_carried(const world::Wire& wire,
-                                                               std::size_t node,
-                                                               double s) const noexcept {
+std::pair<InteractionId, double> WorldImpl::cut_outside_carried(const world::Wire& wire,
+                                                                std::size_t node,
+                                                                double s) const noexcept {
     constexpr double kBeyond = 0.25;
     const model::Interactions& in = ctx.model.interactions;
     std::size_t first = node, last = node;  // range of carried elements
@@ -221,17 +221,17 @@ WireId WorldWires::cut(WireId id, double s) {
     }
     const InteractionId element = wire.elements[k];
     const double share = (s - begin) / length;
-    const bool takes_node = world_->alive(element) && world_->intact(element) &&
-                            edit::mass_of_element(impl().ctx, element.index) > 0.0 &&
-                            edit::is_of_material(impl().ctx, element.index);
-    if (takes_node && share > kNear && share < 1.0 - kNear) return cut(element, share);
+    const bool accepts_node = world_->alive(element) && world_->intact(element) &&
+                              edit::mass_of_element(impl().ctx, element.index) > 0.0 &&
+                              edit::is_of_material(impl().ctx, element.index);
+    if (accepts_node && share > kNear && share < 1.0 - kNear) return cut(element, share);
     if (wire.elements.size() == 1)
         world::throw_def_error(where,
                                "it is one element without mass of its own, in which no node can be "
                                "put; give it more elements, or detach() an end");
     if (k == 0 || (share > 0.5 && k + 1 < wire.elements.size())) ++k;
     if (impl().is_carried(wire, k - 1) || impl().is_carried(wire, k)) {
-        const auto [beside, at_fraction] = impl().cut_beside_carried(wire, k, s);
+        const auto [beside, at_fraction] = impl().cut_outside_carried(wire, k, s);
         return cut(beside, at_fraction);
     }
     if (!world_->alive(wire.elements[k - 1]) || !world_->alive(wire.elements[k]))
@@ -283,12 +283,12 @@ WireId WorldWires::cut(InteractionId element, double share) {
     BodyId node = def.body[0];
     bool claimed = false;
     try {
-        const WorldImpl::SilencedListener untold(m);
+        const WorldImpl::SilencedListener silenced(m);
         made.lumps.push_back(world_->add_body(end_body(*world_, def)));
         c.state.ledger.edited = edited;
         if (const world::Wire* wire = m.wire_with(element); wire != nullptr) {
             second.emplace(*wire, next_name(m.wires.names, wire->name), world_->body_count());
-            vacant = m.claim_wire(second->wire.name);
+            vacant = m.reserve_wire_slot(second->wire.name);
             claimed = true;
         }
         if (share > 0.0) node = insert_node(element, share);

@@ -96,7 +96,7 @@ void WorldImpl::open_gear(InteractionId element, BodyId lump) {
         world::throw_def_error(world::label("body", body_defs[at(lump.index)].name),
                                "no gear holds this end of a wire");
     for (const world::GearInUse& g : gear)
-        if (holds(g)) check_not_held(g.id);
+        if (holds(g)) check_not_needed(g.id);
     reserve_removal();
     // No call below throws.
     const double tension = edit::tension_of(ctx, element.index);
@@ -256,7 +256,7 @@ void WorldImpl::free_node(World& world, InteractionId element, std::size_t side)
     const Mark before = mark(held, next);
     const context::Edited edited = ctx.state.ledger.edited;
     const context::Edited had = edit::splice_energy(ctx, next.index, -1, e, e);
-    const SilencedListener untold(*this);
+    const SilencedListener silenced(*this);
     const BodyDef was = body_defs[at(next.index)];
     try {
         made.lumps.push_back(world.add_body(freed_body(world, ctx, e, side, node_fraction)));

@@ -193,7 +193,7 @@ Joint WorldImpl::hold(World& world, BodyId a, BodyId b, const Vec3& point, const
     const bool lump = edit::is_free_node(ctx, b.index);
     Joint out;
     {
-        const SilencedListener untold(*this);
+        const SilencedListener silenced(*this);
         out.held[0] = world.add_interaction(d);
     }
     // No call below throws.
@@ -239,7 +239,7 @@ Joint WorldImpl::add_joining_plate(World& world, BodyId a, BodyId b, const JoinD
     const Mark before = mark(a, b);
     Joint out;
     try {
-        const SilencedListener untold(*this);
+        const SilencedListener silenced(*this);
         made.lumps.push_back(world.add_body(plate));
         for (std::size_t k = 0; k < 2; ++k) {
             JoinDef link = def;

@@ -133,7 +133,7 @@ BodyId WorldWires::insert_node(InteractionId element, double share, double mass)
     for (const std::size_t slot : {0U, 1U})
         bend.point[2 * slot] = edit::attachment_point(m.ctx, element.index, slot);
     try {
-        const WorldImpl::SilencedListener untold(m);
+        const WorldImpl::SilencedListener silenced(m);
         const BodyId node = world_->add_body(body);
         made.lumps.push_back(node);
         bend.body[1] = node;

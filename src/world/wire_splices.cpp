@@ -93,11 +93,12 @@ Joint WorldImpl::splice(World& world, BodyId a, BodyId b) {
     const std::int32_t ea = one.element.index, eb = other.element.index;
     const std::string where = world::label("body", body_defs[at(b.index)].name);
     if (ea == eb) world::throw_def_error(where, "both ends are of one element");
-    check_not_held(b);
+    check_not_needed(b);
     const double separation = (world.pose(b).position - world.pose(a).position).norm();
-    const BodyId far_a = in.def[at(ea)].body[1 - one.slot],
-                 far_b = in.def[at(eb)].body[1 - other.slot];
-    if (far_a == far_b) world::throw_def_error(where, "both elements hold one body; join by gear");
+    const BodyId other_end_a = in.def[at(ea)].body[1 - one.slot],
+                 other_end_b = in.def[at(eb)].body[1 - other.slot];
+    if (other_end_a == other_end_b)
+        world::throw_def_error(where, "both elements hold one body; join by gear");
     const std::vector<std::int32_t> chain = one.slot == other.slot
                                                 ? edit::chain_from(ctx, eb, other.slot)
                                                 : std::vector<std::int32_t>{};
@@ -108,24 +109,25 @@ Joint WorldImpl::splice(World& world, BodyId a, BodyId b) {
     if (wire_a != nullptr && wire_b != nullptr) reserve_for(*wire_a, *wire_b);
     reserve_removal();
     wires.slots.reserve_more();
-    const std::int32_t near[2] = {edit::bend_at_body(ctx, far_a.index, a.index),
-                                  edit::bend_at_body(ctx, far_b.index, b.index)};
+    const std::int32_t near[2] = {edit::bend_at_body(ctx, other_end_a.index, a.index),
+                                  edit::bend_at_body(ctx, other_end_b.index, b.index)};
     const std::int32_t beside = near[0] >= 0 ? near[0] : near[1];
     InteractionId bend;
     const context::Edited edited = ctx.state.ledger.edited;
     const context::Edited had = edit::splice_energy(ctx, a.index, b.index, ea, eb);
     if (beside >= 0) {
         const double length = 0.5 * (in.rest_length[at(ea)] + in.rest_length[at(eb)]);
-        const SilencedListener untold(*this);
-        bend = world.add_interaction(bend_at_splice(in, beside, one.slot == 1 ? far_a : far_b, a,
-                                                    one.slot == 1 ? far_b : far_a, length));
+        const SilencedListener silenced(*this);
+        bend = world.add_interaction(
+            bend_at_splice(in, beside, one.slot == 1 ? other_end_a : other_end_b, a,
+                           one.slot == 1 ? other_end_b : other_end_a, length));
     }
     // No call below throws.
     edit::begin_edit(ctx);
     const Vec3 load = body_defs[at(b.index)].force;
     reverse_chain(chain);
-    const ShapeId segment = one.slot == 1 ? segment_between(b.index, far_b.index)
-                                          : segment_between(far_b.index, b.index);
+    const ShapeId segment = one.slot == 1 ? segment_between(b.index, other_end_b.index)
+                                          : segment_between(other_end_b.index, b.index);
     if (segment.valid()) move_segment(segment, one.slot == 1 ? 0 : 1, a);
     if (near[1] >= 0)
         in.rewire(near[1], edit::end_of(ctx, near[1], 0) == b.index ? 0 : 2, a, ctx.model.bodies);

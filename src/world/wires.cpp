@@ -38,7 +38,7 @@ WireId WorldWires::add(const WireDef& def) {
     const WorldImpl::Mark before = m.mark(def.from, def.to);
     WireId id;
     try {
-        const WorldImpl::SilencedListener untold(m);
+        const WorldImpl::SilencedListener silenced(m);
         world::make_wire(*world_, def, made, m.wires.lumps);
         id = m.store_wire(made);
     } catch (...) {
@@ -147,7 +147,7 @@ WireId WorldWires::adopt(const std::string& name, std::span<const InteractionId>
     return m.store_wire(made);
 }
 
-std::int32_t WorldImpl::claim_wire(const std::string& name) {
+std::int32_t WorldImpl::reserve_wire_slot(const std::string& name) {
     wires.slots.reserve_more();
     base::reserve_more(wires.wires, 1);
     base::reserve_more(wires.ids, 1);
@@ -170,7 +170,9 @@ WireId WorldImpl::put_wire(world::Wire& wire, std::int32_t vacant) noexcept {
     return id;
 }
 
-WireId WorldImpl::store_wire(world::Wire& wire) { return put_wire(wire, claim_wire(wire.name)); }
+WireId WorldImpl::store_wire(world::Wire& wire) {
+    return put_wire(wire, reserve_wire_slot(wire.name));
+}
 
 void WorldImpl::forget_wire(WireId id) noexcept {
     world::release(wires.names, wires.wires[at(id.index)].name);
@@ -180,7 +182,7 @@ void WorldImpl::forget_wire(WireId id) noexcept {
 }
 
 const world::Wire& WorldImpl::wire(WireId id) const {
-    return wires.wires[world::place_of(id, wires.slots, wires.slots.count(), "wire")];
+    return wires.wires[world::slot_index_of(id, wires.slots, wires.slots.count(), "wire")];
 }
 
 const Removed& WorldWires::remove(WireId id) {
@@ -268,9 +270,8 @@ void WorldWires::part(InteractionId id) {
     const std::size_t i = impl().index_of(id);
     context::StepContext& c = impl().ctx;
     if (!kind_info(c.model.interactions.def[i].kind).is(kWireElement))
-        throw DefError(
-            world::label("interaction", c.model.interactions.def[i].name) +
-            ": only elements of wires part; world_->remove_interaction() takes others away");
+        throw DefError(world::label("interaction", c.model.interactions.def[i].name) +
+                       ": only elements of wires part; World::remove_interaction() removes others");
     if (c.model.interactions.parted[i] != 0) return;
     impl().update_wire_of(id);
     const double tension =

@@ -177,16 +177,16 @@ TEST(LiveRoles, may_do_what_is_theirs) {
     const Command lift = taken(R"({"type":"set","input":"lift","value":1})").commands.at(0);
     const Command pause = taken(R"({"type":"pause"})").commands.at(0);
     const Command pick = taken(R"({"type":"pick","body":1})").commands.at(0);
-    EXPECT_EQ(live::reason_against(instructor, lift, false), "");
-    EXPECT_EQ(live::reason_against(deck, push, false), "");
-    EXPECT_EQ(live::reason_against(deck, lift, false),
+    EXPECT_EQ(live::rejection_reason(instructor, lift, false), "");
+    EXPECT_EQ(live::rejection_reason(deck, push, false), "");
+    EXPECT_EQ(live::rejection_reason(deck, lift, false),
               "the role deck does not have the input \"lift\"");
-    EXPECT_EQ(live::reason_against(watcher, push, false),
+    EXPECT_EQ(live::rejection_reason(watcher, push, false),
               "the role watcher does not have the input \"push\"");
-    EXPECT_EQ(live::reason_against(watcher, pause, false), "the role watcher may not pause");
-    EXPECT_EQ(live::reason_against(watcher, pause, true), "");  // allowed for a recording
-    EXPECT_EQ(live::reason_against(instructor, push, true), "a recording has no levers");
-    EXPECT_EQ(live::reason_against(watcher, pick, false), "");
+    EXPECT_EQ(live::rejection_reason(watcher, pause, false), "the role watcher may not pause");
+    EXPECT_EQ(live::rejection_reason(watcher, pause, true), "");  // allowed for a recording
+    EXPECT_EQ(live::rejection_reason(instructor, push, true), "a recording has no levers");
+    EXPECT_EQ(live::rejection_reason(watcher, pick, false), "");
     const std::vector<live::Role> roles{instructor, watcher, deck};
     EXPECT_EQ(live::role_of(roles, deck.token), &roles[2]);
     EXPECT_EQ(live::role_of(roles, deck.token.substr(0, 31)), nullptr);

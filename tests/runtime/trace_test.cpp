@@ -58,7 +58,7 @@ TEST(Trace, EveryTaskLeavesOneSpan) {
         TraceView view;
         trace.copy(0.0, view);
         EXPECT_EQ(view.threads, threads);
-        EXPECT_EQ(trace.lost_until(), 0.0);
+        EXPECT_EQ(trace.end_of_overwritten(), 0.0);
         EXPECT_EQ(expect_whole_loops(view, 0.0), 350);
     }
 }
@@ -71,7 +71,7 @@ TEST(Trace, WhatIsNotOverwrittenIsWhole) {
         pool.resume();
         work(pool, 500);
         pool.pause();
-        const double from = trace.lost_until();
+        const double from = trace.end_of_overwritten();
         EXPECT_GT(from, 0.0);
         TraceView view;
         trace.copy(from, view);

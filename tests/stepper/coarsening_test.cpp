@@ -14,15 +14,15 @@ int level_after(Coarsening& c, int steps, double demand, double factor = 1.0) {
 
 TEST(Coarsening, NeedsWiresThatCanBeCoarser) {
     Coarsening c;
-    EXPECT_FALSE(c.comes_first());
+    EXPECT_FALSE(c.has_priority());
     EXPECT_EQ(level_after(c, 1000, 2.0), 0);
     c.possible = true;
-    EXPECT_TRUE(c.comes_first());
+    EXPECT_TRUE(c.has_priority());
     EXPECT_EQ(level_after(c, 1, 2.0), 1) << "what is known of times goes on";
-    EXPECT_TRUE(c.comes_first()) << "it has its time to act";
+    EXPECT_TRUE(c.has_priority()) << "it has its time to act";
     (void)level_after(c, Coarsening::kAct, 0.9);
     EXPECT_EQ(c.level(), 1);
-    EXPECT_FALSE(c.comes_first()) << "other things may be left out";
+    EXPECT_FALSE(c.has_priority()) << "other things may be left out";
 }
 
 TEST(Coarsening, RisesWhereStepsStayTooLong) {

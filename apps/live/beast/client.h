@@ -167,7 +167,7 @@ class Client : public std::enable_shared_from_this<Client> {
         if (request.hello) return handle_hello(request);
         if (!has_role()) return fault("the first message is a hello", true);
         for (Command& command : request.commands)
-            if (std::string why = reason_against(*role_, command, floor_.options_.recording);
+            if (std::string why = rejection_reason(*role_, command, floor_.options_.recording);
                 !why.empty())
                 return fault(why, false, request.id, request.kind);
         if (floor_.hub_.commands.free_slots() < request.commands.size())

@@ -3,11 +3,12 @@
 /// @file schedule.h
 /// Prediction of the run time on any number of threads from task times measured on one.
 ///
-/// A step consists of *loops* of independent tasks, with code between them on the calling thread
-/// only. Tasks of a loop are assigned in order, each to the first free thread
-/// (src/runtime/tasks.h). If tasks depend on each other, a free thread executes the most urgent
-/// ready one (src/factor/task_graph.h). A loop ends with its last task. From the times of all tasks
-/// and of the code between, this file simulates the assignment for any number of threads:
+/// A step consists of *loops* of independent tasks, and of code between them that only the calling
+/// thread runs. Tasks of a loop are assigned in order, each to the first free thread
+/// (src/runtime/tasks.h). If tasks depend on each other, a free thread runs the ready task with the
+/// lowest rank (src/factor/task_graph.h). A loop ends with its last task. The functions of this
+/// header take the measured times of all tasks and of the code between them, and simulate the
+/// assignment for any number of threads:
 ///
 /// ```
 /// caller   before ─┬─ task 0 ── task 2 ─┬─ before ─┬─ …
@@ -15,8 +16,8 @@
 ///               start                 join
 /// ```
 /// Limits: effects of threads on each other through caches and memory are not modelled. A
-/// prediction shows the limit by the order of the work. It is compared with measurements on two
-/// threads.
+/// prediction is therefore a lower bound of the time, which follows from the order of the work.
+/// Tests compare it with measurements on two threads.
 
 #include <hawser/trace.h>
 
@@ -25,57 +26,58 @@
 
 namespace hawser {
 
-/// Loop whose tasks run on any thread.
+/// Measured times of a loop, whose tasks run on any thread.
 struct LoopTimes {
     double before = 0.0;       ///< Time on the calling thread since the last loop [s].
     std::vector<double> task;  ///< Time of each task, in order of assignment [s].
-    TaskWaits waits{};         ///< Dependencies of the tasks.
-    std::int8_t stage = -1;    ///< As TraceSpan::stage.
-    /// Return the longest sum of dependent tasks [s].
+    TaskWaits waits{};         ///< Dependencies of the tasks; empty: independent.
+    std::int8_t stage = -1;    ///< Stage, as TraceSpan::stage.
+    /// Return the largest sum of the times of tasks that must run in succession [s].
     [[nodiscard]] double critical() const;
 };
 
-/// Times of a program: loops, and code of the calling thread.
+/// Measured times of a program: loops, and code of the calling thread between them.
 struct ProgramTimes {
-    std::vector<LoopTimes> loops;
-    double after = 0.0;  ///< Time on the calling thread after the last loop [s].
+    std::vector<LoopTimes> loops;  ///< Loops in order.
+    double after = 0.0;            ///< Time on the calling thread after the last loop [s].
     /// Return the total time on one thread [s].
     [[nodiscard]] double work() const noexcept;
     /// Return the time outside loops [s].
     [[nodiscard]] double serial() const noexcept;
-    /// Return the time with unlimited threads at no overhead: the longest sum of dependent work
-    /// [s].
+    /// Return the time with an unlimited number of threads and without overhead [s].
     [[nodiscard]] double critical() const;
 };
 
-/// Overhead of the assignment of tasks; zero on one thread, and for loops with one task.
+/// Overheads of the assignment of tasks. They are zero with one thread, and for loops with one
+/// task.
 struct PoolCosts {
     double start = 0.0;  ///< Time until another thread has started its first task of a loop [s].
     double join = 0.0;   ///< Time from the end of the last task until the caller continues [s].
-    double wake = 0.0;   ///< Time from the start of the program until the other threads are awake
-                         ///< [s].
-    double deal = 0.0;   ///< Time to fetch a task, one thread at a time [s].
+    double wake =
+        0.0;  ///< Time from the start of the program until the other threads are awake [s].
+    double deal = 0.0;  ///< Time to fetch a task, one thread at a time [s].
 };
 
-/// Measure the overheads of this machine on two threads. Takes about 0.1 s, or longer if other
-/// programs use the second processor. The result is the lowest decile, since disturbances only
-/// lengthen samples.
+/// Measure the overheads of this machine on two threads. This takes about 0.1 s, or longer if other
+/// programs use the second processor. The result is the lowest decile of the samples, since
+/// disturbances only lengthen them.
 [[nodiscard]] PoolCosts measure_pool_costs();
 
-/// Simulated run of a program.
+/// Result of a simulation.
 struct Simulated {
     double seconds = 0.0;  ///< Time of the whole program [s].
-    double busy = 0.0;     ///< Busy time of all threads, in tasks and in code of the caller [s].
+    double busy = 0.0;  ///< Sum of the times in which threads are busy with tasks or with code of
+                        ///< the caller [s].
     std::vector<double> loop;  ///< Time of each loop from start to join [s].
 };
 
 /// Simulate a program on a number of threads.
-/// @param spans  If given, receives loops and tasks like a trace of such a run.
+/// @param spans  If not null, receives the loops and tasks as a trace of the simulated run.
 [[nodiscard]] Simulated simulate(const ProgramTimes& program, int threads, const PoolCosts& costs,
                                  std::vector<TraceSpan>* spans = nullptr);
 
-/// Return the program that one thread ran from `begin` to `end` [s]. The trace must contain all of
-/// it.
+/// Return the times of the program that one thread ran in a trace.
+/// @param begin, end  Times in the trace [s]. The trace must contain all spans between them.
 [[nodiscard]] ProgramTimes program_of(const TraceView& trace, double begin, double end);
 
 }  // namespace hawser

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file splits.h
-/// Splits of a world: World::splits(). Groups of bodies, the coupling of interactions between
-/// groups, and partitions (docs/theory/splits.md). Experimental: names and behaviour may change in
-/// any version.
+/// Splits of a world, World::splits(): approximate separate solutions of groups of bodies
+/// (docs/theory/splits.md).
+///
+/// Each body belongs to a *group*. An interaction between two groups whose coupling is not exact is
+/// a *cut*: each side solves it separately. Groups come from the user or from a partition
+/// (partition.h). Experimental: names and behaviour may change in any version.
 ///
 /// ```cpp
 /// #include <hawser/experimental/splits.h>
@@ -30,14 +33,15 @@ class WorldSplitsView : public Facet {
   public:
     explicit WorldSplitsView(const World& world) noexcept : Facet(world) {}
 
-    /// Return the group index of each body, −1: fixed, or without a group if the world chooses
-    /// none. Groups by hand come first if it does. Analyses if needed.
+    /// Return the index of the group of each body. −1: the body is fixed, or has no group and the
+    /// world chooses none (WorldDef::parts). If the world chooses groups, groups by hand have the
+    /// lowest indices. The model is analysed first if it has changed.
     [[nodiscard]] std::vector<std::int32_t> groups() const;
-    /// Return how an interaction couples bodies of different groups.
+    /// Return the coupling of an interaction, which applies if its bodies are in different groups.
     [[nodiscard]] Coupling coupling(InteractionId id) const;
-    /// Return the cut interactions, ascending. Analyses if needed.
+    /// Return the cut interactions, ascending. The model is analysed first if it has changed.
     [[nodiscard]] std::vector<CutView> cuts() const;
-    /// Return parts of about equal cost of the present state: partition.h.
+    /// Compute a partition of the present state into parts of about equal cost (partition.h).
     /// @throws DefError on an invalid request.
     [[nodiscard]] PartitionView partition(const PartitionRequest& request) const;
 };
@@ -49,20 +53,21 @@ class WorldSplits : public WorldSplitsView {
 
     /// Set the group of a body from the next step on (BodyDef::group).
     void set_group(BodyId id, const std::string& group);
-    /// Set the groups of all bodies by hand, from partition() for cuts of the present state: "part
-    /// 0", "part 1", … This ends groups that follow the state.
-    /// @param parts  1, which ends groups, to 4096.
+    /// Set the groups of all bodies by a partition of the present state, once. The groups have the
+    /// names "part 0", "part 1", …. Automatic updates of groups end.
+    /// @param parts  Number of groups, 1 to 4096; 1: no cuts.
     void set_groups(int parts);
-    /// Let the world choose groups from the next step on, for all bodies without a group by hand,
-    /// and follow the state: WorldDef::parts and regroup_every.
-    /// @param parts  0 to 4096; 0 ends it: only groups by hand. An unchanged number keeps the
-    ///        groups.
-    /// @param every  0 to 1,000,000 steps.
-    /// @throws DefError.
+    /// Let the world choose and update the groups of all bodies without a group by hand, from the
+    /// next step on. Sets WorldDef::parts and regroup_every.
+    /// @param parts  Number of groups, 0 to 4096; 0: only groups by hand. An unchanged number keeps
+    /// the
+    ///        present groups.
+    /// @param every  Steps between updates, 0 to 1,000,000; 0: no updates.
+    /// @throws DefError if a number is out of range.
     void follow_groups(int parts, int every = 60);
-    /// Set how an interaction couples bodies of different groups, from the next step on; initially
-    /// WorldDef::coupling.
-    /// @throws DefError for drives, friction and limits, which cannot be cut.
+    /// Set the coupling of an interaction from the next step on. It applies if the bodies of the
+    /// interaction are in different groups. Initial value: WorldDef::coupling.
+    /// @throws DefError for motors, friction and limits, which cannot be cut.
     void set_coupling(InteractionId id, Coupling coupling);
 
   private:

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file pid.h
-/// PID controller as a system: it measures the force of an interaction and drives an input.
+/// PID controller as a system (system.h). It measures the force of an interaction and sets an input
+/// of the world, for example to keep the tension of a line by a winch.
 ///
-/// With the error e = target − measured the input is
+/// The value u of the input follows from the error e = target − measured:
 /// ```
 ///     u = bias + gain (e + (1/reset) ∫ e dt − rate d(measured)/dt)        clamped to [low, high]
 /// ```
-/// The derivative is that of the measured value, filtered with the time constant `filter`. A step
-/// of the target therefore causes no peak of it. While u is clamped, the integral is constant if it
-/// would drive u further beyond the limit ("conditional integration"). Source: K. J. Åström, T.
-/// Hägglund, *PID Controllers: Theory, Design, and Tuning*, 1995, 3.5.
+/// The derivative is that of the measured value, filtered with the time constant `filter`, so that
+/// a sudden change of the target causes no peak. While u is clamped, the integral does not grow in
+/// the direction that would drive u further beyond the limit (conditional integration). Source: K.
+/// J. Åström, T. Hägglund, *PID Controllers: Theory, Design, and Tuning*, 1995, 3.5.
 ///
-/// Limits: the force is that of the last step, a delay of one step. Gains that are stable in
-/// continuous time may be unstable if the step is a large fraction of the loop's time.
+/// Limits: the measured force is that of the last step, a delay of one step. Gains that are stable
+/// in continuous time may be unstable if the step is a large fraction of the time constant of the
+/// loop.
 
 #include <hawser/interactions.h>
 #include <hawser/system.h>
@@ -26,21 +28,22 @@
 
 namespace hawser {
 
-/// Definition of a Pid, which copies it.
+/// Definition of a PID controller. Pid copies it.
 struct PidDef {
     std::string name = "pid";  ///< Unique name among systems.
     InteractionId measured{};  ///< Interaction with the measured force. Required.
-    int row = 0;               ///< Index of the measured row.
-    double sign = -1.0;        ///< Sign of the force; −1: the tension of a line is positive.
-    InputId driven{};          ///< Input that it drives. Required.
+    int row = 0;               ///< Index of the measured row of World::force().
+    double sign = -1.0;        ///< Factor of the measured force, 1 or −1. −1: the tension of a line
+                               ///< is positive.
+    InputId driven{};          ///< Input that the controller sets. Required.
     double target = 0.0;       ///< Set value of the force [N or N m].
     double bias = 0.0;         ///< Offset of u, in the unit of the input.
     double gain = 0.0;         ///< Proportional gain [input/N].
     double reset = 1e30;       ///< Integral time [s]; large values disable the integral.
     double rate = 0.0;         ///< Derivative time [s].
     double filter = 0.0;       ///< Time constant of the derivative's filter [s]; 0: none.
-    double low = -1e30;        ///< Limits of u, in the unit of the input.
-    double high = 1e30;
+    double low = -1e30;        ///< Lower limit of u, in the unit of the input.
+    double high = 1e30;        ///< Upper limit of u, in the unit of the input.
 };
 
 /// PID controller. Signals: input `target` [N]; outputs `measured` [N], `output` [input].

@@ -20,10 +20,10 @@ constexpr double kDisplacementOff = 0.01;
 struct Carried {
     BodyId body{};  ///< Body of its first hull.
     int hulls = 0;
-    bool judged = true;   ///< True if it floats freely and its statics do not come from a table.
-    double weight = 0.0;  ///< Mass plus the downward pull of lines over gravity [kg].
-    double water = 0.0;   ///< Displaced mass of water [kg].
-    bool alone = true;    ///< True if the weight is the mass of that body alone.
+    bool is_checked = true;  ///< True if it floats freely and its statics do not come from a table.
+    double weight = 0.0;     ///< Mass plus the downward pull of lines over gravity [kg].
+    double water = 0.0;      ///< Displaced mass of water [kg].
+    bool alone = true;       ///< True if the weight is the mass of that body alone.
 };
 
 using Floats = std::map<std::size_t, Carried>;
@@ -34,7 +34,7 @@ Floats floating_groups(const World& world, const SeaDef& sea, const base::Linked
     for (const WaterHull& hull : sea.hulls) {
         Carried& c = out[afloat.group(hull.body)];
         if (c.hulls++ == 0) c.body = hull.body;
-        c.judged = c.judged && !hull.linear.on;
+        c.is_checked = c.is_checked && !hull.linear.on;
         if (!hull.linear.on)
             c.water += sea.density * hull_statics(hull.mesh, world.pose(hull.body), level).volume;
     }
@@ -49,7 +49,7 @@ void add_carried_weight(const World& world, const base::LinkedGroups& afloat, do
         if (found == floats.end()) continue;
         Carried& c = found->second;
         const BodyDef& def = world.body_def(id);
-        if (def.kind == BodyKind::fixed || def.kind == BodyKind::kinematic) c.judged = false;
+        if (def.kind == BodyKind::fixed || def.kind == BodyKind::kinematic) c.is_checked = false;
         if (def.kind == BodyKind::scalar) continue;
         if (def.gravity) c.weight += def.mass;
         c.weight -= def.force.z() / gravity;
@@ -141,7 +141,7 @@ void check_hulls(const World& world, Findings& out) {
     add_small_displacements(world, *sea, afloat, level, floats);
     check_hydrostatics(world, floats, afloat, out);
     for (const auto& [group, c] : floats) {
-        if (!c.judged) continue;
+        if (!c.is_checked) continue;
         if (c.water > 0.0 && std::abs(c.water - c.weight) <= kDisplacementOff * std::abs(c.weight))
             continue;
         const std::string name = record::body_label(world, c.body);

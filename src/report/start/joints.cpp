@@ -166,16 +166,17 @@ void check_motor_friction(const World& world, Findings& out) {
         for (const InteractionId f : brakes) {
             const InteractionDef& motor = world.interaction_def(m);
             const InteractionDef& brake = world.interaction_def(f);
-            const KindInfo &driven = kind_info(motor.kind), &held_by = kind_info(brake.kind);
+            const KindInfo &driven = kind_info(motor.kind), &brake_kind = kind_info(brake.kind);
             const auto bodies = [](const InteractionDef& d) {
                 const auto [low, high] = std::minmax(d.body[0].index, d.body[1].index);
                 return std::pair<std::int32_t, std::int32_t>(low, high);
             };
-            if (driven.coordinate != held_by.coordinate || bodies(motor) != bodies(brake)) continue;
+            if (driven.coordinate != brake_kind.coordinate || bodies(motor) != bodies(brake))
+                continue;
             const double speed = motor.get("speed");
             if (speed == 0.0) continue;
             const double most = speed > 0.0 ? motor.get("force_max") : -motor.get("force_min");
-            const double held = brake.get(held_by.params[0].name);
+            const double held = brake.get(brake_kind.params[0].name);
             if (held < most || most <= 0.0) continue;
             const char* unit = driven.coordinate == KindCoordinate::about ? "N m" : "N";
             out.add(
