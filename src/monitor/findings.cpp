@@ -43,6 +43,27 @@ void name_row(const context::Model& model, std::int32_t row, Finding& out) noexc
     out.interaction = model.interactions.id(owner_of(model, row));
 }
 
+/// Return the motor that drives the coordinate of a range against its end with most of the force of
+/// this end, −1 if there is none.
+std::int32_t motor_against(const context::Model& model, std::int32_t range) noexcept {
+    const model::Interactions& in = model.interactions;
+    const auto ends = [&](std::int32_t id) {
+        const std::int32_t* body = &in.body[at(kMaxInteractionBodies * id)];
+        return std::minmax(body[0], body[1]);
+    };
+    const auto impulse = [&](std::int32_t id) {
+        return std::fabs(in.lambda[at(in.row_begin[at(id)])]);
+    };
+    constexpr double kMost = 0.5;
+    std::int32_t found = -1;
+    for (const std::int32_t id : in.motors) {
+        if (in.bodies[at(id)] != in.bodies[at(range)] || ends(id) != ends(range)) continue;
+        const double most = found < 0 ? kMost * impulse(range) : impulse(found);
+        if (impulse(id) > most) found = id;
+    }
+    return found;
+}
+
 /// Return the minimum of `now` and the stored samples, and store `now` in place of the oldest one.
 template <std::size_t N>
 double lasting(double now, std::array<double, N>& before) noexcept {
@@ -153,6 +174,9 @@ Finding range_finding(const context::Model& model, const context::State& state,
     Finding out =
         finding(lasting(p.beyond, memory.beyond) * limit::kOpen.doubtful, limit::kOpen, state.time);
     name_row(model, p.beyond_row, out);
+    if (p.beyond_row < 0) return out;
+    const std::int32_t motor = motor_against(model, owner_of(model, p.beyond_row));
+    if (motor >= 0) out.interaction = model.interactions.id(motor);
     return out;
 }
 
