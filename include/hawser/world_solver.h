@@ -35,6 +35,11 @@ class WorldSolverView : public Facet {
     /// linearised (docs/theory/joints.md).
     /// @throws DefError for an invalid id.
     [[nodiscard]] bool completed(InteractionId id) const;
+    /// Return the ratio of the free inertia of a joint's bodies to their inertia with other joints,
+    /// by which the last step multiplied its oscillation number (docs/theory/joints.md). 1 if the
+    /// bodies count as free.
+    /// @throws DefError for an invalid id.
+    [[nodiscard]] double constrained_ratio(InteractionId id) const;
     /// Return the force of each row in the geometric stiffness of the last step [N or N m]. It is
     /// World::force() before that step, or a larger one of a joint in a repeated solution
     /// (StepStats::restiffened). Zero before the first step, and beyond its rows.
