@@ -16,4 +16,13 @@ namespace hawser::validate {
 // Cases in untuned_joints.cpp.
 void case_compliant_joints(Report& report);
 
+// Cases in untuned_stops.cpp.
+void case_stops(Report& report);
+void case_restitution(Report& report);
+void case_frictionless(Report& report);
+
+// Cases in untuned_loops.cpp.
+void case_singular_loops(Report& report);
+void case_light_links(Report& report);
+
 }  // namespace hawser::validate

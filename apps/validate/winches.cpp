@@ -108,7 +108,7 @@ void report_layers(Report& report) {
                    "relative; a layer ends within a step");
 }
 
-void report_pull(Report& report) {
+void report_winch_pull(Report& report) {
     std::vector<double> expected, measured;
     for (int k : {1, 5, 9}) {
         WinchDef def = anchor_winch();
@@ -230,7 +230,7 @@ void report_ends(Report& report) {
 
 void case_winches(Report& report) {
     report_layers(report);
-    report_pull(report);
+    report_winch_pull(report);
     report_brake(report);
     report_constant_tension(report);
     report_release(report);

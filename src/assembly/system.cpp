@@ -135,6 +135,9 @@ void show_interactions(model::Interactions& in, View& v) noexcept {
     v.arms = in.arms.data();
     v.active = in.active.data();
     v.held = in.held.data();
+    v.low = in.low.data();
+    v.high = in.high.data();
+    v.upper = in.upper.data();
     v.parted = in.parted.data();
     v.lightness = in.lightness.data();
     v.flagged = in.flagged.data();

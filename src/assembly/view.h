@@ -180,6 +180,9 @@ struct View {
     const GeoSlot* geo;
     double* active;
     const double* held;  ///< By interaction: impulse of its first row while inactive.
+    double* low;         ///< By interaction, see model::Interactions. Evaluation writes ranges.
+    double* high;
+    std::uint8_t* upper;
     const std::uint8_t* parted;
     /// By interaction between points: 1/m of the lighter end [1/kg]; 1 if its wire gained energy
     /// recently, else 0 (assembly/geo.h).

@@ -19,6 +19,7 @@
 #include "context/cuts_data.h"
 #include "context/edit_list.h"
 #include "context/events.h"
+#include "context/impact_data.h"
 #include "context/ledger.h"
 #include "context/monitor_data.h"
 #include "context/newton_data.h"
@@ -154,6 +155,7 @@ struct Work {
     SolveWork solve;
     Newton newton;                      ///< Data of worlds with contacts or bounded rows.
     base::Array<double> contact_speed;  ///< u at the start of the step, as in Newton::x.
+    ImpactWork impact;
     JointWork joints;
     WireWork wires;
     LimitWork limits;

@@ -55,6 +55,7 @@ struct Undo {
     [[nodiscard]] bool holds() const noexcept { return depth >= 0; }
 
     bool moved = false;   ///< True if velocities and impulses are saved.
+    bool posed = false;   ///< True if poses are saved.
     bool linked = false;  ///< So are the steps in which links were used last.
     int depth = -1;       ///< −1: the system is unchanged.
 
@@ -63,6 +64,7 @@ struct Undo {
     base::Array<std::uint8_t> repeats, coarse;
     std::vector<double> energy_allowance;
     std::vector<std::int32_t> flag_steps, recoil;
+    base::Array<double> x, q, r;  ///< Poses, in worlds with shapes.
     Scalars scalars{};
     std::vector<std::int64_t> link_used;
 

@@ -2,6 +2,7 @@
 #include <hawser/line_sea.h>
 #include <hawser/world.h>
 
+#include "marine/bodies.h"
 #include "marine/checks.h"
 #include "marine/sea_system.h"
 

@@ -62,7 +62,7 @@ void Interactions::reserve_more(InteractionKind kind) {
     for (base::Array<std::int32_t>* a : {&body, &next_holder, &row_begin, &jac_begin})
         base::reserve_more(*a, kMaxInteractionBodies);
     for (base::Array<std::uint8_t>* a :
-         {&bodies, &rows, &flags, &arms, &parted, &coarse, &repeats, &completed})
+         {&bodies, &rows, &flags, &arms, &parted, &coarse, &repeats, &completed, &upper})
         base::reserve_more(*a, 1);
     for (base::Array<double>* a : by_interaction(*this)) base::reserve_more(*a, 1);
     for (base::Array<double>* a : by_row(*this)) base::reserve_more(*a, kMaxInteractionRows);
@@ -121,7 +121,7 @@ void Interactions::grow(InteractionKind of) {
     body.resize(kMaxInteractionBodies * n, -1);
     next_holder.resize(kMaxInteractionBodies * n, -1);
     for (base::Array<std::uint8_t>* a :
-         {&bodies, &rows, &flags, &arms, &parted, &coarse, &repeats, &completed})
+         {&bodies, &rows, &flags, &arms, &parted, &coarse, &repeats, &completed, &upper})
         a->resize(n);
     for (base::Array<double>* a : by_interaction(*this)) a->resize(n);
     for (base::Array<double>* a : by_row(*this)) a->resize(at(row_count));
@@ -141,7 +141,7 @@ void Interactions::write(int id, InteractionDef filled, Bodies& bodies_in, doubl
     bodies[i] = static_cast<std::uint8_t>(info.bodies);
     rows[i] = static_cast<std::uint8_t>(info.rows);
     active[i] = 1.0;
-    for (base::Array<std::uint8_t>* a : {&arms, &parted, &coarse, &repeats, &completed})
+    for (base::Array<std::uint8_t>* a : {&arms, &parted, &coarse, &repeats, &completed, &upper})
         (*a)[i] = 0;
     for (base::Array<double>* a : {&held, &anchor, &rest_length, &flagged, &vibration})
         (*a)[i] = 0.0;
@@ -249,7 +249,7 @@ void Interactions::remove(int id, Bodies& bodies_in) noexcept {
         unlink(kMaxInteractionBodies * i + b, bodies_in);
     std::fill_n(&body[kMaxInteractionBodies * i], kMaxInteractionBodies, -1);
     for (base::Array<std::uint8_t>* a :
-         {&bodies, &rows, &flags, &arms, &parted, &coarse, &repeats, &completed})
+         {&bodies, &rows, &flags, &arms, &parted, &coarse, &repeats, &completed, &upper})
         (*a)[i] = 0;
     for (base::Array<double>* a : by_interaction(*this)) (*a)[i] = 0.0;
     slots.vacate(id);
@@ -294,7 +294,7 @@ void Interactions::truncate(int kept, Bodies& bodies_in) {
     body.resize(kMaxInteractionBodies * n);
     next_holder.resize(kMaxInteractionBodies * n);
     for (base::Array<std::uint8_t>* a :
-         {&bodies, &rows, &flags, &parted, &coarse, &repeats, &completed, &arms})
+         {&bodies, &rows, &flags, &parted, &coarse, &repeats, &completed, &arms, &upper})
         a->resize(n);
     row_begin.resize(n);
     jac_begin.resize(n);

@@ -51,7 +51,7 @@ void Interactions::set_anchor(int id, double coordinate) noexcept {
 /// Set the range of the force of the first row [N or N m].
 void Interactions::set_range(int id) noexcept {
     const InteractionDef& d = def[at(id)];
-    low[at(id)] = -kUnbounded;
+    low[at(id)] = (flags[at(id)] & kRange) != 0 ? kUnbounded : -kUnbounded;
     high[at(id)] = kUnbounded;
     power[at(id)] = kUnbounded;
     if (flags[at(id)] & kMotor) {
@@ -312,11 +312,12 @@ std::size_t Interactions::bytes() const noexcept {
         bytes(next_holder) + bytes(bodies) + bytes(rows) + bytes(flags) + bytes(row_begin) +
         bytes(jac_begin) + bytes(arms) + bytes(geo) + bytes(active) + bytes(held) + bytes(low) +
         bytes(high) + bytes(anchor) + bytes(load_begin) + bytes(loads) + bytes(parted) +
-        bytes(coarse) + bytes(repeats) + bytes(completed) + bytes(vibration) + bytes(lightness) +
-        bytes(pair_mass) + bytes(flagged) + bytes(rest_length) + bytes(power) + bytes(breaking) +
-        bytes(defined) + bytes(epsilon) + bytes(tau) + bytes(mobility) + bytes(upsilon) +
-        bytes(recall) + bytes(sigma) + bytes(inv_sigma) + bytes(g) + bytes(c) + bytes(residual) +
-        bytes(lambda) + bytes(multiplier) + bytes(force) + bytes(row_flags) + bytes(jacobian);
+        bytes(coarse) + bytes(repeats) + bytes(completed) + bytes(upper) + bytes(vibration) +
+        bytes(lightness) + bytes(pair_mass) + bytes(flagged) + bytes(rest_length) + bytes(power) +
+        bytes(breaking) + bytes(defined) + bytes(epsilon) + bytes(tau) + bytes(mobility) +
+        bytes(upsilon) + bytes(recall) + bytes(sigma) + bytes(inv_sigma) + bytes(g) + bytes(c) +
+        bytes(residual) + bytes(lambda) + bytes(multiplier) + bytes(force) + bytes(row_flags) +
+        bytes(jacobian);
     for (const Pool& p : pool) total += bytes(p.ids) + bytes(p.data);
     return total;
 }

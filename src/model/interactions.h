@@ -75,6 +75,18 @@ inline constexpr double kElasticCompliance = 1e-11;
     return row_flags & kRowTurns ? std::clamp(back, -2.0, 2.0) : back;
 }
 
+/// Width up to which a range holds its coordinate like a joint [m or rad].
+inline constexpr double kNoWidth = 1e-9;
+
+/// Return the distance of a coordinate outside its range [m or rad]: negative below, positive
+/// above, 0 inside.
+/// @param low, high  Distances from the lower and to the upper end, negative beyond an end.
+/// @param shift  Displacement of the coordinate.
+[[nodiscard]] constexpr double range_gap(double low, double high, double shift) noexcept {
+    const double above = shift - high, below = shift + low;
+    return above > 0.0 ? above : below < 0.0 ? below : 0.0;
+}
+
 /// Flags of interactions with a bounded force.
 inline constexpr int kBounded = kOneSided | kRange | kMotor | kFriction;
 
@@ -131,7 +143,12 @@ struct Interactions {
     base::Array<double> active;
     /// Fixed impulse of the first row [N s or N m s]; follows λ, not part of the state.
     base::Array<double> held;
-    base::Array<double> low, high;  ///< Bounds of the force without loads [N or N m].
+    /// Bounds of the force without loads [N or N m]. A range stores the distances of its coordinate
+    /// from the lower and to the upper end at the poses of the last evaluation, negative beyond an
+    /// end, kUnbounded without an end [m or rad].
+    base::Array<double> low, high;
+    /// 1: the row of a range refers to its upper end, 0: to its lower end. Set by evaluation.
+    base::Array<std::uint8_t> upper;
     /// Anchor of friction [m or rad], see kinds/friction.h; for spans the packed whole turns
     /// (kinds/routes.h).
     base::Array<double> anchor;
@@ -143,12 +160,15 @@ struct Interactions {
     /// wire is flagged and damped (solve/wires.h); derived from the state.
     base::Array<double> lightness, flagged;
     // Rigid joints only, see step/completion.h; 0 for all others.
-    base::Array<std::uint8_t> coarse;   ///< Number of coming steps with one linearisation.
+    /// Number of coming steps with one linearisation, or a code of the effective inertia of its
+    /// bodies (solve/constrained_joints.h).
+    base::Array<std::uint8_t> coarse;
     base::Array<std::uint8_t> repeats;  ///< 1: in a loop with redundant rows.
     /// Result of the end-of-step iteration in this step, see assembly::Completed.
     base::Array<std::uint8_t> completed;
     /// Constant max |arm|/I; its product with h² and the force is (hω)² of the oscillation about
-    /// the joint.
+    /// the joint. The sign is negative (also of 0) if the right-hand sides of a completed rigid
+    /// joint contain the displacement by their floor of Σ (step/completion.h).
     base::Array<double> vibration;
     base::Array<double> power;        ///< Largest driving power of a motor [W]; kUnbounded: none.
     base::Array<double> breaking;     ///< Breaking load [N], if kBreakable is set.

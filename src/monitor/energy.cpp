@@ -95,7 +95,9 @@ Energy energy(context::StepContext& ctx) noexcept {
                 !model::holds_energy(v.epsilon[row], v.rest_length[id]))
                 continue;
             const double now = rests ? s.g[r] : v.g[row];
-            const double g = model::half_step_gap(v.row_flags[row], now, half, speed);
+            const double g = !rests && (v.flags[id] & model::kRange)
+                                 ? model::range_gap(v.low[id], v.high[id], -half * speed)
+                                 : model::half_step_gap(v.row_flags[row], now, half, speed);
             if (!line || g > 0.0) e.elastic += 0.5 * g * g / v.epsilon[row];
         }
     }

@@ -43,6 +43,27 @@ void name_row(const context::Model& model, std::int32_t row, Finding& out) noexc
     out.interaction = model.interactions.id(owner_of(model, row));
 }
 
+/// Return the motor that drives the coordinate of a range against its end with most of the force of
+/// this end, −1 if there is none.
+std::int32_t motor_against(const context::Model& model, std::int32_t range) noexcept {
+    const model::Interactions& in = model.interactions;
+    const auto ends = [&](std::int32_t id) {
+        const std::int32_t* body = &in.body[at(kMaxInteractionBodies * id)];
+        return std::minmax(body[0], body[1]);
+    };
+    const auto impulse = [&](std::int32_t id) {
+        return std::fabs(in.lambda[at(in.row_begin[at(id)])]);
+    };
+    constexpr double kMost = 0.5;
+    std::int32_t found = -1;
+    for (const std::int32_t id : in.motors) {
+        if (in.bodies[at(id)] != in.bodies[at(range)] || ends(id) != ends(range)) continue;
+        const double most = found < 0 ? kMost * impulse(range) : impulse(found);
+        if (impulse(id) > most) found = id;
+    }
+    return found;
+}
+
 /// Return the minimum of `now` and the stored samples, and store `now` in place of the oldest one.
 template <std::size_t N>
 double lasting(double now, std::array<double, N>& before) noexcept {
@@ -110,14 +131,22 @@ Finding energy_finding(const context::Model& model, const context::State& state,
     // Use a level that lasted: the energy of an element by its length disappears after some steps.
     const double lost =
         std::min(now[context::kUnexplained].fall, u.lasting[context::kUnexplained].fall);
+    // Without dampers, mechanical energy falls by drag only. Rigid joints do no work.
+    const auto unpaid = [&](double fall) {
+        return state.monitor.lossless ? std::max(0.0, fall - state.ledger.drag) : 0.0;
+    };
+    const double vanished =
+        unpaid(std::min(now[context::kBetween].fall, u.lasting[context::kBetween].fall));
     Finding out;
     const double by_created = fraction(stays, exchanged) / limit::kCreated.doubtful,
                  by_held = fraction(by_length, exchanged) / limit::kHeld.doubtful,
                  by_hidden = fraction(hidden, counted) / limit::kHidden.doubtful,
                  gained = std::max({by_created, by_held, by_hidden});
-    const double fell = fraction(lost, counted) / limit::kLost.doubtful;
+    const double by_lost = fraction(lost, counted) / limit::kLost.doubtful,
+                 by_vanished = fraction(vanished, exchanged) / limit::kLost.doubtful,
+                 fell = std::max(by_lost, by_vanished);
     // Report the balance that is nearest to its limit.
-    out.value = gained < fell         ? -lost
+    out.value = gained < fell         ? -(by_lost < by_vanished ? vanished : lost)
                 : by_hidden == gained ? hidden
                 : by_held == gained   ? by_length
                                       : created;
@@ -128,6 +157,7 @@ Finding energy_finding(const context::Model& model, const context::State& state,
          fraction(std::max(mean[context::kUnexplained].rise, mean[context::kWithGiven].rise),
                   counted) /
              limit::kHidden.wrong,
+         fraction(unpaid(mean[context::kBetween].fall), exchanged) / limit::kLost.wrong,
          fraction(mean[context::kUnexplained].fall, counted) / limit::kLost.wrong});
     // A split is approximate by choice; its errors of momentum and forces are reported separately.
     if (context::has_cuts(model)) out.wrong = 0.0;
@@ -153,6 +183,9 @@ Finding range_finding(const context::Model& model, const context::State& state,
     Finding out =
         finding(lasting(p.beyond, memory.beyond) * limit::kOpen.doubtful, limit::kOpen, state.time);
     name_row(model, p.beyond_row, out);
+    if (p.beyond_row < 0) return out;
+    const std::int32_t motor = motor_against(model, owner_of(model, p.beyond_row));
+    if (motor >= 0) out.interaction = model.interactions.id(motor);
     return out;
 }
 

@@ -22,9 +22,9 @@ namespace hawser::monitor {
 [[nodiscard]] Finding open_finding(const context::Model& model, const context::State& state,
                                    const context::MonitorPart& p, context::MonitorState& memory,
                                    double time) noexcept;
-/// Check for violated ranges. A body that strikes the end of a range exceeds it by its motion in a
-/// step. The excess decreases by the factor 4/9 in each step, so that 5 % remain after six samples.
-/// The least of six samples is therefore checked.
+/// Check for violated ranges. The excess of a coordinate that was forced beyond an end decreases by
+/// the factor 4/9 in each step, so that 5 % remain after six samples. The least of six samples is
+/// therefore checked.
 [[nodiscard]] Finding range_finding(const context::Model& model, const context::State& state,
                                     const context::MonitorPart& p,
                                     context::MonitorState& memory) noexcept;

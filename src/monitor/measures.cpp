@@ -137,8 +137,10 @@ void measure_elastic(context::Model& model, const View& v, std::int32_t id, bool
         if ((v.row_flags[row] & model::kRowVelocity) ||
             !model::holds_energy(v.epsilon[row], v.rest_length[id]))
             continue;
-        const double now = rests ? s.g[r] : v.g[row],
-                     g = model::half_step_gap(v.row_flags[row], now, half, speed);
+        const double now = rests ? s.g[r] : v.g[row];
+        const double g = !rests && (v.flags[id] & model::kRange)
+                             ? model::range_gap(v.low[id], v.high[id], -half * speed)
+                             : model::half_step_gap(v.row_flags[row], now, half, speed);
         if (half > 0.0) p.by_force += held_by_force(v, row);
         if (!line || now > 0.0) p.at_pose += 0.5 * now * now / v.epsilon[row];
         const double held = !line || g > 0.0 ? 0.5 * g * g / v.epsilon[row] : 0.0;

@@ -95,11 +95,12 @@ double disk_radius(const Cone& c, const double u[3], const double lambda[3]) noe
 
 void project(double mu, double l[3]) noexcept {
     const double t = std::sqrt(l[1] * l[1] + l[2] * l[2]);
-    if (t <= mu * l[0]) return;
-    if (mu * t <= -l[0]) {  // the polar cone
+    // Test the polar cone first: with μ = 0 and t = 0 the test of the cone itself accepts l_n < 0.
+    if (mu * t <= -l[0]) {
         l[0] = l[1] = l[2] = 0.0;
         return;
     }
+    if (t <= mu * l[0]) return;
     const double n = (l[0] + mu * t) / (1.0 + mu * mu), shorten = mu * n / t;
     l[0] = n;
     l[1] *= shorten;

@@ -20,6 +20,8 @@ namespace {
 const char* opening_unit(const World& world, InteractionId id) {
     if (!world.alive(id)) return "m or rad";
     const KindInfo& kind = kind_info(world.interaction_def(id).kind);
+    if (kind.is(kMotorKind) && kind.coordinate != KindCoordinate::scalar)
+        return kind.coordinate == KindCoordinate::about ? "rad" : "m";
     const std::string_view units(kind.row_units);
     if (kind.coordinate == KindCoordinate::scalar || units.empty()) return "m or rad";
     return units.find('r') == units.npos ? "m" : units.find('m') == units.npos ? "rad" : "m or rad";
@@ -54,6 +56,12 @@ std::string finding_sentence(const World& world, Judge judge, const Finding& f,
             if (f.value < 0.0)
                 return fmt::format("element {} had the negative length {} {}", at,
                                    with_unit(f.value, "m"), when);
+            if (world.alive(f.interaction) &&
+                kind_info(world.interaction_def(f.interaction).kind).is(kMotorKind))
+                return fmt::format(
+                    "motor {} drove its joint beyond the end of a range by {:.4g} "
+                    "{} {}",
+                    at, f.value, opening_unit(world, f.interaction), when);
             return fmt::format("joint {} was open by {:.4g} {} {}", at, f.value,
                                opening_unit(world, f.interaction), when);
         case Judge::cable:

@@ -46,6 +46,24 @@ context::BoundedRow row_now(const View& v, std::int32_t id) noexcept {
     return {lambda, r};
 }
 
+/// Let the row of an inactive range refer to the end that the present velocities approach.
+/// @return the change of its right-hand side c.
+double choose_end(const context::Model& model, const View& v, std::int32_t id) noexcept {
+    if ((v.flags[id] & model::kRange) == 0 || v.active[id] != 0.0 || v.parted[id] != 0) return 0.0;
+    const std::int32_t row = v.row_begin[id];
+    const double carried = (v.flags[id] & model::kCarried) != 0
+                               ? model.interactions.row_state(id, model.bodies).carried[0]
+                               : 0.0;
+    const double moved = v.h * (assembly::row_speed(v, id) + carried);
+    const bool upper = v.high[id] - moved < v.low[id] + moved;
+    if (upper == (v.upper[id] != 0)) return 0.0;
+    const double left = upper ? v.high[id] : v.low[id], before = v.c[row];
+    v.upper[id] = upper ? 1 : 0;
+    v.c[row] =
+        (left >= 0.0 ? (upper ? left : -left) : -4.0 * v.upsilon[row] * v.g[row]) / v.h - carried;
+    return v.c[row] - before;
+}
+
 /// Return the end of a range to which an impulse `held` belongs after the range has moved. It is
 /// the end with the sign of the impulse. If both ends have one sign (a winch that pulls with one of
 /// two tensions), it is the nearer end.
@@ -148,8 +166,10 @@ void hold_bounds(context::Model& model, context::Newton& newton, double time) no
 
 void take_bounds(context::Model& model, context::Newton& newton) noexcept {
     const View v = context::row_view(model);
-    for (std::size_t i = 0; i < model.system.bounded.size(); ++i)
+    for (std::size_t i = 0; i < model.system.bounded.size(); ++i) {
+        newton.row[i].r += choose_end(model, v, model.system.bounded[i]);
         newton.row_end[i] = row_now(v, model.system.bounded[i]);
+    }
 }
 
 void keep_bounds(context::Newton& newton, double t) noexcept {
@@ -289,6 +309,7 @@ bool any_asks(const context::Model& model, const context::Newton& newton, const 
     for (std::size_t i = 0; i < model.system.bounded.size(); ++i) {
         const std::int32_t id = model.system.bounded[i];
         if (pulls_on(v, id)) continue;
+        (void)choose_end(model, v, id);
         const ImpulseRange range = impulse_range(model, newton, id);
         if (stays(model, v, id, range)) continue;
         const context::BoundedRow p = row_now(v, id);

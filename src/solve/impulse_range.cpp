@@ -81,8 +81,12 @@ ImpulseRange impulse_range(const context::Model& model, const context::Newton& n
     if (in.parted[at(id)] || model.wires.is_replaced(id)) return {0.0, 0.0};
     if (flags & model::kRange) {
         constexpr double kAll = model::kUnbounded;
-        const double g = in.g[at(in.row_begin[at(id)])];
-        return {g > 0.0 ? -kAll : 0.0, g < 0.0 ? kAll : 0.0};
+        if (in.low[at(id)] + in.high[at(id)] <= model::kNoWidth) return {-kAll, kAll};
+        const bool upper = in.upper[at(id)] != 0;
+        // In an impact only an end acts that the coordinate has reached.
+        const double inside = upper ? in.high[at(id)] : in.low[at(id)];
+        if (newton.bound_time == 0.0 && inside > 0.0) return {0.0, 0.0};
+        return {upper ? -kAll : 0.0, upper ? 0.0 : kAll};
     }
     // The force of a line is also unbounded in an impact.
     const double time = flags & (model::kMotor | model::kFriction) ? newton.bound_time : 1.0;

@@ -75,7 +75,7 @@ void rates_between_poses(const context::Model& model, const View& v, std::int32_
 double held(const View& v, std::int32_t id, std::int32_t row, double now, double g) noexcept {
     if (!model::holds_energy(v.epsilon[row], v.rest_length[id])) return 0.0;
     if ((v.flags[id] & model::kOneSided) && g < 0.0) return 0.0;
-    if ((v.flags[id] & model::kRange) && g * now < 0.0) return 0.0;
+    if (v.flags[id] & model::kRange) g = model::range_gap(v.low[id], v.high[id], g - now);
     return 0.5 * g * g / v.epsilon[row];
 }
 
@@ -94,7 +94,7 @@ double losses_of(const context::Model& model, const View& v, std::int32_t id) no
     for (int r = v.row_begin[id]; r < v.row_begin[id] + v.rows[id]; ++r)
         faded |= std::fabs(v.recall[r]) < assembly::kMinRecall;
     const bool line = (flags & model::kOneSided) != 0;
-    if ((flags & model::kCarried) || faded ||
+    if ((flags & (model::kCarried | model::kRange)) || faded ||
         (line && (v.active[id] == 0.0 || !was_taut(v, v.row_begin[id], rate.before[0]))))
         rates_by_jacobian(model, v, id, rate);
     Rates mean = rate;  // of the violations between half-step positions

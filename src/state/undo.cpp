@@ -113,6 +113,10 @@ void reserve_undo(const context::Model& model, context::Undo& undo) {
     u.energy_allowance.reserve(model.wires.energy_allowance.size());
     u.flag_steps.reserve(model.wires.flag_steps.size());
     u.recoil.reserve(model.wires.recoil.size());
+    if (model.collider.count() == 0) return;  // impacts need shapes
+    u.x.reserve(model.bodies.x.size());
+    u.q.reserve(model.bodies.q.size());
+    u.r.reserve(model.bodies.r.size());
 }
 
 void save_motion(context::StepContext& ctx) noexcept {
@@ -129,6 +133,15 @@ void save_motion(context::StepContext& ctx) noexcept {
     put(ctx.model.wires.recoil, u.recoil);
     u.scalars = read(ctx.state, ctx.work.stats);
     u.moved = true;
+}
+
+void save_poses(context::StepContext& ctx) noexcept {
+    context::Undo& u = ctx.work.undo;
+    if (u.posed) return;
+    put(ctx.model.bodies.x, u.x);
+    put(ctx.model.bodies.q, u.q);
+    put(ctx.model.bodies.r, u.r);
+    u.posed = true;
 }
 
 void save_link_steps(const context::Model& model, context::Undo& undo) {
@@ -175,6 +188,11 @@ void restore_saved_values(context::StepContext& ctx) noexcept {
     }
     if (u.depth >= static_cast<int>(context::Undo::Depth::all)) restore_all(ctx);
     if (u.linked) ctx.model.system.contacts.link_used.swap(u.link_used);
+    if (u.posed) {
+        put(u.x, ctx.model.bodies.x);
+        put(u.q, ctx.model.bodies.q);
+        put(u.r, ctx.model.bodies.r);
+    }
     if (u.moved) {
         put(u.v, ctx.model.bodies.v);
         put(u.spin_change, ctx.model.bodies.spin_change);
@@ -193,7 +211,7 @@ void restore_saved_values(context::StepContext& ctx) noexcept {
 
 void discard_saved(context::Undo& undo) noexcept {
     context::Undo& u = undo;
-    u.moved = u.linked = false;
+    u.moved = u.posed = u.linked = false;
     // Copies of the whole model are rare and large, so their memory is freed.
     if (u.depth >= static_cast<int>(context::Undo::Depth::model)) {
         u.bodies = {};

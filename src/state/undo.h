@@ -6,7 +6,8 @@
 ///
 /// Most of a step writes nothing of the state before stage integrate, which cannot fail. Earlier
 /// changes are saved first:
-/// 1. Velocities are saved before an impact or the staggered start changes them.
+/// 1. Velocities are saved before an impact or the staggered start changes them, and poses before
+/// an impact does.
 /// 2. The initial data of the analysis are saved before the system changes. This happens if bodies
 /// touch for the first time, fall asleep, wake, change group or are added.
 ///
@@ -26,6 +27,8 @@ void reserve_undo(const context::Model& model, context::Undo& undo);
 /// Save the motion. Call before v, λ or spin_change change outside stage integrate; later calls in
 /// a step do nothing.
 void save_motion(context::StepContext& ctx) noexcept;
+/// Save the poses. Call before poses change outside stage integrate, in a world with shapes.
+void save_poses(context::StepContext& ctx) noexcept;
 /// Save the step in which each link was used last. @throws std::bad_alloc if the number of links
 /// has grown.
 void save_link_steps(const context::Model& model, context::Undo& undo);

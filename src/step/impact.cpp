@@ -8,10 +8,12 @@
 #include "context/view.h"
 #include "solve/bounds.h"
 #include "solve/contact_rows.h"
+#include "split/split.h"
 #include "state/remember.h"
 #include "state/undo.h"
 #include "step/assemble_rows.h"
 #include "step/contact.h"
+#include "step/impact_times.h"
 #include "step/prestep.h"
 
 #include <algorithm>
@@ -23,33 +25,18 @@ namespace {
 using assembly::View;
 using nonsmooth::Cone;
 
-constexpr double kStiff = 1e-6;   ///< Σ over W: an error of e of 1e-6.
+constexpr double kStiff = 1e-8;   ///< Σ over W: an error of e of some 1e-8.
 constexpr double kSolved = 1e-8;  ///< Residual that rounding permits with kStiff.
 
-/// Return the approach speed below which impacts are inelastic [m/s].
-double threshold(const context::Model& model) noexcept {
-    return std::max(1e-3, 2.0 * model.def.gravity.norm() * model.def.step);
-}
-
-double restitution(const context::State& state, std::size_t k) noexcept {
-    const collide::ContactSet& set = state.contacts;
-    return set.surfaces[at(set.contacts[k].surface)].restitution;
-}
-
-bool hits(const context::Model& model, const context::State& state, std::size_t k) noexcept {
-    const double speed = model.system.contacts.cones[k].u[0];
-    return speed < -threshold(model) &&
-           state.contacts.contacts[k].gap + model.def.step * speed < 0.0;
-}
-
 /// Set the contact laws of an impact.
-/// @param scale  Factor of the restitution.
-void set_laws(context::Model& model, const context::State& state, double scale) noexcept {
+/// @param hits  By contact, 1: an impact. @param scale  Factor of the restitution.
+void set_laws(context::Model& model, const context::State& state,
+              const std::vector<std::uint8_t>& hits, double scale) noexcept {
     for (std::size_t k = 0; k < model.system.contacts.count(); ++k) {
         Cone& c = model.system.contacts.cones[k];
         const double e = scale * restitution(state, k);
         const bool touches = state.contacts.contacts[k].gap <= 0.0;
-        c.b[0] = e > 0.0 && hits(model, state, k) ? -e * c.u[0] : (touches ? 0.0 : -1e30);
+        c.b[0] = hits[k] != 0 ? -e * c.u[0] : (touches ? 0.0 : -1e30);
         c.b[1] = c.b[2] = 0.0;
         // An impact has no time for compression. A small Σ remains for redundant points.
         c.sigma_n = std::min(c.sigma_n, kStiff * c.mobility);
@@ -80,6 +67,11 @@ void hold_motion(context::StepContext& ctx) noexcept {
         });
     };
     solve::hold_bounds(ctx.model, ctx.work.newton, 0.0);  // bounded forces have no impulse
+    // A range that the coordinate only approaches does not act in an impact.
+    for (const std::int32_t id : ctx.model.system.bounded)
+        if ((v.flags[id] & model::kRange) && v.g[v.row_begin[id]] == 0.0 &&
+            v.low[id] + v.high[id] > model::kNoWidth)
+            v.active[id] = 0.0;
     update_rows();  // residual + Σλ = c − G v; then c is set to G v
     for (std::int32_t id = 0; id < v.interaction_count; ++id)
         for (std::int32_t r = v.row_begin[id]; r < v.row_begin[id] + v.rows[id]; ++r)
@@ -98,7 +90,7 @@ void hold_motion(context::StepContext& ctx) noexcept {
 /// change.
 Status attempt(context::StepContext& ctx, double scale) noexcept {
     if (const Status s = start_contacts(ctx, Phase::impact); s != Status::ok) return s;
-    set_laws(ctx.model, ctx.state, scale);
+    set_laws(ctx.model, ctx.state, ctx.work.impact.hits, scale);
     assemble_rows(ctx);
     hold_motion(ctx);
     contact::begin_newton(ctx.model, ctx.work, ctx.pool);
@@ -113,21 +105,50 @@ bool ends_step(Status status) noexcept {
            status == Status::cancelled;
 }
 
-}  // namespace
-
-Status impact(context::StepContext& ctx, bool& found) noexcept {
-    const std::size_t count = ctx.model.system.contacts.count();
-    found = false;
-    bool bouncy = false;
-    for (std::size_t k = 0; k < count && !bouncy; ++k) bouncy = restitution(ctx.state, k) > 0.0;
-    if (!bouncy) return Status::ok;
-    solve::update_contacts(ctx.model, ctx.pool, ctx.model.bodies.v.data());
-    for (std::size_t k = 0; k < count && !found; ++k)
-        found = restitution(ctx.state, k) > 0.0 && hits(ctx.model, ctx.state, k);
-    if (!found) {
-        solve::update_contacts(ctx.model, ctx.pool, nullptr);
-        return Status::ok;
+/// Move the velocities of bodies with an impact to its time.
+void advance_velocities(context::StepContext& ctx, const View& v) noexcept {
+    context::ImpactWork& w = ctx.work.impact;
+    std::copy_n(v.v, v.dof_count, w.before.begin());
+    for (const std::int32_t body : ctx.model.bodies.moving) {
+        if (w.time[at(body)] < 0.0) continue;
+        const double fraction = 0.5 + w.time[at(body)] / v.h;
+        for (int j = v.dof_begin[body]; j < v.dof_begin[body] + v.dof[body]; ++j)
+            v.v[j] += fraction * w.change[at(j)];
     }
+}
+
+/// Apply the change of velocity by the impact at its time t: v ← v + Δv and x ← x − t Δv. The pose
+/// after the step is then that of a body that changes its velocity at this time.
+void apply(context::StepContext& ctx, const View& v) noexcept {
+    context::ImpactWork& w = ctx.work.impact;
+    state::save_poses(ctx);
+    for (const std::int32_t body : ctx.model.bodies.moving) {
+        const std::int32_t begin = v.dof_begin[body];
+        const int dof = v.dof[body];
+        const double time = impact_time(w, at(body));
+        double* shift = &w.change[at(begin)];  // no longer needed
+        for (int j = 0; j < dof; ++j) {
+            const double change = v.v_new[begin + j] - v.v[begin + j];
+            v.v[begin + j] = w.before[at(begin + j)] + change;
+            shift[j] = time * change;
+        }
+        if (!(time > 0.0)) continue;
+        if (dof == 1)
+            v.x[3 * body] -= shift[0];
+        else
+            ctx.model.bodies.drift(body, shift, dof == 6 ? shift + 3 : nullptr, -1.0);
+    }
+    // Contacts without an impact belong to the moved poses.
+    solve::update_contacts(ctx.model, ctx.pool, w.change.data());
+    const assembly::Contacts& c = ctx.model.system.contacts;
+    for (std::size_t k = 0; k < w.hits.size(); ++k)
+        if (w.hits[k] == 0)
+            ctx.state.contacts.contacts[k].gap -= c.cones[k].u[0] - c.rows[k].carried[0];
+    split::copy_ghost_poses(ctx.model);
+}
+
+/// Solve the impacts of the marked contacts, and without restitution if they gain energy.
+Status solve_impacts(context::StepContext& ctx) noexcept {
     ++ctx.work.stats.impacts;
     state::save_motion(ctx);
     const View v = context::view(ctx);
@@ -135,28 +156,41 @@ Status impact(context::StepContext& ctx, bool& found) noexcept {
         return assembly::kinetic_energy(ctx.model.bodies, of) +
                added_energy(ctx.model, ctx.state, ctx.pool, of);
     };
+    advance_velocities(ctx, v);
     const double before = moving(v.v);
-    Status status = Status::ok;
+    bool good = false;
     for (const double scale : {1.0, 0.0}) {
         if (scale == 0.0) ++ctx.work.stats.impact_retries;
-        status = attempt(ctx, scale);
+        const Status status = attempt(ctx, scale);
         if (ends_step(status)) return status;
         const double after = status == Status::ok ? moving(v.v_new) : 0.0;
-        const bool good =
-            status == Status::ok && after <= before * (1.0 + 1e-9) &&
-            ctx.work.stats.flips_left == 0 &&
-            ctx.work.stats.natural_map <= std::max(kSolved, ctx.model.def.contact_tolerance);
+        good = status == Status::ok && after <= before * (1.0 + 1e-9) &&
+               ctx.work.stats.flips_left == 0 &&
+               ctx.work.stats.natural_map <= std::max(kSolved, ctx.model.def.contact_tolerance);
         if (good) {
             ctx.state.ledger.contact += before - after;
-            std::copy_n(v.v_new, v.dof_count, v.v);
+            apply(ctx, v);
         }
         // Lines and multipliers continue from the last step.
         state::restore_solved_state(ctx);
         if (good) break;
     }
+    if (!good) std::copy_n(ctx.work.impact.before.begin(), v.dof_count, v.v);
+    return Status::ok;
+}
+
+}  // namespace
+
+Status impact(context::StepContext& ctx, bool& found) noexcept {
+    Status status = Status::ok;
+    found = false;
+    if (!mark_candidates(ctx, status)) return status;
+    found = find_times(ctx, status);
+    if (found && status == Status::ok) status = solve_impacts(ctx);
     ctx.work.stats.flips_left = 0;  // the solve of the step itself follows
     ctx.work.newton.iterations = 0;
-    return Status::ok;
+    if (status != Status::ok || found) return status;
+    return start_contacts(ctx, Phase::regular);
 }
 
 }  // namespace hawser::step

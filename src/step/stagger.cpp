@@ -116,6 +116,19 @@ bool slow_springs(context::Model& model, bool add) noexcept {
     return any;
 }
 
+/// Let the end of a range limit a trial only beyond the initial speed: an approaching coordinate
+/// keeps its speed, like a contact.
+void keep_approach(context::Model& model, const assembly::View& v) noexcept {
+    for (const std::int32_t id : model.system.bounded) {
+        const std::int32_t row = v.row_begin[id];
+        if ((v.flags[id] & model::kRange) == 0 || v.g[row] != 0.0 || v.parted[id] != 0) continue;
+        double buffer[model::kArmBufferSize];
+        const double* jac = packed_rows(v, id, buffer);
+        const double speed = assembly::along_row(v, id, jac, v.v, v.dof_begin);
+        v.c[row] = v.upper[id] != 0 ? std::max(v.c[row], speed) : std::min(v.c[row], speed);
+    }
+}
+
 /// Set v to v₋ = v₀ − (v₊ − v₀)/2, from a trial.
 void step_back(const context::Model& model, const assembly::View& v) noexcept {
     for (std::int32_t i = 0; i < model.bodies.dofs; ++i) v.v[i] -= 0.5 * (v.v_new[i] - v.v[i]);
@@ -154,6 +167,7 @@ Status try_step(context::StepContext& ctx, const std::vector<double>& curvature,
     assemble_rows(ctx);
     for (std::size_t i = 0; i < curvature.size(); ++i)
         ctx.model.interactions.c[i] -= ctx.model.def.step * curvature[i] - 2.0 * remainders[i];
+    keep_approach(ctx.model, context::row_view(ctx.model));
     if (slower) (void)slow_springs(ctx.model, true);
     ctx.work.solve.rhs_ready = false;
     return solve_assembled(ctx);

@@ -30,8 +30,9 @@ Vec3 onto_cone(const Vec3& x, const Vec3& n, double mu) {
     const double normal = x.dot(n);
     const Vec3 tangent = x - normal * n;
     const double length = tangent.norm();
-    if (length <= mu * normal) return x;
+    // Without friction the cone is a half line: the tangent is 0 up to rounding or a pull has none.
     if (mu * length <= -normal) return Vec3::Zero();
+    if (length <= mu * normal) return x;
     const double on_rim = (normal + mu * length) / (1.0 + mu * mu);
     return on_rim * n + (mu * on_rim / length) * tangent;
 }

@@ -165,9 +165,28 @@ ForceRange friction_range(const World& world, InteractionId id, std::span<const 
     return {-most, back * parameter(world, id, bound) + loads, true, true};
 }
 
-ForceRange limit_range(const World& world, InteractionId id, double q) {
+/// Return the speed of a coordinate after the step [m/s or rad/s].
+double coordinate_speed(const Attached& on) {
+    if (on.def().kind == InteractionKind::ScalarMotor) return on.velocity(0).linear.x();
+    const Vec3 axis = on.axis(0, 2);
+    const Twist a = on.velocity(0), b = on.velocity(1);
+    const Vec3 turning = b.angular - a.angular;
+    if (on.def().kind == InteractionKind::HingeMotor) return axis.dot(turning);
+    if (on.def().kind == InteractionKind::HingeRange) {  // the axes may differ
+        const Vec3 other = on.axis(1, 2);
+        return (axis + other).dot(turning) / (1.0 + axis.dot(other));
+    }
+    const Vec3 where = on.point(1);
+    return axis.dot(b.linear + b.angular.cross(where - on.center(1)) - a.linear -
+                    a.angular.cross(where - on.center(0)));
+}
+
+/// Return the forces of a range. An end acts in a step that reaches it.
+/// @param q, travel  Coordinate before the step, and its displacement in the step.
+ForceRange limit_range(const World& world, InteractionId id, double q, double travel) {
     const InteractionDef& def = world.interaction_def(id);
-    const double below = def.get("min") - q, above = q - def.get("max");
+    const double below = def.get("min") - std::min(q, q + travel),
+                 above = std::max(q, q + travel) - def.get("max");
     // If rounding decides whether the limit is reached, accept both cases.
     const double noise = 1e-12 * (1.0 + std::abs(q));
     return {above > -noise ? -kNoBound : 0.0, below > -noise ? kNoBound : 0.0, true, false};
@@ -225,7 +244,11 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
         pull = Vec3(last[0], last[1], last[2]);
     }
     const bool completed = world.solver().completed(id);
-    const double held = completed ? completed_fraction(on, world, pull.norm()) : 1.0;
+    // Other joints may hold the bodies of a completed joint.
+    const double held =
+        completed
+            ? completed_fraction(on, world, world.solver().constrained_ratio(id) * pull.norm())
+            : 1.0;
     if (held == 0.0) return out;
     // Excess of the oscillation about a joint over the resolved frequency:
     // docs/theory/stiffness.md.
@@ -277,21 +300,10 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
 
 namespace {
 
-/// Return the speed of a motor's coordinate after the step [m/s or rad/s].
-double motor_speed(const Attached& on) {
-    if (on.def().kind == InteractionKind::ScalarMotor) return on.velocity(0).linear.x();
-    const Vec3 axis = on.axis(0, 2);
-    const Twist a = on.velocity(0), b = on.velocity(1);
-    if (on.def().kind == InteractionKind::HingeMotor) return axis.dot(b.angular - a.angular);
-    const Vec3 where = on.point(1);
-    return axis.dot(b.linear + b.angular.cross(where - on.center(1)) - a.linear -
-                    a.angular.cross(where - on.center(0)));
-}
-
 /// Return a force range, reduced so that a motor has a power of at most `power` [W].
 ForceRange with_power(const Attached& on, double power, ForceRange range) {
     if (!(power < 1e30)) return range;
-    const double speed = motor_speed(on);
+    const double speed = coordinate_speed(on);
     // A range beyond the limit is reduced to it.
     const double most = speed > 0.0 ? power / speed : kNoBound;
     const double least = speed < 0.0 ? power / speed : -kNoBound;
@@ -320,9 +332,11 @@ ForceRange force_range(const World& world, InteractionId id, std::span<const Pos
                               {std::min(parameter(world, id, "force_min"), high), high, true});
         }
         case InteractionKind::HingeRange:
-            return limit_range(world, id, angle_of(on));
-        case InteractionKind::SlideRange:
-            return limit_range(world, id, travel_of(on));
+        case InteractionKind::SlideRange: {
+            const double q =
+                on.def().kind == InteractionKind::HingeRange ? angle_of(on) : travel_of(on);
+            return limit_range(world, id, q, world.settings().step * coordinate_speed(on));
+        }
         case InteractionKind::HingeFriction:
             return friction_range(world, id, pose, "torque");
         case InteractionKind::SlideFriction:

@@ -3,8 +3,8 @@
 /// @file lasting_faults.h
 /// Detect violated ranges and overlapping bodies from definitions and poses alone.
 ///
-/// A body at speed passes the end of a range by up to its displacement in one step, and a falling
-/// body penetrates; both return. A failure is a violation for more than six steps. In small worlds
+/// A body that is forced beyond the end of a range, and a falling body that penetrates, return
+/// within some steps. A failure is a violation for more than six steps. In small worlds
 /// these are six samples of the program's own monitor.
 
 #include <hawser/hawser.h>

@@ -64,6 +64,26 @@ TEST(Project, GivesTheNearestPointOfTheCone) {
     }
 }
 
+/// Without friction and tangential impulse, the cone is a half line and the rest of the line goes
+/// to 0.
+TEST(Project, RemovesAPullWithoutFriction) {
+    Random random(first_seed(9));
+    for (int trial = 0; trial < 100; ++trial) {
+        const double pull = std::pow(10.0, random.uniform(-16, 6));
+        double p[3] = {-pull, 0.0, 0.0}, push[3] = {pull, 0.0, 0.0};
+        project(0.0, p);
+        ASSERT_EQ(p[0], 0.0);
+        project(0.0, push);
+        ASSERT_EQ(push[0], pull);
+        Cone c = random_cone(random);
+        c.friction = c.mobility = 0.0;
+        for (int i = 0; i < 3; ++i) c.u[i] = c.lambda[i] = c.b[i] = 0.0;
+        c.b[0] = -pull;  // a gap
+        ASSERT_EQ(natural_map(c, 1e-9), 0.0) << pull;
+        ASSERT_EQ(associated_map(c, 1e-9), 0.0) << pull;
+    }
+}
+
 /// Draw λ and u that satisfy Coulomb's law exactly, with a given status.
 void make_solution(Cone& c, Touch touch, Random& random) {
     const double n = touch == Touch::open ? 0.0 : random.uniform(0.1, 10.0);

@@ -23,6 +23,10 @@ constexpr int kSlots = kMaxInteractionBodies;
 template <class K>
 constexpr bool kCompactKind = requires { requires K::kMayBeCompact; };
 
+/// True if the kind is the range of a joint (kinds/drives.h).
+template <class K>
+constexpr bool kHasEnds = requires { &K::evaluate_ends; };
+
 /// Return the fraction of the geometric stiffness that is used for an interaction whose force has
 /// the magnitude nf.
 double fade(const View& view, std::int32_t id, double nf) {
@@ -206,7 +210,41 @@ HAWSER_INLINE void write_rows(const View& view, std::int32_t id,
             }
         }
     }
-    if (view.flags[id] & 2) view.active[id] = rows.g[0] != 0.0 ? 1.0 : 0.0;  // range
+    if (view.parted[id]) view.active[id] = 0.0;
+}
+
+/// Write the right-hand side and the active flag of the range of a joint. Inside the range the row
+/// refers to the end that the coordinate approaches at the speed w of the last step, or to the
+/// nearer one. The coordinate is to be at this end, at distance d, after the step: G v₊ ≤ d/h. The
+/// solver may choose the other end (solve/bounds.h).
+template <class K>
+HAWSER_INLINE void write_range(const View& view, std::int32_t id, const kinds::RangeEnds& ends,
+                               const Speeds<1>& s) {
+    constexpr double kElastic = 1e-11;  // model::kElasticCompliance
+    constexpr int kDamper = 4;          // model::kRowDamper
+    constexpr double kNoWidth = 1e-9;   // model::kNoWidth
+    const std::int32_t row = view.row_begin[id];
+    const double g = view.g[row];
+    view.low[id] = ends.low;
+    view.high[id] = ends.high;
+    if (ends.low + ends.high <= kNoWidth) {
+        view.upper[id] = 1;
+        view.active[id] = 1.0;  // a joint
+    } else if (g != 0.0) {
+        view.upper[id] = g > 0.0 ? 1 : 0;
+        view.active[id] = 1.0;
+        // A stop does not continue an outward motion. A spring with a damper does.
+        const double speed = s.now[0] + s.before[0];
+        const bool bumper = view.epsilon[row] > kElastic && (view.row_flags[row] & kDamper);
+        if (speed * g > 0.0 && !bumper) view.c[row] -= view.upsilon[row] * view.recall[row] * speed;
+    } else {
+        const double w = s.now[0] + s.prescribed[0];
+        const double low = ends.low + view.h * w, high = ends.high - view.h * w;
+        const bool upper = high < low;
+        view.upper[id] = upper ? 1 : 0;
+        view.c[row] = (upper ? ends.high : -ends.low) / view.h - s.prescribed[0];
+        view.active[id] = (upper ? high : low) < 0.0 || view.lambda[row] != 0.0 ? 1.0 : 0.0;
+    }
     if (view.parted[id]) view.active[id] = 0.0;
 }
 
@@ -251,7 +289,11 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
             refs[b] = {load3(view.x + 3 * i), view.r + 9 * i, view.dof[i] == 6 || view.dof[i] == 0};
         }
         Rows<B, R> rows;
-        K::evaluate(data[k], refs, rows);
+        [[maybe_unused]] kinds::RangeEnds ends{};
+        if constexpr (kHasEnds<K>)
+            ends = K::evaluate_ends(data[k], refs, rows);
+        else
+            K::evaluate(data[k], refs, rows);
 
         // Compute the speeds of the rows and the packed Jacobian.
         Speeds<R> speed;
@@ -294,6 +336,7 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
             at += dof;
         }
         write_rows<K>(view, id, rows, speed);
+        if constexpr (kHasEnds<K>) write_range<K>(view, id, ends, speed);
         write_geometry<K>(view, data[k], refs, id, rows);
     }
 }

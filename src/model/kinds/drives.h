@@ -182,6 +182,13 @@ struct RangeData {
     }
 };
 
+/// Distances of a coordinate from the lower and to the upper end of its range, negative beyond an
+/// end; kNoEnd without an end [m or rad].
+struct RangeEnds {
+    double low, high;
+};
+inline constexpr double kNoEnd = 1e30;  // model::kUnbounded
+
 inline void range_rows(const InteractionDef& d, double h, RowSpec* s) {
     constraint_rows(d, h, 0, 1, false, s, kStopCompliance);
     s[0].range = true;
@@ -214,8 +221,14 @@ struct HingeRange {
     using Data = RangeData;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) { range_rows(d, h, s); }
     static void evaluate(const Data& d, const BodyRef* b, Rows<2, 1>& out) {
+        (void)evaluate_ends(d, b, out);
+    }
+    static RangeEnds evaluate_ends(const Data& d, const BodyRef* b, Rows<2, 1>& out) {
+        constexpr double kHalfTurn = 3.14159265358979323846;
         hinge_row(d.joint, b, out);
-        out.g[0] = d.outside(out.g[0]);
+        const double q = out.g[0];
+        out.g[0] = d.outside(q);
+        return {d.min > -kHalfTurn ? q - d.min : kNoEnd, d.max < kHalfTurn ? d.max - q : kNoEnd};
     }
 #ifdef HAWSER_KIND_SETUP
     static Data make(const InteractionDef& d) { return RangeData::of(d); }
@@ -240,8 +253,13 @@ struct SlideRange {
     using Data = RangeData;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) { range_rows(d, h, s); }
     static void evaluate(const Data& d, const BodyRef* b, Rows<2, 1>& out) {
+        (void)evaluate_ends(d, b, out);
+    }
+    static RangeEnds evaluate_ends(const Data& d, const BodyRef* b, Rows<2, 1>& out) {
         travel_row(d.joint, b, out);
-        out.g[0] = d.outside(out.g[0]);
+        const double q = out.g[0];
+        out.g[0] = d.outside(q);
+        return {d.min > -kNoEnd ? q - d.min : kNoEnd, d.max < kNoEnd ? d.max - q : kNoEnd};
     }
 #ifdef HAWSER_KIND_SETUP
     static Data make(const InteractionDef& d) { return RangeData::of(d); }

@@ -22,6 +22,7 @@ Findings check_start(const record::SceneInfo& scene, const World& world, std::si
     check_overlaps(scene, world, out);
     check_ranges(world, out);
     check_motor_friction(world, out);
+    check_motor_ranges(world, out);
     check_steps(scene, world, out);
     JointRows rows(world);
     if (rows.rows() > max_rows) {

@@ -191,4 +191,58 @@ void check_motor_friction(const World& world, Findings& out) {
         }
 }
 
+namespace {
+
+/// Return the bodies of an interaction in ascending order.
+std::pair<std::int32_t, std::int32_t> body_pair(const InteractionDef& d) {
+    const auto [low, high] = std::minmax(d.body[0].index, d.body[1].index);
+    return {low, high};
+}
+
+/// Return the speed at which a motor changes the coordinate of a range of the same bodies and axis,
+/// 0 if the axes differ [m/s or rad/s].
+double speed_of_range(const World& world, const InteractionDef& motor,
+                      const InteractionDef& range) {
+    const auto axis = [&](const InteractionDef& d) {
+        return Vec3(world.pose(d.body[0]).orientation * (d.frame[0] * Vec3::UnitZ()));
+    };
+    const double same = axis(motor).dot(axis(range));
+    if (std::abs(same) < 1.0 - 1e-9) return 0.0;
+    const bool swapped = motor.body[0].index != range.body[0].index;
+    return ((same > 0.0) != swapped ? 1.0 : -1.0) * motor.get("speed");
+}
+
+}  // namespace
+
+void check_motor_ranges(const World& world, Findings& out) {
+    constexpr double kUnlimited = 1e30;
+    for (const Range& r : rigid_ranges(world)) {
+        const InteractionDef& range = world.interaction_def(r.id);
+        const double q = world.coordinate(r.id);
+        for (const InteractionId m : world.interactions()) {
+            const InteractionDef& motor = world.interaction_def(m);
+            const KindInfo& kind = kind_info(motor.kind);
+            if (!kind.is(kMotorKind) || kind.bodies != 2 || kind.coordinate != r.coordinate ||
+                body_pair(motor) != body_pair(range))
+                continue;
+            const double most =
+                motor.get("speed") > 0.0 ? motor.get("force_max") : -motor.get("force_min");
+            const double speed = speed_of_range(world, motor, range);
+            const double time =
+                speed == 0.0 ? HUGE_VAL : ((speed > 0.0 ? r.max : r.min) - q) / speed;
+            // An hour is longer than any motion towards an end that is meant.
+            constexpr double kLong = 3600.0;
+            if (most < kUnlimited || !(time >= 0.0 && time < kLong)) continue;
+            out.add(
+                false, FindingKind::motor,
+                {record::interaction_label(world, m), record::interaction_label(world, r.id)}, time,
+                fmt::format("{} has no limit of force and reaches the end of {} after {:.3g} s; "
+                            "the run then fails: give it `force_min` and `force_max`, or "
+                            "another speed",
+                            record::interaction_in_words(world, m),
+                            record::name_in_quotes(record::interaction_label(world, r.id)), time));
+        }
+    }
+}
+
 }  // namespace hawser::report::start

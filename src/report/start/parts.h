@@ -62,6 +62,8 @@ void check_repetitions(const World& world, JointRows& rows, Findings& out);
 void check_ranges(const World& world, Findings& out);
 /// Check for motors that friction holds (joints.cpp).
 void check_motor_friction(const World& world, Findings& out);
+/// Check for motors without limit of force that drive against a range (joints.cpp).
+void check_motor_ranges(const World& world, Findings& out);
 /// Check for wires and joints that the step does not resolve (steps.cpp).
 void check_steps(const record::SceneInfo& scene, const World& world, Findings& out);
 
