@@ -2,6 +2,7 @@
 #include "random_gear_cases.h"
 
 #include "dice.h"
+#include "random_passive_cases.h"
 #include "support/random_ships.h"
 
 #include <hawser/math.h>
@@ -22,7 +23,8 @@ using GearJson = nlohmann::ordered_json;
 
 constexpr double kGearGravity = 9.81;
 constexpr double kPlace = 0.01;  ///< tolerance of positions over the length of the wire
-constexpr std::array<std::string_view, 4> kFamilies{"winches", "guides", "hulls", "ships"};
+constexpr std::array<std::string_view, 7> kFamilies{
+    "winches", "guides", "hulls", "ships", "passive_posts", "passive_guides", "passive_hanging"};
 
 GearJson point(double x, double y, double z) { return GearJson::array({x, y, z}); }
 
@@ -421,6 +423,7 @@ std::optional<GearFamily> gear_family(std::string_view name) noexcept {
 }
 
 GearCase make_gear_case(GearFamily family, std::uint64_t seed, std::uint64_t number) {
+    if (is_passive(family)) return make_passive_case(family, seed, number);
     const std::string_view name = to_string(family);
     if (family == GearFamily::winches) return Winches(name, seed, number).make();
     if (family == GearFamily::guides) return Guides(name, seed, number).make();

@@ -18,6 +18,9 @@ enum class GearFamily : std::uint8_t {
     hulls,    ///< A barge on two to four chains, in still water or in waves.
     ships,    ///< Scaled vessels of the library with random orders, Hs 0 to 6 m. Run in the root of
               ///< the source tree.
+    passive_posts,    ///< A wire between two masses falls on bollards.
+    passive_guides,   ///< A wire from a mass on a table over a roller to a hanging mass.
+    passive_hanging,  ///< A box on a wire, taut or slack at the start.
 };
 
 [[nodiscard]] std::string_view to_string(GearFamily family) noexcept;
@@ -39,6 +42,7 @@ struct GearCase {
     double step = 0.0;           ///< [s]
     double duration = 0.0;       ///< [s]
     double motor_power = 1e300;  ///< Limit of the winch's motor [W].
+    bool passive = false;        ///< True if the energy of the scene must not rise.
     std::vector<Probe> probes;
 };
 

@@ -129,5 +129,31 @@ TEST_F(RandomProgram, RunsFamiliesOfGear_full) {
     EXPECT_EQ(run("--family boats"), 2);
 }
 
+/// Passive wires: cases repeat exactly, and steps come in turn.
+TEST_F(RandomProgram, MakesPassiveWires) {
+    for (const std::string family : {"passive_posts", "passive_guides", "passive_hanging"}) {
+        std::string before;
+        for (const char* number : {"4", "5", "4"}) {
+            ASSERT_EQ(
+                run("--family " + family + " --seed 2 --save " + number + " " + stem_ + ".scene"),
+                0);
+            const auto scene = nlohmann::json::parse(text(".scene"));
+            const double step = scene.at("settings").at("step");
+            EXPECT_DOUBLE_EQ(step, number[0] == '4' ? 1.0 / 30.0 : 0.05);
+            EXPECT_FALSE(scene.contains("winches"));
+            EXPECT_FALSE(scene.contains("sea"));
+            if (before.empty()) before = scene.dump();
+            EXPECT_EQ(scene.dump() == before, number[0] == '4');
+        }
+        const int code =
+            run("--family " + family + " --seed 2 --count 3 --json " + stem_ + ".json");
+        const auto out = nlohmann::json::parse(text(".json"));
+        EXPECT_EQ(out.at("cases"), 3);
+        EXPECT_EQ(out.at("refused"), 0);
+        EXPECT_GE(out.at("wrong_by_energy"), 0);
+        ASSERT_TRUE(code == 0 || code == 1);
+    }
+}
+
 }  // namespace
 }  // namespace hawser::bench
