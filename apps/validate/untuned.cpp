@@ -10,8 +10,6 @@ constexpr Case kUntuned[] = {
     {"U.2", "stops", "motors against the ends of ranges", case_stops},
     {"U.3", "restitution", "bounces: heights, times, energy", case_restitution},
     {"U.4", "frictionless", "contacts of fixed bodies without friction", case_frictionless},
-    {"U.5", "singular_loops", "four-bar windows through their singular pose", case_singular_loops},
-    {"U.6", "light_links", "heavy bobs on light rods", case_light_links},
 };
 
 }  // namespace

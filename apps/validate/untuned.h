@@ -21,8 +21,4 @@ void case_stops(Report& report);
 void case_restitution(Report& report);
 void case_frictionless(Report& report);
 
-// Cases in untuned_loops.cpp.
-void case_singular_loops(Report& report);
-void case_light_links(Report& report);
-
 }  // namespace hawser::validate

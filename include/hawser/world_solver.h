@@ -36,11 +36,6 @@ class WorldSolverView : public Facet {
     /// instead of linearising them once (docs/theory/joints.md).
     /// @throws DefError for an invalid id.
     [[nodiscard]] bool completed(InteractionId id) const;
-    /// Return the ratio of the free inertia of a joint's bodies to their inertia with other joints,
-    /// by which the last step multiplied its oscillation number (docs/theory/joints.md). 1 if the
-    /// bodies count as free.
-    /// @throws DefError for an invalid id.
-    [[nodiscard]] double constrained_ratio(InteractionId id) const;
     /// Return the force of each row from which the last step computed the geometric stiffness [N or
     /// N m]. It is World::force() before that step. If the step was solved again with a larger
     /// joint force (StepStats::restiffened), it is that force. Zeros before the first step, and at

@@ -20,11 +20,8 @@ struct JointSlot {
 struct Completion {
     std::vector<std::int32_t> joints;    ///< Interactions that may be completed, ascending.
     std::vector<JointSlot> joint_slots;  ///< One per joint.
-    std::vector<double> rates;           ///< Interactions::vibration of free bodies, by joint.
-    /// By joint, 1: in a closed loop of rigid joints; 1: its floors of Σ are lowered.
-    std::vector<std::uint8_t> in_loop, lowered;
-    std::vector<std::int32_t> rigid;   ///< Rigid joints among these, ascending.
-    std::vector<std::int32_t> looped;  ///< Rigid joints in closed loops of rigid joints.
+    std::vector<std::int32_t> rigid;     ///< Rigid joints among these, ascending.
+    std::vector<std::int32_t> looped;    ///< Rigid joints in closed loops of rigid joints.
     std::vector<std::uint8_t>
         coarse_next;                    ///< model::Interactions::coarse after the step, by joint.
     std::vector<std::uint8_t> refused;  ///< By joint, 1: not completed in the present step.
@@ -32,7 +29,6 @@ struct Completion {
     std::vector<double> lambda_with;
     bool any = false;            ///< True if the step completes some joints.
     bool any_compliant = false;  ///< True if the step completes some compliant joints.
-    bool softened = false;       ///< True while the floors of rigid rows are raised.
     bool banned = false;         ///< True if the step is being solved again without completion.
 };
 

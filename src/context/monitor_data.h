@@ -105,9 +105,7 @@ struct MonitorData {
     std::vector<double> range_allowed;  ///< By entry of `ranges`: 1 / allowed excess.
     std::vector<MonitorPart> part;      ///< One per chunk.
     double nothing = 0.0;               ///< See limit::kNothingHigher [J].
-    /// True if no row dissipates energy: rigid joints, springs without damping, motors, friction.
-    bool lossless = false;
-    std::int32_t every = 1;  ///< Number of steps between samples.
+    std::int32_t every = 1;             ///< Number of steps between samples.
     Verdict verdict;
 };
 

@@ -4,7 +4,6 @@
 /// Wires and their energies in a step (guard.h).
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace hawser::context {
@@ -20,8 +19,6 @@ struct WireGain {
     double exchanged = 0.0;  ///< Sum of |changes|.
     double noise = 0.0;      ///< Effect of the rounding of positions.
     double unbooked = 0.0;   ///< Loss beyond the counted loss of rows (losses.cpp).
-    /// Upper limit of the energy allowance, if the gain needs it; see stored_by_stiffness().
-    double stored = std::numeric_limits<double>::infinity();
 };
 
 struct Wires {

@@ -6,13 +6,12 @@
 ///     fairlead ── e ── n ──── f ──── b        fairlead ────── e ────── b
 /// ```
 /// The tension of the whole is the mean of both, weighted by rest lengths, because the law is
-/// linear in the strain. The tension of each is the lesser of the one by its length and the one
-/// that it exerted in the last step. The rest length is chosen so that the element has this tension
-/// at the length of its chord, dampers included. Material that moves onto the drum takes its
-/// stretch with it; dampers treat this as a rate. The whole stores no more than both did
-/// (node_stretch.h). The half of f at b is transferred to the winch, like all material of e.
-/// Velocities of other nodes do not change. The energy of the motion of n across the chord goes
-/// into the foundation of the drum, and counts as driven.
+/// linear in the strain. The rest length is chosen so that the element has this tension at the
+/// length of its chord, dampers included. Material that moves onto the drum takes its stretch with
+/// it; dampers treat this as a rate. The
+/// half of f at b is transferred to the winch, like all material of e. Velocities of other nodes do
+/// not change. The energy of the motion of n across the chord goes into the foundation of the drum,
+/// and counts as driven.
 ///
 /// The node before a free end is not removed, because the node at the end has only its half of f.
 /// If a drum or a guide also loads the next element, b keeps 1 % of that half, because a body needs
@@ -22,7 +21,6 @@
 
 #include "base/index.h"
 #include "edit/node_pieces.h"
-#include "edit/node_stretch.h"
 
 #include <cmath>
 
@@ -49,11 +47,7 @@ bool release_drum_node(context::StepContext& ctx, const NodeSurroundings& place,
     }
     const double rest[2] = {in.rest_length[at(e)], in.rest_length[at(f)]};
     const double whole = rest[0] + rest[1];
-    const auto force = [&ctx](std::int32_t id) {
-        return nearer_to_zero(tension_of(ctx, id), exerted_force(ctx, id));
-    };
-    const double pull = (rest[0] * force(e) + rest[1] * force(f)) / whole;
-    const double held = energy_by_length(ctx, e) + energy_by_length(ctx, f);
+    const double pull = (rest[0] * force_of(ctx, e) + rest[1] * force_of(ctx, f)) / whole;
     const double stiffness =
         whole / (rest[0] / stiffness_of(ctx, e) + rest[1] / stiffness_of(ctx, f));
     if (is_free_node(ctx, b))
@@ -65,7 +59,6 @@ bool release_drum_node(context::StepContext& ctx, const NodeSurroundings& place,
         ctx, e,
         pull > 0.0 ? rest_length_for_force(ctx, e, pull, stiffness) : std::max(whole, length), 0.0,
         pull);
-    if (pull > 0.0) limit_stretch(ctx, e, held);
     // The neighbour of the bend at b is then the fairlead.
     const std::int32_t beyond = place.bend[at_first ? 2 : 0];
     if (beyond >= 0) {

@@ -6,7 +6,6 @@
 #include "context/context.h"
 #include "edit/edits.h"
 #include "edit/node_pieces.h"
-#include "edit/node_stretch.h"
 
 #include <algorithm>
 #include <array>
@@ -134,13 +133,8 @@ void settle_node(context::StepContext& ctx, const NodeSurroundings& place, std::
     const std::int32_t e = place.first, f = place.second, n = place.node;
     const bool wound = is_wound(ctx, old);
     const double stiffness = stiffness_of(ctx, old);
-    const double tension =
-        wound ? nearer_to_zero(force_of(ctx, old), exerted_force(ctx, old)) : tension_of(ctx, old);
+    const double tension = wound ? force_of(ctx, old) : tension_of(ctx, old);
     const double rest = in.rest_length[at(old)];
-    // A drum's damper lets the length differ from the force: the parts may store the larger of both
-    // energies (node_stretch.h).
-    const double held =
-        std::max(energy_by_length(ctx, old), 0.5 * tension * tension * rest / stiffness);
     const Vec3 u = (point_of(ctx, old, 1) - point_of(ctx, old, 0)).normalized();
     const double along = weight_of(ctx, old, 0.5 * mass).dot(u);
     const std::size_t drum = wound ? drum_side(ctx, old) : 0;
@@ -169,12 +163,6 @@ void settle_node(context::StepContext& ctx, const NodeSurroundings& place, std::
         const double taut = wound ? rest_length_for_force(ctx, part[k], pull[k], stiffness)
                                   : length / (1.0 + pull[k] / stiffness);
         set_element(ctx, part[k], pulls ? taut : own * rest, own * mass, pull[k]);
-    }
-    if (wound && pulls && ctx.state.started) {
-        const double stored[2] = {energy_by_length(ctx, e), energy_by_length(ctx, f)};
-        const double most = held / std::max(held, stored[0] + stored[1]);
-        for (std::size_t k = 0; k < 2; ++k)
-            if (most < 1.0) limit_stretch(ctx, part[k], most * stored[k]);
     }
     const std::int32_t other = old == e ? f : e;
     in.active[at(other)] = in.active[at(old)];

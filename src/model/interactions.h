@@ -160,15 +160,12 @@ struct Interactions {
     /// wire is flagged and damped (solve/wires.h); derived from the state.
     base::Array<double> lightness, flagged;
     // Rigid joints only, see step/completion.h; 0 for all others.
-    /// Number of coming steps with one linearisation, or a code of the effective inertia of its
-    /// bodies (solve/constrained_joints.h).
-    base::Array<std::uint8_t> coarse;
+    base::Array<std::uint8_t> coarse;   ///< Number of coming steps with one linearisation.
     base::Array<std::uint8_t> repeats;  ///< 1: in a loop with redundant rows.
     /// Result of the end-of-step iteration in this step, see assembly::Completed.
     base::Array<std::uint8_t> completed;
     /// Constant max |arm|/I; its product with h² and the force is (hω)² of the oscillation about
-    /// the joint. The sign is negative (also of 0) if the right-hand sides of a completed rigid
-    /// joint contain the displacement by their floor of Σ (step/completion.h).
+    /// the joint.
     base::Array<double> vibration;
     base::Array<double> power;        ///< Largest driving power of a motor [W]; kUnbounded: none.
     base::Array<double> breaking;     ///< Breaking load [N], if kBreakable is set.

@@ -131,22 +131,14 @@ Finding energy_finding(const context::Model& model, const context::State& state,
     // Use a level that lasted: the energy of an element by its length disappears after some steps.
     const double lost =
         std::min(now[context::kUnexplained].fall, u.lasting[context::kUnexplained].fall);
-    // Without dampers, mechanical energy falls by drag only. Rigid joints do no work.
-    const auto unpaid = [&](double fall) {
-        return state.monitor.lossless ? std::max(0.0, fall - state.ledger.drag) : 0.0;
-    };
-    const double vanished =
-        unpaid(std::min(now[context::kBetween].fall, u.lasting[context::kBetween].fall));
     Finding out;
     const double by_created = fraction(stays, exchanged) / limit::kCreated.doubtful,
                  by_held = fraction(by_length, exchanged) / limit::kHeld.doubtful,
                  by_hidden = fraction(hidden, counted) / limit::kHidden.doubtful,
                  gained = std::max({by_created, by_held, by_hidden});
-    const double by_lost = fraction(lost, counted) / limit::kLost.doubtful,
-                 by_vanished = fraction(vanished, exchanged) / limit::kLost.doubtful,
-                 fell = std::max(by_lost, by_vanished);
+    const double fell = fraction(lost, counted) / limit::kLost.doubtful;
     // Report the balance that is nearest to its limit.
-    out.value = gained < fell         ? -(by_lost < by_vanished ? vanished : lost)
+    out.value = gained < fell         ? -lost
                 : by_hidden == gained ? hidden
                 : by_held == gained   ? by_length
                                       : created;
@@ -157,7 +149,6 @@ Finding energy_finding(const context::Model& model, const context::State& state,
          fraction(std::max(mean[context::kUnexplained].rise, mean[context::kWithGiven].rise),
                   counted) /
              limit::kHidden.wrong,
-         fraction(unpaid(mean[context::kBetween].fall), exchanged) / limit::kLost.wrong,
          fraction(mean[context::kUnexplained].fall, counted) / limit::kLost.wrong});
     // A split is approximate by choice; its errors of momentum and forces are reported separately.
     if (context::has_cuts(model)) out.wrong = 0.0;

@@ -26,20 +26,6 @@ double allowance(double size, bool turns) noexcept {
     return (turns ? arm : 1.0) / (limit::kOpen.doubtful * std::max(1.0, 2.0 * arm));
 }
 
-/// True if the rows of an interaction have no damping of their own. The works of motors and
-/// friction are counted separately.
-bool is_lossless(const model::Interactions& in, std::int32_t id) noexcept {
-    const int flags = in.flags[at(id)];
-    if (flags & (model::kFriction | model::kMotor)) return true;
-    if (flags & (model::kRange | model::kOneSided | model::kBreakable)) return false;
-    for (std::int32_t r = in.row_begin[at(id)]; r < in.row_begin[at(id)] + in.rows[at(id)]; ++r) {
-        const bool rigid = !model::holds_energy(in.epsilon[at(r)], in.rest_length[at(id)]);
-        const bool undamped = (in.row_flags[at(r)] & model::kRowDamper) && in.tau[at(r)] == 0.0;
-        if (!rigid && !undamped) return false;
-    }
-    return true;
-}
-
 }  // namespace
 
 void prepare_monitors(const context::Model& model, context::State& state) {
@@ -52,11 +38,9 @@ void prepare_monitors(const context::Model& model, context::State& state) {
     d.lines.clear();
     d.ranges.clear();
     d.range_allowed.clear();
-    d.lossless = true;
     for (std::int32_t id = 0; id < context::interaction_count(model); ++id) {
         const KindInfo& kind = kind_info(in.kinds[at(id)]);
         if (in.rest_length[at(id)] > 0.0) d.lines.push_back(id);
-        d.lossless = d.lossless && is_lossless(in, id);
         if (in.flags[at(id)] & model::kFriction) continue;  // counted as driven
         double size = std::numeric_limits<double>::infinity();
         for (int b = 0; b < in.bodies[at(id)]; ++b)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solve/joints.h"
 
-#include "assembly/rows.h"
 #include "base/index.h"
 #include "context/completion_data.h"
 #include "context/copies.h"
@@ -23,10 +22,13 @@ using context::IterationChange;
 
 constexpr std::uint8_t kCoarse = 60;  ///< Steps for which a joint above the limit is not completed.
 
-/// Write the constant of the oscillation number into the record of a compact joint (model/arms.h).
-/// @param rate  Negative if end-of-step constraint iterations apply to the joint.
-void mark_record(model::Interactions& in, const context::JointSlot& joint, double rate) noexcept {
-    if (joint.record >= 0) in.jacobian[at(joint.record)] = rate;
+/// Write into the record of a compact joint (model/arms.h) whether end-of-step constraint
+/// iterations apply to it. Kernels read it as the sign of the constant of its oscillation number.
+void mark_record(model::Interactions& in, const context::JointSlot& joint,
+                 bool completed) noexcept {
+    if (joint.record < 0) return;
+    double& vibration = in.jacobian[at(joint.record)];
+    vibration = completed ? -std::fabs(vibration) : std::fabs(vibration);
 }
 
 /// Find the spins of completed joints.
@@ -52,62 +54,13 @@ void mark_secants(model::Interactions& in, std::int32_t id, bool marked) noexcep
     }
 }
 
-/// Factor of the floors of Σ, a power of two so that it is exactly undone: Σ = 1e-3 W.
-constexpr double kSofter = 0x1p19;
-
-/// Factor of the floors of Σ of joints whose bodies other joints hold, Σ = 2e-12 W. The floor of a
-/// light body is a soft spring for a heavy one. In closed loops the floor of 2e-9 W remains.
-constexpr double kLower = 0x1p-10;
-
-/// Multiply the floors of Σ of the rigid rows of a joint.
-void scale_floors(model::Interactions& in, std::int32_t id, double factor) noexcept {
-    for (std::int32_t r = in.row_begin[at(id)]; r < in.row_begin[at(id)] + in.rows[at(id)]; ++r) {
-        if (in.epsilon[at(r)] != 0.0) continue;
-        in.sigma[at(r)] *= factor;
-        in.inv_sigma[at(r)] /= factor;
-    }
-}
-
-/// Lower the floors of a joint, or restore them.
-void lower_floors(context::Model& model, std::size_t k, bool lower) noexcept {
-    std::uint8_t& lowered = model.completion.lowered[k];
-    if (lower == (lowered != 0)) return;
-    scale_floors(model.interactions, model.completion.joints[k], lower ? kLower : 1.0 / kLower);
-    lowered = lower ? 1 : 0;
-}
-
-/// Undo soften_joints().
-void harden_joints(context::Model& model) noexcept {
-    if (!model.completion.softened) return;
-    for (const std::int32_t id : model.completion.rigid)
-        scale_floors(model.interactions, id, 1.0 / kSofter);
-    model.completion.softened = false;
-}
-
 }  // namespace
-
-double constrained_ratio(std::uint8_t code) noexcept {
-    // Ratios 2^(−k/4), k = 0 … 3.
-    constexpr double kRoots[4] = {1.0, 0.84089641525371454, 0.70710678118654752,
-                                  0.59460355750136053};
-    if (code < kConstrained) return 1.0;
-    const int quarters = code - kConstrained;
-    return std::ldexp(kRoots[quarters % 4], -(quarters / 4));
-}
-
-void soften_joints(context::Model& model) noexcept {
-    if (model.completion.softened) return;
-    for (const std::int32_t id : model.completion.rigid)
-        scale_floors(model.interactions, id, kSofter);
-    model.completion.softened = true;
-}
 
 void find_joints(context::Model& model, context::JointWork& joints) {
     context::Completion& c = model.completion;
     const model::Interactions& in = model.interactions;
     c.joints.clear();
     c.joint_slots.clear();
-    c.rates.clear();
     c.rigid.clear();
     c.looped.clear();
     joints.edges.clear();
@@ -120,7 +73,6 @@ void find_joints(context::Model& model, context::JointWork& joints) {
         mark_secants(model.interactions, id, joint && compliant);
         if (!joint) continue;
         c.joints.push_back(id);
-        c.rates.push_back(in.vibration[at(id)]);
         c.joint_slots.push_back(
             {in.row_begin[at(id)],
              in.arms[at(id)] != 0 ? in.jac_begin[at(id)] + model::kArmsVibration : -1,
@@ -133,23 +85,15 @@ void find_joints(context::Model& model, context::JointWork& joints) {
     const std::span<const std::uint8_t> looped = joints.loops.find(ground + 1, joints.edges);
     for (std::size_t k = 0; k < c.rigid.size(); ++k)
         if (looped[k]) c.looped.push_back(c.rigid[k]);
-    c.in_loop.assign(c.joints.size(), 0);
-    for (std::size_t k = 0, next = 0; k < c.joints.size() && next < c.looped.size(); ++k)
-        if (c.joints[k] == c.looped[next]) {
-            c.in_loop[k] = 1;
-            ++next;
-        }
-    c.lowered.assign(c.joints.size(), 0);
     c.coarse_next.assign(c.joints.size(), 0);
     c.refused.assign(c.joints.size(), 0);
     c.lambda_with.assign(in.lambda.size(), 0.0);
-    c.any = c.any_compliant = c.softened = false;
+    c.any = c.any_compliant = false;
     joints.changes.assign(at(model.system.strips.count() + model.system.strips.groups()), {});
 }
 
 void begin_completion(context::Model& model) noexcept {
     model.completion.banned = false;
-    harden_joints(model);
     std::fill(model.completion.refused.begin(), model.completion.refused.end(), std::uint8_t{0});
     std::copy(model.interactions.lambda.begin(), model.interactions.lambda.end(),
               model.completion.lambda_with.begin());
@@ -166,83 +110,31 @@ void choose_completed(context::Model& model, const context::State& state,
             for (std::int32_t k = a; k < b; ++k) {
                 const std::int32_t id = c.joints[at(k)];
                 const std::uint8_t left = in.coarse[at(id)];
-                const bool constrained = left >= kConstrained;
-                double& vibration = in.vibration[at(id)];
-                vibration = c.rates[at(k)] * constrained_ratio(left);
                 constexpr double kMaximum = kResolvedVibration * kResolvedVibration;
                 const bool fast = c.refused[at(k)] ||
                                   !(squared_vibration(model, k, in.lambda.data()) <= kMaximum);
-                std::uint8_t next = kCoarse;
-                if (!fast) next = constrained ? left : static_cast<std::uint8_t>(left - (left > 0));
-                c.coarse_next[at(k)] = next;
-                const bool chosen =
-                    allowed && (next == 0 || next >= kConstrained) && in.parted[at(id)] == 0;
+                c.coarse_next[at(k)] =
+                    fast ? kCoarse : static_cast<std::uint8_t>(left - (left > 0));
+                const bool chosen = allowed && c.coarse_next[at(k)] == 0 && in.parted[at(id)] == 0;
                 std::uint8_t completed = 0;
                 if (chosen)
                     completed = in.row_flags[at(c.joint_slots[at(k)].row)] & model::kRowSecant
                                     ? assembly::kCompliant
                                     : assembly::kRigid;
                 in.completed[at(id)] = completed;
-                mark_record(in, c.joint_slots[at(k)], chosen ? -vibration : c.rates[at(k)]);
-                const bool held = completed == assembly::kRigid && constrained;
-                lower_floors(model, at(k), held && c.in_loop[at(k)] == 0);
-                // The sign marks joints whose right-hand sides contain their floor of Σ.
-                if (held || (completed == assembly::kRigid && c.softened)) vibration = -vibration;
+                mark_record(in, c.joint_slots[at(k)], chosen);
             }
         });
     find_turning(model);
 }
 
-namespace {
-
-/// True if the right-hand sides of a completed rigid joint contain Σλ, the displacement by its
-/// floor.
-bool contains_floor(const model::Interactions& in, std::int32_t id) noexcept {
-    return std::signbit(in.vibration[at(id)]) && in.completed[at(id)] == assembly::kRigid;
-}
-
-/// Compute c = G u − g(x ⊕ h u)/h + Σλ of the rows of a joint, see complete_block().
-Turning complete_with_floor(const context::Model& model, const View& v, std::int32_t id,
-                            const double* u, bool first) noexcept {
-    double secant[kMaxInteractionRows], buffer[model::kArmBufferSize];
-    model.interactions.secants_after(id, model.bodies, u, v.h, secant);
-    const double* jac = packed_rows(v, id, buffer);
-    Turning t;
-    for (int r = 0; r < v.rows[id]; ++r) {
-        const std::int32_t row = v.row_begin[id] + r;
-        const double speed = assembly::along_row(v, id, jac, u, v.dof_begin);
-        const double c = speed - secant[r] - v.g[row] / v.h + v.sigma[row] * v.lambda[row];
-        if (first) v.rate[row] = (v.c[row] / v.upsilon[row] + 4.0 / v.h * v.g[row]) / v.recall[row];
-        t.add({std::fabs(c - v.c[row]), std::fabs(v.g[row] + v.h * secant[r]), 0.0});
-        (first ? v.c : v.c_next)[row] = c;
-    }
-    return t;
-}
-
-}  // namespace
-
-Turning complete_block(context::Model& model, const View& v, int strip, const double* u,
+Turning complete_block(const context::Model& model, const View& v, int strip, const double* u,
                        bool first) noexcept {
     Turning t;
-    model::Interactions& in = model.interactions;
     for (const assembly::PoolRange& r : model.system.strips.pools(strip)) {
-        const model::Pool& pool = in.pool[static_cast<std::size_t>(r.kind)];
-        if (!model::kind_completes(r.kind)) continue;
-        // The kernel leaves out the joints with floors.
-        bool any = false;
-        for (std::int32_t k = r.begin; k < r.end; ++k) {
-            const std::int32_t id = pool.ids[at(k)];
-            if (!contains_floor(in, id)) continue;
-            t.add(complete_with_floor(model, v, id, u, first));
-            in.completed[at(id)] = 0;
-            any = true;
-        }
+        const model::Pool& pool = model.interactions.pool[static_cast<std::size_t>(r.kind)];
         t.add(assembly::kernels().complete_rows(v, r.kind, pool.ids.data(), pool.data.data(),
                                                 r.begin, r.end, u, first));
-        for (std::int32_t k = r.begin; any && k < r.end; ++k) {
-            const std::int32_t id = pool.ids[at(k)];
-            if (std::signbit(in.vibration[at(id)])) in.completed[at(id)] = assembly::kRigid;
-        }
     }
     return t;
 }
@@ -314,7 +206,6 @@ IterationChange renew_completed(context::StepContext& ctx) noexcept {
 
 void finish_completion(context::Model& model) noexcept {
     context::Completion& c = model.completion;
-    harden_joints(model);
     for (std::size_t k = 0; k < c.joints.size(); ++k)
         model.interactions.coarse[at(c.joints[k])] = c.coarse_next[k];
 }

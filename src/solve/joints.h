@@ -14,11 +14,6 @@ namespace hawser::solve {
 
 /// Oscillation number up to which joints are completed.
 inline constexpr double kResolvedVibration = 1.5;
-/// Codes of model::Interactions::coarse from this on: other joints hold the bodies of the joint
-/// (constrained_joints.h).
-inline constexpr std::uint8_t kConstrained = 128;
-/// Return the ratio of a code: the oscillation number of the joint is smaller by this factor.
-[[nodiscard]] double constrained_ratio(std::uint8_t code) noexcept;
 /// Return |p|² of a joint's impulse [N² s²].
 /// @param lambdas  By row.
 [[nodiscard]] inline double squared_impulse(const context::JointSlot& joint,
@@ -46,9 +41,6 @@ void find_joints(context::Model& model, context::JointWork& joints);
 /// Begin a step: clear the marks of rejected joints.
 void begin_completion(context::Model& model) noexcept;
 
-/// Raise the floors of Σ of rigid joints for the rest of the step (step/completion.h).
-void soften_joints(context::Model& model) noexcept;
-
 /// Choose the joints for the end-of-step constraint iterations of this step by their forces in the
 /// last step, and mark their records.
 void choose_completed(context::Model& model, const context::State& state,
@@ -57,7 +49,7 @@ void choose_completed(context::Model& model, const context::State& state,
 /// Compute c of completed rows of a row block about packed velocities u, see
 /// Kernels::complete_rows.
 /// @return the change.
-assembly::Turning complete_block(context::Model& model, const assembly::View& v, int strip,
+assembly::Turning complete_block(const context::Model& model, const assembly::View& v, int strip,
                                  const double* u, bool first) noexcept;
 
 /// Compute the equations of completed joints and spins about the current v₊, without applying them.

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solve/wire_energy.h"
 
-#include "assembly/geo.h"
 #include "base/index.h"
-#include "context/copies.h"
 #include "context/view.h"
 #include "context/wires_data.h"
-#include "solve/wire_plan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,39 +41,7 @@ double kinetic_exchange(const context::Model& model, const View& v, std::int32_t
     return sum;
 }
 
-/// Return the energy that the stiffness of one element may have stored [J].
-double stored_by_element(const context::Model& model, const context::Before& kept, const View& v,
-                         std::int32_t id, double flagged) noexcept {
-    if (v.parted[id] || model.system.rests(id)) return 0.0;
-    const std::int32_t row = v.row_begin[id];
-    const double pull = std::max(-v.lambda[row], -kept.lambda[at(row)]) / v.h;
-    if (!(pull > 0.0)) return 0.0;
-    const Transverse t = transverse_motion(v, id);
-    const double stiffness = v.h * v.h * v.geometric_stiffness * pull / std::max(t.length, 1e-9);
-    return stored_across(stiffness, std::max(t.before, t.after), flagged);
-}
-
 }  // namespace
-
-double stored_across(double stiffness, double square, double flagged) noexcept {
-    constexpr double kUnresolved = 1e6;  // there a = A
-    const double late = generic::across_fractions(kUnresolved, flagged).late;
-    return 0.5 * (late - 0.25) * stiffness * square;
-}
-
-double stored_by_stiffness(context::Model& model, const context::Before& kept,
-                           std::int32_t wire) noexcept {
-    const context::Wires& w = model.wires;
-    const View v = context::row_view(model);
-    const bool flagged = w.flag_steps[at(wire)] > 0 || w.level[at(wire)] > 0;
-    double sum = 0.0;
-    for (const context::WirePart& p : w.parts) {
-        if (p.wire != wire) continue;
-        for (std::int32_t i = p.element_begin; i < p.element_end; ++i)
-            sum += stored_by_element(model, kept, v, w.element[at(i)], flagged ? 1.0 : 0.0);
-    }
-    return sum;
-}
 
 bool may_touch(const context::Model& model, std::int32_t wire) noexcept {
     const std::span<const std::int32_t> touching = model.system.contacts.touching();
@@ -113,10 +78,7 @@ void measure_wires(context::Model& model, runtime::Pool& pool) noexcept {
         assembly::kernels().line_gains(v, w.element.data() + p.element_begin,
                                        p.element_end - p.element_begin, &sum);
         sum.exchanged += kinetic_exchange(model, v, p.node_elements_begin, p.node_elements_end);
-        w.part_gain[at(i)] = {.gain = sum.gain,
-                              .exchanged = sum.exchanged,
-                              .noise = sum.noise,
-                              .unbooked = sum.unbooked};
+        w.part_gain[at(i)] = {sum.gain, sum.exchanged, sum.noise, sum.unbooked};
     };
     pool.for_each(static_cast<int>(w.parts.size()), part);
     std::fill(w.gain.begin(), w.gain.end(), context::WireGain{});

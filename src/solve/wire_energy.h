@@ -36,17 +36,4 @@ namespace hawser::solve {
 /// Compute the energy gain of the marked wires (Wires::gain [J]).
 void measure_wires(context::Model& model, runtime::Pool& pool) noexcept;
 
-/// Return an upper limit of the energy that the geometric stiffness of an element stores [J]: ½ (A
-/// − ¼) h² (T/l) |w⊥|². It does not depend on how well the step resolves the vibration, because the
-/// tension may have changed since.
-/// @param stiffness  h² T/l [kg].  @param square  |w⊥|² [m²/s²].
-/// @param flagged  1 if the wire gained energy recently, else 0.
-[[nodiscard]] double stored_across(double stiffness, double square, double flagged) noexcept;
-
-/// Return the largest energy that the geometric stiffness of a wire may return in this step [J]:
-/// the sum of stored_across() over its elements. It uses the larger tension and the larger
-/// transverse velocity of before and after the step (docs/theory/wires.md).
-[[nodiscard]] double stored_by_stiffness(context::Model& model, const context::Before& kept,
-                                         std::int32_t wire) noexcept;
-
 }  // namespace hawser::solve

@@ -26,8 +26,7 @@ constexpr int kHoldsAll = 7;   ///< Level at which all slack elements count as t
 /// velocities of slot 0 to slot 1 used by K.
 struct Line {
     V3 arm[2], back, ahead, separation;
-    /// Velocity of point 1 relative to point 0: now, as expected next, and in the solution.
-    V3 before, started, after;
+    V3 before, started;  ///< Velocity of point 1 relative to point 0: now, and as expected next.
     double rest, stiffness;
 };
 
@@ -47,7 +46,7 @@ V3 turned(const V3& r, const V3& b) {
 Line line_of(const View& v, std::int32_t id) noexcept {
     Line o{};
     const double* record = v.geo_record + v.geo[id].record;
-    V3 point[2], back[2], ahead[2], speed[2], start[2], end[2];
+    V3 point[2], back[2], ahead[2], speed[2], start[2];
     for (int b = 0; b < 2; ++b) {
         const std::int32_t body = v.body[kMaxInteractionBodies * id + b];
         V3 lin, ang, to, turn, first, spin;
@@ -61,14 +60,12 @@ Line line_of(const View& v, std::int32_t id) noexcept {
         ahead[b] = x + (0.5 * v.h) * to + turned(o.arm[b], (0.25 * v.h) * turn);
         speed[b] = lin + cross(ang, o.arm[b]);
         start[b] = first + cross(spin, o.arm[b]);
-        end[b] = to + cross(turn, o.arm[b]);
     }
     o.separation = point[1] - point[0];
     o.back = back[1] - back[0];
     o.ahead = ahead[1] - ahead[0];
     o.before = speed[1] - speed[0];
     o.started = start[1] - start[0];
-    o.after = end[1] - end[0];
     const std::int32_t row = v.row_begin[id];
     o.rest = norm(o.separation) - v.g[row];
     o.stiffness = 1.0 / v.epsilon[row];
@@ -194,17 +191,6 @@ void settle_wires(context::StepContext& ctx) noexcept {
     }
     w.replacing = false;
     ctx.work.solve.losses_known = false;
-}
-
-Transverse transverse_motion(const View& v, std::int32_t id) noexcept {
-    const Line l = line_of(v, id);
-    const double length = norm(l.separation);
-    const V3 u = (1.0 / std::max(length, 1e-12)) * l.separation;
-    const auto across = [&u](const V3& w) {
-        const double along = dot(u, w);
-        return std::max(0.0, dot(w, w) - along * along);
-    };
-    return {length, across(l.before), across(l.after)};
 }
 
 double held_by_element(const View& v, std::int32_t id) noexcept {

@@ -28,13 +28,6 @@ void replan_wires(context::Model& model, const assembly::View& v, int strip) noe
 /// Set multipliers and states of replaced elements, after their losses are counted.
 void settle_wires(context::StepContext& ctx) noexcept;
 
-/// Distance between the ends of an element [m], and the squares of its transverse relative velocity
-/// before and after the step [m²/s²].
-struct Transverse {
-    double length = 0.0, before = 0.0, after = 0.0;
-};
-[[nodiscard]] Transverse transverse_motion(const assembly::View& v, std::int32_t id) noexcept;
-
 /// Return the elastic energy of an element at the half step before the current poses [J].
 [[nodiscard]] double held_by_element(const assembly::View& v, std::int32_t id) noexcept;
 

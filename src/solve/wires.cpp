@@ -215,9 +215,7 @@ void remember_gains(context::Model& model) noexcept {
     constexpr double kept = 1.0 - 1.0 / kAllowanceSteps;
     const std::int32_t flag_steps = context::max_flag_steps(model.def.step);
     for (std::size_t k = 0; k < w.count(); ++k) {
-        const bool measured = any_fast && w.fast[k];
-        const double lost = measured ? -w.gain[k].gain : 0.0;
-        if (measured) w.energy_allowance[k] = std::min(w.energy_allowance[k], w.gain[k].stored);
+        const double lost = any_fast && w.fast[k] ? -w.gain[k].gain : 0.0;
         w.energy_allowance[k] =
             std::isfinite(lost) ? kept * std::max(0.0, w.energy_allowance[k] + lost) : 0.0;
         const std::int32_t before = w.flag_steps[k];

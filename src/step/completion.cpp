@@ -9,7 +9,6 @@
 #include "context/view.h"
 #include "graph/bridges.h"
 #include "solve/active_set.h"
-#include "solve/constrained_joints.h"
 #include "solve/joints.h"
 #include "solve/self_stress.h"
 #include "solve/solve.h"
@@ -180,27 +179,6 @@ Status settle(context::StepContext& ctx) noexcept {
     return status;
 }
 
-/// Solve the step again near a singular pose, with raised floors of rigid rows. Their displacement
-/// by the floor is corrected in each iteration (assembly/isa/completion.cpp), so that regular
-/// directions close and singular ones, which the floor dominates, keep their motion.
-Status solve_softened(context::StepContext& ctx) noexcept {
-    constexpr int kRounds = 4;
-    constexpr double kMostGap = 5e-3;  // closed by position projection [m or rad]
-    state::restore_solved_state(ctx);
-    solve::soften_joints(ctx.model);
-    if (const Status s = assemble_and_solve(ctx); s != Status::ok) return s;
-    IterationChange t = solve::renew_completed(ctx);
-    for (int round = 0; round < kRounds; ++round) {
-        solve::adopt_completed(ctx);
-        solve::continue_with_factor(ctx);
-        ctx.work.solve.losses_known = false;
-        ++ctx.work.stats.completion_rounds;
-        t = solve::renew_completed(ctx);
-    }
-    ctx.work.stats.completion_change = t.change;
-    return t.gap <= kMostGap ? settle(ctx) : solve_linearised(ctx);
-}
-
 constexpr int kMaxGrowths = 2;  // number of repeated solves for new forces
 
 /// Iterate and finish. The step is solved again if a compliant joint vibrates too fast with the
@@ -214,9 +192,7 @@ Status iterate_and_settle(context::StepContext& ctx) noexcept {
         if (status != Status::ok || !ctx.model.completion.any) return status;
         t = iterate_joints(ctx);
     }
-    if (t.gap <= kGap) return settle(ctx);
-    // Only closed loops have singular poses.
-    return ctx.model.completion.looped.empty() ? solve_linearised(ctx) : solve_softened(ctx);
+    return t.gap <= kGap ? settle(ctx) : solve_linearised(ctx);
 }
 
 }  // namespace
@@ -228,7 +204,6 @@ Status complete(context::StepContext& ctx) noexcept {
             status = solve_with_new_forces(ctx);
     if (ctx.model.completion.any && status == Status::ok) status = iterate_and_settle(ctx);
     if (status == Status::ok) solve::take_self_stress(ctx);
-    if (status == Status::ok && ctx.state.started) solve::measure_constrained_joints(ctx);
     return status;
 }
 

@@ -24,16 +24,9 @@ using assembly::View;
 constexpr int kMaxRepeats = 7;     ///< See guard.h.
 constexpr double kMayGain = 1e-3;  ///< Limit of the gain relative to the exchanged energy.
 
-/// True if the gain of a wire is within its limits. If the gain needs the energy allowance, this
-/// limits the allowance to the energy that the stiffness may have stored.
-bool accepted(context::Model& model, const context::Before& kept, std::size_t wire) noexcept {
-    context::Wires& w = model.wires;
-    context::WireGain& g = w.gain[wire];
-    const double alone = kMayGain * g.exchanged + g.noise;
-    if (!w.fast[wire] || g.gain <= alone) return true;
-    if (!(w.energy_allowance[wire] > 0.0)) return false;
-    g.stored = solve::stored_by_stiffness(model, kept, static_cast<std::int32_t>(wire));
-    return g.gain <= alone + std::min(g.stored, w.energy_allowance[wire]);
+bool accepted(const context::Wires& w, std::size_t wire) noexcept {
+    const context::WireGain& g = w.gain[wire];
+    return !w.fast[wire] || g.gain <= kMayGain * g.exchanged + g.noise + w.energy_allowance[wire];
 }
 
 /// True if a bounded row belongs to a wire that was rejected in this step.
@@ -112,7 +105,7 @@ bool refuse(context::Model& model, const context::Before& kept) noexcept {
     context::Wires& w = model.wires;
     bool any = false;
     for (std::size_t k = 0; k < w.count(); ++k) {
-        if (accepted(model, kept, k) || w.level[k] >= kMaxRepeats) continue;
+        if (accepted(w, k) || w.level[k] >= kMaxRepeats) continue;
         const auto wire = static_cast<std::int32_t>(k);
         const bool first = w.level[k] == 0;
         solve::plan_wires(model, kept, wire);

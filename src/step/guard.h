@@ -9,9 +9,8 @@
 ///
 /// Therefore the energy of each wire is computed half a step before and after, where velocities are
 /// defined, from its true lengths (wire_energy.cpp). The limit of the gain is a thousandth of the
-/// exchanged energy plus the recent loss, at most the energy that the stiffness of the wire may
-/// have stored (solve/wire_energy.h). Beyond it, the step is solved again for the wires concerned,
-/// with stronger measures each time (wire_plan.cpp):
+/// exchanged energy plus the recent loss. Beyond it, the step is solved again for the wires
+/// concerned, with stronger measures each time (wire_plan.cpp):
 ///
 ///   1-3  with a tension as large as that of the rejected step; from 2 on without the
 ///        part of the stiffness that returns stored energy;

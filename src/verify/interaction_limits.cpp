@@ -244,11 +244,7 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
         pull = Vec3(last[0], last[1], last[2]);
     }
     const bool completed = world.solver().completed(id);
-    // Other joints may hold the bodies of a completed joint.
-    const double held =
-        completed
-            ? completed_fraction(on, world, world.solver().constrained_ratio(id) * pull.norm())
-            : 1.0;
+    const double held = completed ? completed_fraction(on, world, pull.norm()) : 1.0;
     if (held == 0.0) return out;
     // Excess of the oscillation about a joint over the resolved frequency:
     // docs/theory/stiffness.md.

@@ -231,16 +231,6 @@ bool WorldSolverView::completed(InteractionId id) const {
     return impl().ctx.model.interactions.completed[impl().index_of(id)] != 0;
 }
 
-double WorldSolverView::constrained_ratio(InteractionId id) const {
-    const context::Completion& c = impl().ctx.model.completion;
-    const model::Interactions& in = impl().ctx.model.interactions;
-    const std::size_t i = impl().index_of(id);
-    const auto joint = std::lower_bound(c.joints.begin(), c.joints.end(), id.index);
-    if (joint == c.joints.end() || *joint != id.index) return 1.0;
-    const double free = c.rates[at(joint - c.joints.begin())];
-    return free > 0.0 ? std::fabs(in.vibration[i]) / free : 1.0;
-}
-
 std::array<double, kMaxInteractionRows> WorldSolverView::stiffness_force(InteractionId id) const {
     const std::size_t i = impl().index_of(id);
     const model::Interactions& in = impl().ctx.model.interactions;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Wires of nodes at steps that do not resolve their vibration (solve/wires.h, assembly/geo.h).
-#include "solve/wire_energy.h"
 #include "support/random.h"
 #include "support/recipe.h"
 #include "support/tier.h"
@@ -114,33 +113,6 @@ TEST(WireGuard, SwingAcrossFollowsItsRecurrence) {
             EXPECT_NEAR(w.pose(BodyId{1}).position.y(), y, 1e-12) << ratio << " step " << k;
         }
     }
-}
-
-/// A node between two elements, without the term of the extrapolated velocity: the energy of its
-/// transverse vibration plus the energy that the stiffness stores is constant. The limit of the
-/// allowance is that energy if the step does not resolve the vibration, and more otherwise.
-TEST(WireGuard, StiffnessReturnsTheEnergyThatItStores) {
-    for (const double flagged : {0.0, 1.0})
-        for (const double s : {0.1, 0.25, 0.3, 1.0, 10.0, 400.0}) {
-            const double p = s > 0.25 ? (s - 0.25) / (s + 0.25) : 0.0;
-            const double a = 0.25 + p * (0.25 + 0.5 * flagged), q = 2.0 * s;  // m = h = 1
-            double y = 0.0, v = 1.0, most = 0.0, least = 1e300, rise = 0.0;
-            for (int k = 0; k < 500; ++k) {
-                const double half = y - 0.5 * v;
-                const double energy = 0.5 * v * v + 0.5 * q * half * half;
-                const double stored = 0.5 * (a - 0.25) * q * v * v;
-                EXPECT_NEAR(energy + stored, 0.5 * (1.0 + (a - 0.25) * q + 0.25 * q),
-                            1e-12 * (1.0 + q));
-                const double limit = 2.0 * solve::stored_across(s, v * v, flagged);
-                EXPECT_NEAR(p * limit, stored, 1e-5 * stored);
-                most = std::max(most, limit);
-                least = std::min(least, energy);
-                rise = std::max(rise, energy - least);
-                v -= q * y / (1.0 + q * a);
-                y += v;
-            }
-            EXPECT_LE(rise, most * (1.0 + 1e-12) + 1e-12) << "ratio " << s;
-        }
 }
 
 /// Slack, taut or moved randomly, with any damping: no energy is created.
