@@ -20,6 +20,12 @@ Vec3 WinchSystem::element_chord(const World& world) const noexcept {
     return wire::element_chord(world, ids_.line, node_slot(world));
 }
 
+/// Return true if the element at the drum ends at a rigid body, not at a node or a free end.
+bool WinchSystem::carries_body(const World& world) const noexcept {
+    const InteractionDef& line = world.interaction_def(ids_.line);
+    return world.body_def(line.body[node_slot(world)]).kind == BodyKind::rigid;
+}
+
 Vec3 WinchSystem::weight_of_half(const World& world) const noexcept {
     return weight_at(world, ids_.line, node_slot(world),
                      0.5 * def_.mass_per_length * std::max(at_drum_, 0.0));

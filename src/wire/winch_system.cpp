@@ -181,7 +181,7 @@ void WinchSystem::sample(const Prestep& now) noexcept {
     const double length = line.get("length");
     const double rest = length + radius_ * (angle_ - line.get("drum_zero"));
     double least = kLeastOfDrumElement * length;
-    if (makes_nodes() && parted_ == 0)
+    if (makes_nodes() && parted_ == 0 && carries_body(now.world))
         least = std::max(least, min_hauled_length(now.world, ids_.line, def_.element));
     const auto jams = [&](double turned) {
         return rest - radius_ * turned < least ||

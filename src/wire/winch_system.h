@@ -139,6 +139,7 @@ class WinchSystem final : public System {
     void add_line_inertia(const Prestep& now, Loads& loads) noexcept;
     void weigh_element(const World& world, Loads& loads) const noexcept;
     [[nodiscard]] Vec3 weight_of_half(const World& world) const noexcept;
+    [[nodiscard]] bool carries_body(const World& world) const noexcept;
     [[nodiscard]] Vec3 element_chord(const World& world) const noexcept;
     [[nodiscard]] bool makes_nodes() const noexcept { return def_.element > 0.0; }
     [[nodiscard]] std::size_t node_slot(const World& world) const noexcept;

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 namespace hawser::test {
@@ -164,6 +166,27 @@ TEST(WinchNodes, AFreeEndIsHauledInUpToTheFairleadInAnyMode) {
         d.run(3.0, 0.5);
         EXPECT_GT(d.get("at_drum"), 0.8) << static_cast<int>(mode);
     }
+}
+
+/// A load that swings while it is hauled in keeps its angular momentum: it swings faster the
+/// shorter the element gets. Hauling stops before the element turns by more than 0.1 rad a step.
+TEST(WinchNodes, ASwingingLoadIsHauledInUpToASafeLength) {
+    for (const double speed : {0.5, 1.5, 2.5})
+        for (const WinchMode mode : {WinchMode::speed, WinchMode::tension}) {
+            Hoist d(1, 0, 5.0);
+            const BodyId load = d.w.find_body("load");
+            d.w.set_velocity(load, {.linear = {speed, 0.3 * speed, 0.0}, .angular = Vec3::Zero()});
+            d.w.set_system_signal("winch.tension", 6e5);
+            d.w.set_system_signal("winch.mode", static_cast<double>(mode));
+            d.run(20.0, -1.5);
+            const std::array<Vec3, 2> ends = d.w.wires().ends(d.ids.line);
+            const double length = (ends[1] - ends[0]).norm();
+            std::printf("%.1f m/s: %.3f m from the fairlead\n", speed, length);
+            EXPECT_EQ(d.get("state"), static_cast<double>(WinchState::full)) << speed;
+            EXPECT_GE(length, 0.25) << speed;  // g (10 h)² = 0.27 m, less a step of hauling
+            EXPECT_LE(length, 0.25 * 5.0 + 0.05) << speed;
+            EXPECT_NE(d.w.verdict().grade, Grade::wrong) << speed;
+        }
 }
 
 TEST(WinchNodes, AreRefusedWhereTheyCannotBe) {
