@@ -192,7 +192,7 @@ CouplingFigures CouplingObserver::result(const World& world, bool radius) const 
 }
 
 double spectral_radius(const World& world) {
-    constexpr int kIterations = 160;
+    constexpr int kIterations = 160, kHalf = kIterations / 2;
     Linearised step(world);
     std::vector<Deviation> d(step.size(), {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
     for (std::size_t i = 0; i < d.size(); ++i) {  // no symmetry, equal in each run
@@ -212,9 +212,9 @@ double spectral_radius(const World& world) {
         const double change = step.apply(d);
         if (change < 0.0) return HUGE_VAL;
         last = scale + std::log(change + 1e-300);
-        if (k == kIterations / 2) middle = last;
+        if (k == kHalf) middle = last;
     }
-    return std::exp((last - middle) / (kIterations / 2));
+    return std::exp((last - middle) / kHalf);
 }
 
 }  // namespace hawser::verify
