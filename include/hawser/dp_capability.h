@@ -28,9 +28,9 @@
 /// is at most 0.4 % larger than with circles (docs/vessels.md).
 ///
 /// **Result.** The number of a heading is the largest Beaufort number n for which U ≤ 1 at all
-/// numbers 1 to n. `DP capability-L1(A, B, C, D)` contains smallest numbers: A for the intact ship
-/// and headings within 30° of the bow, B for the intact ship and all headings, C and D likewise
-/// after the worst single failure.
+/// numbers 1 to n. The result `DP capability-L1(A, B, C, D)` has the smallest numbers over
+/// headings. The intact ship has A and B, the ship after its worst single failure C and D. Headings
+/// within 30° of the bow count for A and C, all headings for B and D.
 ///
 /// Limits: monohulls. Loads are those of the standard, not of the vessel's coefficients. A thruster
 /// in line with a skeg has no skeg loss. Sections that Level 1 leaves to the ship's own data (other

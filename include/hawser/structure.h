@@ -35,7 +35,7 @@ namespace hawser {
 /// Definitions of the objects of one kind, by index.
 template <class Def>
 struct Placed {
-    std::vector<Def> defs;                  ///< Definition at each index; a placeholder if vacant.
+    std::vector<Def> defs;  ///< Definition at each index; stored, but not used, if vacant.
     std::vector<std::int32_t> generations;  ///< Id::generation of each index.
     std::vector<std::int32_t> vacant;       ///< Indices without an object, ascending.
 };
