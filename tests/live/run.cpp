@@ -37,7 +37,10 @@ LiveRun::LiveRun(const SessionDef& def, const Options& options)
       roles{live::instructor(), live::watcher(),
             live::Role{.name = "deck", .inputs = {"push"}, .token = live::make_token()}},
       driver(std::make_unique<live::Driver>(
-          session, hub, live::DriverOptions{.recording = def.record, .paused = options.paused})) {
+          session, hub,
+          live::DriverOptions{.recording = def.record,
+                              .paused = options.paused,
+                              .states_fraction = options.states_fraction})) {
     live::ServerOptions to_serve;
     to_serve.port = 0;
     to_serve.clients = options.clients;

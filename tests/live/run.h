@@ -28,6 +28,7 @@ class LiveRun {
         double slow_seconds = 10.0, handshake_seconds = 5.0;
         int clients = 16;
         bool paused = false;
+        double states_fraction = live::DriverOptions{}.states_fraction;
     };
     explicit LiveRun(const SessionDef& def) : LiveRun(def, Options{}) {}
     LiveRun(const SessionDef& def, const Options& options);
