@@ -12,6 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <fstream>
 #include <stdexcept>
@@ -35,9 +36,18 @@ struct ExerciseArguments {
     int runs = 3, threads = 2;
 };
 
+/// Work of a step: the same in all runs, and beside other programs.
+struct StepWork {
+    std::int32_t factorisations = 0, substitutions = 0, newton_iterations = 0;
+    std::int32_t repeats = 0;  ///< Repeated solutions for wires and for larger joint forces.
+    double factor_work = 0.0;  ///< Flops of the factorisations over those of one LDLᵀ [1].
+    std::array<double, kStageCount> stage_ms{};  ///< Wall time of each stage in the last run [ms].
+};
+
 /// Least wall time of each step over repeated runs [ms], and the state at the end.
 struct LeastTimes {
     std::vector<double> ms;
+    std::vector<StepWork> work;  ///< Work of each step, of the last run.
     std::uint64_t hash = 0;
     double end = 0.0;  ///< Time at the end [s].
     bool repeats = true;
@@ -93,6 +103,7 @@ void run_exercise(const ExerciseArguments& arguments, LeastTimes& least) {
     Session session(std::move(loaded.scene));
     exercise::Run run(loaded.exercise, session);
     std::vector<double> ms;
+    least.work.clear();
     std::size_t next = 0;
     while (!run.ended() && session.time() < arguments.until - 1e-6) {
         for (; next < changes.size() && changes[next].time <= session.time() + 1e-6; ++next) {
@@ -100,6 +111,15 @@ void run_exercise(const ExerciseArguments& arguments, LeastTimes& least) {
             run.set_input(roles[k], inputs[k], changes[next].value);
         }
         time_step(ms, session.world(), [&] { return run.step(); });
+        const StepStats& stats = session.world().stats();
+        least.work.push_back({stats.factorisations,
+                              stats.substitutions,
+                              stats.newton_iterations,
+                              stats.wire_repeats + stats.restiffened,
+                              stats.factor_work,
+                              {}});
+        for (std::size_t k = 0; k < kStageCount; ++k)
+            least.work.back().stage_ms[k] = 1e3 * stats.stage_seconds[k];
     }
     least.end = session.time();
     least.add(ms, session.world().state().hash());
@@ -113,6 +133,25 @@ void print_times(const std::string& name, const LeastTimes& t, double unit) {
                t.at(0.99) / unit, t.at(1.0) / unit);
 }
 
+/// Print the mean time of each stage, over all steps and over the slowest 2 %.
+void print_stages(const LeastTimes& t) {
+    const double slow = t.at(0.98);
+    std::array<double, kStageCount> all{}, slowest{};
+    double steps = 0.0, slow_steps = 0.0;
+    for (std::size_t i = 0; i < t.ms.size(); ++i) {
+        steps += 1.0;
+        if (t.ms[i] >= slow) slow_steps += 1.0;
+        for (std::size_t k = 0; k < kStageCount; ++k) {
+            all[k] += t.work[i].stage_ms[k];
+            if (t.ms[i] >= slow) slowest[k] += t.work[i].stage_ms[k];
+        }
+    }
+    fmt::print("  mean time of a stage in the last run [ms]: all steps, slowest 2 %\n");
+    for (std::size_t k = 0; k < kStageCount; ++k)
+        fmt::print("    {:<12} {:>7.3f} {:>7.3f}\n", to_string(static_cast<Stage>(k)),
+                   all[k] / steps, slowest[k] / slow_steps);
+}
+
 int report_times(const ExerciseArguments& arguments, const LeastTimes& rest,
                  const LeastTimes& sailed) {
     const double unit = rest.at(0.5);
@@ -122,6 +161,7 @@ int report_times(const ExerciseArguments& arguments, const LeastTimes& rest,
                "median", "99 %", "99.9 %", "worst", "p50/r", "p99/r", "max/r");
     print_times(arguments.reference, rest, unit);
     print_times(arguments.exercise, sailed, unit);
+    print_stages(sailed);
     const auto slow = std::max_element(sailed.ms.begin(), sailed.ms.end()) - sailed.ms.begin();
     fmt::print("  end at {:.2f} s, state {:016x}; slowest step {} at {:.2f} s\n", sailed.end,
                sailed.hash, slow,
@@ -159,7 +199,7 @@ int exercise_command(int argc, char** argv) {
     app.add_option("--threads", a.threads, "Threads")
         ->capture_default_str()
         ->check(CLI::Range(1, 256));
-    app.add_option("--csv", a.csv, "Write the time of each step to this file");
+    app.add_option("--csv", a.csv, "Write the time and the work of each step to this file");
     app.footer(kExerciseFormula);
     CLI11_PARSE(app, argc, argv);
     if (a.control.empty())
@@ -171,9 +211,12 @@ int exercise_command(int argc, char** argv) {
     }
     if (!a.csv.empty()) {
         std::ofstream csv(a.csv);
-        csv << "step,ms\n";
-        for (std::size_t i = 0; i < sailed.ms.size(); ++i)
-            csv << fmt::format("{},{:.4f}\n", i, sailed.ms[i]);
+        csv << "step,ms,factorisations,factor_work,newton_iterations,substitutions,repeats\n";
+        for (std::size_t i = 0; i < sailed.ms.size(); ++i) {
+            const StepWork& w = sailed.work[i];
+            csv << fmt::format("{},{:.4f},{},{:.3f},{},{},{}\n", i, sailed.ms[i], w.factorisations,
+                               w.factor_work, w.newton_iterations, w.substitutions, w.repeats);
+        }
     }
     return report_times(a, rest, sailed);
 }

@@ -34,6 +34,8 @@ constexpr double kSlowMerit =
     0.25;  ///< Fraction of the merit left after an iteration that requests a factorisation.
 constexpr int kKrylovFrom = 2;  ///< First iteration that may omit a factorisation.
 constexpr int kExactMost = 10;  ///< Exact iterations before the convex phase.
+/// Successive exact iterations before the convex phase that were shortened and increased the merit.
+constexpr int kAscentMost = 3;
 /// Natural map below which the convex phase ends. At 1e-2 steps fall back into it.
 constexpr double kConvexEnd = 5e-3;
 
@@ -85,7 +87,8 @@ void complete_iterate(context::StepContext& ctx) noexcept {
 /// State of a sequence of Newton iterations.
 struct Progress {
     int iteration = 0;
-    int exact = 0;               ///< Exact iterations since the start, or since the convex phase.
+    int exact = 0;   ///< Exact iterations since the start, or since the convex phase.
+    int ascent = 0;  ///< Successive exact iterations that were shortened and increased the merit.
     bool rows_switched = false;  ///< Rows have switched.
     bool slow = false;           ///< The merit decreases too slowly without a factorisation.
     bool may_be_convex = true;
@@ -152,6 +155,8 @@ Status store_next_iterate(context::StepContext& ctx, const NewtonOptions& course
         *course.strayed = true;
     if (!std::isfinite(way.merit)) return Status::not_finite;
     p.slow = p.iteration > kPatience && way.merit > kSlowMerit * p.stored_merit;
+    const bool ascends = !newton.convex && newton.shortened && way.merit > p.stored_merit;
+    p.ascent = ascends ? p.ascent + 1 : 0;
     if (p.iteration > 0 && way.merit > p.stored_merit && p.stored_merit < newton.best)
         save_if_best(newton, p.stored_merit);
     save_iterate(ctx.model, newton);
@@ -174,17 +179,19 @@ std::int32_t switch_rows(context::StepContext& ctx, bool stop, bool last) noexce
     return asking;
 }
 
-/// Enter the convex phase after kExactMost exact iterations, and leave it close to the solution.
+/// Enter the convex phase after kExactMost exact iterations, or after kAscentMost that were
+/// shortened and increased the merit, and leave it close to the solution.
 void choose_phase(const context::Model& model, context::Work& work, Progress& p) noexcept {
     context::Newton& newton = work.newton;
     if (newton.convex) {
         if (p.rows_switched || work.stats.natural_map > kConvexEnd) return;
         newton.convex = false;
-        p.exact = 0;
+        p.exact = p.ascent = 0;
         std::fill_n(newton.changes.begin(), model.system.contacts.count(), std::uint8_t{0});
-    } else if (++p.exact >= kExactMost && p.may_be_convex) {
-        newton.convex = true;
+        return;
     }
+    const bool lasts = ++p.exact >= kExactMost || p.ascent >= kAscentMost;
+    newton.convex = lasts && p.may_be_convex && work.stats.natural_map > kConvexEnd;
 }
 
 /// Leave the convex phase after a failed factorisation, because the laws of this phase are stiffer

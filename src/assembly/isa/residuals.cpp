@@ -2,6 +2,7 @@
 /// Multipliers, residuals and norms of rows.
 #include "assembly/isa/arms.h"
 #include "assembly/isa/geo_force.h"
+#include "assembly/isa/node_rows.h"
 #include "assembly/isa/rows.h"
 #include "base/lanes.h"
 #include "base/simd.h"
@@ -92,10 +93,22 @@ inline void row_update_of(const View& view, std::int32_t id, bool first) {
 }  // namespace
 
 void row_update(const View& view, std::int32_t begin, std::int32_t end, bool first) noexcept {
+    using Lines = NodeRows<1, 2>;
+    using Bends = NodeRows<2, 3>;
+    Lines lines(view, first);
+    Bends bends(view, first);
     for (std::int32_t id = begin; id < end; ++id) {
         if (id + kLanes <= end && eight_arms(view, id)) {
             eight_joints(view, id, first);
             id += kLanes - 1;
+            continue;
+        }
+        if (Lines::accepts(view, id)) {
+            lines.add(id);
+            continue;
+        }
+        if (Bends::accepts(view, id)) {
+            bends.add(id);
             continue;
         }
         switch (view.rows[id]) {
@@ -119,6 +132,8 @@ void row_update(const View& view, std::int32_t begin, std::int32_t end, bool fir
                 break;
         }
     }
+    lines.finish();
+    bends.finish();
 }
 
 void row_norms(const View& view, std::int32_t begin, std::int32_t end,
