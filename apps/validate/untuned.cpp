@@ -10,6 +10,7 @@ constexpr Case kUntuned[] = {
     {"U.2", "stops", "motors against the ends of ranges", case_stops},
     {"U.3", "restitution", "bounces: heights, times, energy", case_restitution},
     {"U.4", "frictionless", "contacts of fixed bodies without friction", case_frictionless},
+    {"U.5", "rotation", "angle of fast bodies, free asymmetric top", case_rotation},
 };
 
 }  // namespace

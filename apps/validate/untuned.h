@@ -21,4 +21,7 @@ void case_stops(Report& report);
 void case_restitution(Report& report);
 void case_frictionless(Report& report);
 
+// Case in untuned_rotation.cpp.
+void case_rotation(Report& report);
+
 }  // namespace hawser::validate

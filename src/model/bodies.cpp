@@ -4,6 +4,7 @@
 #include "base/index.h"
 #include "base/small.h"
 #include "base/sorted.h"
+#include "base/turn.h"
 #include "model/damping.h"
 
 #include <Eigen/LU>
@@ -157,11 +158,17 @@ void Bodies::truncate(int kept) {
     first_holder.resize(n);
 }
 
+Quat turn_by(const double* omega, double t) noexcept {
+    const double half = 0.5 * t;
+    const generic::V3 a{half * omega[0], half * omega[1], half * omega[2]};
+    const double y = dot(a, a);
+    return Quat(1.0 - y * generic::turn_bend(y), a.x, a.y, a.z).normalized();
+}
+
 void Bodies::drift(int body, const double* velocity, const double* omega, double t) noexcept {
     const auto b = static_cast<std::size_t>(body);
     for (std::size_t i = 0; i < 3; ++i) x[3 * b + i] += t * velocity[i];
-    const double half = 0.5 * t;
-    if (omega != nullptr) turn(body, Quat(1.0, half * omega[0], half * omega[1], half * omega[2]));
+    if (omega != nullptr) turn(body, turn_by(omega, t));
 }
 
 void Bodies::turn(int body, const Quat& turn) noexcept {

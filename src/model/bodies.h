@@ -18,6 +18,10 @@ namespace hawser::model {
 
 using base::dof_of;
 
+/// Return the rotation over the time t at the angular velocity ω[3] (base/turn.h), normalised. The
+/// angle is t|ω| up to 2 rad, and less than π.
+[[nodiscard]] Quat turn_by(const double* omega, double t) noexcept;
+
 struct Bodies {
     base::Slots slots;  ///< Slots; a removed body leaves a fixed one without a name.
     base::Array<BodyKind> kind;
@@ -98,7 +102,7 @@ struct Bodies {
     /// Remove all slots with an index ≥ `kept`, and their bodies.
     void truncate(int kept);
     /// Move a body by time t at constant velocity [m/s]. With ω [rad/s, world frame] also rotate it
-    /// by the Cayley map of t ω. Not for scalar bodies.
+    /// by turn_by(). Not for scalar bodies.
     void drift(int body, const double* velocity, const double* omega, double t) noexcept;
     /// Rotate a body: q = turn ⊗ q, normalised; also update r. @param turn  World frame, any
     /// length.

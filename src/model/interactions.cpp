@@ -249,9 +249,8 @@ void Interactions::moved_gaps(int id, const Bodies& b, const double* v_in, const
                 refs[k].x.y += time * v[1];
                 refs[k].x.z += time * v[2];
                 if (!refs[k].rotates) continue;
-                const double half = 0.5 * time;
-                const Quat turn = Quat(1.0, half * v[3], half * v[4], half * v[5]).normalized();
-                turned[k] = turn.toRotationMatrix() * Eigen::Map<const RowMajor>(refs[k].r);
+                turned[k] =
+                    turn_by(v + 3, time).toRotationMatrix() * Eigen::Map<const RowMajor>(refs[k].r);
                 refs[k].r = turned[k].data();
             }
             generic::Rows<K::kBodies, K::kRows> moved;

@@ -73,9 +73,8 @@ void move(context::Model& model, const View& v, double time) noexcept {
             model.bodies.drift(body, d, dof == 6 ? d + 3 : nullptr, time);
         }
         if (dof < 6) continue;
-        const double half = 0.5 * time;
         Eigen::Map<Vec3> spin(v.v + v.dof_begin[body] + 3);
-        spin = (Quat(1.0, half * d[3], half * d[4], half * d[5]).normalized() * spin).eval();
+        spin = (model::turn_by(d + 3, time) * spin).eval();
     }
 }
 

@@ -9,12 +9,12 @@
 /// ```
 ///     g(x_k ⊕ h v₊) = 0                                     of completed rows
 ///     μ₊(ω₊) = μ₋(ω) + h t + (Gᵀλ)                          of turning bodies, body frame
-///     μ±(ω) = Iω ± (h/2) ω×Iω
+///     μ±(ω) = Iω ± (h/2) ω×Iω + (h²/4) b ω×(ω×Iω)
 /// ```
-/// with G at x_k. This is SHAKE with the Cayley rotation (Ryckaert, Ciccotti, Berendsen 1977;
-/// Bou-Rabee, Marsden 2009). It is variational, so that energy does not drift and momentum is
-/// exact. Each iteration adds the error of the linear equations to their right-hand sides, with u
-/// the present v₊,
+/// with G at x_k and b of base/turn.h. This is SHAKE with the exponential map of rotations
+/// (Ryckaert, Ciccotti, Berendsen 1977; Bou-Rabee, Marsden 2009). It is variational, so that energy
+/// does not drift and momentum is exact. Each iteration adds the error of the linear equations to
+/// their right-hand sides, with u the present v₊,
 /// ```
 ///     c = G u − g(x_k ⊕ h u)/h,      a += μ₋(ω) − μ₊(ω_u) + I ω_u,
 /// ```

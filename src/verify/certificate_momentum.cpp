@@ -17,9 +17,23 @@ std::size_t index_of(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 double square_over(const Mat3& inverse, const Vec3& v) { return v.dot(inverse * v); }
 
+// Return b(y) of the rotation of a step (docs/theory/rotation.md), from tangent and series.
+double bend_of_turn(double y) {
+    const double a = std::sqrt(y);
+    if (y < 1e-2)
+        return 1.0 / 3.0 +
+               y * (1.0 / 45.0 + y * (2.0 / 945.0 + y * (1.0 / 4725.0 + y * (2.0 / 93555.0))));
+    if (y <= 1.0) return (1.0 - a / std::tan(a)) / y;
+    const double value = 1.0 / std::tan(1.0), sine = std::sin(1.0);
+    const double slope = 0.5 * (value - 1.0 / (sine * sine));
+    return (1.0 - value - slope * (1.0 - 1.0 / y)) / y;
+}
+
+// Return the angular momentum of half a step after the velocity w (h > 0), or before it (h < 0).
 Vec3 spun(const Mat3& inertia, const Vec3& w, double h) {
-    const Vec3 l = inertia * w;
-    return l + 0.5 * h * w.cross(l) + 0.25 * h * h * w.dot(l) * w;
+    const Vec3 l = inertia * w, across = w.cross(l);
+    const double square = 0.25 * h * h;
+    return l + 0.5 * h * across + square * bend_of_turn(square * w.squaredNorm()) * w.cross(across);
 }
 
 // Return the angular velocity after h without torque (docs/theory/rotation.md), by Newton's method.
@@ -29,8 +43,12 @@ Vec3 free_spin(const Mat3& inertia, const Vec3& w, double h) {
     Vec3 u = w;
     for (int i = 0; i < 30; ++i) {
         const Vec3 l = inertia * u;
+        const double square = 0.25 * h * h, bend = bend_of_turn(square * u.squaredNorm());
+        // Without the slope of the bend, which is small: convergence is then linear and fast.
         const Mat3 slope = inertia + 0.5 * h * (cross_matrix(u) * inertia - cross_matrix(l)) +
-                           0.25 * h * h * (u.dot(l) * Mat3::Identity() + 2.0 * u * l.transpose());
+                           square * bend *
+                               (u.dot(l) * Mat3::Identity() + 2.0 * u * l.transpose() -
+                                u.squaredNorm() * inertia - 2.0 * l * u.transpose());
         const Vec3 change = base::solve_lu(slope, target - spun(inertia, u, h));
         u += change;
         if (change.norm() <= 1e-16 * u.norm()) break;
@@ -151,8 +169,8 @@ Vec3 Verifier::spin_impulse(std::size_t body, const Mat3& inertia, const Twist& 
     const Vec3 gyro = -limit * (last.cross(inertia * w) + w.cross(inertia * last));
     last = delta;
     if (turning_[body]) {  // the whole equation, docs/theory/rotation.md
-        const Vec3 u = turn.conjugate() * now.angular, before = inertia * w, after = inertia * u;
-        return turn * (after - before + 0.5 * step_ * (u.cross(after) + w.cross(before)));
+        const Vec3 u = turn.conjugate() * now.angular;
+        return turn * (spun(inertia, u, step_) - spun(inertia, w, -step_));
     }
     return turn * (inertia * delta - gyro);
 }

@@ -5,6 +5,7 @@
 #include "assembly/isa/rows.h"
 #include "assembly/isa/spin.h"
 #include "base/simd.h"
+#include "base/turn.h"
 
 #include <cstring>
 
@@ -21,22 +22,14 @@ struct Asked {
     bool first;       ///< True for the first call of a step, which also adds to `a`.
 };
 
-/// Return the angular momentum I w plus the gyroscopic impulse of half a step, in the body frame:
-/// of the half step before if half < 0, else of the one after. The Cayley map relates both values,
-/// so that angular momentum is exact. For a rotation about a fixed axis both are I w.
-template <class T, class Inertia>
-V3T<T> half_step_momentum(const Inertia& inertia, const V3T<T>& w, const T& half) {
-    const V3T<T> momentum = inertia * w;
-    return momentum + half * cross(w, momentum);
-}
-
 /// Return the contribution of the rotation of a body to the right-hand side `a`, body frame [N m
-/// s]. It is the angular momentum before the step, minus that after it, plus I ω₊, which is in the
-/// matrix.
+/// s]. It is the angular momentum μ₋ of the velocity before the step, minus μ₊ of that after it
+/// (base/turn.h), plus I ω₊, which is in the matrix.
 template <class T, class Inertia>
 V3T<T> spin_impulse(const Inertia& inertia, const V3T<T>& before, const V3T<T>& now,
                     const T& half) {
-    return half_step_momentum(inertia, before, T(-half)) - half * cross(now, inertia * now);
+    return inertia * before + turn_momentum(inertia, before, T(-half)) -
+           turn_momentum(inertia, now, half);
 }
 
 Turning complete_spin(const View& view, std::int32_t body, const Asked& asked) {

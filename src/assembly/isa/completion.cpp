@@ -5,6 +5,7 @@
 #include "assembly/isa/rows.h"
 #include "base/lanes.h"
 #include "base/simd.h"
+#include "base/turn.h"
 #include "model/kinds/all.h"
 
 #include <cstring>
@@ -17,12 +18,13 @@ using assembly::View;
 
 constexpr int kSlots = kMaxInteractionBodies;
 
-/// Return the rotation of a step by h ω: E + 2 (â + â²)/(1 + a²), a = h ω/2 (Cayley map).
+/// Return the rotation of a step by h ω: E + 2 (s â + â²)/(s² + a²), a = h ω/2 (base/turn.h).
 M3 step_rotation(const V3& a) {
-    const double k = 2.0 / (1.0 + dot(a, a)), s = 1.0 - k * dot(a, a);
-    return {{s + k * a.x * a.x, k * (a.x * a.y - a.z), k * (a.x * a.z + a.y), k * (a.x * a.y + a.z),
-             s + k * a.y * a.y, k * (a.y * a.z - a.x), k * (a.x * a.z - a.y), k * (a.y * a.z + a.x),
-             s + k * a.z * a.z}};
+    const double y = dot(a, a), s = 1.0 - y * turn_bend(y), k = 2.0 / (s * s + y), d = 1.0 - k * y;
+    const V3 b = s * a;
+    return {{d + k * a.x * a.x, k * (a.x * a.y - b.z), k * (a.x * a.z + b.y), k * (a.x * a.y + b.z),
+             d + k * a.y * a.y, k * (a.y * a.z - b.x), k * (a.x * a.z - b.y), k * (a.y * a.z + b.x),
+             d + k * a.z * a.z}};
 }
 
 M3 product(const M3& a, const M3& b) {
@@ -91,7 +93,8 @@ void keep_rate(const View& view, std::int32_t row) {
 
 /// Compute the rows of a compact joint. Let a = h ω/2 of a body. The end of its arm r moves beyond
 /// h ω × r by
-///     (2/h) (a × (a × r) − a² a × r)/(1 + a²)    [m/s].
+///     (2/h) (a × (a × r) − a² (1 − s b) a × r)/(s² + a²)    [m/s],
+/// with s and b of base/turn.h.
 /// Thus c = −(g/h + term of body 1 − term of body 0) needs neither poses nor a difference.
 void complete_arms(const View& view, std::int32_t id, const Asked& asked, Turning& t) {
     const ArmsT<double> arms = load_arms(view.jacobian + view.jac_begin[id]);
@@ -101,8 +104,9 @@ void complete_arms(const View& view, std::int32_t id, const Asked& asked, Turnin
         const double* v = asked.u + view.dof_begin[body[b]];
         const V3 a = (0.5 * view.h) * load3(v + 3), r = b == 0 ? arms.r0 : arms.r1;
         const V3 turn = cross(a, r);
-        const double square = dot(a, a), scale = (b == 0 ? -2.0 : 2.0) / (view.h * (1.0 + square));
-        beyond = beyond + scale * (cross(a, turn) - square * turn);
+        const double square = dot(a, a), bend = turn_bend(square), s = 1.0 - square * bend;
+        const double scale = (b == 0 ? -2.0 : 2.0) / (view.h * (s * s + square));
+        beyond = beyond + scale * (cross(a, turn) - (square * (1.0 - s * bend)) * turn);
         closing = closing + (b == 0 ? -1.0 : 1.0) * (load3(v) + cross(load3(v + 3), r));
     }
     const std::int32_t row = view.row_begin[id];
@@ -143,8 +147,9 @@ void complete_eight(const View& view, std::int32_t id, const Asked& asked, Turni
         load_slots(view, id, b, asked.u, [&](std::int32_t i) { return view.dof_begin[i]; }, v[b]);
         const W3 a = half * W3{v[b][3], v[b][4], v[b][5]}, &r = b == 0 ? arms.r0 : arms.r1;
         const W3 turn = cross(a, r);
-        const W8 square = dot(a, a), scale = two_per_h * (1.0 / (unit + square));
-        beyond[b] = scale * (cross(a, turn) - square * turn);
+        const W8 square = dot(a, a), bend = turn_bend(square), s = unit - square * bend;
+        const W8 scale = two_per_h * (1.0 / (s * s + square));
+        beyond[b] = scale * (cross(a, turn) - (square * (unit - s * bend)) * turn);
     }
     const W3 over = beyond[1] - beyond[0], closing = joint_speeds(v[0], v[1], arms.r0, arms.r1);
     V8 over3[3], closing3[3];

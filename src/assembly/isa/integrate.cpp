@@ -3,6 +3,7 @@
 #include "assembly/isa/rigid_lanes.h"
 #include "assembly/isa/rows.h"
 #include "base/simd.h"
+#include "base/turn.h"
 
 namespace hawser::HAWSER_ISA {
 namespace {
@@ -28,13 +29,14 @@ void move_body(const View& view, std::int32_t body) {
     if (dof < 6) return;
     store3(view.spin_change + 3 * body,
            tmul(load9(view.r + 9 * body), load3(v + 3) - load3(view.spin_free + 3 * body)));
-    // q₊ = (1, hω/2)/|·| ⊗ q, ω in the world frame: Cayley map.
+    // q₊ = (s, hω/2)/|·| ⊗ q, ω in the world frame (base/turn.h).
     double* q = view.q + 4 * body;
     const V3 w = (0.5 * h) * load3(v + 3), p = load3(q + 1);
-    const V3 turned = p + q[0] * w + cross(w, p);
-    const double s = q[0] - dot(w, p);
-    const double inverse = 1.0 / __builtin_sqrt(s * s + dot(turned, turned));
-    q[0] = s * inverse;
+    const double y = dot(w, w), s = 1.0 - y * turn_bend(y);
+    const V3 turned = s * p + q[0] * w + cross(w, p);
+    const double scalar = s * q[0] - dot(w, p);
+    const double inverse = 1.0 / __builtin_sqrt(scalar * scalar + dot(turned, turned));
+    q[0] = scalar * inverse;
     store3(q + 1, inverse * turned);
     const M3 m = rotation(q);
     for (int i = 0; i < 9; ++i) view.r[9 * body + i] = m.a[i];
@@ -60,10 +62,11 @@ void move_eight(const View& view, std::int32_t body) {
     store_threes(view.spin_change + 3L * body, tmul(old, spin - before));
 
     const W3 w = (0.5 * h) * spin, p{q[1], q[2], q[3]};
-    const W3 turned = p + q[0] * w + cross(w, p);
-    const W8 s = q[0] - dot(w, p);
-    const W8 inverse = 1.0 / root(s * s + dot(turned, turned));
-    const W8 to[4] = {s * inverse, turned.x * inverse, turned.y * inverse, turned.z * inverse};
+    const W8 y = dot(w, w), s = one(y) - y * turn_bend(y);
+    const W3 turned = s * p + W8(q[0]) * w + cross(w, p);
+    const W8 scalar = s * q[0] - dot(w, p);
+    const W8 inverse = 1.0 / root(scalar * scalar + dot(turned, turned));
+    const W8 to[4] = {scalar * inverse, turned.x * inverse, turned.y * inverse, turned.z * inverse};
     V8 pose[kLanes] = {to[0], to[1], to[2], to[3]};
     store_bodies(view.q + 4L * body, 4, 4, pose);
     const WM3 m = rotation(to, one(s));

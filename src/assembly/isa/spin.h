@@ -5,6 +5,7 @@
 /// inertia is a matrix, or Principal if the body axes are principal axes, as usual.
 
 #include "base/simd.h"
+#include "base/turn.h"
 
 namespace hawser::HAWSER_ISA {
 
@@ -50,10 +51,21 @@ HAWSER_INLINE M3T<T> turned(const Principal<T>& inertia, const V3T<T>& u) {
     return {{i[0], -z * i[1], y * i[2], z * i[0], i[1], -x * i[2], -y * i[0], x * i[1], i[2]}};
 }
 
-/// Return the angular velocity after a step h without torque, in the body frame. Source: the Cayley
-/// form of the discrete Euler equations in Bou-Rabee, Marsden, "Hamilton-Pontryagin integrators on
-/// Lie groups", 2009.
-///   F(ω₊; +h) = F(ω; −h),  F(ω; s) = Iω + (s/2) ω × Iω + (s²/4)(ω·Iω) ω.
+/// Return the inertia times a factor.
+template <class T>
+HAWSER_INLINE M3T<T> scaled(const M3T<T>& inertia, const T& factor) {
+    M3T<T> o;
+    for (int i = 0; i < 9; ++i) o.a[i] = factor * inertia.a[i];
+    return o;
+}
+template <class T>
+HAWSER_INLINE M3T<T> scaled(const Principal<T>& inertia, const T& factor) {
+    const T none = zero(factor), *i = inertia.moment;
+    return {{factor * i[0], none, none, none, factor * i[1], none, none, none, factor * i[2]}};
+}
+
+/// Return the angular velocity after a step h without torque, in the body frame: μ₊(ω₊) = μ₋(ω)
+/// with the momenta of base/turn.h.
 /// Newton's method starts from the explicit step; its Jacobian is well conditioned if h|ω| < 1.
 /// Each correction is about h|ω| times the square of the one before, so that slow bodies need one
 /// iteration.
@@ -62,21 +74,29 @@ HAWSER_INLINE V3T<T> free_rotation(const Inertia& inertia, const Inertia& invers
                                    const T& h) {
     const V3T<T> iw = inertia * w;
     const T half = 0.5 * h, quarter = half * half;
-    const V3T<T> target = iw - half * cross(w, iw) + (quarter * dot(w, iw)) * w;
+    const V3T<T> target = iw + turn_momentum(inertia, w, T(-half));
     V3T<T> u = w - h * (inverse * cross(w, iw));
     for (int n = 0; n < 4; ++n) {
         const V3T<T> iu = inertia * u;
-        const T e = dot(u, iu);
-        const V3T<T> f = iu + half * cross(u, iu) + (quarter * e) * u - target;
-        // J = I + (h/2)(û I − (Iu)^) + (h²/4)(e E + 2 u (Iu)ᵀ).
-        const V3T<T> hu = half * u, hi = half * iu, qu = (2.0 * quarter) * u;
-        const T qe = quarter * e;
-        const M3T<T> m = turned(inertia, hu);
-        const M3T<T> j{{m.a[0] + (qe + qu.x * iu.x), m.a[1] + (hi.z + qu.x * iu.y),
-                        m.a[2] + (qu.x * iu.z - hi.y), m.a[3] + (qu.y * iu.x - hi.z),
-                        m.a[4] + (qe + qu.y * iu.y), m.a[5] + (hi.x + qu.y * iu.z),
-                        m.a[6] + (hi.y + qu.z * iu.x), m.a[7] + (qu.z * iu.y - hi.x),
-                        m.a[8] + (qe + qu.z * iu.z)}};
+        const T e = dot(u, iu), y = quarter * dot(u, u), bend = quarter * turn_bend(y);
+        const V3T<T> across = cross(u, iu), twice = cross(u, across);
+        const V3T<T> f = iu + half * across + bend * twice - target;
+        // J = I + (h/2)(û I − (Iu)^) + (h²/4) b (e E + 2 u (Iu)ᵀ − |u|² I − (2 Iu − d) uᵀ),
+        // with the slope b' ≈ 1/45 + 4y/945 in d = (h²/2)(b'/b) u × (u × Iu).
+        const T slope = (2.0 * quarter * quarter) * ((4.0 / 945.0) * y + constant(y, 1.0 / 45.0));
+        const V3T<T> hu = half * u, hi = half * iu, qu = (2.0 * bend) * u;
+        const V3T<T> back = (2.0 * bend) * iu - slope * twice;
+        const T qe = bend * e;
+        const M3T<T> m = turned(inertia, hu), still = scaled(inertia, T(bend * dot(u, u)));
+        const M3T<T> j{{m.a[0] + (qe + qu.x * iu.x - back.x * u.x) - still.a[0],
+                        m.a[1] + (hi.z + qu.x * iu.y - back.x * u.y) - still.a[1],
+                        m.a[2] + (qu.x * iu.z - hi.y - back.x * u.z) - still.a[2],
+                        m.a[3] + (qu.y * iu.x - hi.z - back.y * u.x) - still.a[3],
+                        m.a[4] + (qe + qu.y * iu.y - back.y * u.y) - still.a[4],
+                        m.a[5] + (hi.x + qu.y * iu.z - back.y * u.z) - still.a[5],
+                        m.a[6] + (hi.y + qu.z * iu.x - back.z * u.x) - still.a[6],
+                        m.a[7] + (qu.z * iu.y - hi.x - back.z * u.y) - still.a[7],
+                        m.a[8] + (qe + qu.z * iu.z - back.z * u.z) - still.a[8]}};
         const V3T<T> du = solve3(j, f);
         u = u - du;
         // Stop if h|ω| (|δ|/|ω|)² is below 1e-17; here squared.
