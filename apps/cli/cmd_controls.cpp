@@ -54,9 +54,9 @@ struct Candidate {
 
 /// True if a system rounds the signal to a whole number or compares it with 0.5.
 bool is_whole_signal(std::string_view signal) {
-    constexpr std::array<std::string_view, 4> kWhole = {"mode", "take", "close", "up"};
+    constexpr std::array<std::string_view, 4> kWholeSignals = {"mode", "take", "close", "up"};
     const std::string_view name = signal.substr(signal.rfind('.') + 1);
-    return std::find(kWhole.begin(), kWhole.end(), name) != kWhole.end();
+    return std::find(kWholeSignals.begin(), kWholeSignals.end(), name) != kWholeSignals.end();
 }
 
 const SystemSignal* find_signal(const World& world, const std::string& name) {

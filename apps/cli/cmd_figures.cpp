@@ -193,15 +193,16 @@ void figure1(Writer& writer, const World& world, const Parts& parts, const Order
 void figure2(Writer& writer, const std::vector<OrderedMatrix>& full,
              const std::vector<OrderedMatrix>& split,
              const std::vector<draw::NamedTimeline>& timelines) {
-    static constexpr const char* kOrders[] = {"natural order", "AMD", "METIS nested dissection"};
-    static constexpr const char* kFiles[] = {"natural", "amd", "metis"};
+    static constexpr const char* kOrderNames[] = {"natural order", "AMD",
+                                                  "METIS nested dissection"};
+    static constexpr const char* kOrderFileNames[] = {"natural", "amd", "metis"};
     std::vector<Panel> panels;
     for (std::size_t k = 0; k < full.size(); ++k)
-        panels.push_back(fill_panel(fmt::format("fig2_full_{}", kFiles[k]),
-                                    fmt::format("Full: {}", kOrders[k]), full[k]));
+        panels.push_back(fill_panel(fmt::format("fig2_full_{}", kOrderFileNames[k]),
+                                    fmt::format("Full: {}", kOrderNames[k]), full[k]));
     for (std::size_t k = 0; k < split.size(); ++k)
-        panels.push_back(fill_panel(fmt::format("fig2_split_{}", kFiles[k]),
-                                    fmt::format("Split: {}", kOrders[k]), split[k]));
+        panels.push_back(fill_panel(fmt::format("fig2_split_{}", kOrderFileNames[k]),
+                                    fmt::format("Split: {}", kOrderNames[k]), split[k]));
     panels.push_back(timeline_panel("fig2_timelines", "Thread timelines", timelines));
     for (Panel& p : panels) writer.panel("2", p);
     writer.page("fig2", "Fig. 2: fill of the factor, full and split, and timelines of threads",
@@ -221,7 +222,7 @@ int figures(FiguresOptions options) {
         return kFailed;
     }
     Writer writer(options, scene);
-    const Parts parts = partition(scene.world, options.scene.parts.value_or(kParts));
+    const Parts parts = partition(scene.world, options.scene.parts.value_or(kDefaultParts));
     draw::BlockGraph whole =
         draw::block_graph_of_world(scene.world.solver().matrix(), parts.cuts.part_of_body);
     const draw::BlockGraph pieces = draw::split_graph(whole, parts.cuts.parts);
@@ -245,7 +246,7 @@ int figures(FiguresOptions options) {
             run_timelines(options.scene, {.at = options.at,
                                           .threads = options.scene.threads,
                                           .simulated = options.simulated,
-                                          .parts = options.scene.parts.value_or(kParts)}));
+                                          .parts = options.scene.parts.value_or(kDefaultParts)}));
     return kOk;
 }
 

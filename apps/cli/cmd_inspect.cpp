@@ -124,7 +124,7 @@ int inspect(const InspectOptions& options) {
     print_system(world, view);
     print_orders(view);
     print_groups(world);
-    print_parts(world, options.scene.parts.value_or(kParts));
+    print_parts(world, options.scene.parts.value_or(kDefaultParts));
     if (options.folder.empty()) return kOk;
     const std::string parameters = fmt::format(
         "{} nodes, {} scalars of the lower triangle, {} of the factor, {:.4g} Mflop  ·  scene hash "

@@ -36,7 +36,8 @@ Writes tensions, wires, motions, scene, space and details, each as .svg and .png
 
 Exit codes: 0 written, 1 unreadable recording, unknown picture, or a file could not be written.)";
 
-constexpr const char* kPictures[] = {"tensions", "wires", "motions", "scene", "space", "details"};
+constexpr const char* kPictureNames[] = {"tensions", "wires", "motions",
+                                         "scene",    "space", "details"};
 
 struct PlotOptions {
     std::string file, folder = ".", view, size;
@@ -98,7 +99,7 @@ draw::ViewOptions view_options(const PlotOptions& options) {
 }
 
 void check_pictures(const PlotOptions& options) {
-    const std::vector<std::string> known{std::begin(kPictures), std::end(kPictures)};
+    const std::vector<std::string> known{std::begin(kPictureNames), std::end(kPictureNames)};
     for (const std::string& name : options.only)
         if (std::find(known.begin(), known.end(), name) == known.end())
             throw std::runtime_error(
@@ -143,7 +144,7 @@ void check_names(const PlotOptions& options) {
     };
     for (std::size_t i = 0; i < options.frames; ++i) check(folder / frame_name(i));
     if (options.frames > 0) return;
-    for (const char* picture : kPictures)
+    for (const char* picture : kPictureNames)
         if (options.is_requested(picture))
             for (const char* ending : {".svg", ".png"})
                 check(folder / (picture + std::string(ending)));

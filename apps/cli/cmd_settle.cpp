@@ -66,9 +66,10 @@ Motion measure_motion(const World& world) {
 /// Settles the scene with large drag first, which brings lines to rest. The drag then decreases in
 /// stages, because it also delays slow motion. A mode of frequency ω under drag of stop time T
 /// creeps at the rate ω² T.
-class Settler {
+class RestSearch {
   public:
-    Settler(scene::Scene& scene, const SettleOptions& options) : scene_(scene), options_(options) {}
+    RestSearch(scene::Scene& scene, const SettleOptions& options)
+        : scene_(scene), options_(options) {}
 
     int run() {
         const double h = scene_.world.settings().step;
@@ -186,7 +187,7 @@ int settle(const SettleOptions& options) {
     check_outputs(inputs, {{"--output", output.string()}});
     std::vector<Pose> start;
     for (const BodyId id : world.bodies()) start.push_back(world.pose(id));
-    Settler settler(scene, options);
+    RestSearch settler(scene, options);
     const int code = settler.run();
     for (const BodyId id : world.bodies())
         if (moves(world, id)) world.set_velocity(id, {});

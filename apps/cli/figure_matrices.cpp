@@ -52,7 +52,7 @@ struct Job {
 };
 
 // Time for samples of one matrix [s]: in natural order some factorisations need seconds.
-constexpr double kLongest = 0.5;
+constexpr double kMaxSampleSeconds = 0.5;
 
 }  // namespace
 
@@ -115,7 +115,7 @@ void time_matrices(const std::vector<OrderedMatrix*>& matrices, int samples, dou
     }
     for (int turn = 0; turn < samples; ++turn)
         for (Job& job : jobs) {
-            if (job.spent > kLongest) continue;
+            if (job.spent > kMaxSampleSeconds) continue;
             const double begin = thread_seconds();
             if (job.factor->factor(job.values) != Status::ok)
                 throw std::runtime_error("a factorisation for the figures failed");

@@ -11,8 +11,8 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr int kTracedSteps = 61;  // the one of median duration is shown
-constexpr std::size_t kSpans = std::size_t{1}
-                               << 17;  // capacity of each thread, enough for all steps
+constexpr std::size_t kMaxTraceSpans = std::size_t{1}
+                                       << 17;  // capacity of each thread, enough for all steps
 
 /// Step to a time, then trace some steps.
 TraceView trace_steps(World& world, double at) {
@@ -22,7 +22,7 @@ TraceView trace_steps(World& world, double at) {
                 fmt::format("the step at {:.4g} s failed: {}", world.time(), to_string(status)));
     };
     while (world.time() < at - 0.5 * world.settings().step) step();
-    world.solver().start_trace(kSpans);
+    world.solver().start_trace(kMaxTraceSpans);
     for (int k = 0; k < kTracedSteps; ++k) step();
     return world.solver().trace();
 }

@@ -66,14 +66,15 @@ std::string name_of(const World& world, InteractionId id) {
 }
 
 void print_cuts(const World& world, const PartitionView& p) {
-    constexpr std::size_t kMaximum = 24;
-    for (std::size_t i = 0; i < std::min(kMaximum, p.cuts.size()); ++i) {
+    constexpr std::size_t kMaxListedCuts = 24;
+    for (std::size_t i = 0; i < std::min(kMaxListedCuts, p.cuts.size()); ++i) {
         const CutInteraction& c = p.cuts[i];
         fmt::print("      {:<44} {:>11.4g} {:>11.4g} {:>11.4g} {:>11.4g} {:>9.3f}\n",
                    name_of(world, c.interaction), c.force, c.net_force, c.relative_velocity,
                    c.violation, c.weight);
     }
-    if (p.cuts.size() > kMaximum) fmt::print("      … and {} more\n", p.cuts.size() - kMaximum);
+    if (p.cuts.size() > kMaxListedCuts)
+        fmt::print("      … and {} more\n", p.cuts.size() - kMaxListedCuts);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@
 namespace hawser::cli {
 
 /// Default number of parts for showing a scene, without --parts.
-inline constexpr int kParts = 4;
+inline constexpr int kDefaultParts = 4;
 
 struct SceneOptions {
     std::string file;

@@ -14,8 +14,8 @@ namespace hawser::cli {
 
 namespace {
 
-constexpr std::array<const char*, 6> kForces = {"force_x",  "force_y",  "force_z",
-                                                "torque_x", "torque_y", "torque_z"};
+constexpr std::array<const char*, 6> kForceComponents = {"force_x",  "force_y",  "force_z",
+                                                         "torque_x", "torque_y", "torque_z"};
 
 std::string unit_of(const World& world, const InputDef& input) {
     if (!input.unit.empty()) return input.unit;
@@ -29,7 +29,7 @@ std::string target_words(const World& world, const InputDef& input) {
     if (input.interaction.valid())
         return fmt::format("{} of {}", input.param,
                            record::interaction_label(world, input.interaction));
-    return fmt::format("{} of {}{}", kForces[static_cast<std::size_t>(input.component)],
+    return fmt::format("{} of {}{}", kForceComponents[static_cast<std::size_t>(input.component)],
                        record::body_label(world, input.body), input.local ? ", in its frame" : "");
 }
 

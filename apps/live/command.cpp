@@ -13,13 +13,13 @@
 namespace hawser::live {
 namespace {
 
-struct Word {
+struct CommandWord {
     CommandKind kind;
     const char* name;
     const char* keys;  ///< Keys in addition to type and id, with blanks around each.
 };
 
-constexpr Word kWords[] = {
+constexpr CommandWord kCommandWords[] = {
     {CommandKind::set, "set", " input value inputs "},
     {CommandKind::pause, "pause", " "},
     {CommandKind::resume, "resume", " "},
@@ -169,7 +169,7 @@ void read_command(const Json& from, Command one, std::vector<Command>& out) {
     out.push_back(one);
 }
 
-void check_keys(const Json& from, const Word& word) {
+void check_keys(const Json& from, const CommandWord& word) {
     const std::string_view keys = word.keys;
     for (const auto& [key, value] : from.items()) {
         if (key == "type" || key == "id") continue;
@@ -190,12 +190,12 @@ void read_hello(const Json& from, Request& out) {
     out.token = from["token"].get<std::string>();
 }
 
-const Word& find_command_word(const std::string& type) {
-    const auto* const at = std::find_if(std::begin(kWords), std::end(kWords),
-                                        [&](const Word& w) { return type == w.name; });
-    if (at != std::end(kWords)) return *at;
+const CommandWord& find_command_word(const std::string& type) {
+    const auto* const at = std::find_if(std::begin(kCommandWords), std::end(kCommandWords),
+                                        [&](const CommandWord& w) { return type == w.name; });
+    if (at != std::end(kCommandWords)) return *at;
     std::vector<std::string> names{"hello"};
-    for (const Word& word : kWords) names.emplace_back(word.name);
+    for (const CommandWord& word : kCommandWords) names.emplace_back(word.name);
     throw Refused("there is no message of the type " + in_quotes(type) + "; nearest: \"" +
                   record::nearest_name(type, names) + "\"");
 }
@@ -218,7 +218,7 @@ void read_message(std::string_view text, Request& out) {
     const auto type = from.find("type");
     if (type == from.end() || !type->is_string()) throw Refused("a message has a type");
     if (*type == "hello") return read_hello(from, out);
-    const Word& word = find_command_word(type->get_ref<const std::string&>());
+    const CommandWord& word = find_command_word(type->get_ref<const std::string&>());
     out.kind = word.kind;
     check_keys(from, word);
     Command begun;
@@ -231,12 +231,12 @@ void read_message(std::string_view text, Request& out) {
 
 std::vector<CommandKind> message_kinds() {
     std::vector<CommandKind> out;
-    for (const Word& word : kWords) out.push_back(word.kind);
+    for (const CommandWord& word : kCommandWords) out.push_back(word.kind);
     return out;
 }
 
 const char* to_string(CommandKind kind) noexcept {
-    for (const Word& word : kWords)
+    for (const CommandWord& word : kCommandWords)
         if (word.kind == kind) return word.name;
     return kind == CommandKind::left ? "left" : "none";
 }

@@ -15,13 +15,13 @@
 namespace hawser::live {
 namespace {
 
-struct Saying {
+struct EventText {
     const char* words;  ///< Words after the place.
     const char* unit;   ///< Unit of the value; "": none, "-": not shown, "%": value × 100.
 };
 
 /// In the order of EventKind.
-constexpr std::array<Saying, kEventKindCount> kSayings{{
+constexpr std::array<EventText, kEventKindCount> kEventWords{{
     {"broke at", "N"},
     {"went slack", "-"},
     {"became taut at", "N"},
@@ -60,7 +60,7 @@ constexpr std::array<Saying, kEventKindCount> kSayings{{
     {"lost its position; offset", "m"},
     {"would lose its position after the worst single failure; shortfall", ""},
 }};
-static_assert(kSayings.back().words != nullptr, "each kind of event has its words");
+static_assert(kEventWords.back().words != nullptr, "each kind of event has its words");
 
 bool frequent(EventKind kind) { return kind == EventKind::slack || kind == EventKind::taut; }
 
@@ -87,7 +87,7 @@ std::string status_remedy(Status status) {
 std::string event_words(const std::string& where, EventKind kind, double value) {
     if (kind == EventKind::energy_created)
         return record::energy_change(value, "") + "; use a smaller step (settings.step)";
-    const Saying& saying = kSayings[static_cast<std::size_t>(kind)];
+    const EventText& saying = kEventWords[static_cast<std::size_t>(kind)];
     const std::string_view unit = saying.unit;
     std::string out = where.empty() || where == "-" ? std::string(saying.words)
                                                     : fmt::format("{} {}", where, saying.words);
@@ -99,10 +99,10 @@ std::string event_words(const std::string& where, EventKind kind, double value) 
 }
 
 void send_events(const World& world, std::span<const Event> events, Outbox& out) {
-    constexpr int kMaxFrequent = 8, kMaximum = 64;
+    constexpr int kMaxFrequent = 8, kMaxEvents = 64;
     int reported = 0, often = 0, more = 0;
     const auto tell = [&](const Event& event) {
-        if (reported >= kMaximum || (frequent(event.kind) && often >= kMaxFrequent)) {
+        if (reported >= kMaxEvents || (frequent(event.kind) && often >= kMaxFrequent)) {
             ++more;
             return;
         }

@@ -24,18 +24,18 @@ class FrameSwap {
     /// the first frames.
     [[nodiscard]] Bytes& back() noexcept { return buffers_[writing_]; }
     void publish() noexcept {
-        writing_ = middle_.exchange(writing_ | kFresh, std::memory_order_acq_rel) & kIndex;
+        writing_ = middle_.exchange(writing_ | kFreshFlag, std::memory_order_acq_rel) & kIndexBits;
     }
     /// Return the newest frame, which the reader may use until the next call.
     /// @return null if there is no new frame since the last call.
     [[nodiscard]] const Bytes* newest_frame() noexcept {
-        if ((middle_.load(std::memory_order_relaxed) & kFresh) == 0) return nullptr;
-        reading_ = middle_.exchange(reading_, std::memory_order_acq_rel) & kIndex;
+        if ((middle_.load(std::memory_order_relaxed) & kFreshFlag) == 0) return nullptr;
+        reading_ = middle_.exchange(reading_, std::memory_order_acq_rel) & kIndexBits;
         return &buffers_[reading_];
     }
 
   private:
-    static constexpr std::uint8_t kIndex = 3, kFresh = 4;
+    static constexpr std::uint8_t kIndexBits = 3, kFreshFlag = 4;
     std::array<Bytes, 3> buffers_;
     std::uint8_t writing_ = 0, reading_ = 1;
     std::atomic<std::uint8_t> middle_{2};

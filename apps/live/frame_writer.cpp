@@ -54,7 +54,7 @@ float* append_nodes(const StateView& state, const std::vector<BodyId>& bodies, c
 }
 
 template <class T>
-float* append_all(const std::vector<T>& from, float* to) {
+float* append_vector(const std::vector<T>& from, float* to) {
     static_assert(sizeof(T) == sizeof(float));
     if (!from.empty()) std::memcpy(to, from.data(), from.size() * sizeof(T));
     return to + from.size();
@@ -82,7 +82,7 @@ float* append_signals(const World& world, const FramePlan& plan, float* to) {
 
 void FrameWriter::add_wire(const World& world, const WireSource& wire, const StateView& state,
                            const Vec3& origin) {
-    constexpr double kTogether =
+    constexpr double kCoincidenceDistance =
         1e-3;  // [m] ends of two elements that are closer than this coincide
     const std::size_t before = points_.size() / 3;
     Vec3 last = Vec3::Zero();
@@ -101,7 +101,7 @@ void FrameWriter::add_wire(const World& world, const WireSource& wire, const Sta
             pull = std::max(0.0F, single(-world.force(piece.element)[0]));
         if (points_.size() / 3 == before) {
             append_floats(points_, ends[0] - origin);
-        } else if ((ends[0] - last).squaredNorm() > kTogether * kTogether) {
+        } else if ((ends[0] - last).squaredNorm() > kCoincidenceDistance * kCoincidenceDistance) {
             // On a wheel the line continues; otherwise an element between was removed.
             append_floats(points_, ends[0] - origin);
             tensions_.push_back(routed_before && piece.routed ? std::max(pull, pull_before)
@@ -140,14 +140,14 @@ void FrameWriter::add_contacts(const World& world, const Vec3& origin, FrameHead
 
 void FrameWriter::add_stats(const World& world, const FrameNotes& notes, float* to,
                             FrameHeader& head) {
-    constexpr double kMilli = 1e3;
+    constexpr double kMillisecondsPerSecond = 1e3;
     const StepStats& s = world.stats();
     // Conditions of a solution that counts as exact (docs/theory/newton.md).
-    constexpr double kMomentum = 1e-8;
+    constexpr double kMaxMomentumResidual = 1e-8;
     const bool solved = s.status == Status::ok && s.flips_left == 0 && !s.cut &&
                         s.natural_map <= world.settings().contact_tolerance &&
-                        s.momentum_residual <= kMomentum && !s.degradation.any();
-    const bool missed = kMilli * s.step_seconds > notes.deadline_ms;
+                        s.momentum_residual <= kMaxMomentumResidual && !s.degradation.any();
+    const bool missed = kMillisecondsPerSecond * s.step_seconds > notes.deadline_ms;
     head.bits = (solved ? kCertified : 0U) | (s.degradation.of_solve() ? kEndedEarly : 0U) |
                 (missed ? kMissedDeadline : 0U) | (static_cast<std::uint32_t>(s.degraded_by) << 8U);
     head.iterations = s.degradation.iterations;
@@ -161,10 +161,10 @@ void FrameWriter::add_stats(const World& world, const FrameNotes& notes, float* 
         energy_ = world.energy().mechanical();
         energy_of_ = step;
     }
-    *to++ = single(kMilli * s.step_seconds);
-    for (const double stage : s.stage_seconds) *to++ = single(kMilli * stage);
+    *to++ = single(kMillisecondsPerSecond * s.step_seconds);
+    for (const double stage : s.stage_seconds) *to++ = single(kMillisecondsPerSecond * stage);
     for (const double value :
-         {kMilli * s.solver_cpu_seconds, notes.deadline_ms, s.momentum_residual,
+         {kMillisecondsPerSecond * s.solver_cpu_seconds, notes.deadline_ms, s.momentum_residual,
           s.constraint_residual, s.violation_max, s.natural_map, static_cast<double>(s.contacts),
           static_cast<double>(s.newton_iterations), static_cast<double>(s.islands),
           static_cast<double>(s.asleep), energy_, notes.late_ms, 1e6 * seconds_})
@@ -194,7 +194,7 @@ void FrameWriter::write(const World& world, const FramePlan& plan, const Vec3& o
     head.joints = count(plan.joints.size());
     head.outputs = count(plan.outputs.size());
     head.inputs = count(plan.inputs.size());
-    head.stats = count(kStats);
+    head.stats = count(kStatCount);
     head.length = count(kFrameHeader + 4 * head.floats());
     out.resize(head.length);
     auto* to = reinterpret_cast<float*>(out.data() + kFrameHeader);
@@ -202,10 +202,10 @@ void FrameWriter::write(const World& world, const FramePlan& plan, const Vec3& o
     to = append_poses(state, plan.rigid, origin, to);
     to = append_nodes(state, plan.lumps, origin, to);
     for (const BodyId id : plan.scalars) *to++ = single(state.positions[3 * at(id.index)]);
-    to = append_all(counts_, to);
-    to = append_all(points_, to);
-    to = append_all(tensions_, to);
-    to = append_all(forces_, to);
+    to = append_vector(counts_, to);
+    to = append_vector(points_, to);
+    to = append_vector(tensions_, to);
+    to = append_vector(forces_, to);
     to = append_joints(world, plan.joints, to);
     float* const outputs = to;
     to = append_signals(world, plan, to);

@@ -173,10 +173,10 @@ void Lesson::send_now(Outbox& out) {
 }
 
 void Lesson::report_news(const World& world, Outbox& out) {
-    constexpr std::int64_t kEvery = 15;  // steps
+    constexpr std::int64_t kStepsBetweenReports = 15;  // steps
     const std::int64_t step = world.step_count();
     const bool news = reported_ != run_.result().entries.size();
-    if (!news && std::abs(step - reported_step_) < kEvery) return;
+    if (!news && std::abs(step - reported_step_) < kStepsBetweenReports) return;
     reported_step_ = step;
     send_now(out);
 }

@@ -25,9 +25,9 @@ std::string json_string(std::string_view text) {
 }
 
 std::string in_quotes(std::string_view text) {
-    constexpr std::size_t kShown = 60;
-    std::string out = "\"" + std::string(shortened(text, kShown));
-    return out + (text.size() > kShown ? "…\"" : "\"");
+    constexpr std::size_t kMaxQuotedBytes = 60;
+    std::string out = "\"" + std::string(shortened(text, kMaxQuotedBytes));
+    return out + (text.size() > kMaxQuotedBytes ? "…\"" : "\"");
 }
 
 double number(const Json& from, const char* key, double least, double most) {

@@ -50,8 +50,8 @@ void Outbox::reject(const Command& to, const std::string& reason) {
 }
 
 void Outbox::report(const Command& to, std::string html) {
-    constexpr std::size_t kMost = 900 * 1024;  // of 1 MB that may wait for a client
-    if (html.size() > kMost)
+    constexpr std::size_t kMaxReportBytes = 900 * 1024;  // of 1 MB that may wait for a client
+    if (html.size() > kMaxReportBytes)
         return reject(to, "the report is larger than 900 kB: use `hawser exercise --report`");
     Json out{{"type", "report"}, {"html", std::move(html)}};
     if (to.id != kNoId) out["id"] = to.id;

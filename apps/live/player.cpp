@@ -26,10 +26,10 @@ Player::Player(const record::Recording& recording, Hub& hub, Debriefing debriefi
 }
 
 void Player::send_timeline() {
-    constexpr std::size_t kMaximum = 4096;
+    constexpr std::size_t kMaxTimelineEntries = 4096;
     Json events = Json::array(), inputs = Json::array(), takes = Json::array();
     for (const record::RecordedNote& note : recording_.notes) {
-        if (note.kind != record::kDoneNote || events.size() >= kMaximum) continue;
+        if (note.kind != record::kDoneNote || events.size() >= kMaxTimelineEntries) continue;
         const std::string text = record::text_of(note);
         events.push_back({{"time", static_cast<double>(note.step) * recording_.settings.step},
                           {"kind", "command"},
@@ -41,7 +41,7 @@ void Player::send_timeline() {
     for (const bool often : {false, true})
         for (const record::RecordedEvent& event : recording_.events) {
             const bool frequent = event.kind == EventKind::slack || event.kind == EventKind::taut;
-            if (frequent != often || events.size() >= kMaximum) continue;
+            if (frequent != often || events.size() >= kMaxTimelineEntries) continue;
             events.push_back({{"time", event.time},
                               {"kind", to_string(event.kind)},
                               {"name", event.where},
@@ -50,7 +50,7 @@ void Player::send_timeline() {
         }
     for (const record::RecordedInput& input : recording_.inputs) {
         const auto place = static_cast<std::size_t>(input.input);
-        if (inputs.size() < kMaximum && place < recording_.input_names.size() &&
+        if (inputs.size() < kMaxTimelineEntries && place < recording_.input_names.size() &&
             !record::is_inner_input(recording_, place))
             inputs.push_back({static_cast<double>(input.step) * recording_.settings.step,
                               recording_.input_names[place], input.value});
@@ -81,16 +81,16 @@ void Player::send_state() {
 }
 
 std::size_t Player::frame_at(double time) const {
-    constexpr double kSlack = 1e-9;  // times go through text
+    constexpr double kTimeTolerance = 1e-9;  // times go through text
     const auto& takes = recording_.takes;
     for (std::size_t t = takes.size() + 1; t-- > 0;) {
         const std::size_t begin = t == 0 ? 0 : takes[t - 1].frames;
         std::size_t low = begin,
                     high = t < takes.size() ? takes[t].frames : recording_.frame_count();
-        if (low == high || recording_.frame_head(low).time > time + kSlack) continue;
+        if (low == high || recording_.frame_head(low).time > time + kTimeTolerance) continue;
         while (high - low > 1) {
             const std::size_t mid = low + (high - low) / 2;
-            (recording_.frame_head(mid).time <= time + kSlack ? low : high) = mid;
+            (recording_.frame_head(mid).time <= time + kTimeTolerance ? low : high) = mid;
         }
         return low;
     }

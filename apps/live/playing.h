@@ -74,13 +74,13 @@ class Playing {
     template <class Take>
     void wait(Take&& take) {
         if (!is_running()) {
-            std::this_thread::sleep_for(kSlice);
+            std::this_thread::sleep_for(kWaitSlice);
             pace_.begin();
             return;
         }
         for (auto now = Pace::Clock::now(); is_running() && now < pace_.due();
              now = Pace::Clock::now()) {
-            const auto until = std::min(pace_.due(), now + kSlice);
+            const auto until = std::min(pace_.due(), now + kWaitSlice);
             std::this_thread::sleep_until(until);
             if (until != pace_.due() && take()) return;
         }
@@ -95,7 +95,7 @@ class Playing {
     }
 
   private:
-    static constexpr std::chrono::milliseconds kSlice{5};
+    static constexpr std::chrono::milliseconds kWaitSlice{5};
 
     Pace pace_;
     bool paused_;

@@ -66,6 +66,6 @@ inline constexpr const char* kStatNames[] = {"step_ms",
                                              "energy",
                                              "late_ms",
                                              "frame_us"};
-inline constexpr std::size_t kStats = sizeof kStatNames / sizeof kStatNames[0];
+inline constexpr std::size_t kStatCount = sizeof kStatNames / sizeof kStatNames[0];
 
 }  // namespace hawser::live

@@ -12,8 +12,8 @@
 namespace hawser::live {
 namespace {
 
-constexpr double kTogether = 1e-3;  // [m] ends closer than this coincide
-constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+constexpr double kCoincidenceDistance = 1e-3;  // [m] ends closer than this coincide
+constexpr float kUnknownTension = std::numeric_limits<float>::quiet_NaN();
 
 void append_point(std::vector<float>& to, const Vec3& v) {
     for (int k = 0; k < 3; ++k) to.push_back(static_cast<float>(v[k]));
@@ -44,7 +44,7 @@ bool RecordedScene::add_recorded(const record::Frame& frame, std::string_view na
             const Vec3 begin = end(0);
             if (p == 0) {
                 append_point(points, begin);
-            } else if ((begin - last).squaredNorm() > kTogether * kTogether) {
+            } else if ((begin - last).squaredNorm() > kCoincidenceDistance * kCoincidenceDistance) {
                 append_point(points, begin);  // it lies on a wheel between them
                 tensions.push_back(std::max(pull, tensions.back()));
             }
@@ -84,7 +84,7 @@ void RecordedScene::add_wire(const record::Frame& frame, std::size_t wire,
     for (const PieceSource& piece : source.pieces) {
         for (const HeldPoint& held : piece.end)
             append_point(points, on_body(frame.poses[at(held.body)], held.point) - origin_);
-        tensions.push_back(kUnknown);
+        tensions.push_back(kUnknownTension);
     }
 }
 
@@ -94,7 +94,7 @@ std::vector<float> RecordedScene::inputs_at(std::size_t index, std::int64_t step
     std::vector<float> out;
     for (const InputSource& input : plan_.inputs)
         out.push_back(input.id.valid() ? static_cast<float>(scene_.world.input(input.id))
-                                       : kUnknown);
+                                       : kUnknownTension);
     const auto& takes = recording_.takes;
     const std::size_t take = recording_.take_of(index);
     const std::size_t begin = take == 0 ? 0 : takes[take - 1].inputs;
@@ -118,7 +118,8 @@ void RecordedScene::write(std::size_t index, std::uint16_t flags, std::uint32_t 
         const Pose& pose = frame.poses[at(id.index)];
         const bool there = frame.there[at(id.index)];
         for (int k = 0; k < 3; ++k)
-            floats.push_back(there ? static_cast<float>(pose.position[k] - origin_[k]) : kUnknown);
+            floats.push_back(there ? static_cast<float>(pose.position[k] - origin_[k])
+                                   : kUnknownTension);
         if (!turns) return;
         for (const double q : {pose.orientation.w(), pose.orientation.x(), pose.orientation.y(),
                                pose.orientation.z()})
@@ -139,10 +140,10 @@ void RecordedScene::write(std::size_t index, std::uint16_t flags, std::uint32_t 
     }
     floats.insert(floats.end(), points.begin(), points.end());
     floats.insert(floats.end(), tensions.begin(), tensions.end());
-    floats.insert(floats.end(), 3 * plan_.joints.size() + plan_.outputs.size(), kUnknown);
+    floats.insert(floats.end(), 3 * plan_.joints.size() + plan_.outputs.size(), kUnknownTension);
     const std::vector<float> inputs = inputs_at(index, frame.step);
     floats.insert(floats.end(), inputs.begin(), inputs.end());
-    std::vector<float> stats(kStats, kUnknown);
+    std::vector<float> stats(kStatCount, kUnknownTension);
     stats[10] = static_cast<float>(1e3 * recording_.settings.step);
     stats[11] = static_cast<float>(frame.momentum_residual);
     stats[13] = static_cast<float>(frame.violation_max);
@@ -163,7 +164,7 @@ void RecordedScene::write(std::size_t index, std::uint16_t flags, std::uint32_t 
     head.joints = count(plan_.joints.size());
     head.outputs = count(plan_.outputs.size());
     head.inputs = count(plan_.inputs.size());
-    head.stats = count(kStats);
+    head.stats = count(kStatCount);
     head.length = count(kFrameHeader + 4 * floats.size());
     head.clock = clock_now();
     out.resize(head.length);

@@ -10,12 +10,12 @@
 namespace hawser::live {
 namespace {
 
-constexpr double kLength = 1e-4;     // [m] resolution of a picture
-constexpr double kDirection = 1e-7;  // [1] for components of unit vectors
+constexpr double kLengthResolution = 1e-4;     // [m] resolution of a picture
+constexpr double kDirectionResolution = 1e-7;  // [1] for components of unit vectors
 
 Json heights_of(const std::vector<double>& heights) {
     Json out = Json::array();
-    for (const double h : heights) out.push_back(shorter(h, kLength));
+    for (const double h : heights) out.push_back(shorter(h, kLengthResolution));
     return out;
 }
 
@@ -35,12 +35,13 @@ double shorter(double value, double unit) {
 }
 
 Json lengths(const Vec3& v) {
-    return {shorter(v.x(), kLength), shorter(v.y(), kLength), shorter(v.z(), kLength)};
+    return {shorter(v.x(), kLengthResolution), shorter(v.y(), kLengthResolution),
+            shorter(v.z(), kLengthResolution)};
 }
 
 Json turn(const Quat& q) {
-    return {shorter(q.w(), kDirection), shorter(q.x(), kDirection), shorter(q.y(), kDirection),
-            shorter(q.z(), kDirection)};
+    return {shorter(q.w(), kDirectionResolution), shorter(q.x(), kDirectionResolution),
+            shorter(q.y(), kDirectionResolution), shorter(q.z(), kDirectionResolution)};
 }
 
 Json limit(double value) {
@@ -51,7 +52,7 @@ Json limit(double value) {
 Json vertices_of(const std::vector<Vec3>& points) {
     Json out = Json::array();
     for (const Vec3& p : points)
-        for (int k = 0; k < 3; ++k) out.push_back(shorter(p[k], kLength));
+        for (int k = 0; k < 3; ++k) out.push_back(shorter(p[k], kLengthResolution));
     return out;
 }
 

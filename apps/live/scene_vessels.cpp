@@ -13,7 +13,7 @@
 namespace hawser::live {
 namespace {
 
-constexpr const char* kPropulsors[] = {"shaft", "azimuth", "tunnel", "cycloidal"};
+constexpr const char* kPropulsorNames[] = {"shaft", "azimuth", "tunnel", "cycloidal"};
 
 /// Return the thrust ahead of a ship at rest with a full order [N], within the limits of power.
 double full_thrust(const PropulsorDef& p, double density) {
@@ -31,7 +31,7 @@ Json propulsors_json(const VesselDef& def) {
     Json out = Json::array();
     for (const PropulsorDef& p : def.propulsors)
         out.push_back({{"name", p.name},
-                       {"kind", kPropulsors[static_cast<std::size_t>(p.kind)]},
+                       {"kind", kPropulsorNames[static_cast<std::size_t>(p.kind)]},
                        {"point", lengths(p.point)},
                        {"thrust", shorter(full_thrust(p, def.density), 1.0)}});
     return out;

@@ -20,7 +20,7 @@ namespace {
 using namespace net;
 
 constexpr std::size_t kMaxConnections = 96;  // in addition to the slots of clients
-constexpr double kGoodbye = 0.5;             // [s] time for the last messages
+constexpr double kGoodbyeSeconds = 0.5;      // [s] time for the last messages
 
 std::string machine_name() {
     std::array<char, 256> name{};
@@ -39,9 +39,9 @@ void lower_this_thread() {
     CPU_ZERO(&everywhere);
     for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu) CPU_SET(cpu, &everywhere);
     (void)sched_setaffinity(0, sizeof everywhere, &everywhere);
-    constexpr int kNice = 5;
+    constexpr int kNiceIncrement = 5;
     const auto self = static_cast<id_t>(syscall(SYS_gettid));
-    (void)setpriority(PRIO_PROCESS, self, kNice);
+    (void)setpriority(PRIO_PROCESS, self, kNiceIncrement);
 }
 
 }  // namespace
@@ -171,7 +171,7 @@ struct Server::Impl final : Floor {
         }
         newest_ = std::make_shared<const Bytes>(*frame);
         const auto all = clients_;
-        for (const auto& [number, client] : all) client->show(newest_);
+        for (const auto& [number, client] : all) client->send_newest_frame(newest_);
     }
 
     void await_second() {
@@ -210,7 +210,7 @@ struct Server::Impl final : Floor {
             client->send(bye);
             client->close(websocket::close_code::normal, "the program ends");
         }
-        timer.expires_after(std::chrono::milliseconds(static_cast<int>(1e3 * kGoodbye)));
+        timer.expires_after(std::chrono::milliseconds(static_cast<int>(1e3 * kGoodbyeSeconds)));
         timer.async_wait([this](Error) { context.stop(); });
         if (all.empty()) context.stop();
     }

@@ -28,7 +28,7 @@ double sag(const std::string& name, std::size_t node, double* speed) {
 /// which the mode grows.
 double buckling_load(int elements) {
     constexpr double kLength = 10.0, kStiffness = 1e9, kBending = 1e5;
-    constexpr double kSmooth = kPi * kPi * kBending / (kLength * kLength);
+    constexpr double kEulerLoad = kPi * kPi * kBending / (kLength * kLength);
     const auto grows = [&](double load) {
         const double length = kLength / (1.0 - load / kStiffness);
         scene::Scene s = open_scene("euler_column", 1.0 / 480.0,
@@ -49,7 +49,7 @@ double buckling_load(int elements) {
         // Below the load the bow dies away to round-off; above, it grows until it has buckled.
         return after > 1e-5 || after > std::max(before, 1e-8);
     };
-    double low = 0.9 * kSmooth, high = 1.05 * kSmooth;
+    double low = 0.9 * kEulerLoad, high = 1.05 * kEulerLoad;
     if (grows(low) || !grows(high)) return 0.0;  // outside the bracket: report 0
     for (int i = 0; i < 11; ++i) {               // to 7e-5 of the load
         const double middle = 0.5 * (low + high);

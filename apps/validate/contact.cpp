@@ -13,18 +13,18 @@
 namespace hawser::validate {
 namespace {
 
-constexpr int kHeadings = 8;
+constexpr int kHeadingCount = 8;
 
-std::array<BodyId, kHeadings> bodies(const World& world, const char* name) {
-    std::array<BodyId, kHeadings> ids;
-    for (int i = 0; i < kHeadings; ++i) {
+std::array<BodyId, kHeadingCount> bodies(const World& world, const char* name) {
+    std::array<BodyId, kHeadingCount> ids;
+    for (int i = 0; i < kHeadingCount; ++i) {
         ids[static_cast<std::size_t>(i)] = body(world, fmt::format("{}{}", name, i));
     }
     return ids;
 }
 
 /// Return the value with the largest distance from `wanted` among all headings.
-double farthest_from(double wanted, const std::array<double, kHeadings>& values) {
+double farthest_from(double wanted, const std::array<double, kHeadingCount>& values) {
     return *std::max_element(values.begin(), values.end(), [&](double a, double b) {
         return std::abs(a - wanted) < std::abs(b - wanted);
     });
@@ -60,7 +60,7 @@ void case_incline(Report& report) {
     scene::Scene stay = open_scene("incline", 1.0 / 60.0);
     const auto boxes = bodies(stay.world, "box");
     advance(stay.world, steps_to(stay.world, 1.0));
-    std::array<Vec3, kHeadings> at;
+    std::array<Vec3, kHeadingCount> at;
     for (std::size_t i = 0; i < boxes.size(); ++i) at[i] = stay.world.pose(boxes[i]).position;
     double drift = 0.0;
     for (int second = 2; second <= 1000; ++second) {
@@ -77,13 +77,13 @@ void case_incline(Report& report) {
     const double exact = kGravity * (std::sin(angle) - kFriction * std::cos(angle));
     scene::Scene slide = open_scene("incline_slide", 1.0 / 60.0);
     const auto sliding = bodies(slide.world, "box");
-    std::array<Vec3, kHeadings> before;
+    std::array<Vec3, kHeadingCount> before;
     advance(slide.world, 30);
     for (std::size_t i = 0; i < before.size(); ++i) {
         before[i] = slide.world.velocity(sliding[i]).linear;
     }
     advance(slide.world, 60);
-    std::array<double, kHeadings> along, across;
+    std::array<double, kHeadingCount> along, across;
     for (std::size_t i = 0; i < before.size(); ++i) {
         const Vec3 a = slide.world.velocity(sliding[i]).linear - before[i];  // in 1 s
         const double fall = static_cast<double>(i) * kPi / 4.0;
@@ -126,12 +126,12 @@ void case_rolling_sphere(Report& report) {
     scene::Scene s = open_scene("rolling_sphere", kStep);
     const auto balls = bodies(s.world, "ball");
     advance(s.world, steps_to(s.world, 0.5));
-    std::array<double, kHeadings> slowing;
+    std::array<double, kHeadingCount> slowing;
     for (std::size_t i = 0; i < balls.size(); ++i) {
         slowing[i] = s.world.velocity(balls[i]).linear.norm();
     }
     advance(s.world, steps_to(s.world, s.duration));
-    std::array<double, kHeadings> rolling, since, off;
+    std::array<double, kHeadingCount> rolling, since, off;
     for (std::size_t i = 0; i < balls.size(); ++i) {
         const Vec3 v = s.world.velocity(balls[i]).linear;
         rolling[i] = v.norm();
@@ -261,12 +261,12 @@ void case_capstan(Report& report) {
 
 void case_bouncing_ball(Report& report) {
     constexpr double kRestitution = 0.8, kRadius = 0.1, kHeight = 1.0;  // of the scene
-    constexpr double kEnd = 5.0;  // the last bounce ends at 4.06 s
+    constexpr double kEndTime = 5.0;  // the last bounce ends at 4.06 s
     scene::Scene s = open_scene("bouncing_ball", 1.0 / 9600.0);
     const BodyId ball = body(s.world, "ball");
     std::vector<double> tops;
     double before = 0.0, lowest = 0.0, last = kHeight;
-    while (s.world.time() < kEnd) {
+    while (s.world.time() < kEndTime) {
         advance(s.world, 1);
         const double v = s.world.velocity(ball).linear.z();
         const double z = s.world.pose(ball).position.z() - kRadius;

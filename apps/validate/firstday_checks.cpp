@@ -20,7 +20,7 @@ namespace {
 using report::start::FindingKind;
 
 /// A moored barge with a winch on a pier, without a mistake; `set` changes it.
-constexpr const char* kGood = R"({"version": 1, "name": "warned",
+constexpr const char* kValidScene = R"({"version": 1, "name": "warned",
   "line_types": {
     "chain": {"mass_per_length": 126.5, "EA": 5.83e8, "diameter": 0.076, "cd_normal": 2.4, "displaced_area": 0.01604},
     "wire": {"mass_per_length": 23, "EA": 2.4e8, "diameter": 0.076, "cd_normal": 1.2}},
@@ -48,7 +48,7 @@ struct Slip {
 int warnings(const std::vector<std::string>& set, FindingKind kind) {
     scene::Options options;
     options.set = set;
-    const scene::Scene scene = scene::load_text(kGood, "warned", options);
+    const scene::Scene scene = scene::load_text(kValidScene, "warned", options);
     const auto found = report::start::check_start(record::make_scene_info(scene), scene.world);
     return static_cast<int>(std::count_if(found.list.begin(), found.list.end(), [&](const auto& f) {
         return f.kind == kind && !f.error;

@@ -16,7 +16,7 @@ namespace hawser::validate {
 namespace {
 
 constexpr double kSteps60[] = {1.0 / 60.0, 1.0 / 240.0};
-constexpr double kRho = 1025.0;
+constexpr double kSeaDensity = 1025.0;
 
 /// Head waves on a barge of 60 x 20 x 3 m in deep water by linear diffraction theory. Method: 540
 /// source panels on the wet surface with the Green function of deep water. Damping agrees with that
@@ -27,7 +27,7 @@ struct Diffraction {
         b55;              ///< Added mass and damping in heave and pitch [kg, N s/m, kg m², N m s].
     double heave, pitch;  ///< Amplitude over that of the wave, and over its slope.
 };
-constexpr Diffraction kBarge[] = {
+constexpr Diffraction kBargeDiffraction[] = {
     {0.65, 7.68e6, 3.07e6, 1.83e9, 6.72e8, 0.118, 0.085},
     {1.50, 9.19e6, 5.09e6, 2.53e9, 7.54e8, 0.444, 0.663},
     {3.00, 1.28e7, 4.36e6, 3.00e9, 2.88e8, 0.855, 0.929},
@@ -45,7 +45,7 @@ WaterHull barge_hull(BodyId body, double a33, double b33, double a55, double b55
 BodyDef barge_body() {
     return {.name = "barge",
             .position = {0, 0, 1},
-            .mass = kRho * 60.0 * 20.0 * 3.0,
+            .mass = kSeaDensity * 60.0 * 20.0 * 3.0,
             .inertia = Vec3(2.1e8, 8.3e8, 8.3e8).asDiagonal()};
 }
 
@@ -122,7 +122,7 @@ Vec3 current_drag(double draught, double mass, double design, double step, const
     Vec3 force = Vec3::Zero();
     for (const LoadView& load : sea_loads(w))
         if (load.body == body) force = Vec3(load.force[0], load.force[1], 0.0);
-    return force / (0.5 * kRho * flow.squaredNorm());
+    return force / (0.5 * kSeaDensity * flow.squaredNorm());
 }
 
 WaveCoefficients peak_of_damping(double at, double half_width) {
@@ -140,7 +140,7 @@ WaveCoefficients peak_of_damping(double at, double half_width) {
 }  // namespace
 
 void case_first_waves(Report& report) {
-    for (const Diffraction& d : kBarge)
+    for (const Diffraction& d : kBargeDiffraction)
         for (const double step : kSteps60) {
             const Motion m = barge_motion(d, step, 0.05);
             const std::string at =
@@ -151,7 +151,7 @@ void case_first_waves(Report& report) {
                            "absolute: strips of the mean motion", 1.0);
         }
     for (const double period : {5.0, 6.0, 8.0}) {
-        const double a = 0.5, most = 0.5 * kRho * kGravity * a * a * 20.0;
+        const double a = 0.5, most = 0.5 * kSeaDensity * kGravity * a * a * 20.0;
         const double drift = mean_drift(period, a, 4.4e6, 3.8e6);
         report.compare(fmt::format("mean drift at {:.0f} s over that of full reflection", period),
                        {0.5}, {drift / most}, 0.5, "between 0 and 1", 1.0);
@@ -168,7 +168,7 @@ void case_first_drag(Report& report) {
                 fmt::format("C_dA along x and y at {:.1f} of 3 m design draught{}", draught, at),
                 {40.0 * draught / 3.0, -80.0 * draught / 3.0}, {x.x(), y.y()}, 1e-9, "rounding");
         }
-        const double mass = kRho * 20.0 * 10.0 * 3.2;
+        const double mass = kSeaDensity * 20.0 * 10.0 * 3.2;
         const Vec3 x = current_drag(3.2, mass, 0.0, step, {1.0, 0, 0});
         report.compare("C_dA of a box that floats, design draught by its mass" + at, {40.0},
                        {x.x()}, 1e-9, "rounding");

@@ -25,7 +25,7 @@ double event_count(const World& w, EventKind kind) {
 
 /// Check a winch with the power P that lifts a load of 20 t on wire of 4 kg/m.
 void report_power(Report& report, double step) {
-    constexpr double kPower = 1e5, kLoad = 2e4, kLine = 4.0;
+    constexpr double kPower = 1e5, kLoad = 2e4, kLineDensity = 4.0;
     World w(WorldDef{.step = step});
     const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});
     const BodyId load = w.add_body(
@@ -35,7 +35,7 @@ void report_power(Report& report, double step) {
                                        .to = load,
                                        .elements = 12,
                                        .EA = 1e8,
-                                       .mass_per_length = kLine,
+                                       .mass_per_length = kLineDensity,
                                        .axial_damping = 0.5,
                                        .consistent_mass = true});
     const WinchIds ids = w.add(WinchDef{.name = "winch",
@@ -44,7 +44,7 @@ void report_power(Report& report, double step) {
                                         .width = 1.0,
                                         .flange_radius = 0.9,
                                         .wire_diameter = 0.032,
-                                        .mass_per_length = kLine,
+                                        .mass_per_length = kLineDensity,
                                         .stored = 100.0,
                                         .inertia = 300.0,
                                         .torque_haul = 1.5e5,
@@ -60,7 +60,7 @@ void report_power(Report& report, double step) {
     }
     report.compare("torque times speed of a winch over its power, at most 1" + at_step(step), {1.0},
                    {std::max(1.0, most / kPower)}, 1e-5, "tolerance of moving bounds: 1e-6");
-    const double hangs = kLoad - kLine * w.pose(load).position.z();
+    const double hangs = kLoad - kLineDensity * w.pose(load).position.z();
     report.compare("speed at which it lifts [m/s]" + at_step(step), {kPower / (hangs * kGravity)},
                    {w.velocity(load).linear.z()}, 2e-2, "relative; the wire's weight falls");
 }
@@ -68,7 +68,7 @@ void report_power(Report& report, double step) {
 /// Check a bare drum of radius r that feeds a wire of the line density ρ with a load m. The wire is
 /// hauled to its stop and paid out again.
 void report_drum(Report& report, double step) {
-    constexpr double kLine = 23.0, kLoad = 13e3, kRadius = 0.5, kElement = 2.5;
+    constexpr double kLineDensity = 23.0, kLoad = 13e3, kRadius = 0.5, kElement = 2.5;
     World w(WorldDef{.step = step});
     const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});
     const BodyId drum =
@@ -82,7 +82,7 @@ void report_drum(Report& report, double step) {
                                        .to = load,
                                        .elements = 4,
                                        .EA = 2.33e8,
-                                       .mass_per_length = kLine,
+                                       .mass_per_length = kLineDensity,
                                        .consistent_mass = true});
     w.wires().spool(wire, 0, drum, kRadius);
     const DrumIds parts =
@@ -90,7 +90,7 @@ void report_drum(Report& report, double step) {
                       .drum = drum,
                       .motor = AxisMotor{.speed = 0.0, .force_min = -3e5, .force_max = 3e5}});
     w.add_input({.name = "speed", .interaction = parts.motor, .param = "speed"});
-    w.add(DrumFeedDef{.name = "feed", .wire = wire, .mass_per_length = kLine});
+    w.add(DrumFeedDef{.name = "feed", .wire = wire, .mass_per_length = kLineDensity});
     double now = 0.0;
     const auto drive = [&](double seconds, double speed) {
         const double before = now;
@@ -112,7 +112,7 @@ void report_drum(Report& report, double step) {
     const double length = 4.0 * kElement + kRadius * w.pose(drum).position.x();
     const double last = w.interaction_def(w.wires().elements(wire).back()).get("length");
     report.compare("torque of its motor at rest [N m]" + at_step(step),
-                   {kRadius * kGravity * (kLoad + kLine * (length - 0.5 * last))},
+                   {kRadius * kGravity * (kLoad + kLineDensity * (length - 0.5 * last))},
                    {-w.force(parts.motor)[0]}, 1e-5,
                    "relative; r (m + rho (L - half an element)) g");
 }

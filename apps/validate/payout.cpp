@@ -29,7 +29,7 @@ struct Lowering {
         const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});
         BodyDef anchor{.name = "anchor", .kind = BodyKind::lump};
         // Nodes carry half of the adjacent elements; the anchor carries half of the last element.
-        anchor.mass = kAnchor + 0.5 * kLineMass * element;
+        anchor.mass = kTowAnchorMass + 0.5 * kLineMass * element;
         const double stretched = element * (1.0 + anchor.mass * kGravity / kLineEA);
         anchor.position = Vec3(0, 0, -kElements * stretched);
         WireDef def = trial_line(kElements, element, damping);
@@ -63,9 +63,10 @@ struct Lowered : Changes {
 Lowered lower_and_haul(double way, double element, double damping, int end) {
     Lowering d(element, damping, end);
     Lowered r;
-    const double even = way / kSpeed - kRamp, wait = 5.0, once = even + 2.0 * kRamp + wait;
+    const double even = way / kSpeed - kRampSeconds, wait = 5.0,
+                 once = even + 2.0 * kRampSeconds + wait;
     const auto speed = [&](double t) { return kSpeed * speed_at(t, even); };
-    const double whole = kStored + d.length_out();
+    const double whole = kPayoutStored + d.length_out();
     const long steps = std::lround(2.0 * once / kStep);
     std::vector<double> pull;
     std::vector<std::size_t> edits;
@@ -83,8 +84,8 @@ Lowered lower_and_haul(double way, double element, double damping, int end) {
         r.nodes = std::max(r.nodes, static_cast<int>(nodes));
         r.account = std::max(r.account, std::abs(d.length_out() + d.get("wire_left") - whole));
         const double ramps = std::fmod(t, once);
-        const bool steady = ramps > kRamp + 2.0 && ramps < even + kRamp;
-        const double weight = kGravity * (kAnchor + kLineMass * out);
+        const bool steady = ramps > kRampSeconds + 2.0 && ramps < even + kRampSeconds;
+        const double weight = kGravity * (kTowAnchorMass + kLineMass * out);
         if (steady) r.error = std::max(r.error, std::abs(now / weight - 1.0));
     }
     r.edits = static_cast<int>(edits.size());

@@ -14,20 +14,20 @@
 namespace hawser::validate::payout {
 
 inline constexpr double kStep = 1.0 / 60.0;
-inline constexpr double kLineMass = 23.0, kLineEA = 2.33e8;  // kg/m, N
-inline constexpr double kAnchor = 13e3;                      // kg
-inline constexpr double kStored = 1500.0, kWire = 0.076;     // m
-inline constexpr double kRamp = 10.0;                        // s, duration of a change of speed
+inline constexpr double kLineMass = 23.0, kLineEA = 2.33e8;     // kg/m, N
+inline constexpr double kTowAnchorMass = 13e3;                  // kg
+inline constexpr double kPayoutStored = 1500.0, kWire = 0.076;  // m
+inline constexpr double kRampSeconds = 10.0;                    // s, duration of a change of speed
 
 /// Return the speed over its final value, which is constant for `even` [s]. It rises and falls
-/// within kRamp without a jump of acceleration. Such a jump would let the anchor bounce for minutes
-/// if there is no damping.
+/// within kRampSeconds without a jump of acceleration. Such a jump would let the anchor bounce for
+/// minutes if there is no damping.
 inline double speed_at(double t, double even) {
     const auto ramp = [](double x) {
-        const double u = std::clamp(x / kRamp, 0.0, 1.0);
+        const double u = std::clamp(x / kRampSeconds, 0.0, 1.0);
         return u - std::sin(2.0 * kPi * u) / (2.0 * kPi);
     };
-    return ramp(t) - ramp(t - even - kRamp);
+    return ramp(t) - ramp(t - even - kRampSeconds);
 }
 
 /// Return the wire on the drum. @param element  Length of its elements [m]. @param damping
@@ -54,7 +54,7 @@ inline WinchDef trial_winch(WireId wire, int end = 0) {
             .flange_radius = 1.4,
             .wire_diameter = kWire,
             .mass_per_length = kLineMass,
-            .stored = kStored,
+            .stored = kPayoutStored,
             .inertia = 4e4,
             .mode = WinchMode::speed};
 }

@@ -19,8 +19,8 @@ namespace {
 
 using namespace payout;
 
-constexpr double kRoller = 1.0, kFriction = 0.2;  // m, 1
-constexpr double kDeck = 40.0;                    // From the winch to the roller, about [m].
+constexpr double kRollerRadius = 1.0, kFriction = 0.2;  // m, 1
+constexpr double kDeckLength = 40.0;                    // From the winch to the roller, about [m].
 
 /// Wire from a winch along a deck, over a roller and down to an anchor.
 struct OverRoller {
@@ -32,15 +32,15 @@ struct OverRoller {
         const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});
         // The element that passes the roller has two fifths of itself on the deck. All have the
         // tension of the anchor's weight.
-        const double stretched = element * (1.0 + kAnchor * kGravity / kLineEA);
+        const double stretched = element * (1.0 + kTowAnchorMass * kGravity / kLineEA);
         const double over = 0.4 * element;
         std::vector<Vec3> path;
-        for (long k = std::lround(kDeck / element); k >= 0; --k)
-            path.push_back({-over - static_cast<double>(k) * stretched, 0, kRoller});
-        const double first = stretched - over - 0.5 * kPi * kRoller;
-        for (int k = 0; k < 3; ++k) path.push_back({kRoller, 0, -first - k * stretched});
+        for (long k = std::lround(kDeckLength / element); k >= 0; --k)
+            path.push_back({-over - static_cast<double>(k) * stretched, 0, kRollerRadius});
+        const double first = stretched - over - 0.5 * kPi * kRollerRadius;
+        for (int k = 0; k < 3; ++k) path.push_back({kRollerRadius, 0, -first - k * stretched});
         BodyDef anchor{.name = "anchor", .kind = BodyKind::lump, .position = path.back()};
-        anchor.mass = kAnchor + 0.5 * kLineMass * element;
+        anchor.mass = kTowAnchorMass + 0.5 * kLineMass * element;
         WireDef def = trial_line(static_cast<int>(path.size()) - 1, element, damping);
         def.from = deck;
         def.from_point = path.front();
@@ -50,7 +50,7 @@ struct OverRoller {
         roller = w.add(GuideDef{.name = "roller",
                                 .wire = wire,
                                 .body = deck,
-                                .radius = kRoller,
+                                .radius = kRollerRadius,
                                 .friction = kFriction});
         (void)w.add(trial_winch(wire));
     }
@@ -75,9 +75,10 @@ struct RollerRun : Changes {
 RollerRun lower_over_roller(double way, double speed, double element, double damping) {
     OverRoller d(element, damping);
     RollerRun r;
-    const double even = way / speed - kRamp, wait = 5.0, once = even + 2.0 * kRamp + wait;
+    const double even = way / speed - kRampSeconds, wait = 5.0,
+                 once = even + 2.0 * kRampSeconds + wait;
     const auto wanted = [&](double t) { return speed * speed_at(t, even); };
-    const double whole = kStored + d.length_out();
+    const double whole = kPayoutStored + d.length_out();
     const long steps = std::lround(2.0 * once / kStep);
     std::vector<double> pull;
     std::vector<std::size_t> edits;
@@ -96,7 +97,7 @@ RollerRun lower_over_roller(double way, double speed, double element, double dam
         r.account =
             std::max(r.account, std::abs(d.length_out() + d.get("winch.wire_left") - whole));
         const double part = std::fmod(t, once);
-        if (part < kRamp + 2.0 || part > even + kRamp) continue;
+        if (part < kRampSeconds + 2.0 || part > even + kRampSeconds) continue;
         const double euler = std::exp(kFriction * d.get("roller.angle"));
         r.ratio = std::max(r.ratio,
                            std::abs((t < once ? behind / before : before / behind) / euler - 1.0));

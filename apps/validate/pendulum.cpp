@@ -9,16 +9,18 @@
 namespace hawser::validate {
 namespace {
 
-constexpr double kNatural = 3.1320919526731650;  // √(9.81/1) [rad/s]
+constexpr double kNaturalFrequency = 3.1320919526731650;  // √(9.81/1) [rad/s]
 
 /// Return the period of the pendulum of 1 m released at `angle` [rad]: 4 √(L/g) K(sin(angle/2)).
-double exact_period(double angle) { return 4.0 * elliptic_k(std::sin(0.5 * angle)) / kNatural; }
+double exact_period(double angle) {
+    return 4.0 * elliptic_k(std::sin(0.5 * angle)) / kNaturalFrequency;
+}
 
 /// Return the position (x, z) of a pendulum that is released from rest at −90 degrees: sin(θ/2) =
 /// −k sn(ω t + K, k), k = sin 45°.
 std::vector<double> exact_position(double time) {
     const double k = std::sin(0.25 * kPi);
-    const double half = std::asin(-k * jacobi_sn(kNatural * time + elliptic_k(k), k));
+    const double half = std::asin(-k * jacobi_sn(kNaturalFrequency * time + elliptic_k(k), k));
     return {std::sin(2.0 * half), -std::cos(2.0 * half)};
 }
 

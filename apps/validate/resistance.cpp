@@ -13,7 +13,8 @@ namespace hawser::validate {
 namespace {
 
 // Constants of the scene.
-constexpr double kBall = 0.5, kRolling = 0.05, kTorsional = 0.02, kSlopeOfRolling = 0.2;
+constexpr double kBallRadius = 0.5, kRollingFriction = 0.05, kTorsionalFriction = 0.02,
+                 kSlopeOfRolling = 0.2;
 
 std::vector<BodyId> group(const World& world, const char* name, int count) {
     std::vector<BodyId> ids;
@@ -66,7 +67,8 @@ void case_rolling_resistance(Report& report) {
     advance(s.world, steps_to(s.world, 0.25));
     std::vector<double> spin;
     for (const BodyId b : spinning) spin.push_back(std::abs(s.world.velocity(b).angular.z()));
-    const double torsion = 2.5 * kTorsional * kGravity / (kBall * kBall);  // of I = 2/5 m R²
+    const double torsion =
+        2.5 * kTorsionalFriction * kGravity / (kBallRadius * kBallRadius);  // of I = 2/5 m R²
     const double left = 2.0 - torsion * (0.25 - 0.5 * kStep);
     report.compare("spin after 0.25 s [rad/s]", {left}, {farthest_from_wanted(left, spin)}, 1e-3,
                    "relative; w - 5 mu_s g t/(2 R^2)");
@@ -79,7 +81,7 @@ void case_rolling_resistance(Report& report) {
     report.compare("spin after 1.5 s [rad/s]", {0.0}, {spun}, 1e-9,
                    "absolute; it stops at 2 R^2 w/(5 mu_s g) = 1.02 s", 1.0);
 
-    const double angle = std::atan(kSlopeOfRolling), bound = kRolling / kBall;
+    const double angle = std::atan(kSlopeOfRolling), bound = kRollingFriction / kBallRadius;
     const double down = 5.0 / 7.0 * kGravity * (std::sin(angle) - bound * std::cos(angle));
     const double slower = 5.0 / 7.0 * kGravity * bound;
     std::vector<double> gained, lost, off, way;

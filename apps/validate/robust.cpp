@@ -4,7 +4,7 @@
 namespace hawser::validate {
 namespace {
 
-constexpr Case kRobust[] = {
+constexpr Case kRobustCases[] = {
     {"R.1", "zigzag_wires", "wires bent to and fro, at steps that do not resolve their swing",
      case_zigzag_wires},
     {"R.2", "long_wire", "a tug at the end of 300 m of wire, steps up to half a second",
@@ -23,6 +23,6 @@ constexpr Case kRobust[] = {
 
 }  // namespace
 
-std::span<const Case> robust_cases() { return kRobust; }
+std::span<const Case> robust_cases() { return kRobustCases; }
 
 }  // namespace hawser::validate

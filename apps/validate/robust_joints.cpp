@@ -42,9 +42,9 @@ Vec3 boom_exact(double rate, double time) {
         return {a[0] + t * b[0], a[1] + t * b[1], a[2] + t * b[2]};
     };
     State s{0.0, 0.0, 0.0};
-    constexpr int kSlices = 20'000;
-    const double h = time / kSlices;
-    for (int i = 0; i < kSlices; ++i) {
+    constexpr int kIntegrationSlices = 20'000;
+    const double h = time / kIntegrationSlices;
+    for (int i = 0; i < kIntegrationSlices; ++i) {
         const State a = slope(s), b = slope(plus(s, 0.5 * h, a)), c = slope(plus(s, 0.5 * h, b)),
                     d = slope(plus(s, h, c));
         for (std::size_t k = 0; k < 3; ++k) s[k] += h / 6.0 * (a[k] + 2.0 * (b[k] + c[k]) + d[k]);

@@ -14,7 +14,7 @@
 namespace hawser::validate {
 namespace {
 
-constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoReference = std::numeric_limits<double>::quiet_NaN();
 
 constexpr int kElements = 60;  ///< Number of elements of 1 m.
 constexpr double kPull = 1e6;  ///< Tension [N].
@@ -153,7 +153,7 @@ void run_zigzag_wires(Report& report, double ratio, double bend) {
     double few = 0.0, many = 0.0;
     int runs = 0, stiff_runs = 0;
     for (const double stiffness : {200.0, 5000.0})
-        for (const double damping : {kAbsent, 0.0, 0.1, 1.0})
+        for (const double damping : {kNoReference, 0.0, 0.1, 1.0})
             for (const double step : {1.0 / 240, 1.0 / 60, 0.2, 0.5}) {
                 const ZigZag z{ratio, bend, stiffness, damping, step};
                 const Outcome o = run_zigzag(z);
@@ -201,7 +201,7 @@ Sway sway(double steps_a_period) {
     const double length = kElements * (1.0 + 1.0 / kStiffness);
     const double expected = 2.0 * length / std::sqrt(kPull / kDensity);
     const double step = expected / steps_a_period;
-    Wire w = straight_wire(step, kDensity, kStiffness, kAbsent, -1.0);
+    Wire w = straight_wire(step, kDensity, kStiffness, kNoReference, -1.0);
     for (int i = 1; i < kElements; ++i) {
         const BodyId node = w.nodes[static_cast<std::size_t>(i)];
         Pose pose = w.world.pose(node);

@@ -4,7 +4,7 @@
 namespace hawser::validate {
 namespace {
 
-constexpr Case kSea[] = {
+constexpr Case kSeaCases[] = {
     {"S.1", "sea_waves", "lengths of waves in deep and shallow water", case_sea_waves},
     {"S.2", "sea_statistics", "JONSWAP of 20 seeds over 3 h, gusts of NPD", case_sea_statistics},
     {"S.3", "sea_box", "draught and righting levers of a box", case_sea_box},
@@ -25,7 +25,7 @@ constexpr Case kWithData[] = {
 
 }  // namespace
 
-std::span<const Case> sea_cases() { return kSea; }
+std::span<const Case> sea_cases() { return kSeaCases; }
 std::span<const Case> long_sea_cases() { return kLong; }
 std::span<const Case> data_cases() { return kWithData; }
 

@@ -10,8 +10,9 @@
 namespace hawser::validate {
 namespace {
 
-constexpr int kSeeds = 20;
-constexpr double kHours = 3.0 * 3600.0, kEvery = 0.5;  ///< Length and interval of records [s].
+constexpr int kSeedCount = 20;
+constexpr double kRecordSeconds = 3.0 * 3600.0,
+                 kEvery = 0.5;  ///< Length and interval of records [s].
 
 /// Statistics of one record of the elevation at a point.
 struct Record {
@@ -23,7 +24,7 @@ struct Record {
 Record record_waves(const Sea& sea) {
     double sums[5] = {}, before = 0.0, first = -1.0, last = -1.0;
     int crossings = 0;
-    const long count = std::lround(kHours / kEvery);
+    const long count = std::lround(kRecordSeconds / kEvery);
     SeaMoment now;
     for (long i = 0; i < count; ++i) {
         sea.at(kEvery * static_cast<double>(i), sea.inputs(), now);
@@ -68,7 +69,7 @@ void case_sea_waves(Report& report) {
 
 void case_sea_statistics(Report& report) {
     double height = 0.0, kurtosis = 0.0, period = 0.0;
-    for (int seed = 1; seed <= kSeeds; ++seed) {
+    for (int seed = 1; seed <= kSeedCount; ++seed) {
         SeaDef def{.depth = 150.0};
         def.waves.push_back({.kind = WaveKind::jonswap,
                              .height = 3.0,
@@ -76,9 +77,9 @@ void case_sea_statistics(Report& report) {
                              .seed = static_cast<std::uint64_t>(seed)});
         const Sea sea(def);
         const Record record = record_waves(sea);
-        height += 4.0 * record.deviation / kSeeds;
-        kurtosis += record.kurtosis / kSeeds;
-        period += record.period / crossing_period(sea) / kSeeds;
+        height += 4.0 * record.deviation / kSeedCount;
+        kurtosis += record.kurtosis / kSeedCount;
+        period += record.period / crossing_period(sea) / kSeedCount;
     }
     report.compare("JONSWAP, Hs 3 m, Tp 9 s: 4 sigma, mean of 20 seeds and 3 h [m]", {3.0},
                    {height}, 5e-3, "0.5 %; a record has some 1,500 waves", 3.0);

@@ -13,8 +13,8 @@
 namespace hawser::validate {
 namespace {
 
-constexpr double kFrame = 1.0 / 60.0;
-constexpr double kSettled = 60.0;  ///< Duration of the evaluated end of the run [s].
+constexpr double kFrameSeconds = 1.0 / 60.0;
+constexpr double kEvaluatedSeconds = 60.0;  ///< Duration of the evaluated end of the run [s].
 
 /// Return the tension of the first element astern of the roller [N].
 double tension_outboard(const World& w, WireId wire, BodyId roller) {
@@ -29,13 +29,13 @@ double tension_outboard(const World& w, WireId wire, BodyId roller) {
 }  // namespace
 
 void case_tow_payout(Report& report) {
-    scene::Scene s = open_scene("tow_payout", kFrame);
+    scene::Scene s = open_scene("tow_payout", kFrameSeconds);
     World& w = s.world;
     const WireId wire = w.wires().find("tow");
     const BodyId tug = w.find_body("tug"), roller = w.find_body("roller");
     const BodyDef def = w.body_def(tug);  // adding nodes moves definitions
     const double begun = w.wires().length(wire);
-    const auto steps = static_cast<long>(std::lround(s.duration / kFrame));
+    const auto steps = static_cast<long>(std::lround(s.duration / kFrameSeconds));
     std::size_t next = 0;
     std::int32_t least = 1000;
     double pull = 0.0, drag = 0.0, largest = 0.0;
@@ -49,7 +49,7 @@ void case_tow_payout(Report& report) {
         least = std::min(least, on_roller);
         const double now = tension_outboard(w, wire, roller);
         largest = std::max(largest, now);
-        if (w.time() < s.duration - kSettled) continue;
+        if (w.time() < s.duration - kEvaluatedSeconds) continue;
         pull += now;
         drag += def.linear_damping.x() * w.velocity(tug).linear.x();
         ++settled;

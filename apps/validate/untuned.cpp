@@ -4,7 +4,7 @@
 namespace hawser::validate {
 namespace {
 
-constexpr Case kUntuned[] = {
+constexpr Case kUntunedCases[] = {
     {"U.1", "compliant_joints", "compliance and damping time of redundant joints and loops",
      case_compliant_joints},
     {"U.2", "stops", "motors against the ends of ranges", case_stops},
@@ -15,6 +15,6 @@ constexpr Case kUntuned[] = {
 
 }  // namespace
 
-std::span<const Case> untuned_cases() { return kUntuned; }
+std::span<const Case> untuned_cases() { return kUntunedCases; }
 
 }  // namespace hawser::validate

@@ -29,7 +29,7 @@ struct Moored {
         : along(std::cos(angle) * std::cos(heading), std::cos(angle) * std::sin(heading),
                 std::sin(angle)),
           force(tension) {
-        constexpr double kStiff = 1e9;  // EA [N]
+        constexpr double kStiffEA = 1e9;  // EA [N]
         anchor = w.add_body({.name = "anchor",
                              .position = {0, 0, 0},
                              .mass = kAnchorMass,
@@ -44,8 +44,8 @@ struct Moored {
                                   .from = anchor,
                                   .to = buoy,
                                   .elements = 1,
-                                  .length = kAnchorLine / (1.0 + tension / kStiff),
-                                  .EA = kStiff,
+                                  .length = kAnchorLine / (1.0 + tension / kStiffEA),
+                                  .EA = kStiffEA,
                                   .mass_per_length = 1.0});
         def.name = "anchor";
         def.body = anchor;
@@ -75,9 +75,9 @@ void report_capacity(Report& report) {
         report.compare(fmt::format("anchor, sand: capacity at {:g} m [N]", drag),
                        {sand_capacity(drag)}, {m.signal("capacity")}, 1e-6, "relative; the law");
     }
-    constexpr double kUplift[][2] = {{0, 1},    {2.5, 0.875}, {5, 0.75},     {10, 0.625},
-                                     {15, 0.5}, {30, 0.25},   {40, 1.0 / 12}};
-    for (const auto& [angle, f] : kUplift) {
+    constexpr double kUpliftFactors[][2] = {{0, 1},    {2.5, 0.875}, {5, 0.75},     {10, 0.625},
+                                            {15, 0.5}, {30, 0.25},   {40, 1.0 / 12}};
+    for (const auto& [angle, f] : kUpliftFactors) {
         Moored m(sand_anchor(30.0), 0.5 * f * sand_capacity(30.0), angle * kAnchorDegree);
         advance(m.w, 30);
         const double least = 0.5 * kAnchorMass * kGravity;
@@ -163,21 +163,21 @@ void report_break_out(Report& report) {
 struct Clay {
     double x, depth, force;
 };
-constexpr Clay kClay[] = {{1, 1.700, 241.7e3},    {5, 4.127, 471.0e3},    {10, 6.662, 710.5e3},
-                          {20, 10.801, 1101.7e3}, {30, 14.126, 1415.9e3}, {40, 16.898, 1677.9e3},
-                          {60, 21.280, 2092.0e3}};
+constexpr Clay kClayCases[] = {
+    {1, 1.700, 241.7e3},    {5, 4.127, 471.0e3},    {10, 6.662, 710.5e3},  {20, 10.801, 1101.7e3},
+    {30, 14.126, 1415.9e3}, {40, 16.898, 1677.9e3}, {60, 21.280, 2092.0e3}};
 
-/// Haul the buoy slowly. Return the signal `what` at each drag distance of kClay.
+/// Haul the buoy slowly. Return the signal `what` at each drag distance of kClayCases.
 std::vector<double> drag_through(const AnchorDef& def, const char* what) {
     Moored m(def, 1e4, 0.0);
     std::vector<double> out;
     double force = 1e4;
-    while (out.size() < std::size(kClay) && m.w.time() < 4000.0) {
+    while (out.size() < std::size(kClayCases) && m.w.time() < 4000.0) {
         force += 60.0 * kAnchorStep * 60.0;
         m.pull(force);
         const double drag = m.signal("drag"), value = m.signal(what);
         advance(m.w, 1);
-        const double x = kClay[out.size()].x, now = m.signal("drag");
+        const double x = kClayCases[out.size()].x, now = m.signal("drag");
         if (now < x) continue;
         const double share = now > drag ? (x - drag) / (now - drag) : 1.0;
         out.push_back(value + share * (m.signal(what) - value));
@@ -198,15 +198,17 @@ void report_trajectory(Report& report) {
     const std::vector<double> pull = drag_through(dives, "tension"),
                               depth = drag_through(dives, "depth"),
                               other = drag_through(grows, "tension");
-    for (std::size_t i = 0; i < std::size(kClay); ++i) {
+    for (std::size_t i = 0; i < std::size(kClayCases); ++i) {
         const auto at = [&](const std::vector<double>& v) { return i < v.size() ? v[i] : 0.0; };
-        const double most = kClay[i].x < 5.0 ? 0.06 : 0.02;
-        report.compare(fmt::format("anchor, clay: depth at {:g} m [m]", kClay[i].x),
-                       {kClay[i].depth}, {at(depth)}, 2e-3, "relative; digits of the table");
-        report.compare(fmt::format("anchor, clay: pull at {:g} m [N]", kClay[i].x),
-                       {kClay[i].force}, {at(pull)}, 5e-3, "relative; mass of anchor and buoy");
-        report.compare(fmt::format("anchor, clay: pull at {:g} m, exponential law [N]", kClay[i].x),
-                       {kClay[i].force}, {at(other)}, most, "relative; a fit");
+        const double most = kClayCases[i].x < 5.0 ? 0.06 : 0.02;
+        report.compare(fmt::format("anchor, clay: depth at {:g} m [m]", kClayCases[i].x),
+                       {kClayCases[i].depth}, {at(depth)}, 2e-3, "relative; digits of the table");
+        report.compare(fmt::format("anchor, clay: pull at {:g} m [N]", kClayCases[i].x),
+                       {kClayCases[i].force}, {at(pull)}, 5e-3,
+                       "relative; mass of anchor and buoy");
+        report.compare(
+            fmt::format("anchor, clay: pull at {:g} m, exponential law [N]", kClayCases[i].x),
+            {kClayCases[i].force}, {at(other)}, most, "relative; a fit");
     }
 }
 

@@ -20,16 +20,17 @@ constexpr double kShaftStep = 1.0 / 60.0;
 /// Check the bollard pull of a Ka4-70 propeller in nozzle 19A at 5 MW, with D = 4 m, density 1025
 /// and free revolutions.
 void report_pull(Report& report) {
-    constexpr double kPulls[2][8] = {{919.2, 824.0, 744.6, 676.1, 614.2, 555.1, 495.8, 433.9},
-                                     {916.8, 824.3, 745.0, 674.4, 608.5, 544.0, 478.3, 409.2}};
-    constexpr double kPitches[2] = {1.2, 1.0};
+    constexpr double kBollardPulls[2][8] = {
+        {919.2, 824.0, 744.6, 676.1, 614.2, 555.1, 495.8, 433.9},
+        {916.8, 824.3, 745.0, 674.4, 608.5, 544.0, 478.3, 409.2}};
+    constexpr double kPitchRatios[2] = {1.2, 1.0};
     for (int i = 0; i < 2; ++i)
         for (int speed = 0; speed < 8; ++speed) {
             PropellerDef p{.series = PropellerSeries::ka4_70, .diameter = 4.0};
-            p.pitch = kPitches[i];
+            p.pitch = kPitchRatios[i];
             report.compare(
                 fmt::format("Ka4-70, P/D {:g}, 5 MW: pull at {} m/s [kN]", p.pitch, speed),
-                {kPulls[i][speed]}, {at_power(p, 5e6, speed, 1025.0).thrust * 1e-3}, 5e-3,
+                {kBollardPulls[i][speed]}, {at_power(p, 5e6, speed, 1025.0).thrust * 1e-3}, 5e-3,
                 "relative; polynomials of Oosterveld 1970");
         }
 }

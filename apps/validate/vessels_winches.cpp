@@ -32,10 +32,10 @@ WinchDef aided_winch(WireId wire) {
 double load_heave(double frequency, WinchMode mode, double max_speed) {
     constexpr double kHeave = 1.5, kHigh = 60.0;
     World w{WorldDef{.step = kAidStep}};
-    constexpr double kShip = 5e6, kHungLoad = 20e3;
+    constexpr double kHoistShipMass = 5e6, kHungLoad = 20e3;
     const BodyId ship = w.add_body({.name = "ship",
                                     .position = {0, 0, kHigh},
-                                    .mass = kShip,
+                                    .mass = kHoistShipMass,
                                     .inertia = 1e9 * Mat3::Identity(),
                                     .gravity = false});
     const BodyId load = w.add_body(
@@ -59,7 +59,8 @@ double load_heave(double frequency, WinchMode mode, double max_speed) {
         const double rate = t < 20.0 ? 1.0 / 20.0 : 0.0;
         const double acceleration = kHeave * (2.0 * rate * omega * std::cos(omega * t) -
                                               in * omega * omega * std::sin(omega * t));
-        w.set_force(ship, {0, 0, kShip * acceleration + kHungLoad * kGravity}, Vec3::Zero());
+        w.set_force(ship, {0, 0, kHoistShipMass * acceleration + kHungLoad * kGravity},
+                    Vec3::Zero());
         advance(w, 1);
         if (w.time() < 60.0) continue;
         low = std::min(low, w.pose(load).position.z());
@@ -92,14 +93,14 @@ struct Overloaded {
 
 Overloaded overload(WinchMode mode, double limit, double surge, double drift, double far = 300.0,
                     double slack = 0.0) {
-    constexpr double kBreaks = 1.3e6;
+    constexpr double kBreakingLoad = 1.3e6;
     World w{WorldDef{.step = kAidStep}};
     const BodyId shore = w.add_body({.name = "shore", .kind = BodyKind::fixed});
-    constexpr double kShip = 1e9;  // hardly moved by the wire [kg]
+    constexpr double kHoistShipMass = 1e9;  // hardly moved by the wire [kg]
     const BodyId ship = w.add_body({.name = "ship",
                                     .position = {far, 0, 0},
                                     .velocity = {drift, 0, 0},
-                                    .mass = kShip,
+                                    .mass = kHoistShipMass,
                                     .inertia = 1e12 * Mat3::Identity(),
                                     .gravity = false});
     const WireId wire = w.wires().add({.name = "wire",
@@ -109,7 +110,7 @@ Overloaded overload(WinchMode mode, double limit, double surge, double drift, do
                                        .length = far + slack,
                                        .EA = 1e8,
                                        .mass_per_length = 10.0,
-                                       .breaking_load = kBreaks});
+                                       .breaking_load = kBreakingLoad});
     WinchDef def = aided_winch(wire);
     def.mode = mode;
     def.overload_limit = limit;
@@ -118,7 +119,7 @@ Overloaded overload(WinchMode mode, double limit, double surge, double drift, do
     for (int i = 0; i < 100 * 60; ++i) {
         const double omega = 2.0 * kPi * 0.12;
         const double acceleration = surge * omega * omega * std::cos(omega * w.time());
-        w.set_force(ship, {kShip * acceleration, 0, 0}, Vec3::Zero());
+        w.set_force(ship, {kHoistShipMass * acceleration, 0, 0}, Vec3::Zero());
         advance(w, 1);
         out.parted = out.parted || !w.intact(w.wires().elements(wire).front());
         const double pull = tension(w, w.wires().elements(wire).front());

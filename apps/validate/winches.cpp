@@ -13,20 +13,20 @@ namespace {
 
 constexpr double kWinchStep = 1.0 / 240.0;
 // A drum of 1.2 m by 2.4 m with wire of 76 mm and 25 kg/m: 31 wraps a layer.
-constexpr double kCore = 0.6, kWidth = 2.4, kWire = 0.076, kMass = 25.0, kStored = 1500.0;
-constexpr double kDrum = 4e4;     // Inertia of the drum [kg m²]
-constexpr double kWinchEA = 3e8;  // Axial stiffness of the wire [N]
-constexpr int kWraps = 31;
+constexpr double kCoreRadius = 0.6, kWidth = 2.4, kWire = 0.076, kMass = 25.0, kStored = 1500.0;
+constexpr double kDrumInertia = 4e4;  // Inertia of the drum [kg m²]
+constexpr double kWinchEA = 3e8;      // Axial stiffness of the wire [N]
+constexpr int kWrapsPerLayer = 31;
 
 WinchDef anchor_winch() {
     return {.name = "winch",
-            .core_radius = kCore,
+            .core_radius = kCoreRadius,
             .width = kWidth,
             .flange_radius = 1.4,
             .wire_diameter = kWire,
             .mass_per_length = kMass,
             .stored = kStored,
-            .inertia = kDrum};
+            .inertia = kDrumInertia};
 }
 
 /// A winch on a fixed deck, and 40 m of wire with a node in the middle to an end with prescribed
@@ -76,20 +76,20 @@ class Deck {
 };
 
 /// Return the radius of layer k, 1 is the innermost.
-double layer_radius(int k) { return kCore + kWire / 2.0 + kWire * (k - 1); }
+double layer_radius(int k) { return kCoreRadius + kWire / 2.0 + kWire * (k - 1); }
 
 void report_layers(Report& report) {
     // Sums in closed form: Σ k = 36, Σ r, Σ r³ over the eight full layers.
     double full = 0.0, inertia = 0.0;
     const double torus = 0.75 * kWire * kWire / 4.0;
     for (int k = 1; k <= 8; ++k) {
-        const double turns = 2.0 * kPi * kWraps * layer_radius(k);
+        const double turns = 2.0 * kPi * kWrapsPerLayer * layer_radius(k);
         full += turns;
         inertia += kMass * turns * (layer_radius(k) * layer_radius(k) + torus);
     }
     const double rest = kStored - full, r9 = layer_radius(9);
-    inertia += kMass * rest * (r9 * r9 + torus) + kDrum;
-    const double wraps = 8.0 * kWraps + rest / (2.0 * kPi * r9);
+    inertia += kMass * rest * (r9 * r9 + torus) + kDrumInertia;
+    const double wraps = 8.0 * kWrapsPerLayer + rest / (2.0 * kPi * r9);
     WinchDef def = anchor_winch();
     def.mode = WinchMode::tension;
     def.tension = 1e5;
@@ -113,7 +113,7 @@ void report_winch_pull(Report& report) {
     for (int k : {1, 5, 9}) {
         WinchDef def = anchor_winch();
         double below = 0.0;
-        for (int i = 1; i < k; ++i) below += 2.0 * kPi * kWraps * layer_radius(i);
+        for (int i = 1; i < k; ++i) below += 2.0 * kPi * kWrapsPerLayer * layer_radius(i);
         def.stored = below + 80.0;
         def.mode = WinchMode::speed;
         def.speed = -0.1;

@@ -15,7 +15,7 @@
 namespace hawser::validate {
 namespace {
 
-constexpr int kTries = 20;
+constexpr int kRandomCases = 20;
 constexpr double kLimitStep = 1.0 / 240.0;
 
 /// A winch at the origin, and a wire down to an end that is drawn away.
@@ -83,7 +83,7 @@ WinchDef random_windlass(Uniform& random, ChainProperties& chain) {
 void report_jumps(Report& report) {
     Uniform random(1);
     double worst = 0.0, whole = 0.0, early = 0.0, jumped = 0.0;
-    for (int i = 0; i < kTries; ++i) {
+    for (int i = 0; i < kRandomCases; ++i) {
         ChainProperties chain{};
         const WinchDef def = random_windlass(random, chain);
         const double load = def.gypsy.jump_load;
@@ -107,8 +107,8 @@ void report_jumps(Report& report) {
     }
     report.compare("load at which chain jumps over jump_load, 20 random gypsies, worst", {0.0},
                    {worst}, 1e-2, "relative; load sweep of 0.1 jump_load/s", 1.0);
-    report.compare("jumps, and jumps below 0.99 of the load", {kTries, 0.0}, {jumped, early}, 0.0,
-                   "counts");
+    report.compare("jumps, and jumps below 0.99 of the load", {kRandomCases, 0.0}, {jumped, early},
+                   0.0, "counts");
     report.compare("pockets jumped by, away from a whole number", {0.0}, {whole}, 1e-4,
                    "of a pocket", 1.0);
 }
@@ -129,7 +129,7 @@ WinchDef random_winch(Uniform& random) {
 void report_weak_links(Report& report) {
     Uniform random(2);
     double worst = 0.0, links = 0.0, parted = 0.0;
-    for (int i = 0; i < kTries; ++i) {
+    for (int i = 0; i < kRandomCases; ++i) {
         WinchDef def = random_winch(random);
         const double wraps = random(0.05, 1.5);
         def.wrap_friction = random(0.05, 0.2);
@@ -150,8 +150,8 @@ void report_weak_links(Report& report) {
     }
     report.compare("tension at which a weak link parts over link e^(2 pi mu n), 20 random, worst",
                    {0.0}, {worst}, 1e-2, "relative; found after the step", 1.0);
-    report.compare("weak links and lines broke, of 20", {kTries, kTries}, {links, parted}, 0.0,
-                   "counts: once each");
+    report.compare("weak links and lines broke, of 20", {kRandomCases, kRandomCases},
+                   {links, parted}, 0.0, "counts: once each");
 }
 
 /// Results of a drum that becomes empty.
@@ -184,8 +184,8 @@ void report_empty(Report& report, bool gypsy) {
     Uniform random(gypsy ? 4 : 3);
     Emptied none, strong, weak;
     double worst = 0.0, crept = 0.0;
-    constexpr int kEach = kTries / 2;
-    for (int i = 0; i < kEach; ++i) {
+    constexpr int kCasesOfKind = kRandomCases / 2;
+    for (int i = 0; i < kCasesOfKind; ++i) {
         ChainProperties chain{};
         WinchDef def = gypsy ? random_windlass(random, chain) : random_winch(random);
         const double EA = gypsy ? chain.EA : 3e8;
@@ -214,11 +214,11 @@ void report_empty(Report& report, bool gypsy) {
     const auto reported = [&](const char* how) {
         return fmt::format("{} {}: empty, weak link, wire held; of 10", what, how);
     };
-    report.compare(reported("without a weak link"), {kEach, 0.0, 0.0},
+    report.compare(reported("without a weak link"), {kCasesOfKind, 0.0, 0.0},
                    {none.empty, none.links, none.intact}, 0.0, "counts: lets go");
-    report.compare(reported("below its load"), {kEach, 0.0, kEach},
+    report.compare(reported("below its load"), {kCasesOfKind, 0.0, kCasesOfKind},
                    {strong.empty, strong.links, strong.intact}, 0.0, "counts: holds");
-    report.compare(reported("above its load"), {kEach, kEach, 0.0},
+    report.compare(reported("above its load"), {kCasesOfKind, kCasesOfKind, 0.0},
                    {weak.empty, weak.links, weak.intact}, 0.0, "counts: parts once");
     report.compare(fmt::format("load at which the fastening of {} parts, worst", what), {0.0},
                    {worst}, 1e-2, "relative; found after the step", 1.0);

@@ -4,7 +4,7 @@
 namespace hawser::validate {
 namespace {
 
-constexpr Case kWires[] = {
+constexpr Case kWireCases[] = {
     {"W.1", "wire_catenary", "elastic catenaries of 20, 40 and 100 elements", case_wire_catenary},
     {"W.2", "wire_touchdown", "a chain on the seabed, with friction and without",
      case_wire_touchdown},
@@ -21,6 +21,6 @@ constexpr Case kWires[] = {
 
 }  // namespace
 
-std::span<const Case> wire_cases() { return kWires; }
+std::span<const Case> wire_cases() { return kWireCases; }
 
 }  // namespace hawser::validate

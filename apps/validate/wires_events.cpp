@@ -131,13 +131,13 @@ void edit(FreeWire& f, Dice& dice, Edits& sum) {
 /// Check momentum, angular momentum and energy of a free wire while nodes are inserted and removed.
 /// @param steps_too  True: also check that the steps between the edits conserve angular momentum.
 void check_free_wire(Report& report, double spin, bool steps_too) {
-    constexpr long kEdits = 10'000;
+    constexpr long kEditCount = 10'000;
     FreeWire f(40, spin);
     advance(f.w, 60);
     Dice dice(7);
     Edits sum;
     const Possession before = possession(f.w, f.wire);
-    while (sum.in + sum.out < kEdits) {
+    while (sum.in + sum.out < kEditCount) {
         edit(f, dice, sum);
         advance(f.w, 1);
     }

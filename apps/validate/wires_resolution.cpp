@@ -226,11 +226,11 @@ void check_dragged(Report& report) {
 
 /// Check wires of random tension, elements and limits with oscillating ends.
 void check_random(Report& report) {
-    constexpr int kDrawn = 24;
+    constexpr int kRandomWires = 24;
     Draw draw;
     double edits = 0.0, worst_material = 0.0, worst_grade = 0.0;
     int beyond = 0;
-    for (int k = 0; k < kDrawn; ++k) {
+    for (int k = 0; k < kRandomWires; ++k) {
         const double pull = 4e4 * std::pow(25.0, draw.between(0.0, 1.0));
         const double least = draw.between(1.0, 4.0);
         ResolutionDef def{.min_length = least,
@@ -259,7 +259,7 @@ void check_random(Report& report) {
         if (signal(s.w, "shortest") < std::min(first, def.min_length) * (1.0 - 1e-9)) ++beyond;
         if (signal(s.w, "longest") > std::max(def.max_length, 2.0 * least) * (1.0 + 1e-9)) ++beyond;
     }
-    const std::string done = fmt::format("{} wires, {:.0f} edits", kDrawn, edits);
+    const std::string done = fmt::format("{} wires, {:.0f} edits", kRandomWires, edits);
     report.compare("material of random wires, relative", {0.0}, {worst_material}, 1e-12, done, 1.0);
     report.compare("random wires beyond their limits", {0.0}, {static_cast<double>(beyond)}, 0.0,
                    done, 1.0);

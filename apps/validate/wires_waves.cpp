@@ -106,7 +106,7 @@ double farther_from(double a, double b, double reference) {
     return std::abs(a - reference) > std::abs(b - reference) ? a : b;
 }
 
-constexpr double kRecoil[2] = {1.0 / 60.0, 1.0 / 240.0};
+constexpr double kRecoilSteps[2] = {1.0 / 60.0, 1.0 / 240.0};
 constexpr double kRecoilLimit[2] = {0.04, 0.015};
 
 void check_parting(Report& report, double piece, std::size_t s, double limit, const char* reason) {
@@ -118,21 +118,21 @@ void check_parting(Report& report, double piece, std::size_t s, double limit, co
             for (const bool consistent : {false, true})
                 for (const bool breaks_by_load : {false, true}) {
                     const auto [left, right] = recoil_speeds(
-                        {element, n, n, damping, consistent, breaks_by_load}, kRecoil[s]);
+                        {element, n, n, damping, consistent, breaks_by_load}, kRecoilSteps[s]);
                     worst = farther_from(farther_from(left, right, speed), worst, speed);
                 }
         report.compare(fmt::format("recoil, {} m in elements of {} m, 1/{:.0f} s [m/s]", piece,
-                                   element, 1.0 / kRecoil[s]),
+                                   element, 1.0 / kRecoilSteps[s]),
                        {speed}, {worst}, limit, reason);
     }
 }
 
 void check_random_parting(Report& report, std::size_t s) {
-    constexpr int kRandom = 60;
+    constexpr int kRandomPulses = 60;
     const double speed = kPull / std::sqrt(kStiffness * kPerMetre);
     double worst = speed;
     Chance chance(4);
-    for (int i = 0; i < kRandom; ++i) {
+    for (int i = 0; i < kRandomPulses; ++i) {
         const double element = chance.between(1.0, 20.0);
         const auto count = [&] {
             return static_cast<int>(std::lround(chance.between(200.0, 800.0) / element));
@@ -140,13 +140,14 @@ void check_random_parting(Report& report, std::size_t s) {
         const int left = count(), right = count();
         const double damping = std::exp(chance.between(-5.0, 3.0));
         const bool consistent = chance.next() < 0.5, breaks_by_load = chance.next() < 0.5;
-        const auto [a, b] =
-            recoil_speeds({element, left, right, damping, consistent, breaks_by_load}, kRecoil[s]);
+        const auto [a, b] = recoil_speeds(
+            {element, left, right, damping, consistent, breaks_by_load}, kRecoilSteps[s]);
         worst = farther_from(farther_from(a, b, speed), worst, speed);
     }
-    report.compare(
-        fmt::format("recoil, {} random wires, 1/{:.0f} s [m/s]", kRandom, 1.0 / kRecoil[s]),
-        {speed}, {worst}, kRecoilLimit[s], "pieces of 200 to 800 m, elements of 1 to 20 m");
+    report.compare(fmt::format("recoil, {} random wires, 1/{:.0f} s [m/s]", kRandomPulses,
+                               1.0 / kRecoilSteps[s]),
+                   {speed}, {worst}, kRecoilLimit[s],
+                   "pieces of 200 to 800 m, elements of 1 to 20 m");
 }
 
 // --- A pulse across -------------------------------------------------------------------------

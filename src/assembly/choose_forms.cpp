@@ -103,7 +103,7 @@ void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
             const double w = knows(row) ? in.mobility[row] : mobility(bodies, in, i, r);
             // A rigid row may be redundant (closed loops). A floor keeps the signs of the pivots.
             const double needed =
-                in.epsilon[row] == 0.0 ? kRigidFraction * w : in.bare_sigma(row, h);
+                in.epsilon[row] == 0.0 ? kRigidFraction * w : in.sigma_without_floor(row, h);
             const double sigma = std::max({needed, in.min_sigma[row], model::kTinySigma});
             in.sigma[row] = sigma;
             // Use the compliance as defined: a restored world with other line lengths must choose

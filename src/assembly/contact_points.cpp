@@ -16,7 +16,7 @@ namespace {
 using namespace hawser::generic;
 
 /// A point farther than this from its anchors [m] rolls: the anchors are reset.
-constexpr double kWander = 1e-3;
+constexpr double kMaxAnchorDistance = 1e-3;
 
 V3 body_position(const model::Bodies& b, std::int32_t body) { return load3(&b.x[3 * at(body)]); }
 
@@ -71,7 +71,7 @@ void set_anchor(const model::Bodies& b, ContactMemory& m, int side, const V3& p)
 }
 
 /// Store the present bodies and weights of each side.
-void take_sides(const ContactRow& row, ContactMemory& m) {
+void store_sides(const ContactRow& row, ContactMemory& m) {
     for (int side = 0; side < 2; ++side) {
         int found = 0;
         m.body[side][1] = -1;
@@ -125,11 +125,11 @@ V3 hold(const ContactRow& row, const model::Bodies& bodies, const V3& n, const V
     bool renewed = m.body[0][0] < 0;
     if (!renewed) {
         const V3 a0 = anchor_point(bodies, m, 0), a1 = anchor_point(bodies, m, 1);
-        renewed = norm(tangential(0.5 * (a0 + a1) - p, n)) > kWander;
+        renewed = norm(tangential(0.5 * (a0 + a1) - p, n)) > kMaxAnchorDistance;
         gap_t = tangential(renewed ? load3(m.rolled) : a1 - a0, n);
     }
     if (renewed) {
-        take_sides(row, m);
+        store_sides(row, m);
         set_anchor(bodies, m, 0, p);
         set_anchor(bodies, m, 1, p + gap_t);
     }
@@ -226,7 +226,7 @@ void Contacts::remember(const model::Bodies& bodies, double h, std::int32_t begi
         const V3 held = tmul(e, V3{0.0, spring * c.lambda[1], spring * c.lambda[2]});
         store3(m.rolled, held);
         const V3 p = load3(extra.point);
-        take_sides(row, m);
+        store_sides(row, m);
         set_anchor(bodies, m, 0, p);
         set_anchor(bodies, m, 1, p + held - move);
     }

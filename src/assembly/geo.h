@@ -124,13 +124,14 @@ inline T completed_stiffness(const T& s4) {
 template <class T>
 inline void arm_stiffness(const V3T<T>& f, const T& nf, const V3T<T>& r, const T& nr,
                           const T& scale, T* out) {
-    constexpr double kTiny = 1e-300;  // prevents 0/0
-    const V3T<T> fh = T(1.0 / (nf + kTiny)) * f, rh = T(1.0 / (nr + kTiny)) * r;
+    constexpr double kNoDivisionByZero = 1e-300;  // prevents 0/0
+    const V3T<T> fh = T(1.0 / (nf + kNoDivisionByZero)) * f,
+                 rh = T(1.0 / (nr + kNoDivisionByZero)) * r;
     const V3T<T> s = rh + fh, d = rh - fh;
     const T c = dot(rh, fh), k = scale * nf * nr, none = zero(c);
     // K = e E − ss s sᵀ + dd d dᵀ
-    const T e = k * positive_part(c), ss = e * (1.0 / (dot(s, s) + kTiny));
-    const T obtuse = 0.5 * k * (c + 1.0) * (1.0 / (dot(d, d) + kTiny));
+    const T e = k * positive_part(c), ss = e * (1.0 / (dot(s, s) + kNoDivisionByZero));
+    const T obtuse = 0.5 * k * (c + 1.0) * (1.0 / (dot(d, d) + kNoDivisionByZero));
     const T dd = select_greater(none, c, obtuse, 0.25 * k);
     out[0] = e - ss * s.x * s.x + dd * d.x * d.x;
     out[1] = dd * d.x * d.y - ss * s.x * s.y;

@@ -37,15 +37,16 @@ HAWSER_ROWS void add_product_of(const double* s, int n, double factor, const dou
     }
 }
 
-constexpr double kMaximum = 1e300, kRounding = 1e-14, kAside = 2e-7;  // kAside ≥ √kRounding
-constexpr double kUnderflow = 1e-290;  // ≫ smallest normal number/kRounding
+constexpr double kMaxEntry = 1e300, kRounding = 1e-14,
+                 kMaxOffDiagonal = 2e-7;    // kMaxOffDiagonal ≥ √kRounding
+constexpr double kUnderflowFloor = 1e-290;  // ≫ smallest normal number/kRounding
 
 HAWSER_ROWS bool semidefinite_of(const double* m, int n) noexcept {
     if (std::all_of(m, m + entries_of(n), [](double x) { return x == 0.0; })) return true;
     double scale[6], d[6], low[21];
     for (int i = 0; i < n; ++i) {
         const double own = m[triangle(i, i)];
-        if (!(own >= 0.0 && own <= kMaximum)) return false;
+        if (!(own >= 0.0 && own <= kMaxEntry)) return false;
         scale[i] = own > 0.0 ? 1.0 / std::sqrt(own) : 0.0;
     }
     for (int j = 0; j < n; ++j) {
@@ -58,7 +59,7 @@ HAWSER_ROWS bool semidefinite_of(const double* m, int n) noexcept {
             if ((scale[i] == 0.0 || scale[j] == 0.0) && !(entry == 0.0)) return false;
             double c = entry * scale[i] * scale[j];
             for (int k = 0; k < j; ++k) c -= low[triangle(i, k)] * low[triangle(j, k)] * d[k];
-            if (d[j] == 0.0 && !(std::fabs(c) <= kAside)) return false;
+            if (d[j] == 0.0 && !(std::fabs(c) <= kMaxOffDiagonal)) return false;
             low[triangle(i, j)] = d[j] > 0.0 ? c / d[j] : 0.0;
         }
     }
@@ -76,7 +77,7 @@ HAWSER_ROWS bool semidefinite_of(const double* m, int n) noexcept {
 bool semidefinite_by_pivots(const double* m, int n) noexcept {
     double a[6][6], scale[6], largest = 1.0;
     for (int i = 0; i < n; ++i) largest = std::max(largest, m[triangle(i, i)]);
-    const double floor = kUnderflow * largest;
+    const double floor = kUnderflowFloor * largest;
     for (int i = 0; i < n; ++i) scale[i] = 1.0 / std::sqrt(m[triangle(i, i)] + floor);
     for (int i = 0; i < n; ++i)
         for (int j = 0; j <= i; ++j)
@@ -90,7 +91,7 @@ bool semidefinite_by_pivots(const double* m, int n) noexcept {
         const double pivot = a[k][k];
         for (int i = k; i < n && pivot <= kRounding; ++i)
             for (int j = k; j < n; ++j)
-                if (i == j ? !(a[i][i] >= -kRounding) : !(std::fabs(a[i][j]) <= kAside))
+                if (i == j ? !(a[i][i] >= -kRounding) : !(std::fabs(a[i][j]) <= kMaxOffDiagonal))
                     return false;
         if (pivot <= kRounding) return true;
         for (int i = k + 1; i < n; ++i)
@@ -152,11 +153,11 @@ double trace_of_three(double* m, const double* s) noexcept {
 /// exceed kRounding of the diagonal. The test needs no division. If the result is false, the matrix
 /// may still be positive definite.
 bool plainly_definite(const double* m) noexcept {
-    constexpr double kSmall = 1e-90,
-                     kLarge = 1e90;  // products of three entries stay normal numbers
+    constexpr double kSmallestMinor = 1e-90,
+                     kLargestMinor = 1e90;  // products of three entries stay normal numbers
     const double a = m[0], b = m[1], c = m[2], d = m[3], e = m[4], f = m[5];
     for (const double own : {a, c, f})
-        if (!(own >= kSmall && own <= kLarge)) return false;
+        if (!(own >= kSmallestMinor && own <= kLargestMinor)) return false;
     const double ac = a * c, two = ac - b * b;
     if (!(two >= 1e-6 * ac && d * d <= a * f && e * e <= c * f)) return false;
     return two * f + d * (2.0 * b * e - c * d) - a * e * e >= 1e-9 * ac * f;
@@ -179,7 +180,7 @@ bool semidefinite(const double* m, int n) noexcept {
     if (plainly || !std::all_of(m, m + entries_of(n), [](double x) { return std::isfinite(x); }))
         return plainly;
     for (int i = 0; i < n; ++i)
-        if (!(m[triangle(i, i)] >= 0.0 && m[triangle(i, i)] <= kMaximum)) return false;
+        if (!(m[triangle(i, i)] >= 0.0 && m[triangle(i, i)] <= kMaxEntry)) return false;
     return semidefinite_by_pivots(m, n);
 }
 void factor_triangle(double* m, int n) noexcept {

@@ -34,7 +34,7 @@ bool all_finite(const double* v, int n) noexcept {
 
 /// Return model::late_fraction(z). The loads of most nodes have a small z: the series needs neither
 /// an exponential nor a division. Its next term is below 1e-15.
-double late_of(double z) noexcept {
+double late_fraction_of(double z) noexcept {
     if (!(z > 0.0 && z < 0.3)) return model::late_fraction(z);
     const double s = z * z;
     const double high = 1.0 / 30240.0 - s * (1.0 / 1209600.0 - s * (1.0 / 47900160.0));
@@ -252,7 +252,7 @@ void LoadStore::finish(model::Bodies& bodies, double h, base::Executor& executor
                                whole[i] += a[i];
                                fast[i] = h * d[i] + 0.25 * h * h * k[i];
                            }
-                           late_[at(e)] = late_of(trace_over(whole, fast, n));
+                           late_[at(e)] = late_fraction_of(trace_over(whole, fast, n));
                        }
                        for (int i = 0; i < size; ++i)
                            block[i] = a[i] + h * late_[at(e)] * d[i] + 0.25 * h * h * k[i];

@@ -29,8 +29,8 @@ void OpHistory::mark(const ContactBlock& block) noexcept {
 }
 
 void OpHistory::follow(const OpSources& now) {
-    const bool known = known_;
-    known_ = false;
+    const bool known = has_list_;
+    has_list_ = false;
     std::size_t most = std::max(now.dof.size(), dof_begin_.size());
     most = std::max({most, traits_.size(), at(now.interactions.count())});
     changed_.assign(2 * most, known ? std::uint8_t{0} : std::uint8_t{1});
@@ -106,7 +106,7 @@ void OpHistory::compare_blocks(std::span<const ContactBlock> now) {
 
 void OpHistory::renumber_blocks(std::span<const ContactBlock> blocks) {
     blocks_.assign(blocks.begin(), blocks.end());
-    known_ = true;
+    has_list_ = true;
 }
 
 /// List the columns and the rows behind them, by batch.

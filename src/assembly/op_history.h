@@ -50,9 +50,9 @@ class OpHistory {
     /// Without a call of done(), the next call finds nothing.
     void follow(const OpSources& now);
     /// Mark the new list as complete, so that the next follow() compares with it.
-    void done() noexcept { known_ = true; }
+    void done() noexcept { has_list_ = true; }
     /// Discard the stored list. Call before the list is changed in place.
-    void forget() noexcept { known_ = false; }
+    void forget() noexcept { has_list_ = false; }
     /// Report that the list was changed, with the new numbers of contact blocks. @throws
     /// std::bad_alloc
     void renumber_blocks(std::span<const ContactBlock> blocks);
@@ -112,7 +112,7 @@ class OpHistory {
     void mark(const Traits& of) noexcept;
     void mark(const ContactBlock& block) noexcept;
 
-    bool known_ = false;
+    bool has_list_ = false;
     std::vector<Traits> traits_;
     std::vector<Place> places_, slot_moved_;  ///< Offsets by interaction, and their changes.
     std::vector<std::int32_t> dof_begin_, block_moved_;  ///< By body.

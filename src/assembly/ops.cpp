@@ -14,7 +14,7 @@
 namespace hawser::assembly {
 namespace {
 
-constexpr int kSlots = kMaxInteractionBodies;
+constexpr int kSlotsOfInteraction = kMaxInteractionBodies;
 
 }  // namespace
 
@@ -22,7 +22,7 @@ constexpr int kSlots = kMaxInteractionBodies;
 struct System::Slots {
     Slots(const System& s, const model::Interactions& in, std::int32_t id) noexcept
         : count(in.bodies[at(id)]) {
-        const std::int32_t* body = &in.body[at(kSlots * id)];
+        const std::int32_t* body = &in.body[at(kSlotsOfInteraction * id)];
         const std::int32_t first = in.jac_begin[at(id)];
         std::int32_t offset = first;
         for (int b = 0; b < count; ++b) {
@@ -42,9 +42,9 @@ struct System::Slots {
     }
 
     int count;
-    std::int32_t node[kSlots], position[kSlots];  ///< −1: none.
-    std::int32_t jac[kSlots] = {};
-    int dof[kSlots] = {}, width;
+    std::int32_t node[kSlotsOfInteraction], position[kSlotsOfInteraction];  ///< −1: none.
+    std::int32_t jac[kSlotsOfInteraction] = {};
+    int dof[kSlotsOfInteraction] = {}, width;
 };
 
 /// Call sink(row node, op) for the contributions of an interaction to the column of its body in

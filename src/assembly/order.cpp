@@ -19,7 +19,7 @@ void System::find_order(const model::Bodies& bodies, const model::Interactions& 
     const factor::Pattern& next = next_;
     const std::int32_t changed = build_pattern(bodies, interactions);
     analysis.separate_updates(!contacts.blocks.empty());
-    const bool repairable = ordered_ && changed <= kRepairable * next.nodes();
+    const bool repairable = ordered_ && changed <= kMaxRepairFraction * next.nodes();
     report_ = {};
     // Until the new order is complete there is none: after std::bad_alloc the next call plans anew.
     ordered_ = false;

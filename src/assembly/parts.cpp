@@ -13,15 +13,15 @@ namespace {
 /// Maximum number of interactions of a body with a row that may be cut. A link of a wire has fewer:
 /// two joints, three bending, two twist.
 constexpr std::int32_t kMaxOfLink = 8;
-constexpr double kSpeed = 0.1;          // v₀ [m/s]
-constexpr double kViolation = 0.01;     // g₀ [m]
-constexpr double kMeanFraction = 0.01;  // fraction of the mean row force in F
+constexpr double kReferenceSpeed = 0.1;       // v₀ [m/s]
+constexpr double kReferenceViolation = 0.01;  // g₀ [m]
+constexpr double kMeanFraction = 0.01;        // fraction of the mean row force in F
 
 }  // namespace
 
 std::int32_t thousandths(double weight) noexcept {
-    constexpr double kMaximum = 1e6;
-    if (!(weight < kMaximum / 1000.0)) return static_cast<std::int32_t>(kMaximum);
+    constexpr double kMaxThousandths = 1e6;
+    if (!(weight < kMaxThousandths / 1000.0)) return static_cast<std::int32_t>(kMaxThousandths);
     return weight > 0.0 ? static_cast<std::int32_t>(std::lround(1000.0 * weight)) : 0;
 }
 
@@ -75,13 +75,13 @@ void PartGraph::keep_whole(std::int32_t i) noexcept {
     edge_weight[at(i)] = graph::kNeverCut;
 }
 
-void PartGraph::touch(std::int32_t body) noexcept {
+void PartGraph::add_contact_weight(std::int32_t body) noexcept {
     std::int32_t& w = node_weight[at(body)];
     if (size[at(body)] > 0 && w < kTouchWeight) w += kTouchWeight;
 }
 
-void PartGraph::weigh(const model::Bodies& bodies, const model::Interactions& in,
-                      std::span<const std::int32_t> cut, const WorldDef& def) {
+void PartGraph::compute_weights(const model::Bodies& bodies, const model::Interactions& in,
+                                std::span<const std::int32_t> cut, const WorldDef& def) {
     net_.assign(3 * size.size(), 0.0);
     double squares = 0.0;
     int rows = 0;
@@ -120,10 +120,10 @@ void PartGraph::weigh(const model::Bodies& bodies, const model::Interactions& in
         speed[at(i)] = sum;
         violation[at(i)] = off;
         const bool is_cut = std::binary_search(cut.begin(), cut.end(), i);
-        const std::int32_t displaced = thousandths(off / kViolation);
+        const std::int32_t displaced = thousandths(off / kReferenceViolation);
         if (is_cut) repair_weight[at(i)] = displaced;
         if (!whole_[at(i)])
-            edge_weight[at(i)] = thousandths(sum / kSpeed) + (is_cut ? 0 : displaced);
+            edge_weight[at(i)] = thousandths(sum / kReferenceSpeed) + (is_cut ? 0 : displaced);
     }
     const double per_h = 1.0 / def.step;
     const double mean = rows > 0 ? per_h * std::sqrt(squares / rows) : 0.0;

@@ -3,9 +3,9 @@
 /// @file parts.h
 /// The model as a hypergraph of integers, with physical weights for cuts.
 ///
-/// Edges are the interactions in their order, then the pairs of bodies that touch. Only rows of
-/// wires may be cut: stretch, bending, twist, distance and ball joints between bodies of the same
-/// freedom with few interactions each. Weights are in thousandths, from the last step:
+/// Edges are the interactions in their order, then the pairs of bodies that add_contact_weight.
+/// Only rows of wires may be cut: stretch, bending, twist, distance and ball joints between bodies
+/// of the same freedom with few interactions each. Weights are in thousandths, from the last step:
 /// ```
 ///   node  α₁ ‖Σ_e G_eᵀλ_e‖ / (h F)     NET force: small in a taut steady wire, where Σ|λ| is not
 ///   edge  α₂ Σ|G v| / v₀ + α₅ Σ|g| / g₀
@@ -47,10 +47,10 @@ class PartGraph {
     /// last evaluated. @param cut  Interactions that are cut at present, ascending. The cut has
     /// caused their violation, which therefore does not increase their weight. It is the cost of a
     /// repair, because a row that becomes exact again pulls its bodies back into position.
-    void weigh(const model::Bodies& bodies, const model::Interactions& interactions,
-               std::span<const std::int32_t> cut, const WorldDef& def);
-    /// Add the weight of a contact to a body. Call after weigh().
-    void touch(std::int32_t body) noexcept;
+    void compute_weights(const model::Bodies& bodies, const model::Interactions& interactions,
+                         std::span<const std::int32_t> cut, const WorldDef& def);
+    /// Add the weight of a contact to a body. Call after compute_weights().
+    void add_contact_weight(std::int32_t body) noexcept;
     /// Flops of the pivots of each body, including rows that follow it; empty if unknown.
     std::vector<std::int64_t> cost;
     std::vector<std::int32_t> group;  ///< Part of each body as set by the user; may be empty.

@@ -17,7 +17,7 @@ using nonsmooth::Resistance;
 using nonsmooth::Touch;
 
 /// A rotation beyond this [rad] about an axis without resistance resets the reference.
-constexpr double kTurned = 1e-2;
+constexpr double kMaxReferenceAngle = 1e-2;
 
 /// Quaternion: scalar part w, vector part v.
 struct Q {
@@ -117,7 +117,7 @@ void Resistances::recall_turn(std::size_t index, std::int32_t previous, const Co
     V3 g = load3(m.turned);
     if (m.renewed == 0) {
         const Q since = between * conjugate(load4(m.reference));
-        const bool far = norm(since.v) > 0.5 * kTurned * std::fabs(since.w);
+        const bool far = norm(since.v) > 0.5 * kMaxReferenceAngle * std::fabs(since.w);
         if (far)
             m.renewed = 1;
         else

@@ -39,17 +39,17 @@ class KeptRanges {
     /// guard at a time may use it.
     KeptRanges(std::span<double> buffer, double* active,
                std::span<const std::int32_t> bounded) noexcept
-        : room_(buffer), active_(active), bounded_(bounded) {
-        for (std::size_t i = 0; i < room_.size(); ++i) room_[i] = active_[at(bounded_[i])];
+        : buffer_(buffer), active_(active), bounded_(bounded) {
+        for (std::size_t i = 0; i < buffer_.size(); ++i) buffer_[i] = active_[at(bounded_[i])];
     }
     ~KeptRanges() {
-        for (std::size_t i = 0; i < room_.size(); ++i) active_[at(bounded_[i])] = room_[i];
+        for (std::size_t i = 0; i < buffer_.size(); ++i) active_[at(bounded_[i])] = buffer_[i];
     }
     KeptRanges(const KeptRanges&) = delete;
     KeptRanges& operator=(const KeptRanges&) = delete;
 
   private:
-    std::span<double> room_;
+    std::span<double> buffer_;
     double* active_;
     std::span<const std::int32_t> bounded_;
 };

@@ -20,7 +20,7 @@ namespace hawser::assembly {
 namespace {
 
 constexpr double kBoundaryFraction = 0.9;  ///< Fraction of the stability boundary.
-constexpr double kStiff = 0.05;            ///< Minimum W/(W + Σ) of a row that counts.
+constexpr double kMinStiffRatio = 0.05;    ///< Minimum W/(W + Σ) of a row that counts.
 
 double amplification(const std::vector<double>& w, double sigma) {
     double sum = 0.0;
@@ -61,7 +61,8 @@ void System::soften_sides(const model::Bodies& bodies, model::Interactions& in, 
         each_body(s, [&](std::int32_t id, std::int32_t body) {
             for (int r = 0; r < in.rows[at(id)]; ++r) {
                 const double w = mobility(bodies, in, id, r);
-                if (w > kStiff * (w + sigma_of(at(in.row_begin[at(id)] + r)))) ++stiff[at(body)];
+                if (w > kMinStiffRatio * (w + sigma_of(at(in.row_begin[at(id)] + r))))
+                    ++stiff[at(body)];
             }
         });
     std::vector<double>& w = side_mobility_;

@@ -16,7 +16,7 @@ constexpr std::int32_t kBlockWork = 384;
 /// prefetching of longer parts of the forty arrays that a row block reads in turn. It outweighs the
 /// data that remain in the cache for the next sweep.
 constexpr std::int32_t kLongBlockWork = 1536, kStrips = 32;
-constexpr std::int32_t kGroup = 128;  ///< Shared bodies per group.
+constexpr std::int32_t kSharedBodiesPerGroup = 128;  ///< Shared bodies per group.
 
 /// Call f(bucket, range) for each run of indices with the same bucket. @param bucket  Bucket of an
 /// index; −1: none.
@@ -107,9 +107,10 @@ void RowBlocks::build(std::span<const std::uint8_t> dof, std::span<const std::ui
     group_.assign(dof.size(), -1);
     std::int32_t shared = 0;
     for (std::int32_t b = 0; b < body_count; ++b)
-        if (own_[at(b)] < 0) group_[at(b)] = shared++ / kGroup;
+        if (own_[at(b)] < 0) group_[at(b)] = shared++ / kSharedBodiesPerGroup;
     sort_into(own_, strips, bodies_, body_begin_);
-    sort_into(group_, (shared + kGroup - 1) / kGroup, shared_, group_begin_);
+    sort_into(group_, (shared + kSharedBodiesPerGroup - 1) / kSharedBodiesPerGroup, shared_,
+              group_begin_);
     sort_into(block_of_interaction_, strips, interactions_, interaction_begin_);
     sort_pools(in, strips);
 }

@@ -48,7 +48,7 @@ inline constexpr double kSafeRatio = 1e10;
 inline constexpr double kRigidFraction = 2e-9;
 
 /// Largest fraction of nodes added or removed for a repair; beyond it a new order is computed.
-inline constexpr double kRepairable = 0.125;
+inline constexpr double kMaxRepairFraction = 0.125;
 
 /// Consecutive interactions, each with the rows of one cut interaction for one side of the cut.
 struct Sides {
@@ -155,7 +155,7 @@ class System {
     [[nodiscard]] std::size_t bytes() const noexcept;
     /// Return true if the system and a model of `model` bytes need more memory [B] than at any
     /// earlier call. This counts as one growth.
-    [[nodiscard]] bool grew(std::size_t model) noexcept {
+    [[nodiscard]] bool needed_more_memory(std::size_t model) noexcept {
         const std::size_t held = bytes() + model, before = held_;
         held_ = std::max(held, before);
         return held > before;
@@ -234,7 +234,7 @@ class System {
     void check_memory(const model::Bodies& bodies, const model::Interactions& interactions,
                       int threads) const;
 
-    std::size_t held_ = 0;  ///< Maximum memory so far [B], see grew().
+    std::size_t held_ = 0;  ///< Maximum memory so far [B], see needed_more_memory().
     factor::RepairReport report_;
     bool ordered_ = false;                  ///< An order exists, which can be repaired.
     std::vector<std::int32_t> old_of_new_;  ///< Nodes.

@@ -11,7 +11,7 @@
 namespace hawser::base {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\n";
+constexpr std::string_view kBlankCharacters = " \t\r\n";
 constexpr std::size_t kLookedAt = 65536;  // Bytes of text that are searched for headings.
 
 struct Signature {
@@ -44,7 +44,7 @@ struct Words {
 constexpr const char* kAsBodies =
     "Hawser does not read it; write its links as \"bodies\" and its joints as \"interactions\" of "
     "a scene (docs/scenes.md)";
-constexpr std::array<Words, 26> kWords = {{
+constexpr std::array<Words, 26> kWordsOfKinds = {{
     {FileKind::empty, "an empty file", "write a scene (docs/scenes.md) or give another file"},
     {FileKind::scene, "a scene", "`hawser run FILE` runs it"},
     {FileKind::exercise, "an exercise",
@@ -94,7 +94,7 @@ struct JsonScan {
         std::size_t depth = 0, last_comma = std::string_view::npos;
         for (std::size_t i = 0; i < text.size(); ++i) {
             const char c = text[i];
-            if (kBlanks.find(c) != std::string_view::npos) continue;
+            if (kBlankCharacters.find(c) != std::string_view::npos) continue;
             const bool slash = c == '/' && i + 1 < text.size();
             if ((slash && (text[i + 1] == '/' || text[i + 1] == '*')) || c == '#') {
                 comment = i;
@@ -129,9 +129,9 @@ struct JsonScan {
         return i;
     }
     void add_key(std::string_view text, std::size_t begin, std::size_t end) {
-        const std::size_t colon = text.find_first_not_of(kBlanks, end + 1);
+        const std::size_t colon = text.find_first_not_of(kBlankCharacters, end + 1);
         if (colon == std::string_view::npos || text[colon] != ':') return;
-        const std::size_t value = text.find_first_not_of(kBlanks, colon + 1);
+        const std::size_t value = text.find_first_not_of(kBlankCharacters, colon + 1);
         keys.emplace_back(text.substr(begin + 1, end - begin - 1),
                           value == std::string_view::npos ? '\0' : text[value]);
     }
@@ -202,7 +202,7 @@ FileKind kind_of_lines(std::string_view text) {
         const std::size_t end = text.find('\n');
         std::string_view line = text.substr(0, end);
         text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-        const std::size_t last = line.find_last_not_of(kBlanks);
+        const std::size_t last = line.find_last_not_of(kBlankCharacters);
         if (last == std::string_view::npos || line[0] == '#' || line[0] == ';') continue;
         line = line.substr(0, last + 1);
         if (line == "time" || line.starts_with("time,")) return FileKind::control;
@@ -230,7 +230,7 @@ FileKind file_kind(std::string_view content) {
         if (content.starts_with(s.bytes)) return s.kind;
     if (content.find('\0') != std::string_view::npos) return FileKind::binary;
     if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
-    const std::size_t begin = content.find_first_not_of(kBlanks);
+    const std::size_t begin = content.find_first_not_of(kBlankCharacters);
     if (begin == std::string_view::npos) return FileKind::empty;
     const std::string_view text = content.substr(begin);
     const std::string_view head = text.substr(0, kLookedAt);
@@ -244,12 +244,12 @@ FileKind file_kind(std::string_view content) {
 std::string file_kind_error(std::string_view content, std::string_view expected,
                             const std::string& file) {
     const FileKind kind = file_kind(content);
-    const auto words =
-        std::find_if(kWords.begin(), kWords.end(), [&](const Words& w) { return w.kind == kind; });
+    const auto words = std::find_if(kWordsOfKinds.begin(), kWordsOfKinds.end(),
+                                    [&](const Words& w) { return w.kind == kind; });
     if (kind == FileKind::binary)
         return "this is a binary file (a NUL byte at offset " + std::to_string(content.find('\0')) +
                "), not " + std::string(expected);
-    if (words == kWords.end() || expected == words->is) return "";
+    if (words == kWordsOfKinds.end() || expected == words->is) return "";
     std::string remedy = words->remedy;
     if (const std::size_t at = remedy.find("FILE"); at != std::string::npos)
         for (std::size_t i = at; i != std::string::npos; i = remedy.find("FILE", i + file.size()))

@@ -26,14 +26,15 @@ inline constexpr std::uint64_t kFnvStart = 0xcbf29ce484222325ULL;
 /// 2^−64. Do not use it for keys that an adversary chooses.
 [[nodiscard]] inline std::uint64_t checksum(const void* data, std::size_t size,
                                             std::uint64_t hash = kFnvStart) noexcept {
-    constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15ULL;  // 2^64 / golden ratio
+    constexpr std::uint64_t kGoldenMultiplier = 0x9e3779b97f4a7c15ULL;  // 2^64 / golden ratio
     const auto step = [](std::uint64_t lane, std::uint64_t word) {
-        return std::rotl(lane ^ word, 29) * kOdd;
+        return std::rotl(lane ^ word, 29) * kGoldenMultiplier;
     };
     const auto* p = static_cast<const unsigned char*>(data);
     std::size_t left = size;
     if (left >= 32) {
-        std::uint64_t lane[4] = {hash, hash + kOdd, hash + 2 * kOdd, hash + 3 * kOdd};
+        std::uint64_t lane[4] = {hash, hash + kGoldenMultiplier, hash + 2 * kGoldenMultiplier,
+                                 hash + 3 * kGoldenMultiplier};
         for (; left >= 32; left -= 32, p += 32) {
             std::uint64_t word[4];
             std::memcpy(word, p, sizeof word);

@@ -14,7 +14,7 @@ inline constexpr std::size_t kAlign = 64;  ///< One cache line or one AVX-512 re
 
 /// Minimum size of arrays that begin on a huge page and request huge pages [bytes]. A step of
 /// 100,000 bodies reads hundreds of megabytes and would otherwise wait for page tables.
-inline constexpr std::size_t kHuge = std::size_t{1} << 22;
+inline constexpr std::size_t kMinHugeArray = std::size_t{1} << 22;
 inline constexpr std::size_t kHugePage = std::size_t{1} << 21;
 
 /// Request huge pages for a range of memory. The request is advice and has no effect on systems
@@ -30,13 +30,14 @@ struct AlignedAllocator {
     constexpr AlignedAllocator(const AlignedAllocator<U>&) noexcept {}
     [[nodiscard]] T* allocate(std::size_t n) {
         const std::size_t bytes = n * sizeof(T);
-        if (bytes < kHuge) return static_cast<T*>(::operator new(bytes, std::align_val_t{kAlign}));
+        if (bytes < kMinHugeArray)
+            return static_cast<T*>(::operator new(bytes, std::align_val_t{kAlign}));
         void* const p = ::operator new(bytes, std::align_val_t{kHugePage});
         request_huge_pages(p, bytes);
         return static_cast<T*>(p);
     }
     void deallocate(T* p, std::size_t n) noexcept {
-        const bool huge = n * sizeof(T) >= kHuge;
+        const bool huge = n * sizeof(T) >= kMinHugeArray;
         ::operator delete(p, std::align_val_t{huge ? kHugePage : kAlign});
     }
     friend bool operator==(const AlignedAllocator&, const AlignedAllocator&) { return true; }

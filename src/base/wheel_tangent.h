@@ -40,9 +40,9 @@ inline void tangent_between_wheels(const V3& d, const V3 (&n)[2], const double (
         q[k] = (1.0 / norm(q[k])) * q[k];
     }
     // Quadratic convergence from a few degrees on: after three iterations only rounding changes.
-    constexpr int kMaximum = 20;
-    constexpr double kEnough = 1e-10, kFarthest = 0.5;  // [rad]
-    for (int i = 0; i < kMaximum; ++i) {
+    constexpr int kMaxIterations = 20;
+    constexpr double kTangentTolerance = 1e-10, kMaxTangentStep = 0.5;  // [rad]
+    for (int i = 0; i < kMaxIterations; ++i) {
         const V3 t[2] = {cross(n[0], q[0]), cross(n[1], q[1])};
         const V3 S = d + s[1] * q[1] - s[0] * q[0];
         const double f0 = dot(q[0], S), f1 = dot(q[1], S);
@@ -53,13 +53,15 @@ inline void tangent_between_wheels(const V3& d, const V3 (&n)[2], const double (
         double turn[2] = {(b * f1 - e * f0) / det, (c * f0 - a * f1) / det};
         double most = 0.0;
         for (int k = 0; k < 2; ++k) {
-            turn[k] = turn[k] > kFarthest ? kFarthest : turn[k] < -kFarthest ? -kFarthest : turn[k];
+            turn[k] = turn[k] > kMaxTangentStep    ? kMaxTangentStep
+                      : turn[k] < -kMaxTangentStep ? -kMaxTangentStep
+                                                   : turn[k];
             const V3 to = q[k] + turn[k] * t[k];
             q[k] = (1.0 / norm(to)) * to;
             const double size = turn[k] < 0.0 ? -turn[k] : turn[k];
             most = size > most ? size : most;
         }
-        if (!(most > kEnough)) return;
+        if (!(most > kTangentTolerance)) return;
     }
 }
 

@@ -15,25 +15,25 @@ void CutLevels::set(std::vector<Level> levels) {
     levels_ = std::move(levels);
     time_.resize(levels_.size());
     level_ = 0;
-    since_ = 0;
+    steps_with_margin_ = 0;
     level_untried_ = true;
 }
 
 std::size_t CutLevels::required_level(const std::vector<double>& time, double seconds) noexcept {
     if (time[level_] > seconds) {
-        since_ = 0;
+        steps_with_margin_ = 0;
         std::size_t best = level_;
         for (std::size_t l = level_ + 1; l < time.size(); ++l) {
             if (time[l] < time[best]) best = l;
             if (time[l] <= seconds) break;
         }
-        return time[best] <= kSaving * time[level_] ? best : level_;
+        return time[best] <= kMaxTimeRatio * time[level_] ? best : level_;
     }
     std::size_t lower = 0;
     while (lower < level_ && time[lower] > kLowerLevelFraction * seconds) ++lower;
-    since_ = lower < level_ ? since_ + 1 : 0;
-    if (since_ < kStay) return level_;
-    since_ = 0;
+    steps_with_margin_ = lower < level_ ? steps_with_margin_ + 1 : 0;
+    if (steps_with_margin_ < kMinStepsAtLevel) return level_;
+    steps_with_margin_ = 0;
     return lower;
 }
 

@@ -15,7 +15,8 @@
 /// nearly no fill-in. A split of wires saves nothing and is not made.
 ///
 /// Limits: a change of level needs an analysis of the system in that step. A level is therefore
-/// used for at least kStay steps. A lower level follows only if it fits with a margin of 10 %.
+/// used for at least kMinStepsAtLevel steps. A lower level follows only if it fits with a margin of
+/// 10 %.
 
 #include "budget/deadline.h"
 
@@ -26,9 +27,9 @@ namespace hawser::budget {
 
 class CutLevels {
   public:
-    static constexpr int kStay = 20;  ///< Steps.
+    static constexpr int kMinStepsAtLevel = 20;  ///< Steps.
     /// Maximum time of a new level relative to the present one.
-    static constexpr double kSaving = 0.95;
+    static constexpr double kMaxTimeRatio = 0.95;
     static constexpr double kLowerLevelFraction =
         0.9;  ///< Maximum fraction of the limit for a lower level.
 
@@ -57,7 +58,8 @@ class CutLevels {
     std::vector<double> time_;  ///< Scratch.
     std::size_t level_ = 0;
     bool level_untried_ = true;  ///< True if no step has used the present level yet.
-    int since_ = 0;  ///< Consecutive steps at this level in which a lower one would have sufficed.
+    int steps_with_margin_ =
+        0;  ///< Consecutive steps at this level in which a lower one would have sufficed.
 };
 
 }  // namespace hawser::budget

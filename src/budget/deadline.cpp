@@ -8,28 +8,29 @@ namespace hawser::budget {
 
 void Rate::add_sample(double sample) noexcept {
     if (!(sample >= 0.0) || !std::isfinite(sample)) return;
-    samples_ = std::min(samples_ + 1, kSettled);
+    samples_ = std::min(samples_ + 1, kSettledSamples);
     if (samples_ == 1) {
         mean_ = sample;
         deviation_ = 0.5 * sample;  // initial value of Jacobson's estimator
         return;
     }
-    constexpr double kOutlier = 4.0;
+    constexpr double kMaxSampleRatio = 4.0;
     // A mean of 0 gives no prediction and would stay 0.
-    const double x = mean_ > 0.0 ? std::clamp(sample, mean_ / kOutlier, mean_ * kOutlier) : sample;
+    const double x =
+        mean_ > 0.0 ? std::clamp(sample, mean_ / kMaxSampleRatio, mean_ * kMaxSampleRatio) : sample;
     deviation_ += 0.25 * (std::fabs(x - mean_) - deviation_);
     mean_ += 0.125 * (x - mean_);
 }
 
 void Rate::lower_estimate(double least) noexcept {
     if (!known() || upper_estimate() <= least) return;
-    constexpr double kStep = 0.99;
-    mean_ *= kStep;
-    deviation_ *= kStep;
+    constexpr double kMeanDecay = 0.99;
+    mean_ *= kMeanDecay;
+    deviation_ *= kMeanDecay;
 }
 
 void Deadline::record_refusal() noexcept {
-    rate_[kNext].lower_estimate(kMinimum * rate_[kFirst].upper_estimate());
+    rate_[kNext].lower_estimate(kMinRate * rate_[kFirst].upper_estimate());
 }
 
 void Deadline::add_sample(const Load& load, const Laps& laps) noexcept {
@@ -50,8 +51,8 @@ void Deadline::add_sample(const Load& load, const Laps& laps) noexcept {
 
 double Deadline::predict_next(const Load& load) const noexcept {
     return load.matrix * (rate_[kNext].known()    ? rate_[kNext].upper_estimate()
-                          : rate_[kFirst].known() ? kGuess * rate_[kFirst].upper_estimate()
-                                                  : kGuess * rate_[kPlain].upper_estimate());
+                          : rate_[kFirst].known() ? kInitialRate * rate_[kFirst].upper_estimate()
+                                                  : kInitialRate * rate_[kPlain].upper_estimate());
 }
 
 double Deadline::predict(const Load& load, int iterations) const noexcept {
@@ -62,11 +63,11 @@ double Deadline::predict(const Load& load, int iterations) const noexcept {
 }
 
 int Deadline::iterations_by(double seconds, const Load& load) const noexcept {
-    constexpr int kMaximum = 1000;  // as in WorldDef::contact_iterations
+    constexpr int kMaxIterations = 1000;  // as in WorldDef::contact_iterations
     const double one = predict(load, 1), each = predict_next(load);
-    if (!(each > 0.0)) return kMaximum;
+    if (!(each > 0.0)) return kMaxIterations;
     const double more = std::floor((seconds - one) / each);
-    return 1 + static_cast<int>(std::clamp(more, 0.0, kMaximum - 1.0));
+    return 1 + static_cast<int>(std::clamp(more, 0.0, kMaxIterations - 1.0));
 }
 
 }  // namespace hawser::budget

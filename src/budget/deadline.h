@@ -58,7 +58,7 @@ struct Laps {
 class Rate {
   public:
     /// Number of samples after which the initial deviation has decayed to (3/4)^16 = 1 %.
-    static constexpr int kSettled = 16;
+    static constexpr int kSettledSamples = 16;
     void add_sample(double sample) noexcept;
     [[nodiscard]] int samples() const noexcept { return samples_; }
     [[nodiscard]] bool known() const noexcept { return samples_ > 0; }
@@ -67,7 +67,7 @@ class Rate {
     void lower_estimate(double least) noexcept;
 
   private:
-    int samples_ = 0;  ///< Number of samples, at most kSettled.
+    int samples_ = 0;  ///< Number of samples, at most kSettledSamples.
     double mean_ = 0.0, deviation_ = 0.0;
 };
 
@@ -80,8 +80,8 @@ class Deadline {
     }
     /// True if enough steps have been measured to decide by the rates.
     [[nodiscard]] bool has_enough_samples() const noexcept {
-        return rate_[kFinish].samples() >= Rate::kSettled ||
-               rate_[kPlain].samples() >= Rate::kSettled;
+        return rate_[kFinish].samples() >= Rate::kSettledSamples ||
+               rate_[kPlain].samples() >= Rate::kSettledSamples;
     }
     /// Predict the CPU time of the solver with `iterations` iterations, at least 1 [s].
     [[nodiscard]] double predict(const Load& load, int iterations) const noexcept;
@@ -99,7 +99,7 @@ class Deadline {
   private:
     enum { kStart, kFirst, kNext, kFinish, kPlain, kStages };
     /// Rate of further iterations relative to the first one: initial value, and minimum.
-    static constexpr double kGuess = 0.5, kMinimum = 0.25;
+    static constexpr double kInitialRate = 0.5, kMinRate = 0.25;
     std::array<Rate, kStages> rate_;
 };
 

@@ -19,11 +19,12 @@ using generic::load3;
 using generic::V3;
 constexpr int kSweepChunk = 128;  ///< Entries of the sweep per task.
 constexpr int kLargeChunk = 256;  ///< Shapes per task that are tested against all large ones.
-constexpr double kLarge = 8.0;  ///< Shapes larger than this multiple of the median size are large.
-constexpr double kStrip = 4.0;  ///< Width of a strip over the median size.
+constexpr double kLargeRatio =
+    8.0;  ///< Shapes larger than this multiple of the median size are large.
+constexpr double kStripWidthRatio = 4.0;  ///< Width of a strip over the median size.
 constexpr int kMaxStrips = 1024;
-constexpr std::size_t kRoom = 512;  ///< Capacity for the pairs of a task before it grows.
-constexpr int kSomeAnyway = 4;      ///< If there are fewer shapes than this, all are large.
+constexpr std::size_t kInitialPairs = 512;  ///< Capacity for the pairs of a task before it grows.
+constexpr int kSomeAnyway = 4;              ///< If there are fewer shapes than this, all are large.
 
 bool boxes_overlap(const Bounds& a, const Bounds& b) noexcept {
     return a.low[0] <= b.high[0] && b.low[0] <= a.high[0] && a.low[1] <= b.high[1] &&
@@ -60,17 +61,17 @@ double extent(const Placed& p) noexcept {
 /// List the small shapes. Shapes that were small in the last step keep the order of its sweep, so
 /// that little sorting remains.
 void list_small(std::vector<std::uint8_t>& is_large, std::vector<std::int32_t>& small) {
-    constexpr std::uint8_t kListed = 2;
+    constexpr std::uint8_t kListedShape = 2;
     std::size_t kept = 0;
     for (const std::int32_t s : small)
         if (at(s) < is_large.size() && is_large[at(s)] == 0) {
-            is_large[at(s)] = kListed;
+            is_large[at(s)] = kListedShape;
             small[kept++] = s;
         }
     small.resize(kept);
     for (std::size_t i = 0; i < is_large.size(); ++i) {
         if (is_large[i] == 0) small.push_back(static_cast<std::int32_t>(i));
-        if (is_large[i] == kListed) is_large[i] = 0;
+        if (is_large[i] == kListedShape) is_large[i] = 0;
     }
 }
 
@@ -101,7 +102,7 @@ void Broad::prepare(const base::Array<Placed>& placed) {
     }
     const auto middle = by_size.begin() + static_cast<std::ptrdiff_t>(by_size.size() / 2);
     if (!by_size.empty()) std::nth_element(by_size.begin(), middle, by_size.end());
-    const double limit = by_size.size() < kSomeAnyway ? -1.0 : kLarge * *middle;
+    const double limit = by_size.size() < kSomeAnyway ? -1.0 : kLargeRatio * *middle;
     is_large_.assign(placed.size(), 0);
     large_.clear();
     V3 sum{0.0, 0.0, 0.0}, square{0.0, 0.0, 0.0};
@@ -126,7 +127,7 @@ void Broad::prepare(const base::Array<Placed>& placed) {
     std::sort(axis_, axis_ + 3, [&](int a, int b) {
         return spread[a] > spread[b] || (spread[a] == spread[b] && a < b);
     });
-    width_ = by_size.empty() ? 1.0 : std::max(kStrip * *middle, 1e-9);
+    width_ = by_size.empty() ? 1.0 : std::max(kStripWidthRatio * *middle, 1e-9);
     first_.resize(placed.size() + 2);
     sorted_.resize(small_.size());
     strip_begin_.reserve(kMaxStrips + 2);
@@ -266,7 +267,7 @@ void Broad::find(const base::Array<Placed>& placed, const Filter& filter, double
     const int sweeps = base::chunks(entries_.size(), kSweepChunk);
     const int others = large_.empty() ? 0 : base::chunks(placed.size(), kLargeChunk);
     const auto tasks = static_cast<std::size_t>(sweeps) + static_cast<std::size_t>(others);
-    while (found_.size() < tasks) found_.emplace_back().reserve(kRoom);
+    while (found_.size() < tasks) found_.emplace_back().reserve(kInitialPairs);
     Count count{.reported = 0, .most = most, .pool = pool};
     run(pool, sweeps + others, [&](int i) {
         if (i < sweeps)

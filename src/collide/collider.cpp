@@ -25,7 +25,7 @@ constexpr std::size_t kChunkCapacity = kPairChunk * kMaxManifold;
 constexpr double kMatchMargins = 2.0;
 
 /// Inverted box: it meets no box, not even itself.
-constexpr Bounds kNowhere{{4e30, 4e30, 4e30}, {-4e30, -4e30, -4e30}};
+constexpr Bounds kEmptyBounds{{4e30, 4e30, 4e30}, {-4e30, -4e30, -4e30}};
 
 }  // namespace
 
@@ -48,7 +48,7 @@ void Collider::prepare(const model::Bodies& bodies, const model::Interactions& i
         Placed& placed = placements_[at(s)] = {};
         placed.geometry = shapes_[at(s)].geometry;
         if (shapes_[at(s)].is_removed())
-            placed.swept = kNowhere;
+            placed.swept = kEmptyBounds;
         else
             place(shapes_[at(s)], bodies, lines_, h, margin, placed);
     }
@@ -81,7 +81,7 @@ void Collider::place_shapes(const model::Bodies& bodies, double h, base::Executo
             if (shapes_[s].is_removed()) continue;  // stays nowhere
             place(shapes_[s], bodies, lines_, h, margin, placements_[s]);
             const std::int32_t line = shapes_[s].line;
-            if (line >= 0 && lines_->parted[at(line)] != 0) placements_[s].swept = kNowhere;
+            if (line >= 0 && lines_->parted[at(line)] != 0) placements_[s].swept = kEmptyBounds;
         }
     };
     pool.for_each(base::chunks(shapes_.size(), kPlacingChunk), task);
@@ -213,7 +213,7 @@ bool Collider::set_aside(ContactSet& out, const base::Array<std::uint8_t>& aslee
     const auto n =
         static_cast<std::size_t>(std::count_if(out.contacts.begin(), out.contacts.end(), rests));
     try {
-        resize_with_reserve(aside_, n);
+        resize_with_reserve(sleeping_, n);
         resize_with_reserve(last_set_aside_, n);
     } catch (const std::bad_alloc&) {
         return false;
@@ -221,11 +221,11 @@ bool Collider::set_aside(ContactSet& out, const base::Array<std::uint8_t>& aslee
     std::size_t awake = 0, put = 0;
     for (std::size_t i = 0; i < out.contacts.size(); ++i) {
         const bool aside = rests(out.contacts[i]);
-        (aside ? aside_[put] : out.contacts[awake]) = out.contacts[i];
+        (aside ? sleeping_[put] : out.contacts[awake]) = out.contacts[i];
         (aside ? last_set_aside_[put] : found_[awake]) = found_[i];
         ++(aside ? put : awake);
     }
-    std::copy_n(aside_.begin(), n, out.contacts.begin() + static_cast<std::ptrdiff_t>(awake));
+    std::copy_n(sleeping_.begin(), n, out.contacts.begin() + static_cast<std::ptrdiff_t>(awake));
     std::copy_n(last_set_aside_.begin(), n, found_.begin() + static_cast<std::ptrdiff_t>(awake));
     out.awake = found_awake_ = awake;
     return true;
@@ -236,10 +236,11 @@ namespace {
 /// @return true if a swept box lies in a range where differences of coordinates are meaningful.
 ///        Diverging motions reach any position within a step.
 bool is_in_range(const Placed& p) noexcept {
-    constexpr double kFarthest = 1e100;                 // [m]: products of three of it are finite
+    constexpr double kMaxPosition = 1e100;              // [m]: products of three of it are finite
     if (p.swept.low[0] > p.swept.high[0]) return true;  // segment of a parted line
     for (int k = 0; k < 3; ++k)
-        if (!(std::fabs(p.swept.low[k]) < kFarthest) || !(std::fabs(p.swept.high[k]) < kFarthest))
+        if (!(std::fabs(p.swept.low[k]) < kMaxPosition) ||
+            !(std::fabs(p.swept.high[k]) < kMaxPosition))
             return false;
     return true;
 }
@@ -273,7 +274,7 @@ bool Collider::collide(const model::Bodies& bodies, double h, ContactSet& out,
         return nothing();
     }
     const std::size_t held = bytes() + base::bytes(out.contacts);
-    if (held > held_) ++growths_;
+    if (held > held_) ++growth_count_;
     held_ = held;
     return true;
 }
@@ -281,7 +282,7 @@ bool Collider::collide(const model::Bodies& bodies, double h, ContactSet& out,
 std::size_t Collider::bytes() const noexcept {
     std::size_t n = base::bytes(shapes_) + base::bytes(placements_) + base::bytes(pairs_) +
                     base::bytes(last_contacts_) + base::bytes(found_) + base::bytes(is_dropped_) +
-                    base::bytes(is_taken_) + base::bytes(aside_) + base::bytes(last_set_aside_) +
+                    base::bytes(is_taken_) + base::bytes(sleeping_) + base::bytes(last_set_aside_) +
                     broad_.bytes();
     return n + chunks_.size() * kChunkCapacity * sizeof(Contact);
 }

@@ -71,7 +71,8 @@ class Collider {
     /// poses and include the margin. The result does not depend on earlier steps. @param f  Called
     /// with the Shape.
     template <class F>
-    void each_near(std::int32_t shape, const model::Bodies& bodies, double h, F&& f) const;
+    void for_each_overlapping(std::int32_t shape, const model::Bodies& bodies, double h,
+                              F&& f) const;
     base::Slots slots;
     [[nodiscard]] int count() const noexcept { return static_cast<int>(shapes_.size()); }
     [[nodiscard]] const std::vector<Shape>& shapes() const noexcept { return shapes_; }
@@ -135,7 +136,7 @@ class Collider {
     [[nodiscard]] const base::Array<Placed>& placed() const noexcept { return placements_; }
     [[nodiscard]] std::size_t pairs() const noexcept { return pairs_.size(); }
     /// Return how often capacity grew in collide() since the start.
-    [[nodiscard]] std::int64_t growth_count() const noexcept { return growths_; }
+    [[nodiscard]] std::int64_t growth_count() const noexcept { return growth_count_; }
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
@@ -156,7 +157,7 @@ class Collider {
     std::vector<std::unique_ptr<Contact[]>> chunks_;  ///< Contacts by task of the narrow phase.
     std::vector<std::int32_t> chunk_size_;
     base::Array<KeptContact> last_contacts_, found_, last_set_aside_;
-    std::vector<Contact> aside_;
+    std::vector<Contact> sleeping_;
     std::size_t last_awake_count_ = 0, found_awake_ = 0;
     BoundMet over_;
     bool finite_ = true;
@@ -170,11 +171,12 @@ class Collider {
     std::vector<Line> lines_of_bodies_;  ///< Scratch of prepare().
     std::vector<std::int32_t> of_body_;  ///< Scratch of prepare().
     std::size_t held_ = 0;               ///< Bytes at the last count of growths.
-    std::int64_t growths_ = 0;
+    std::int64_t growth_count_ = 0;
 };
 
 template <class F>
-void Collider::each_near(std::int32_t shape, const model::Bodies& bodies, double h, F&& f) const {
+void Collider::for_each_overlapping(std::int32_t shape, const model::Bodies& bodies, double h,
+                                    F&& f) const {
     const auto now = [&](const Shape& s) {
         Placed placed{};
         placed.geometry = s.geometry;

@@ -46,7 +46,7 @@ ShapeDef hull_of_box(const ShapeDef& box) {
 /// r/cos(turn/2) inside the middle of the edge. It is one radius from another face if r (1 −
 /// n·outward/cos(turn/2)) equals the distance to that face. Faces at the ends of the edge may cut
 /// the cylinder.
-double most_radius(const ShapeData& hull, const Piece& piece) {
+double max_cylinder_radius(const ShapeData& hull, const Piece& piece) {
     const Vec3 bisector = (piece.normal[0] + piece.normal[1]).normalized();
     const double half_turn = bisector.dot(piece.normal[0]);
     const Vec3 end[2] = {vector_of(hull.vertices[static_cast<std::size_t>(piece.vertex[0])]),
@@ -69,7 +69,7 @@ std::vector<Piece> edges_of_hull(const ShapeData& hull) {
         Piece piece{{edge.vertex[0], edge.vertex[1]},
                     {vector_of(hull.faces[static_cast<std::size_t>(edge.face[0])].normal),
                      vector_of(hull.faces[static_cast<std::size_t>(edge.face[1])].normal)}};
-        piece.most_radius = most_radius(hull, piece);
+        piece.most_radius = max_cylinder_radius(hull, piece);
         out.push_back(piece);
     }
     return out;

@@ -16,7 +16,7 @@ using generic::load3;
 using generic::store3;
 using generic::V3;
 constexpr double kSamePoint = 1e-6;  ///< [m]; far below the radius of a wire, far above rounding
-constexpr double kParallel = 1.0 - 1e-9;
+constexpr double kMinParallelCosine = 1.0 - 1e-9;
 
 template <class C>
 bool before(const C& c, std::int32_t a, std::int32_t b) noexcept {
@@ -60,7 +60,7 @@ bool same_contact(const Contact& c, int s, const Contact& o, int t) noexcept {
     const Side mine = side_of(c, s), its = side_of(o, t);
     if (its.slots != 1 || its.body != mine.body) return false;
     const double sign = s == t ? 1.0 : -1.0;
-    if (sign * dot(load3(c.normal), load3(o.normal)) < kParallel) return false;
+    if (sign * dot(load3(c.normal), load3(o.normal)) < kMinParallelCosine) return false;
     for (int k = 0; k < 2; ++k) {
         const V3 d = load3(c.on[k]) - load3(o.on[s == t ? k : 1 - k]);
         if (dot(d, d) > kSamePoint * kSamePoint) return false;

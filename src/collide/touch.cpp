@@ -19,7 +19,7 @@ using generic::V3;
 constexpr double kAtEnd = 1e-9;
 /// Limit for two wires attached to one body, over the sum of the radii of two capsules. They do not
 /// touch if the contact is nearer than this to both attachment points.
-constexpr double kBeside = 2.0;
+constexpr double kMinAttachmentRatio = 2.0;
 constexpr double kSameNormal = 0.95;  ///< Cosine of 18°.
 
 /// Append the slots of one side to the contact. @param on  Point on the surface. @param inward
@@ -170,7 +170,7 @@ int touch(const Shape& a, const Placed& pa, const Shape& b, const Placed& pb, do
         const double ta = add_side(c, a, pa, p.on[0], -n);
         c.side_0 = c.slots;
         const double tb = add_side(c, b, pb, p.on[1], n);
-        const double beside = kBeside * (a.geometry.radius + b.geometry.radius);
+        const double beside = kMinAttachmentRatio * (a.geometry.radius + b.geometry.radius);
         if (share_host && both_held && distance_from_hold(a, pa, ta) < beside &&
             distance_from_hold(b, pb, tb) < beside)
             continue;

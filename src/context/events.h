@@ -21,13 +21,13 @@ namespace hawser::context {
 class EventLog {
   public:
     /// Capacities: of slack and of taut each, and of any other kind.
-    static constexpr std::size_t kFrequent = 16'384, kRare = 4'096;
+    static constexpr std::size_t kFrequentCapacity = 16'384, kRareCapacity = 4'096;
 
     EventLog() {
         for (std::size_t k = 0; k < rings_.size(); ++k) {
             const auto kind = static_cast<EventKind>(k);
             const bool frequent = kind == EventKind::slack || kind == EventKind::taut;
-            rings_[k].events.resize(frequent ? kFrequent : kRare);
+            rings_[k].events.resize(frequent ? kFrequentCapacity : kRareCapacity);
         }
     }
 

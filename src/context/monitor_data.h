@@ -67,7 +67,7 @@ struct MonitorState {
     /// Deviation from the cable law at the last two samples, newest first.
     std::array<double, 2> stretched{};
     /// Least rise by the lengths of lines, in this interval and in the two before [J].
-    std::array<double, 3> held_rise{};
+    std::array<double, 3> lasting_rise{};
     double held_time = 0.0;  ///< Duration of this interval [s].
     /// Elements above their strength, and with more than their length wound in, at the last two
     /// steps.

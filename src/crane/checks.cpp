@@ -11,7 +11,7 @@ namespace hawser::crane {
 namespace {
 
 constexpr int kMaxFalls = 64;
-constexpr double kFar = 1e4, kHeavy = 1e12, kStrong = 1e15;
+constexpr double kMaxLength = 1e4, kMaxMass = 1e12, kMaxForce = 1e15;
 
 /// Checks of the fields of one part.
 class Fields {
@@ -37,7 +37,7 @@ class Fields {
         return *this;
     }
     const Fields& point(const char* field, const Vec3& p, bool in_plane) const {
-        if (!p.allFinite() || p.norm() > kFar) fail(field, "give a point within 10 km");
+        if (!p.allFinite() || p.norm() > kMaxLength) fail(field, "give a point within 10 km");
         if (in_plane && p.y() != 0.0)
             fail(field, "y = " + number(p.y()) + " m; booms and their pins lie in the plane y = 0");
         return *this;
@@ -58,10 +58,10 @@ class Fields {
 
 void check_link(const std::string& name, const char* part, const CraneLink& link) {
     const Fields f(name, part);
-    f.positive("length", link.length, kFar)
-        .positive("mass", link.mass, kHeavy)
-        .positive("width", link.width, kFar)
-        .positive("height", link.height, kFar);
+    f.positive("length", link.length, kMaxLength)
+        .positive("mass", link.mass, kMaxMass)
+        .positive("width", link.width, kMaxLength)
+        .positive("height", link.height, kMaxLength);
     if (!std::isnan(link.centre)) f.from_zero("centre", link.centre, link.length);
 }
 
@@ -69,33 +69,33 @@ void check_tackle(const std::string& name, const char* part, const CraneTackle& 
     const Fields f(name, part);
     if (t.falls < 1 || t.falls > kMaxFalls)
         f.fail("falls", std::to_string(t.falls) + "; give 1 to 64");
-    f.positive("EA", t.EA, kStrong);
+    f.positive("EA", t.EA, kMaxForce);
     if (!(t.efficiency > 0.0 && t.efficiency <= 1.0))
         f.fail("efficiency", number(t.efficiency) + "; give a number in (0, 1]");
     f.positive("drum_radius", t.drum_radius, 1e3)
-        .positive("drum_inertia", t.drum_inertia, kHeavy)
-        .positive("pull", t.pull, kStrong)
-        .positive("brake", t.brake, kStrong)
+        .positive("drum_inertia", t.drum_inertia, kMaxMass)
+        .positive("pull", t.pull, kMaxForce)
+        .positive("brake", t.brake, kMaxForce)
         .positive("speed", t.speed, 100.0)
         .positive("breaking_load", t.breaking_load, 1e30)
         .point("drum", t.drum, false);
     if (hoist)
         f.positive("sheave_radius", t.sheave_radius, 1e3)
-            .from_zero("sheave_inertia", t.sheave_inertia, kHeavy);
+            .from_zero("sheave_inertia", t.sheave_inertia, kMaxMass);
 }
 
 void check_hook(const Common& c) {
     const Fields f(c.name, "hook");
-    f.positive("mass", c.hook.mass, kHeavy)
-        .positive("height", c.hook.height, kFar)
-        .positive("hang", c.hook.hang, kFar);
+    f.positive("mass", c.hook.mass, kMaxMass)
+        .positive("height", c.hook.height, kMaxLength)
+        .positive("hang", c.hook.hang, kMaxLength);
     const double least = 2.0 * c.hoist.sheave_radius;
     if (c.hook.hang <= least)
         f.fail("hang", number(c.hook.hang) + " m; the sheaves of hook and head touch below " +
                            number(least) + " m");
     f.from_zero("least_hang", c.hook.least_hang, c.hook.hang)
-        .from_zero("angular_damping", c.hook.angular_damping, kStrong);
-    for (const double half : c.hook.half_size) f.positive("half_size", half, kFar);
+        .from_zero("angular_damping", c.hook.angular_damping, kMaxForce);
+    for (const double half : c.hook.half_size) f.positive("half_size", half, kMaxLength);
 }
 
 void check_rating(const Common& c) {
@@ -104,7 +104,7 @@ void check_rating(const Common& c) {
     for (std::size_t i = 0; i < r.curve.size(); ++i) {
         const CraneRatedLoad& p = r.curve[i];
         const std::string at = "curve/" + std::to_string(i);
-        if (!(p.radius >= 0.0 && p.radius <= kFar && p.mass >= 0.0 && p.mass <= kHeavy))
+        if (!(p.radius >= 0.0 && p.radius <= kMaxLength && p.mass >= 0.0 && p.mass <= kMaxMass))
             f.fail(at.c_str(), "give a radius [m] and a mass [kg] from 0 on");
         if (i == 0) continue;
         const CraneRatedLoad& before = r.curve[i - 1];
@@ -127,14 +127,14 @@ void check_common(const Common& c) {
     if (!(std::abs(c.mount.orientation.norm() - 1.0) < 1e-6))
         throw_def_error(c.name, "mount/orientation", "give a quaternion of length 1");
     Fields(c.name, "slew")
-        .positive("torque", c.slew.torque, kStrong)
-        .positive("brake", c.slew.brake, kStrong)
-        .from_zero("friction", c.slew.friction, kStrong)
+        .positive("torque", c.slew.torque, kMaxForce)
+        .positive("brake", c.slew.brake, kMaxForce)
+        .from_zero("friction", c.slew.friction, kMaxForce)
         .positive("speed", c.slew.speed, 10.0)
         .between("angle", c.slew.angle, -kPi, kPi);
     const Fields column(c.name, "column");
-    column.positive("mass", c.column.mass, kHeavy).point("centre", c.column.centre, false);
-    for (const double half : c.column.half_size) column.positive("half_size", half, kFar);
+    column.positive("mass", c.column.mass, kMaxMass).point("centre", c.column.centre, false);
+    for (const double half : c.column.half_size) column.positive("half_size", half, kMaxLength);
     Fields(c.name, "").point("boom_foot", c.boom_foot, true).between("ramp", c.ramp, 0.0, 1e3);
     check_link(c.name, "boom", c.boom);
     Fields(c.name, "").between("boom_angle", c.boom_angle, -0.5 * kPi, 0.5 * kPi);
@@ -149,13 +149,13 @@ void check_cylinder(const std::string& name, const char* part, const CraneCylind
     const Fields f(name, part);
     f.point("foot", cylinder.foot, true)
         .point("head", cylinder.head, true)
-        .positive("min_length", cylinder.min_length, kFar)
-        .positive("max_length", cylinder.max_length, kFar)
-        .positive("push", cylinder.push, kStrong)
-        .positive("pull", cylinder.pull, kStrong)
+        .positive("min_length", cylinder.min_length, kMaxLength)
+        .positive("max_length", cylinder.max_length, kMaxLength)
+        .positive("push", cylinder.push, kMaxForce)
+        .positive("pull", cylinder.pull, kMaxForce)
         .positive("speed", cylinder.speed, 100.0)
-        .positive("stiffness", cylinder.stiffness, kStrong)
-        .positive("mass", cylinder.mass, kHeavy);
+        .positive("stiffness", cylinder.stiffness, kMaxForce)
+        .positive("mass", cylinder.mass, kMaxMass);
     const double now = linkage.length;
     if (!(std::abs(linkage.lever) > 1e-3 * linkage.longest()))
         f.fail("head", "its pins and the hinge are on one line, so that it has no lever arm");
@@ -181,9 +181,9 @@ void check_loads(const HookLoads& takes) {
         const Fields f(takes.name, "loads/" + std::to_string(i), takes.kind);
         if (load.eyes.empty() || load.eyes.size() > kMaxEyes) f.fail("eyes", "give 1 to 8");
         for (const Vec3& eye : load.eyes) f.point("eyes", eye, false);
-        f.positive("sling_length", load.sling_length, kFar)
-            .positive("sling_EA", load.sling_EA, kStrong)
-            .from_zero("reach", load.reach, kFar)
+        f.positive("sling_length", load.sling_length, kMaxLength)
+            .positive("sling_EA", load.sling_EA, kMaxForce)
+            .from_zero("reach", load.reach, kMaxLength)
             .positive("breaking_load", load.breaking_load, 1e30);
     }
     if (takes.take < 0 || takes.take > static_cast<int>(takes.loads.size()))
@@ -240,9 +240,9 @@ void check(const LatticeCraneDef& d) {
         f.fail("boom_angle",
                number(d.boom_angle) + " rad is not between least_angle and most_angle");
     f.point("gantry", d.gantry, true)
-        .positive("bridle_mass", d.bridle_mass, kHeavy)
-        .positive("pendant_length", d.pendant_length, kFar)
-        .positive("pendant_EA", d.pendant_EA, kStrong)
+        .positive("bridle_mass", d.bridle_mass, kMaxMass)
+        .positive("pendant_length", d.pendant_length, kMaxLength)
+        .positive("pendant_EA", d.pendant_EA, kMaxForce)
         .positive("pendant_breaking_load", d.pendant_breaking_load, 1e30);
     check_tackle(d.name, "luffing", d.luffing, false);
     const double way = pendant_top_to_gantry(d);

@@ -14,8 +14,8 @@ namespace {
 constexpr double kStandardGravity = 9.80665;
 constexpr double kMaxShown = 10.0;  ///< Largest utilisation that is shown.
 /// Fraction of the largest rated load below which the load counts as zero.
-constexpr double kNothing = 0.01;
-constexpr double kBack = 0.98;  ///< Fraction of a threshold below which its alarm ends.
+constexpr double kMinLoadFraction = 0.01;
+constexpr double kAlarmHysteresis = 0.98;  ///< Fraction of a threshold below which its alarm ends.
 constexpr const char* kMotionNames[] = {"slew", "luff", "knuckle", "hoist"};
 constexpr const char* kMotionUnits[] = {"rad/s", "m/s", "m/s", "m/s"};
 
@@ -73,7 +73,7 @@ void CraneSystem::check_state(const World& world, StateRules& rules) const {
 }
 
 void CraneSystem::signals(SignalTable& table) {
-    for (std::size_t i = 0; i < kMotions; ++i) {
+    for (std::size_t i = 0; i < kMaxMotions; ++i) {
         const Drive& d = parts_.drives[i];
         if (d.exists)
             table.input(kMotionNames[i], kMotionUnits[i], orders_[i].wanted, -d.max_speed,
@@ -138,7 +138,7 @@ void CraneSystem::measure_load(const Prestep& now) noexcept {
     if (definition_.rating.curve.empty()) return;
     if (rated_ > 0.0)
         utilisation_ = std::min(kMaxShown, load_ / rated_);
-    else if (load_ > kNothing * definition_.rating.curve.front().mass)
+    else if (load_ > kMinLoadFraction * definition_.rating.curve.front().mass)
         utilisation_ = kMaxShown;
 }
 
@@ -147,7 +147,8 @@ void CraneSystem::update_alarm(Prestep& now) noexcept {
     const CraneRating& r = definition_.rating;
     if (r.curve.empty()) return;
     std::int32_t step = utilisation_ >= r.overload ? 2 : utilisation_ >= r.warning ? 1 : 0;
-    if (step < step_ && utilisation_ >= kBack * (step_ == 2 ? r.overload : r.warning)) step = step_;
+    if (step < step_ && utilisation_ >= kAlarmHysteresis * (step_ == 2 ? r.overload : r.warning))
+        step = step_;
     if (step == step_) {
         clock_ = 0.0;
         return;
@@ -271,7 +272,7 @@ void CraneSystem::prestep(Prestep& now, Loads&) noexcept {
     measure_load(now);
     update_alarm(now);
     cut_ = 0.0;
-    for (int i = 0; i < kMotions; ++i) drive(now, i);
+    for (int i = 0; i < kMaxMotions; ++i) drive(now, i);
     update_attachment(now);
 }
 

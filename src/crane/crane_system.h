@@ -27,7 +27,7 @@
 namespace hawser::crane {
 
 enum Motion : std::uint8_t { kSlew, kLuff, kKnuckle, kHoist };
-inline constexpr int kMotions = 4;
+inline constexpr int kMaxMotions = 4;
 
 /// One motion and its drive.
 struct Drive {
@@ -52,7 +52,7 @@ struct CraneParts {
     Vec3 boom_pin{0, 0, 0}, tip_pin{0, 0, 0}, head{0, 0, 0};
     double luff_sign = 1.0, knuckle_sign = 1.0;  ///< Sign of dθ/dt over the requested speed.
     std::vector<InteractionId> falls{};
-    std::array<Drive, kMotions> drives{};
+    std::array<Drive, kMaxMotions> drives{};
 };
 
 /// Parts of a definition that the system needs.
@@ -107,7 +107,7 @@ class CraneSystem final : public System {
     std::vector<std::string> sling_names_;
 
     // State.
-    std::array<Order, kMotions> orders_{};
+    std::array<Order, kMaxMotions> orders_{};
     double attach_request_ = 0.0;  ///< Number of the load to attach, 0: none; input.
     double clock_ = 0.0;
     std::int32_t step_ = 0, attached_load_ = 0;

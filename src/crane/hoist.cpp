@@ -22,7 +22,7 @@ namespace hawser::crane {
 namespace {
 
 /// Distance of adjacent sheaves over their radius: two ropes of R/10.
-constexpr double kSeparation = 0.2;
+constexpr double kSheaveSeparation = 0.2;
 
 }  // namespace
 
@@ -62,7 +62,7 @@ Link add_hoist(Builder& b, const Common& c, const Link& drum_on, const Link* ove
     if (over != nullptr) wheel(over->id, over->local({c.boom.length, 0.0, 0.0}));
     const int heads = head_sheaves(t.falls), hooks = hook_sheaves(t.falls);
     const auto across = [&](int i) {
-        return (i - 0.5 * (heads - 1)) * kSeparation * r * Vec3::UnitY();
+        return (i - 0.5 * (heads - 1)) * kSheaveSeparation * r * Vec3::UnitY();
     };
     for (int i = 0; i < heads; ++i) {
         wheel(head.id, head.local(Vec3(head_at, 0.0, 0.0) + across(i)));

@@ -13,9 +13,9 @@ namespace {
 using draw::Point;
 
 constexpr std::size_t kMostPanels = 12;
-constexpr double kLeft = 110, kWidth = 1120, kRight = 40, kTop = 40, kPanel = 130, kBetween = 38,
-                 kBottom = 60;
-constexpr draw::Color kLimit{150, 157, 166, 255};
+constexpr double kLeftMargin = 110, kPictureWidth = 1120, kRightMargin = 40, kTopMargin = 40,
+                 kPanelHeight = 130, kPanelSeparation = 38, kBottom = 60;
+constexpr draw::Color kLimitColor{150, 157, 166, 255};
 
 /// Return the limits that the exercise compares an output with.
 std::set<double> limits_of_output(const exercise::Exercise& e, const std::string& output) {
@@ -58,8 +58,9 @@ std::optional<draw::Drawing> plot_curves(const exercise::Exercise& exercise,
     const std::size_t panels = std::min(kMostPanels, curves.values.size());
     if (panels == 0 || curves.time.size() < 2) return std::nullopt;
     draw::Drawing drawing{
-        .width = kWidth,
-        .height = kTop + static_cast<double>(panels) * (kPanel + kBetween) - kBetween + kBottom,
+        .width = kPictureWidth,
+        .height = kTopMargin + static_cast<double>(panels) * (kPanelHeight + kPanelSeparation) -
+                  kPanelSeparation + kBottom,
         .title = exercise.name + ": displays over time"};
     for (std::size_t k = 0; k < panels; ++k) {
         const std::string& output = exercise.displays[k];
@@ -74,19 +75,21 @@ std::optional<draw::Drawing> plot_curves(const exercise::Exercise& exercise,
         const draw::Range y =
             draw::widened(range, 0.06, std::max(1e-9, 1e-3 * std::abs(range.high)));
         const bool last = k + 1 == panels;
-        const draw::Axes axes{.frame = {kLeft, kTop + static_cast<double>(k) * (kPanel + kBetween),
-                                        kWidth - kLeft - kRight, kPanel},
-                              .x = {curves.time.front(), curves.time.back()},
-                              .y = y,
-                              .x_label = last ? "time [s]" : "",
-                              .title = output,
-                              .x_numbers = last,
-                              .x_ticks = 10,
-                              .y_ticks = 4};
+        const draw::Axes axes{
+            .frame = {kLeftMargin,
+                      kTopMargin + static_cast<double>(k) * (kPanelHeight + kPanelSeparation),
+                      kPictureWidth - kLeftMargin - kRightMargin, kPanelHeight},
+            .x = {curves.time.front(), curves.time.back()},
+            .y = y,
+            .x_label = last ? "time [s]" : "",
+            .title = output,
+            .x_numbers = last,
+            .x_ticks = 10,
+            .y_ticks = 4};
         axes.draw(drawing);
         drawing.add(draw::Clip{axes.frame});
         for (const double limit : limits)
-            drawing.line(axes.at(axes.x.low, limit), axes.at(axes.x.high, limit), kLimit, 1.2,
+            drawing.line(axes.at(axes.x.low, limit), axes.at(axes.x.high, limit), kLimitColor, 1.2,
                          {6, 4});
         drawing.add(draw::Path{.points = draw::thinned(axes, curves.time, curves.values[k]),
                                .stroke = draw::curve_color(k),

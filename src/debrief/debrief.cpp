@@ -103,9 +103,9 @@ std::string tally_table(const char* title, const std::vector<Tally>& list, bool 
 }
 
 std::string entry_table(const exercise::Result& r) {
-    static constexpr const char* kWords[] = {"goal reached", "penalty", "alarm",
-                                             "alarm over",   "fault",   "fault over",
-                                             "went back",    "end"};
+    static constexpr const char* kEntryWords[] = {"goal reached", "penalty", "alarm",
+                                                  "alarm over",   "fault",   "fault over",
+                                                  "went back",    "end"};
     std::string out =
         "<h2>What happened</h2>\n<table><tr><th class=\"n\">at</th><th></th><th>what</th><th>by"
         "</th><th class=\"n\">points</th></tr>\n";
@@ -118,7 +118,7 @@ std::string entry_table(const exercise::Result& r) {
             e.kind == EntryKind::goal ? "good"
             : bad                     ? "bad"
                                       : "",
-            clock(e.time), kWords[static_cast<std::size_t>(e.kind)],
+            clock(e.time), kEntryWords[static_cast<std::size_t>(e.kind)],
             text(e.text.empty() ? e.name : e.text), text(e.by),
             e.points != 0.0 ? points(e.points) : "");
     }

@@ -84,19 +84,21 @@ Color curve_color(std::size_t index) {
 
 Color scale_color(double t) {
     // Colours close to the "plasma" map without its yellow end.
-    static constexpr std::array<Color, 6> kAnchors{{{20, 40, 140, 255},
-                                                    {90, 10, 165, 255},
-                                                    {160, 25, 155, 255},
-                                                    {210, 60, 110, 255},
-                                                    {240, 110, 60, 255},
-                                                    {248, 165, 35, 255}}};
-    const double s = std::isfinite(t) ? std::clamp(t, 0.0, 1.0) * (kAnchors.size() - 1.0) : 0.0;
-    const std::size_t i = std::min<std::size_t>(static_cast<std::size_t>(s), kAnchors.size() - 2);
+    static constexpr std::array<Color, 6> kColorMapPoints{{{20, 40, 140, 255},
+                                                           {90, 10, 165, 255},
+                                                           {160, 25, 155, 255},
+                                                           {210, 60, 110, 255},
+                                                           {240, 110, 60, 255},
+                                                           {248, 165, 35, 255}}};
+    const double s =
+        std::isfinite(t) ? std::clamp(t, 0.0, 1.0) * (kColorMapPoints.size() - 1.0) : 0.0;
+    const std::size_t i =
+        std::min<std::size_t>(static_cast<std::size_t>(s), kColorMapPoints.size() - 2);
     const double f = s - static_cast<double>(i);
     const auto mix = [f](std::uint8_t a, std::uint8_t b) {
         return static_cast<std::uint8_t>(std::lround(a + f * (b - a)));
     };
-    const Color a = kAnchors[i], b = kAnchors[i + 1];
+    const Color a = kColorMapPoints[i], b = kColorMapPoints[i + 1];
     return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b), 255};
 }
 
@@ -116,12 +118,12 @@ double draw_legend(Drawing& drawing, Point at, std::span<const LegendEntry> entr
 }
 
 void draw_color_bar(Drawing& drawing, const Box& box, Range range, const std::string& label) {
-    constexpr int kBands = 128;
-    for (int i = 0; i < kBands; ++i) {
-        const double h = box.height / kBands;
+    constexpr int kLegendBands = 128;
+    for (int i = 0; i < kLegendBands; ++i) {
+        const double h = box.height / kLegendBands;
         // Bands overlap slightly to avoid hairlines between them.
         drawing.box({box.x, box.bottom() - (i + 1) * h, box.width, h + (i > 0 ? 0.5 : 0.0)},
-                    scale_color((i + 0.5) / kBands));
+                    scale_color((i + 0.5) / kLegendBands));
     }
     drawing.box(box, kNoColor, kSoft);
     const std::vector<double> values = ticks(range, 6);

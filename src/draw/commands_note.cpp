@@ -14,7 +14,7 @@ namespace hawser::draw {
 
 namespace {
 
-constexpr std::size_t kMaximum = 6;      // Largest number of marked moments with set inputs.
+constexpr std::size_t kMaxMarkedMoments = 6;  // Largest number of marked moments with set inputs.
 constexpr std::size_t kMaxDone = 12;     // Largest number of marked moments with other actions.
 constexpr std::size_t kMaxInMoment = 8;  // Largest number of changes listed for one moment.
 
@@ -66,7 +66,8 @@ std::vector<Command> list_commands_by_time(const record::Recording& recording) {
     std::vector<Command> out;
     std::size_t set = 0, actions = 0, more = 0;
     for (const auto& [step, moment] : moments) {
-        const bool marked = moment.actions.empty() ? set++ < kMaximum : actions++ < kMaxDone;
+        const bool marked =
+            moment.actions.empty() ? set++ < kMaxMarkedMoments : actions++ < kMaxDone;
         if (!marked) {
             ++more;
             continue;

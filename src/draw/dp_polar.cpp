@@ -15,7 +15,7 @@ namespace {
 constexpr double kPolarWidth = 900.0, kPolarHeight = 860.0;
 constexpr Point kPolarCentre{430.0, 470.0};
 constexpr double kPolarUnit = 28.0;  ///< Points for each number.
-constexpr Color kIntact{31, 119, 180, 255};
+constexpr Color kIntactColor{31, 119, 180, 255};
 constexpr Color kFailureColors[] = {{214, 39, 40, 255},   {255, 127, 14, 255}, {148, 103, 189, 255},
                                     {44, 160, 44, 255},   {140, 86, 75, 255},  {227, 119, 194, 255},
                                     {127, 127, 127, 255}, {188, 189, 34, 255}};
@@ -87,7 +87,7 @@ Drawing plot_dp_capability(const DpCapability& capability, const std::string& ti
     for (std::size_t k = 0; k < capability.failures.size(); ++k)
         curve("without " + capability.failures[k].name, kFailureColors[k % kColors], 1.2,
               [k](const DpHeading& h) { return h.failed_numbers[k]; });
-    curve("intact", kIntact, 2.2, [](const DpHeading& h) { return h.number; });
+    curve("intact", kIntactColor, 2.2, [](const DpHeading& h) { return h.number; });
     return out;
 }
 

@@ -20,7 +20,7 @@ constexpr TableEntry kGlyphTable[] = {
 };
 
 constexpr int kCurveFlag = 2048;
-constexpr int kOffset = 512;
+constexpr int kCoordinateOffset = 512;
 constexpr double kUnitsPerEm = 1024.0;
 constexpr int kPiecesPerCurve = 5;  // Smooth at the sizes of captions and titles.
 
@@ -73,8 +73,8 @@ Glyph decode(const TableEntry& entry) {
     for (std::size_t i = 0; i + 4 <= entry.outline.size(); i += 4) {
         const int x = number(entry.outline.substr(i));
         const int y = number(entry.outline.substr(i + 2));
-        contour.push_back({{((x & (kCurveFlag - 1)) - kOffset) / kUnitsPerEm,
-                            ((y & (kCurveFlag - 1)) - kOffset) / kUnitsPerEm},
+        contour.push_back({{((x & (kCurveFlag - 1)) - kCoordinateOffset) / kUnitsPerEm,
+                            ((y & (kCurveFlag - 1)) - kCoordinateOffset) / kUnitsPerEm},
                            (x & kCurveFlag) != 0});
         if ((y & kCurveFlag) != 0) {
             glyph.contours.push_back(flatten(contour));

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kMostPanels = 4;
 constexpr double kLeft = 90, kTop = 112, kPanelWidth = 540, kBetween = 90, kBarRoom = 150;
 // Margin around the body, as a fraction of its size.
-constexpr double kMargin = 0.35;
+constexpr double kBodyMargin = 0.35;
 
 // Choose plotted bodies with a size that is small compared with the whole scene.
 std::vector<std::int32_t> plotted_bodies(const record::Recording& recording, double scene_size) {
@@ -44,8 +44,8 @@ Bounds body_bounds(const record::RecordedBody& body, const Pose& pose) {
 Axes panel(const View& view, const Bounds& body, Point at, double height) {
     const double wide = body.high[view.right] - body.low[view.right];
     const double high = body.high[2] - body.low[2];
-    const double scale = std::min(kPanelWidth / (wide * (1.0 + 2.0 * kMargin)),
-                                  height / std::max(high * (1.0 + 2.0 * kMargin), 0.5 * wide));
+    const double scale = std::min(kPanelWidth / (wide * (1.0 + 2.0 * kBodyMargin)),
+                                  height / std::max(high * (1.0 + 2.0 * kBodyMargin), 0.5 * wide));
     const double x = 0.5 * (body.low[view.right] + body.high[view.right]);
     // Structures on a body are usually higher than parts below it, so the margin above is larger.
     const double z = 0.5 * (body.low[2] + body.high[2]) + 0.12 * height / scale;

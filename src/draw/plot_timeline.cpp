@@ -12,10 +12,12 @@ namespace hawser::draw {
 
 namespace {
 
-constexpr double kLine = 26.0, kGap = 8.0;  // height of a thread, gap between threads
-constexpr Color kIdle{240, 241, 243, 255};
+constexpr double kThreadHeight = 26.0, kThreadGap = 8.0;  // height of a thread, gap between threads
+constexpr Color kIdleColor{240, 241, 243, 255};
 
-double height_of(const Timeline& t) { return t.threads * (kLine + kGap) + kGap; }
+double height_of(const Timeline& t) {
+    return t.threads * (kThreadHeight + kThreadGap) + kThreadGap;
+}
 
 }  // namespace
 
@@ -34,11 +36,11 @@ Color color_of(Work work) noexcept {
 
 void draw_timeline(Drawing& drawing, const Box& frame, const Timeline& timeline, double until) {
     const double scale = until > 0.0 ? frame.width / until : 0.0;
-    const double pitch = (frame.height - kGap) / timeline.threads;
-    const double height = pitch - kGap;
-    auto top = [&](int thread) { return frame.y + kGap + thread * pitch; };
+    const double pitch = (frame.height - kThreadGap) / timeline.threads;
+    const double height = pitch - kThreadGap;
+    auto top = [&](int thread) { return frame.y + kThreadGap + thread * pitch; };
     for (int t = 0; t < timeline.threads; ++t) {
-        drawing.box({frame.x, top(t), timeline.seconds * scale, height}, kIdle);
+        drawing.box({frame.x, top(t), timeline.seconds * scale, height}, kIdleColor);
         drawing.text({frame.x - 8.0, top(t) + 0.5 * height + 4.0},
                      fmt::format("{}thread {}", timeline.simulated ? "simulated " : "", t), 11.0,
                      Anchor::end, kSoft);
@@ -74,15 +76,16 @@ void draw_work_legend(Drawing& drawing, const Box& frame, const std::vector<Time
     for (int w = 0; w < kWorkCount; ++w)
         if (seconds[static_cast<std::size_t>(w)] > 0.0)
             entry(color_of(static_cast<Work>(w)), to_string(static_cast<Work>(w)));
-    entry(kIdle, "idle");
+    entry(kIdleColor, "idle");
 }
 
 Drawing plot_timelines(const std::vector<Timeline>& timelines, const std::string& title,
                        const std::string& parameters) {
-    constexpr double kMargin = 130.0, kRight = 30.0, kHead = 96.0, kCaption = 22.0, kFoot = 52.0;
-    double height = kHead + kFoot, until = 0.0;
+    constexpr double kLeftMargin = 130.0, kRightMargin = 30.0, kHeadHeight = 96.0,
+                     kCaptionHeight = 22.0, kFootHeight = 52.0;
+    double height = kHeadHeight + kFootHeight, until = 0.0;
     for (const Timeline& t : timelines) {
-        height += kCaption + height_of(t);
+        height += kCaptionHeight + height_of(t);
         until = std::max(until, t.seconds);
     }
     Drawing d;
@@ -90,12 +93,13 @@ Drawing plot_timelines(const std::vector<Timeline>& timelines, const std::string
     d.title = title;
     d.description = parameters;
     d.box({0.0, 0.0, d.width, d.height}, kWhite);
-    d.text({kMargin, 30.0}, title, 18.0, Anchor::start, kInk, true);
-    d.text({kMargin, 50.0}, parameters, 12.0, Anchor::start, kSoft);
-    draw_work_legend(d, {kMargin, 64.0, d.width - kMargin - kRight, 14.0}, timelines);
+    d.text({kLeftMargin, 30.0}, title, 18.0, Anchor::start, kInk, true);
+    d.text({kLeftMargin, 50.0}, parameters, 12.0, Anchor::start, kSoft);
+    draw_work_legend(d, {kLeftMargin, 64.0, d.width - kLeftMargin - kRightMargin, 14.0}, timelines);
     const record::Unit unit = record::readable_unit(until, "s");
     Axes axes;
-    axes.frame = {kMargin, kHead, d.width - kMargin - kRight, height - kHead - kFoot};
+    axes.frame = {kLeftMargin, kHeadHeight, d.width - kLeftMargin - kRightMargin,
+                  height - kHeadHeight - kFootHeight};
     axes.x = {0.0, until > 0.0 ? until * unit.factor : 1.0};
     const std::vector<double> marks = ticks(axes.x, 10);
     const double distance = marks.size() > 1 ? marks[1] - marks[0] : 1.0;
@@ -107,11 +111,11 @@ Drawing plot_timelines(const std::vector<Timeline>& timelines, const std::string
     }
     d.text({axes.frame.x + 0.5 * axes.frame.width, axes.frame.bottom() + 38.0},
            fmt::format("time in the step [{}]", unit.name), 12.0, Anchor::middle, kSoft);
-    double y = kHead;
+    double y = kHeadHeight;
     for (const Timeline& t : timelines) {
-        d.text({kMargin, y + 15.0}, describe(t), 12.0);
-        y += kCaption;
-        draw_timeline(d, {kMargin, y, axes.frame.width, height_of(t)}, t, until);
+        d.text({kLeftMargin, y + 15.0}, describe(t), 12.0);
+        y += kCaptionHeight;
+        draw_timeline(d, {kLeftMargin, y, axes.frame.width, height_of(t)}, t, until);
         y += height_of(t);
     }
     return d;

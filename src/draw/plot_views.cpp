@@ -122,12 +122,13 @@ void widen_by_paths(const record::Recording& recording, const record::Series& se
 void mark_broken_elements(Drawing& drawing, Point at, const record::Recording& recording,
                           double time) {
     const std::vector<BrokenElement> parted = broken_elements(recording, time);
-    constexpr std::size_t kNamed = 4;
+    constexpr std::size_t kMaxNamedWires = 4;
     if (parted.empty()) return;
     std::string text = "Crosses: ";
-    for (std::size_t i = 0; i < std::min(kNamed, parted.size()); ++i)
+    for (std::size_t i = 0; i < std::min(kMaxNamedWires, parted.size()); ++i)
         text += (i > 0 ? "; " : "") + parted[i].text;
-    if (parted.size() > kNamed) text += fmt::format(" and {} more", parted.size() - kNamed);
+    if (parted.size() > kMaxNamedWires)
+        text += fmt::format(" and {} more", parted.size() - kMaxNamedWires);
     drawing.text(at, text + ".", 12.0, Anchor::start, kBrokenColor);
 }
 

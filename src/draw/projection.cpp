@@ -11,7 +11,7 @@ namespace hawser::draw {
 
 namespace {
 
-constexpr Color kGhost{205, 210, 216, 255};
+constexpr Color kGhostColor{205, 210, 216, 255};
 constexpr Color kBodyLine{52, 62, 74, 255};
 
 bool has_size(const record::RecordedBody& body) { return body.half_size.maxCoeff() > 0.0; }
@@ -29,8 +29,8 @@ std::array<Vec3, 8> corners(const record::RecordedBody& body, const Pose& pose) 
 // Draw the visible faces of a box. Faces perpendicular to the line of sight are lighter.
 void draw_box(Drawing& drawing, const Axes& axes, const View& view,
               const record::RecordedBody& body, const Pose& pose, bool ghost) {
-    static constexpr int kFaces[6][4] = {{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4},
-                                         {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}};
+    static constexpr int kBoxFaceCorners[6][4] = {{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                                  {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}};
     const std::array<Vec3, 8> p = corners(body, pose);
     const Mat3 r = pose.orientation.normalized().toRotationMatrix();
     for (int face = 0; face < 6; ++face) {
@@ -38,13 +38,13 @@ void draw_box(Drawing& drawing, const Axes& axes, const View& view,
         const double facing = normal.dot(view.towards_viewer());
         if (facing < 1e-3) continue;
         std::vector<Point> outline;
-        for (const int corner : kFaces[face])
+        for (const int corner : kBoxFaceCorners[face])
             outline.push_back(project(axes, view, p[static_cast<std::size_t>(corner)]));
         const auto light = static_cast<std::uint8_t>(150 + 70 * facing);
         const Color fill{static_cast<std::uint8_t>(light - 8), light,
                          static_cast<std::uint8_t>(light + 14), 215};
         drawing.add(Path{.points = std::move(outline),
-                         .stroke = ghost ? kGhost : kBodyLine,
+                         .stroke = ghost ? kGhostColor : kBodyLine,
                          .width = ghost ? 0.8 : 1.2,
                          .fill = ghost ? kNoColor : fill,
                          .closed = true});
@@ -61,9 +61,10 @@ void draw_dot(Drawing& drawing, Point at, double radius, Color color) {
 
 /// Draw a cross at the end of a broken cable.
 void draw_cross(Drawing& drawing, Point at) {
-    constexpr double kReach = 5.0;
-    for (const double side : {-kReach, kReach})
-        drawing.line({at.x - kReach, at.y - side}, {at.x + kReach, at.y + side}, kBrokenColor, 2.2);
+    constexpr double kPlaneHalfWidth = 5.0;
+    for (const double side : {-kPlaneHalfWidth, kPlaneHalfWidth})
+        drawing.line({at.x - kPlaneHalfWidth, at.y - side}, {at.x + kPlaneHalfWidth, at.y + side},
+                     kBrokenColor, 2.2);
 }
 
 Vec3 position_in_frame(const record::Frame& frame, std::int32_t body, const Vec3& point) {
@@ -75,7 +76,7 @@ Vec3 position_in_frame(const record::Frame& frame, std::int32_t body, const Vec3
 // box.
 void draw_joints(Drawing& drawing, const Axes& axes, const View& view,
                  const record::Recording& recording, const record::Frame& frame, bool ghost) {
-    const Color color = ghost ? kGhost : kBodyLine;
+    const Color color = ghost ? kGhostColor : kBodyLine;
     const double width = ghost ? 1.0 : 1.8;
     for (std::size_t j = 0; j < recording.joints.size(); ++j) {
         if (is_removed(frame, j)) continue;
@@ -144,7 +145,7 @@ void draw_wires(Drawing& drawing, const Axes& axes, const View& view, const reco
                 continue;
             }
             const Color color =
-                style.ghost ? kGhost
+                style.ghost ? kGhostColor
                             : scale_color((pull - style.tension.low) / style.tension.span());
             drawing.line(from, to, color, style.ghost ? 1.0 : 2.2);
             const bool goes_on =
@@ -171,7 +172,7 @@ void draw_cables(Drawing& drawing, const Axes& axes, const View& view,
         points.reserve(nodes.size());
         for (const Vec3& node : nodes) points.push_back(project(axes, view, node));
         if (style.ghost) {
-            drawing.add(Path{.points = points, .stroke = kGhost, .width = 1.0});
+            drawing.add(Path{.points = points, .stroke = kGhostColor, .width = 1.0});
             continue;
         }
         // A cable from a drum has one element more than drawn pieces; the last ones correspond.
@@ -259,7 +260,7 @@ void draw_frame(Drawing& drawing, const Axes& axes, const View& view,
             draw_box(drawing, axes, view, body, frame.poses[i], style.ghost);
         else
             draw_dot(drawing, project(axes, view, frame.poses[i].position), style.ghost ? 2.5 : 4.0,
-                     style.ghost ? kGhost : kBodyLine);
+                     style.ghost ? kGhostColor : kBodyLine);
     }
     draw_joints(drawing, axes, view, recording, frame, style.ghost);
     draw_cables(drawing, axes, view, recording, frame, style);

@@ -141,7 +141,8 @@ std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, double level, bool a
 }
 
 std::vector<Crease> visible_creases(const Solid& solid, const Camera& camera) {
-    constexpr double kSmooth = 0.94;  // cosine of 20 degrees: limit for facets of a round surface
+    constexpr double kMinSmoothCosine =
+        0.94;  // cosine of 20 degrees: limit for facets of a round surface
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> sides;
     for (std::size_t f = 0; f < solid.surface.corners.size(); ++f)
         for (std::size_t k = 0; k < 3; ++k) {
@@ -155,7 +156,7 @@ std::vector<Crease> visible_creases(const Solid& solid, const Camera& camera) {
         const bool seen[2] = {solid.normals[faces[0]].dot(camera.to_viewer) > 1e-9,
                               solid.normals[faces[1]].dot(camera.to_viewer) > 1e-9};
         const bool rim = seen[0] != seen[1];
-        const bool sharp = solid.normals[faces[0]].dot(solid.normals[faces[1]]) < kSmooth;
+        const bool sharp = solid.normals[faces[0]].dot(solid.normals[faces[1]]) < kMinSmoothCosine;
         if (rim || (sharp && seen[0]))
             out.push_back({solid.surface.points[edge.first], solid.surface.points[edge.second]});
     }

@@ -127,10 +127,10 @@ Point Space::at(const Vec3& p) const {
 }
 
 bool Space::inside(const Vec3& p) const {
-    constexpr double kRoom = 1e-6;
-    return p.x() >= box_.low.x() - kRoom && p.x() <= box_.high.x() + kRoom &&
-           p.y() >= box_.low.y() - kRoom && p.y() <= box_.high.y() + kRoom &&
-           p.z() >= box_.low.z() - kRoom && p.z() <= box_.high.z() + kRoom;
+    constexpr double kBoxTolerance = 1e-6;
+    return p.x() >= box_.low.x() - kBoxTolerance && p.x() <= box_.high.x() + kBoxTolerance &&
+           p.y() >= box_.low.y() - kBoxTolerance && p.y() <= box_.high.y() + kBoxTolerance &&
+           p.z() >= box_.low.z() - kBoxTolerance && p.z() <= box_.high.z() + kBoxTolerance;
 }
 
 void Space::gather() {

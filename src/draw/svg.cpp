@@ -15,8 +15,9 @@ namespace {
 // decimals.
 std::string coordinate(double value) {
     if (!std::isfinite(value)) return "0";
-    constexpr double kMaximum = 1e7;  // Larger coordinates are not visible, and readers use floats.
-    std::string text = fmt::format("{:.2f}", std::clamp(value, -kMaximum, kMaximum));
+    constexpr double kMaxCoordinate =
+        1e7;  // Larger coordinates are not visible, and readers use floats.
+    std::string text = fmt::format("{:.2f}", std::clamp(value, -kMaxCoordinate, kMaxCoordinate));
     while (text.back() == '0') text.pop_back();
     if (text.back() == '.') text.pop_back();
     return text == "-0" ? "0" : text;
@@ -80,11 +81,11 @@ struct Writer {
     }
 
     void operator()(const Text& text) const {
-        static constexpr const char* kAnchor[] = {"start", "middle", "end"};
+        static constexpr const char* kAnchorNames[] = {"start", "middle", "end"};
         out += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\"", coordinate(text.at.x),
                            coordinate(text.at.y), coordinate(text.size));
         if (text.anchor != Anchor::start)
-            out += fmt::format(" text-anchor=\"{}\"", kAnchor[static_cast<int>(text.anchor)]);
+            out += fmt::format(" text-anchor=\"{}\"", kAnchorNames[static_cast<int>(text.anchor)]);
         if (text.bold) out += " font-weight=\"bold\"";
         if (text.turn != 0.0)
             out += fmt::format(" transform=\"rotate({} {} {})\"", coordinate(text.turn),

@@ -16,7 +16,7 @@ namespace {
 
 using generic::V3;
 
-/// Return the end of a line at the half step before the poses, as held_by_element() does.
+/// Return the end of a line at the half step before the poses, as elastic_energy_of_element() does.
 V3 end_at_half_step(const context::StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
     const model::Bodies& b = ctx.model.bodies;
     const auto body = at(ctx.model.interactions.body[kMaxInteractionBodies * at(id) + slot]);
@@ -151,23 +151,23 @@ double piece_energy(const context::StepContext& ctx, std::int32_t id) noexcept {
     return 0.5 * in.pair_mass[at(id)] * sum;
 }
 
-void settle_body(context::StepContext& ctx, std::int32_t body) noexcept {
+void register_added_body(context::StepContext& ctx, std::int32_t body) noexcept {
     ctx.state.ledger.edited.given += energy_of_body(ctx, body);
 }
 
-void settle_interaction(context::StepContext& ctx, std::int32_t id) noexcept {
+void register_added_interaction(context::StepContext& ctx, std::int32_t id) noexcept {
     ctx.state.ledger.edited.given += energy_of_interaction(ctx, id) - piece_energy(ctx, id);
     if (ctx.state.started) ctx.state.edits.interactions.push_back(id);
     disturb_bodies(ctx, id);
 }
 
-void settle_shape(context::StepContext& ctx, std::int32_t shape) noexcept {
+void register_added_shape(context::StepContext& ctx, std::int32_t shape) noexcept {
     if (ctx.work.stats.asleep == 0) return;
-    ctx.model.collider.each_near(shape, ctx.model.bodies, ctx.model.def.step,
-                                 [&](const collide::Shape& other) {
-                                     for (const std::int32_t b : other.body)
-                                         if (b >= 0) context::wake_island(ctx.model, b);
-                                 });
+    ctx.model.collider.for_each_overlapping(shape, ctx.model.bodies, ctx.model.def.step,
+                                            [&](const collide::Shape& other) {
+                                                for (const std::int32_t b : other.body)
+                                                    if (b >= 0) context::wake_island(ctx.model, b);
+                                            });
     for (const std::int32_t b : ctx.model.collider.shapes()[at(shape)].body)
         if (b >= 0) context::wake_island(ctx.model, b);
 }

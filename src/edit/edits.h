@@ -54,9 +54,9 @@ void begin_shape_edit(context::StepContext& ctx) noexcept;
 }
 
 /// Update all data after an added body or interaction has been written into the model.
-void settle_body(context::StepContext& ctx, std::int32_t body) noexcept;
-void settle_interaction(context::StepContext& ctx, std::int32_t id) noexcept;
-void settle_shape(context::StepContext& ctx, std::int32_t shape) noexcept;
+void register_added_body(context::StepContext& ctx, std::int32_t body) noexcept;
+void register_added_interaction(context::StepContext& ctx, std::int32_t id) noexcept;
+void register_added_shape(context::StepContext& ctx, std::int32_t shape) noexcept;
 
 /// Remove an object. A body must have no interactions and no shapes.
 void remove_body(context::StepContext& ctx, std::int32_t body) noexcept;

@@ -67,7 +67,7 @@ NodeChain nearby_chain(const context::StepContext& ctx, const NodeSurroundings& 
         NodeChain::ChainNode& l = out.lump[k];
         if (!l.point) continue;
         const NodeLinks links = adjacent_elements(ctx, l.body);
-        l.moves = links.plain && fits(links.before) && fits(links.after);
+        l.moves = links.has_only_bends && fits(links.before) && fits(links.after);
     }
     return out;
 }

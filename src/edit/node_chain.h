@@ -21,7 +21,7 @@ namespace hawser::edit {
 
 /// Bodies along the wire, and the elements between neighbours.
 struct NodeChain {
-    static constexpr std::size_t kMaximum = 2 * kNodeReach + 3;
+    static constexpr std::size_t kMaxNodes = 2 * kNodeReach + 3;
     struct ChainNode {
         std::int32_t body = -1;
         bool point = false;  ///< True for a node.
@@ -41,8 +41,8 @@ struct NodeChain {
         double pull = 0.0;  ///< Force of its law at the poses [N].
         double rate = 0.0;  ///< Rate of its length [m/s].
     };
-    std::array<ChainNode, kMaximum> lump{};
-    std::array<Piece, kMaximum - 1> piece{};
+    std::array<ChainNode, kMaxNodes> lump{};
+    std::array<Piece, kMaxNodes - 1> piece{};
     std::size_t count = 0;   ///< Number of nodes; there is one piece less.
     std::size_t middle = 0;  ///< Index of the node; after its removal, of the next node.
     double half = 0.0;       ///< h/2 [s]

@@ -30,7 +30,7 @@ bool release_drum_node(context::StepContext& ctx, const NodeSurroundings& place,
                        double bend) noexcept {
     model::Interactions& in = ctx.model.interactions;
     model::Bodies& bodies = ctx.model.bodies;
-    const bool at_first = is_wound(ctx, place.first);
+    const bool at_first = is_at_drum(ctx, place.first);
     const std::int32_t e = at_first ? place.first : place.second;
     const std::int32_t f = at_first ? place.second : place.first;
     const std::size_t far = at_first ? 1 : 0;  // slot of b in f, and of n in e
@@ -42,7 +42,7 @@ bool release_drum_node(context::StepContext& ctx, const NodeSurroundings& place,
     // A free end would have no mass of its own.
     if (is_free_node(ctx, b) && !exceeds_half(bodies.mass[at(b)], half)) {
         const std::int32_t beyond = at_first ? place.after[0] : place.before[0];
-        if (beyond < 0 || !is_wound(ctx, beyond)) return false;
+        if (beyond < 0 || !is_at_drum(ctx, beyond)) return false;
         half = std::min(half, bodies.mass[at(b)]) - kKeptMass * half;
     }
     const double rest[2] = {in.rest_length[at(e)], in.rest_length[at(f)]};
@@ -71,7 +71,7 @@ bool release_drum_node(context::StepContext& ctx, const NodeSurroundings& place,
     NodeSurroundings after = place;
     after.first = e;
     after.second = after.node = after.bend[1] = -1;
-    follow_masses(ctx, after);
+    update_for_masses(ctx, after);
     return true;
 }
 

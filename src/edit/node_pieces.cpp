@@ -8,7 +8,7 @@
 namespace hawser::edit {
 namespace {
 
-constexpr std::size_t kSlots = kMaxInteractionBodies;
+constexpr std::size_t kSlotsOfInteraction = kMaxInteractionBodies;
 
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
@@ -35,7 +35,7 @@ bool is_bend(const context::StepContext& ctx, std::int32_t id) noexcept {
 }
 
 std::int32_t end_of(const context::StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
-    return ctx.model.interactions.body[kSlots * at(id) + slot];
+    return ctx.model.interactions.body[kSlotsOfInteraction * at(id) + slot];
 }
 bool is_free_node(const context::StepContext& ctx, std::int32_t body) noexcept {
     return ctx.model.bodies.kind[at(body)] == BodyKind::lump;
@@ -47,11 +47,11 @@ NodeLinks adjacent_elements(const context::StepContext& ctx, std::int32_t body) 
     in.for_each_holder(body, ctx.model.bodies, [&](std::int32_t id, std::size_t slot) {
         if (in.parted[at(id)] != 0 || is_bend(ctx, id)) return;
         if (!kind_info(in.kinds[at(id)]).is(kWireElement) || slot > 1) {
-            out.plain = false;
+            out.has_only_bends = false;
             return;
         }
         std::int32_t& side = slot == 0 ? out.after : out.before;
-        if (side >= 0) out.plain = false;
+        if (side >= 0) out.has_only_bends = false;
         if (side < 0 || id < side) side = id;
     });
     return out;
@@ -91,7 +91,7 @@ bool is_of_material(const context::StepContext& ctx, std::int32_t element) noexc
            !kind_info(in.kinds[at(element)]).is(kWoundUp);
 }
 
-bool is_wound(const context::StepContext& ctx, std::int32_t element) noexcept {
+bool is_at_drum(const context::StepContext& ctx, std::int32_t element) noexcept {
     return kind_info(ctx.model.interactions.kinds[at(element)]).is(kWoundUp);
 }
 std::size_t drum_side(const context::StepContext& ctx, std::int32_t element) noexcept {
@@ -169,7 +169,7 @@ double stretching_speed(const context::StepContext& ctx, std::int32_t id) noexce
     const model::Bodies& b = ctx.model.bodies;
     const Vec3 u = (point_of(ctx, id, 1) - point_of(ctx, id, 0)).normalized();
     double rate = u.dot(speed_of(ctx, id, 1, b.v) - speed_of(ctx, id, 0, b.v));
-    if (is_wound(ctx, id))
+    if (is_at_drum(ctx, id))
         rate -= ctx.model.interactions.def[at(id)].get("radius") *
                 b.v[at(b.dof_begin[at(end_of(ctx, id, 2))])];
     return rate;
@@ -195,8 +195,8 @@ double rest_length_for_force(const context::StepContext& ctx, std::int32_t id, d
     const double length = length_of(ctx, id);
     const double damped = damping_time_of(ctx, id) * stretching_speed(ctx, id);
     // A rate that would move by about the length of the element is not a strain.
-    constexpr double kMaximum = 0.1;
-    return (length + std::clamp(damped, -kMaximum * length, kMaximum * length)) /
+    constexpr double kMaxRateStrain = 0.1;
+    return (length + std::clamp(damped, -kMaxRateStrain * length, kMaxRateStrain * length)) /
            (1.0 + force / stiffness);
 }
 
@@ -234,7 +234,7 @@ void set_element(context::StepContext& ctx, std::int32_t id, double rest, double
     const double before = in.rest_length[at(id)];
     d.params[0] = rest;
     const auto row = at(in.row_begin[at(id)]);
-    if (is_wound(ctx, id)) {
+    if (is_at_drum(ctx, id)) {
         d.set("drum_zero", ctx.model.bodies.x[3 * at(end_of(ctx, id, 2))]);
     } else if (in.row_flags[row] & model::kRowDamper) {
         // A fraction of critical damping is proportional to the length.
@@ -271,12 +271,12 @@ void set_bend(context::StepContext& ctx, std::int32_t id, std::int32_t one,
     for (std::size_t r = 0; r < 2; ++r) {
         const auto row = at(in.row_begin[at(id)]) + r;
         d.compliance[r] = in.epsilon[row] = d.params[1] / d.params[0];
-        in.follow_compliance(row, false, ctx.model.def.step);
+        in.update_damping_of_row(row, false, ctx.model.def.step);
     }
     in.refresh(id, ctx.model.bodies, ctx.model.def.step);
 }
 
-void follow_masses(context::StepContext& ctx, const NodeSurroundings& place) noexcept {
+void update_for_masses(context::StepContext& ctx, const NodeSurroundings& place) noexcept {
     model::Interactions& in = ctx.model.interactions;
     // Ends of the elements at the node; gear may hold them as well.
     std::int32_t lumps[4] = {-1, -1, -1, -1};

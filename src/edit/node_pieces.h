@@ -15,7 +15,7 @@ namespace hawser::edit {
 /// Connections of a body to wires.
 struct NodeLinks {
     std::int32_t before = -1, after = -1;  ///< Elements that end and begin at the body; −1: none.
-    bool plain = true;  ///< True if no other interaction except bends acts on it.
+    bool has_only_bends = true;  ///< True if no other interaction except bends acts on it.
 };
 [[nodiscard]] NodeLinks adjacent_elements(const context::StepContext& ctx,
                                           std::int32_t body) noexcept;
@@ -42,7 +42,7 @@ struct NodeLinks {
 
 /// True if an element is at a drum. Then drum_side() is its end at the fairlead, to which no node
 /// belongs.
-[[nodiscard]] bool is_wound(const context::StepContext& ctx, std::int32_t element) noexcept;
+[[nodiscard]] bool is_at_drum(const context::StepContext& ctx, std::int32_t element) noexcept;
 [[nodiscard]] std::size_t drum_side(const context::StepContext& ctx, std::int32_t element) noexcept;
 /// Return the velocity due to material that enters at the fairlead [m/s].
 /// @param beyond  Fraction of the element behind the point at which the velocity is evaluated.
@@ -108,6 +108,6 @@ void set_bend(context::StepContext& ctx, std::int32_t id, std::int32_t one,
               std::int32_t other) noexcept;
 
 /// Update the data of elements near a node that depend on the masses at their ends.
-void follow_masses(context::StepContext& ctx, const NodeSurroundings& place) noexcept;
+void update_for_masses(context::StepContext& ctx, const NodeSurroundings& place) noexcept;
 
 }  // namespace hawser::edit

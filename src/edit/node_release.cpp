@@ -44,13 +44,17 @@
 namespace hawser::edit {
 namespace {
 
-constexpr int kWide = 3 * (2 * kNodeReach + 2);  // includes free ends of the wire within reach
-constexpr int kKept = 6;
+constexpr int kMaxVelocities =
+    3 * (2 * kNodeReach + 2);  // includes free ends of the wire within reach
+constexpr int kMomentumRows = 6;
 constexpr double kAnyBend = 3.14159;  ///< Upper bound of any bend angle [rad].
-using Packed = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kWide, 1>;
-using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kWide, kWide>;
-using Shares = Eigen::Matrix<double, kKept, Eigen::Dynamic, Eigen::ColMajor, kKept, kWide>;
-using Across = Eigen::Matrix<double, Eigen::Dynamic, kKept, Eigen::ColMajor, kWide, kKept>;
+using Packed = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxVelocities, 1>;
+using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
+                             kMaxVelocities, kMaxVelocities>;
+using Shares = Eigen::Matrix<double, kMomentumRows, Eigen::Dynamic, Eigen::ColMajor, kMomentumRows,
+                             kMaxVelocities>;
+using Across = Eigen::Matrix<double, Eigen::Dynamic, kMomentumRows, Eigen::ColMajor, kMaxVelocities,
+                             kMomentumRows>;
 using Kept = base::Vec6;
 using KeptSquare = base::Mat6;
 
@@ -61,16 +65,17 @@ Mat3 cross_matrix(const Vec3& r) {
 }
 
 /// Velocities of moving nodes, and their contributions to momenta.
-class Patch {
+class ReleaseNeighbourhood {
   public:
-    explicit Patch(const NodeChain& chain) : chain_(chain), origin_(chain.lump[chain.middle].y) {
+    explicit ReleaseNeighbourhood(const NodeChain& chain)
+        : chain_(chain), origin_(chain.lump[chain.middle].y) {
         for (std::size_t k = 0; k < chain.count; ++k) {
             first_row_[k] = chain.lump[k].moves ? size_ : -1;
             if (chain.lump[k].moves) size_ += 3;
             reach_ = std::max(reach_, (chain.lump[k].y - origin_).norm());
         }
         mass_.setZero(size_, size_);
-        shares_.setZero(kKept, size_);
+        shares_.setZero(kMomentumRows, size_);
         missing_rates_.setZero(size_);
         if (size_ == 0) return;
         for (std::size_t k = 0; k < chain.count; ++k) add_lump(k);
@@ -149,9 +154,9 @@ class Patch {
     }
     [[nodiscard]] Packed min_change(const Kept& r) const {
         Kept y = eigen_.vectors.transpose() * scale_.cwiseProduct(r);
-        constexpr double kNothing = 1e-12;  // for the rotation about a line of nodes
-        for (int i = 0; i < kKept; ++i)
-            y[i] = eigen_.values[i] > kNothing ? y[i] / eigen_.values[i] : 0.0;
+        constexpr double kMinMomentOfInertia = 1e-12;  // for the rotation about a line of nodes
+        for (int i = 0; i < kMomentumRows; ++i)
+            y[i] = eigen_.values[i] > kMinMomentOfInertia ? y[i] / eigen_.values[i] : 0.0;
         return across_ * scale_.cwiseProduct(eigen_.vectors * y);
     }
 
@@ -159,14 +164,14 @@ class Patch {
     Vec3 origin_;
     int size_ = 0;
     double reach_ = 1e-9;
-    std::array<int, NodeChain::kMaximum> first_row_{};
+    std::array<int, NodeChain::kMaxNodes> first_row_{};
     Square mass_;
     Shares shares_;
     Packed missing_rates_;
     Across across_;
     Kept scale_;
     Eigen::LLT<Square> momentum_factor_;
-    base::SymmetricEigen<kKept> eigen_;
+    base::SymmetricEigen<kMomentumRows> eigen_;
 };
 
 /// Move the free nodes so that the first moment of mass is preserved.
@@ -185,13 +190,14 @@ void preserve_mass_centre(NodeChain& now, const NodeChain& was) noexcept {
 }
 
 /// Set velocities that preserve the momenta.
-void preserve_momenta(NodeChain& now, const Patch& patch, const NodeMomentum& had) noexcept {
+void preserve_momenta(NodeChain& now, const ReleaseNeighbourhood& patch,
+                      const NodeMomentum& had) noexcept {
     if (patch.size() == 0) return;
     patch.add(now, patch.change_of_rates(), 1.0);
     // Nodes nearly on a line have almost no moment of inertia about it: repeat to remove the
     // rounding error.
-    constexpr int kTimes = 3;
-    for (int i = 0; i < kTimes; ++i) {
+    constexpr int kMomentumPasses = 3;
+    for (int i = 0; i < kMomentumPasses; ++i) {
         const NodeMomentum has = momentum_of(now, patch.origin());
         patch.add(now,
                   patch.velocity_corrections({had.linear - has.linear, had.angular - has.angular}),
@@ -202,7 +208,8 @@ void preserve_momenta(NodeChain& now, const Patch& patch, const NodeMomentum& ha
 /// Change the velocities along the direction of descent until the energy is at most `energy`.
 /// @param any  True: accept any loss of energy.
 /// @return false if no change suffices, or if too much energy is lost.
-bool preserve_energy(NodeChain& now, const Patch& patch, double energy, bool any) noexcept {
+bool preserve_energy(NodeChain& now, const ReleaseNeighbourhood& patch, double energy,
+                     bool any) noexcept {
     double far = 0.0;
     const Packed down = patch.descent_direction(now, far);
     NodeChain tried = now;
@@ -221,8 +228,8 @@ bool preserve_energy(NodeChain& now, const Patch& patch, double energy, bool any
         return true;
     }
     if (!at_fraction(high)) return false;
-    constexpr int kHalvings = 60;
-    for (int i = 0; i < kHalvings; ++i) {
+    constexpr int kMaxHalvings = 60;
+    for (int i = 0; i < kMaxHalvings; ++i) {
         const double t = 0.5 * (low + high);
         (at_fraction(t) ? high : low) = t;
     }
@@ -262,7 +269,7 @@ bool release_node(context::StepContext& ctx, const NodeSurroundings& place, doub
         sag_below_chord(now.separation_at_pose(n - 1), share,
                         weight_of(ctx, place.first, was.lump[n].mass), now.piece[n - 1].pull);
     preserve_mass_centre(now, was);
-    const Patch patch(now);
+    const ReleaseNeighbourhood patch(now);
     preserve_momenta(now, patch, momentum_of(was, patch.origin()));
     if (!preserve_energy(now, patch, energy, bend >= kAnyBend)) return false;
     write_nodes(ctx, now);
@@ -287,7 +294,7 @@ bool release_node(context::StepContext& ctx, const NodeSurroundings& place, doub
     if (place.bend[2] >= 0) in.rewire(place.bend[2], 0, ctx.model.bodies.id(a), ctx.model.bodies);
     set_bend(ctx, place.bend[0], place.before[0], e);
     set_bend(ctx, place.bend[2], e, place.after[0]);
-    follow_masses(ctx, after);
+    update_for_masses(ctx, after);
     return true;
 }
 

@@ -60,7 +60,7 @@ bool complete_surroundings(const context::StepContext& ctx, NodeSurroundings& pl
         const NodeLinks links = adjacent_elements(ctx, place.node);
         place.first = links.before;
         place.second = links.after;
-        if (place.first < 0 || place.second < 0 || !links.plain) return false;
+        if (place.first < 0 || place.second < 0 || !links.has_only_bends) return false;
     }
     const std::int32_t last = place.second < 0 ? place.first : place.second;
     const std::int32_t a = end_of(ctx, place.first, 0), b = end_of(ctx, last, 1);
@@ -71,7 +71,7 @@ bool complete_surroundings(const context::StepContext& ctx, NodeSurroundings& pl
             const std::int32_t next = far == 0 ? links.before : links.after;
             // A ring that is no longer than the reach returns to its start.
             const auto known = {place.first, last};
-            if (next < 0 || !links.plain ||
+            if (next < 0 || !links.has_only_bends ||
                 std::find(known.begin(), known.end(), next) != known.end() ||
                 std::find(place.before, place.before + kNodeReach, next) !=
                     place.before + kNodeReach)
@@ -92,7 +92,7 @@ NodeDef node_on(const context::StepContext& ctx, std::int32_t element, double sh
                 double mass) noexcept {
     NodeDef out;
     const Vec3 a = point_of(ctx, element, 0), b = point_of(ctx, element, 1);
-    const bool wound = is_wound(ctx, element);
+    const bool wound = is_at_drum(ctx, element);
     const std::size_t drum = wound ? drum_side(ctx, element) : 0;
     // fraction of the piece that a drum gives away
     const double own = drum == 0 ? 1.0 - share : share;
@@ -114,24 +114,24 @@ NodeDef node_on(const context::StepContext& ctx, std::int32_t element, double sh
     return out;
 }
 
-NodeLedger begin_node_edit(const context::StepContext& ctx,
-                           const NodeSurroundings& place) noexcept {
+NodeEnergies begin_node_edit(const context::StepContext& ctx,
+                             const NodeSurroundings& place) noexcept {
     return {nearby_energy(ctx, place), ctx.state.ledger.edited};
 }
 
 void end_node_edit(context::StepContext& ctx, const NodeSurroundings& place,
-                   const NodeLedger& was) noexcept {
+                   const NodeEnergies& was) noexcept {
     ctx.state.ledger.edited = was.edited + nearby_energy(ctx, place) - was.local;
     const NearbyParts all = nearby_parts(ctx, place);
     for (std::size_t k = 0; k < all.lumps; ++k) context::wake_island(ctx.model, all.lump[k]);
 }
 
-void settle_node(context::StepContext& ctx, const NodeSurroundings& place, std::int32_t old,
-                 double share, double mass) noexcept {
+void finish_node_insertion(context::StepContext& ctx, const NodeSurroundings& place,
+                           std::int32_t old, double share, double mass) noexcept {
     model::Interactions& in = ctx.model.interactions;
     model::Bodies& bodies = ctx.model.bodies;
     const std::int32_t e = place.first, f = place.second, n = place.node;
-    const bool wound = is_wound(ctx, old);
+    const bool wound = is_at_drum(ctx, old);
     const double stiffness = stiffness_of(ctx, old);
     const double tension = wound ? force_of(ctx, old) : tension_of(ctx, old);
     const double rest = in.rest_length[at(old)];
@@ -172,7 +172,7 @@ void settle_node(context::StepContext& ctx, const NodeSurroundings& place, std::
     set_bend(ctx, place.bend[0], place.before[0], e);
     set_bend(ctx, place.bend[1], e, f);
     set_bend(ctx, place.bend[2], f, place.after[0]);
-    follow_masses(ctx, place);
+    update_for_masses(ctx, place);
 }
 
 }  // namespace hawser::edit

@@ -56,7 +56,7 @@ struct NodeDef {
 };
 
 /// Energies before an edit [J].
-struct NodeLedger {
+struct NodeEnergies {
     context::Edited local, edited;
 };
 
@@ -72,14 +72,14 @@ struct NodeLedger {
                               double mass) noexcept;
 
 /// Store the energies near a node before an edit.
-[[nodiscard]] NodeLedger begin_node_edit(const context::StepContext& ctx,
-                                         const NodeSurroundings& place) noexcept;
+[[nodiscard]] NodeEnergies begin_node_edit(const context::StepContext& ctx,
+                                           const NodeSurroundings& place) noexcept;
 
 /// Finish the insertion of node n, with the second element and the bend at n. Element `old` must
 /// end at n, and all must have their masses, lengths and forces. @param old  The earlier element, e
 /// or f. @param mass  Its earlier mass [kg].
-void settle_node(context::StepContext& ctx, const NodeSurroundings& place, std::int32_t old,
-                 double share, double mass) noexcept;
+void finish_node_insertion(context::StepContext& ctx, const NodeSurroundings& place,
+                           std::int32_t old, double share, double mass) noexcept;
 
 /// Extend element e to node b, and set the motion near node n to the motion of a wire without n.
 /// The caller removes f, n and the bend at n. @param bend  Maximum angle between e and f [rad].
@@ -100,6 +100,6 @@ inline constexpr double kKeptMass = 1e-2;
 /// Record the change of energy by an edit in Energy::edited.
 /// @param place  Surroundings after the edit.
 void end_node_edit(context::StepContext& ctx, const NodeSurroundings& place,
-                   const NodeLedger& was) noexcept;
+                   const NodeEnergies& was) noexcept;
 
 }  // namespace hawser::edit

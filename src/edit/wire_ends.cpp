@@ -119,11 +119,11 @@ void move_end(context::StepContext& ctx, std::int32_t id, std::size_t slot,
     for (std::size_t k = 0; k < in.bodies[at(id)]; ++k)
         if (b.kind[at(end_of(ctx, id, k))] == BodyKind::kinematic) flags |= model::kCarried;
     in.flags[at(id)] = static_cast<std::uint8_t>(flags);
-    constexpr int kWorks = model::kCarried | model::kByInput | model::kMotor | model::kFriction;
-    if ((before & kWorks) != 0 && (flags & kWorks) == 0) base::erase_sorted(in.working, id);
+    constexpr int kWorkFlags = model::kCarried | model::kByInput | model::kMotor | model::kFriction;
+    if ((before & kWorkFlags) != 0 && (flags & kWorkFlags) == 0) base::erase_sorted(in.working, id);
 }
 
-void follow_node(context::StepContext& ctx, std::int32_t lump) noexcept {
+void update_elements_of_node(context::StepContext& ctx, std::int32_t lump) noexcept {
     model::Interactions& in = ctx.model.interactions;
     in.for_each_holder(lump, ctx.model.bodies, [&](std::int32_t id, std::size_t slot) {
         if (kind_info(in.kinds[at(id)]).is(kAlongLine))

@@ -65,7 +65,7 @@ void move_end(context::StepContext& ctx, std::int32_t id, std::size_t slot,
               std::int32_t to) noexcept;
 
 /// Update the elements of a node after its mass has changed.
-void follow_node(context::StepContext& ctx, std::int32_t lump) noexcept;
+void update_elements_of_node(context::StepContext& ctx, std::int32_t lump) noexcept;
 
 /// Return the chain of elements from `element` on, away from its end `slot`, while the nodes
 /// between have no other interaction. @throws std::bad_alloc.

@@ -15,7 +15,7 @@
 namespace hawser::exporting {
 namespace {
 
-constexpr std::size_t kBlock = 64;  ///< Number of frames held at a time.
+constexpr std::size_t kFramesAtOnce = 64;  ///< Number of frames held at a time.
 
 /// Writer of a file in any order. It uses a temporary name and renames the file when it is
 /// complete.
@@ -154,7 +154,7 @@ Frames choose_frames(const record::Recording& recording, std::size_t every, doub
 
 void write_gltf(const record::Recording& recording, const Frames& frames,
                 const std::filesystem::path& file, const Progress& progress) {
-    Layout layout = lay_out(recording, frames);
+    Layout layout = compute_layout(recording, frames);
     GltfDocument document(recording, frames, layout);
     std::string json = document.json();
     json.resize((json.size() + 3) / 4 * 4, ' ');
@@ -180,7 +180,7 @@ void write_gltf(const record::Recording& recording, const Frames& frames,
     animator.of_frames(frames.size());
     for (std::size_t i = 0, done = 0; i < frames.size(); ++i) {
         animator.add(recording.frame(frames[i]));
-        if ((i + 1) % kBlock != 0 && i + 1 < frames.size()) continue;
+        if ((i + 1) % kFramesAtOnce != 0 && i + 1 < frames.size()) continue;
         animator.flush(out, base, done);
         done = i + 1;
         if (progress) progress(done);

@@ -14,8 +14,9 @@ namespace hawser::exporting {
 namespace {
 
 // Constants of the format.
-constexpr int kFloat = 5126, kShort = 5123, kInt = 5125, kByte = 5121;
-constexpr int kVertices = 34962, kIndices = 34963;
+constexpr int kGltfFloat = 5126, kGltfUnsignedShort = 5123, kGltfUnsignedInt = 5125,
+              kGltfUnsignedByte = 5121;
+constexpr int kGltfArrayBuffer = 34962, kGltfIndexBuffer = 34963;
 
 // Materials by their index.
 enum Material : int { kHull, kStructure, kPlain, kWireMaterial, kMaterialCount };
@@ -99,8 +100,9 @@ int GltfDocument::add_points(const std::vector<Vec3>& points) {
             low[k] = std::min(low[k], values.back());
             high[k] = std::max(high[k], values.back());
         }
-    const int view = add_buffer_view(values.data(), values.size() * sizeof(float), kVertices);
-    const int accessor = add_accessor(view, kFloat, points.size(), "VEC3");
+    const int view =
+        add_buffer_view(values.data(), values.size() * sizeof(float), kGltfArrayBuffer);
+    const int accessor = add_accessor(view, kGltfFloat, points.size(), "VEC3");
     Json& a = root_["accessors"].back();
     a["min"] = {low[0], low[1], low[2]};
     a["max"] = {high[0], high[1], high[2]};
@@ -109,9 +111,10 @@ int GltfDocument::add_points(const std::vector<Vec3>& points) {
 
 int GltfDocument::add_triangles(const record::Triangles& surface, int material) {
     const int points = add_points(surface.points);
-    const int view = add_buffer_view(surface.corners.data(),
-                                     surface.corners.size() * sizeof surface.corners[0], kIndices);
-    const int indices = add_accessor(view, kInt, 3 * surface.corners.size(), "SCALAR");
+    const int view =
+        add_buffer_view(surface.corners.data(), surface.corners.size() * sizeof surface.corners[0],
+                        kGltfIndexBuffer);
+    const int indices = add_accessor(view, kGltfUnsignedInt, 3 * surface.corners.size(), "SCALAR");
     root_["meshes"].push_back({{"primitives",
                                 {{{"attributes", {{"POSITION", points}}},
                                   {"indices", indices},
@@ -124,8 +127,8 @@ void GltfDocument::add_times() {
     const double start = frames_.empty() ? 0.0 : recording_.frame_head(frames_.front()).time;
     for (const std::size_t f : frames_)
         times.push_back(static_cast<float>(recording_.frame_head(f).time - start));
-    times_ = add_accessor(add_buffer_view(times.data(), times.size() * sizeof(float), 0), kFloat,
-                          times.size(), "SCALAR");
+    times_ = add_accessor(add_buffer_view(times.data(), times.size() * sizeof(float), 0),
+                          kGltfFloat, times.size(), "SCALAR");
     root_["accessors"].back()["min"] = {times.front()};
     root_["accessors"].back()["max"] = {times.back()};
 }
@@ -187,18 +190,21 @@ int GltfDocument::add_ribbons(const std::vector<std::pair<std::size_t, std::size
     }
     Json attributes{{"POSITION", add_points(points)}};
     const auto put = [&](const char* key, const auto& data, int type) {
-        const int view = add_buffer_view(data.data(), data.size() * sizeof data[0], kVertices);
+        const int view =
+            add_buffer_view(data.data(), data.size() * sizeof data[0], kGltfArrayBuffer);
         attributes[key] = add_accessor(view, type, points.size(), "VEC4");
     };
-    put("JOINTS_0", owners, kShort);
-    put("WEIGHTS_0", weights, kFloat);
-    put("COLOR_0", colors, kByte);
+    put("JOINTS_0", owners, kGltfUnsignedShort);
+    put("WEIGHTS_0", weights, kGltfFloat);
+    put("COLOR_0", colors, kGltfUnsignedByte);
     root_["accessors"].back()["normalized"] = true;
-    const int view = add_buffer_view(indices.data(), indices.size() * sizeof indices[0], kIndices);
-    root_["meshes"].push_back({{"primitives",
-                                {{{"attributes", std::move(attributes)},
-                                  {"indices", add_accessor(view, kInt, indices.size(), "SCALAR")},
-                                  {"material", static_cast<int>(kWireMaterial)}}}}});
+    const int view =
+        add_buffer_view(indices.data(), indices.size() * sizeof indices[0], kGltfIndexBuffer);
+    root_["meshes"].push_back(
+        {{"primitives",
+          {{{"attributes", std::move(attributes)},
+            {"indices", add_accessor(view, kGltfUnsignedInt, indices.size(), "SCALAR")},
+            {"material", static_cast<int>(kWireMaterial)}}}}});
     return size_of(root_["meshes"]) - 1;
 }
 
@@ -259,7 +265,7 @@ int GltfDocument::write_channel_data(std::size_t& place, std::size_t width) {
     const std::size_t size = width * sizeof(float) * frames_.size();
     root_["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", bytes_}, {"byteLength", size}});
     bytes_ += size;
-    return add_accessor(size_of(root_["bufferViews"]) - 1, kFloat, frames_.size(),
+    return add_accessor(size_of(root_["bufferViews"]) - 1, kGltfFloat, frames_.size(),
                         width == 4 ? "VEC4" : "VEC3");
 }
 

@@ -9,7 +9,8 @@
 namespace hawser::exporting {
 namespace {
 
-constexpr double kTogether = 1e-6;  ///< Largest distance of segment ends that count as joined [m].
+constexpr double kMaxEndDistance =
+    1e-6;  ///< Largest distance of segment ends that count as joined [m].
 
 void add_bodies(const record::Recording& recording, Layout& out) {
     const std::vector<bool> visible = draw::visible_bodies(recording);
@@ -61,7 +62,7 @@ void follow_wires(const std::vector<WireLine>& lines, Layout& out) {
         for (std::size_t i = 0; i < line.segments.size(); ++i) {
             const WirePiece& s = line.segments[i];
             wire->peak[i] = std::max(wire->peak[i], s.tension);
-            if (s.parted || (i > 0 && (line.segments[i - 1].to - s.from).norm() > kTogether))
+            if (s.parted || (i > 0 && (line.segments[i - 1].to - s.from).norm() > kMaxEndDistance))
                 wire->joined = false;
         }
     }
@@ -69,7 +70,7 @@ void follow_wires(const std::vector<WireLine>& lines, Layout& out) {
 
 }  // namespace
 
-Layout lay_out(const record::Recording& recording, const Frames& frames) {
+Layout compute_layout(const record::Recording& recording, const Frames& frames) {
     Layout out;
     add_bodies(recording, out);
     add_rods(recording, out);

@@ -64,7 +64,7 @@ struct Layout {
 };
 
 /// Build the layout of the glTF file in one pass over the frames.
-[[nodiscard]] Layout lay_out(const record::Recording& recording, const Frames& frames);
+[[nodiscard]] Layout compute_layout(const record::Recording& recording, const Frames& frames);
 
 /// Compute the positions of a wire's joints in a frame. @param out  joints() entries.
 void joint_positions(const WireNodes& wire, const WireLine& line, std::vector<Vec3>& out);

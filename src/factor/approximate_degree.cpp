@@ -45,8 +45,8 @@ void ApproximateDegree::begin(const Pattern& pattern) {
     twin_mark_.assign(n, -1);
     bucket_.assign(n, -1);
     dense_nodes_.clear();
-    constexpr double kDense = 100.0;
-    const double most = kDense * std::sqrt(static_cast<double>(n));
+    constexpr double kDenseFactor = 100.0;
+    const double most = kDenseFactor * std::sqrt(static_cast<double>(n));
     remaining_weight_ = 0;
     for (std::size_t v = 0; v < n; ++v) {
         const auto node = static_cast<std::int32_t>(v);

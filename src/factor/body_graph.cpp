@@ -11,11 +11,11 @@
 namespace hawser::factor {
 namespace {
 
-constexpr std::int32_t kReach = 2;     ///< Most neighbours of a wire's body on each side.
-constexpr std::int32_t kShortest = 6;  ///< Fewest bodies of a wire.
-constexpr std::int32_t kHub = 8;       ///< Nodes with more neighbours are hubs.
+constexpr std::int32_t kMaxWireNeighbours = 2;  ///< Most neighbours of a wire's body on each side.
+constexpr std::int32_t kMinWireBodies = 6;      ///< Fewest bodies of a wire.
+constexpr std::int32_t kMinHubDegree = 8;       ///< Nodes with more neighbours are hubs.
 /// Number of degrees of bodies in wires: 0 to 4.
-constexpr std::uint8_t kDegrees = 2 * kReach + 1;
+constexpr std::uint8_t kDegreeClasses = 2 * kMaxWireNeighbours + 1;
 
 }  // namespace
 
@@ -64,7 +64,7 @@ void WireFinder::find_wire_like(const Pattern& pattern, const BodyGraph& graph) 
     hub_.resize(n);
     like_.resize(n);
     for (std::size_t v = 0; v < n; ++v)
-        hub_[v] = graph.start[v + 1] - graph.start[v] > kHub ? 1 : 0;
+        hub_[v] = graph.start[v + 1] - graph.start[v] > kMinHubDegree ? 1 : 0;
     compute_prefix_sums(graph, n, hub_);
     bool any_rows = false;
     for (std::size_t v = 0; v < n; ++v) {
@@ -74,7 +74,7 @@ void WireFinder::find_wire_like(const Pattern& pattern, const BodyGraph& graph) 
         any_rows |= pattern.sign[v] < 0;
         like_[v] = static_cast<std::uint8_t>(pattern.sign[v] > 0) & (hub_[v] ^ 1U) &
                    static_cast<std::uint8_t>((size == 3) | (size == 6)) &
-                   static_cast<std::uint8_t>(degree <= 2 * kReach);
+                   static_cast<std::uint8_t>(degree <= 2 * kMaxWireNeighbours);
     }
     if (!any_rows) return;
     // Exclude bodies beside rows that couple to rows (no mechanical system has such rows).
@@ -92,15 +92,15 @@ void WireFinder::sort_by_degree(const BodyGraph& graph) {
     const std::size_t n = like_.size();
     compute_prefix_sums(graph, n, like_);
     degree_.resize(n);
-    std::int32_t cursor[kDegrees + 1] = {};
+    std::int32_t cursor[kDegreeClasses + 1] = {};
     for (std::size_t v = 0; v < n; ++v) {
         const std::int32_t degree = sum_[at(graph.start[v + 1])] - sum_[at(graph.start[v])];
         // Sort all other nodes behind the candidates.
-        degree_[v] = like_[v] != 0 ? static_cast<std::uint8_t>(degree) : kDegrees;
+        degree_[v] = like_[v] != 0 ? static_cast<std::uint8_t>(degree) : kDegreeClasses;
         ++cursor[degree_[v]];
     }
-    std::exclusive_scan(cursor, cursor + kDegrees + 1, cursor, 0);
-    const auto count = static_cast<std::size_t>(cursor[kDegrees]);
+    std::exclusive_scan(cursor, cursor + kDegreeClasses + 1, cursor, 0);
+    const auto count = static_cast<std::size_t>(cursor[kDegreeClasses]);
     candidates_.resize(n);
     for (std::size_t v = 0; v < n; ++v)
         candidates_[at(cursor[degree_[v]]++)] = static_cast<std::int32_t>(v);
@@ -149,8 +149,8 @@ void WireFinder::walk_wire(const Pattern& pattern, const BodyGraph& graph, std::
 }
 
 /// Remove each body with a neighbour in another wire, or in its own wire at a distance above
-/// kReach. Also remove enough bodies behind it that the remaining parts of the wire are not
-/// coupled.
+/// kMaxWireNeighbours. Also remove enough bodies behind it that the remaining parts of the wire are
+/// not coupled.
 void WireFinder::remove_touching_bodies(const BodyGraph& graph) {
     std::vector<std::int32_t>& place = wires_.place;
     for (std::size_t k = 0; k < walked_bodies_.size(); ++k)
@@ -158,7 +158,7 @@ void WireFinder::remove_touching_bodies(const BodyGraph& graph) {
     wires_.bodies.clear();
     wires_.begin.assign(1, 0);
     auto close = [&] {
-        if (static_cast<std::int32_t>(wires_.bodies.size()) - wires_.begin.back() < kShortest)
+        if (static_cast<std::int32_t>(wires_.bodies.size()) - wires_.begin.back() < kMinWireBodies)
             wires_.bodies.resize(at(wires_.begin.back()));
         else
             wires_.begin.push_back(static_cast<std::int32_t>(wires_.bodies.size()));
@@ -171,9 +171,9 @@ void WireFinder::remove_touching_bodies(const BodyGraph& graph) {
             bool apart = true;
             for (const std::int32_t u : graph.neighbours(b)) {
                 const std::int32_t p = place[at(u)];
-                apart &= p < 0 || (p >= begin && p < end && std::abs(p - k) <= kReach);
+                apart &= p < 0 || (p >= begin && p < end && std::abs(p - k) <= kMaxWireNeighbours);
             }
-            if (!apart) skip = kReach;
+            if (!apart) skip = kMaxWireNeighbours;
             if (skip > 0) {
                 --skip;
                 close();
@@ -197,7 +197,7 @@ const Wires& WireFinder::find(const Pattern& pattern, const BodyGraph& graph) {
     for (const std::int32_t v : candidates_) {
         if (!like_[at(v)]) continue;
         walk_wire(pattern, graph, v);
-        if (static_cast<std::int32_t>(walked_bodies_.size()) - walk_begin_.back() < kShortest)
+        if (static_cast<std::int32_t>(walked_bodies_.size()) - walk_begin_.back() < kMinWireBodies)
             walked_bodies_.resize(at(walk_begin_.back()));
         else
             walk_begin_.push_back(static_cast<std::int32_t>(walked_bodies_.size()));

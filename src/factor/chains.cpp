@@ -186,7 +186,7 @@ void ChainFinder::append(const Pattern& pattern, const BodyGraph& graph, const W
 }
 
 /// Divide runs_ into the pieces with the least cost; no pieces if fronts are cheaper.
-void ChainFinder::cut_best(std::int32_t bodies, std::int32_t longest, int size) {
+void ChainFinder::choose_chains(std::int32_t bodies, std::int32_t longest, int size) {
     best_cut_.clear();
     double best_cost = kFrontCost * bodies;
     std::size_t before = 0;
@@ -226,7 +226,7 @@ void ChainFinder::find(const Pattern& pattern, Chains& out) {
                 longest = std::max(longest, run.end - run.begin);
             }
             if (runs_.empty()) continue;
-            cut_best(bodies, longest, size);
+            choose_chains(bodies, longest, size);
             for (const Segment& piece : best_cut_)
                 append(pattern, graph, wires, runs_[at(piece.run)], piece, out);
         }

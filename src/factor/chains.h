@@ -90,7 +90,7 @@ class ChainFinder {
                                    const Wires& wires, std::int32_t begin, std::int32_t end);
     void cut_runs(std::int32_t target);
     [[nodiscard]] double plan_cost(int size, double most);
-    void cut_best(std::int32_t bodies, std::int32_t longest, int size);
+    void choose_chains(std::int32_t bodies, std::int32_t longest, int size);
     void append(const Pattern& pattern, const BodyGraph& graph, const Wires& wires,
                 const Stretch& run, const Segment& piece, Chains& out);
     [[nodiscard]] bool is_cheaper_backwards(const Pattern& pattern, const BodyGraph& graph,

@@ -98,12 +98,12 @@ struct Kernels {
 };
 
 /// Number of pivot columns whose unscaled values a front keeps in the scratch.
-inline constexpr int kDepth = 32;
+inline constexpr int kUnscaledColumns = 32;
 
 /// Return the scratch of a thread for symmetric fronts of at most this ld [doubles]. Unsymmetric
 /// fronts need twice this, or twice Symbolic::batch_scratch.
 [[nodiscard]] constexpr std::int64_t scratch_size(std::int32_t max_front) {
-    return kDepth * static_cast<std::int64_t>(max_front) + 128;
+    return kUnscaledColumns * static_cast<std::int64_t>(max_front) + 128;
 }
 
 /// Return the kernels for the instruction set of this process.

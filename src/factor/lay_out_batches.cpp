@@ -48,7 +48,7 @@ void BatchBuilder::sort_chains(const Chains& chains) {
     order_.clear();
     for (std::int32_t c = 0; c < chains.count(); ++c) {
         std::int32_t carried = 0;
-        for (const Touch& t : touches(c))
+        for (const SlotUse& t : touches(c))
             if (2 * t.steps > chains.units(c)) carried += t.size;
         order_.push_back(
             {{chains.body_size[at(c)], chains.reach[at(c)], carried, -chains.units(c)}, c});
@@ -138,7 +138,7 @@ void BatchBuilder::assign_slots(std::span<const Alike> members) {
     for (std::size_t l = 0; l < members.size(); ++l) {
         lane_begin_[l] = chosen_.size();
         slot_used_.assign(slots_.size(), 0);
-        for (const Touch& t : touches(members[l].chain)) {
+        for (const SlotUse& t : touches(members[l].chain)) {
             std::size_t i = 0;
             while (i < slots_.size() && (slot_used_[i] != 0 || slots_[i].size != t.size)) ++i;
             if (i == slots_.size()) {
@@ -229,7 +229,7 @@ void BatchBuilder::assign_lane(const Job& job, Batch& batch, int lane, std::int3
         s.factor_nnz += static_cast<std::int64_t>(step.p) * (step.p + 1) / 2 +
                         static_cast<std::int64_t>(step.p) * step.q;
     }
-    const std::span<const Touch> own = touches(chain);
+    const std::span<const SlotUse> own = touches(chain);
     for (std::size_t t = 0; t < own.size(); ++t) {
         const std::int32_t* begin = s.rows.data() + front.rows;
         const auto row = static_cast<std::int32_t>(

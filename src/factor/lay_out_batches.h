@@ -28,7 +28,7 @@ class BatchBuilder {
   private:
     /// A boundary node of a chain, and the number of steps before the end at which it is first
     /// touched.
-    struct Touch {
+    struct SlotUse {
         std::int32_t node, size, steps;
     };
     /// A boundary slot shared by the lanes.
@@ -58,7 +58,7 @@ class BatchBuilder {
     void add_step(const Job& job, Batch& batch, std::int32_t q, std::span<const std::int32_t> rows);
     void assign_lane(const Job& job, Batch& batch, int lane, std::int32_t chain);
     void assign_unit(const Job& job, Batch& batch, int lane, std::int32_t unit, std::int32_t step);
-    [[nodiscard]] std::span<const Touch> touches(std::int32_t chain) const noexcept {
+    [[nodiscard]] std::span<const SlotUse> touches(std::int32_t chain) const noexcept {
         const auto c = static_cast<std::size_t>(chain);
         return {touches_.data() + touch_begin_[c], touches_.data() + touch_begin_[c + 1]};
     }
@@ -70,7 +70,7 @@ class BatchBuilder {
 
     std::vector<std::int32_t> chain_of_, touched_by_;  ///< By node.
     std::vector<std::int32_t> touch_begin_;            ///< By chain: its range of touches_.
-    std::vector<Touch> touches_;
+    std::vector<SlotUse> touches_;
     std::vector<Alike> order_;
     // Data of the current batch.
     std::vector<std::int32_t> row_begin_, row_sizes_, sizes_, union_, merged_;

@@ -60,10 +60,10 @@ void Layout::assign_node_columns(const Pattern& pattern, Symbolic& s) {
         s.node_offset[at(v)] = s.scalars;
         s.scalars += pattern.size[at(v)];
     }
-    s.sign.resize(at(s.scalars + kWide));
+    s.sign.resize(at(s.scalars + kCopyWidth));
     std::int8_t* sign = s.sign.data();
     for (const std::int32_t v : s.order) {
-        for (std::int32_t c = 0; c < kWide; ++c) sign[c] = pattern.sign[at(v)];
+        for (std::int32_t c = 0; c < kCopyWidth; ++c) sign[c] = pattern.sign[at(v)];
         sign += pattern.size[at(v)];
     }
     s.sign.resize(at(s.scalars));

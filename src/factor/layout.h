@@ -39,8 +39,8 @@ class Layout {
   private:
     /// Number of entries of a node written at a time; the next node overwrites those past its end.
     /// A loop of fixed length is one or two vector stores.
-    static constexpr std::int32_t kWide = 8;
-    static_assert(kWide >= kMaxBlock);
+    static constexpr std::int32_t kCopyWidth = 8;
+    static_assert(kCopyWidth >= kMaxBlock);
 
     /// Return the node of the last pivot of a front. Its structure contains the rows of every pivot
     /// behind the front.

@@ -11,8 +11,8 @@
 namespace hawser::factor {
 namespace {
 
-constexpr std::int32_t kWordsAtOnce = 8;                  // of a row
-constexpr std::uint64_t kGolden = 0x9e37'79b9'7f4a'7c15;  // spreads bits to the upper end
+constexpr std::int32_t kWordsAtOnce = 8;                          // of a row
+constexpr std::uint64_t kHashMultiplier = 0x9e37'79b9'7f4a'7c15;  // spreads bits to the upper end
 
 [[nodiscard]] constexpr std::uint64_t bit(std::int32_t node) {
     return std::uint64_t{1} << (node & 63);
@@ -178,7 +178,7 @@ void MinimumDegree::eliminate(std::int32_t pivot, const Kernels& kernels) noexce
 void MinimumDegree::join_twins(std::int32_t count) noexcept {
     std::uint64_t seen = 0, again = 0;
     for (std::int32_t k = 0; k < count; ++k) {
-        const std::uint64_t place = std::uint64_t{1} << ((folds_[at(k)] * kGolden) >> 58);
+        const std::uint64_t place = std::uint64_t{1} << ((folds_[at(k)] * kHashMultiplier) >> 58);
         again |= seen & place;
         seen |= place;
     }

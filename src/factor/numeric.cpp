@@ -32,7 +32,7 @@ void SymmetricNumeric::reserve_buffers(const Symbolic& symbolic, int threads, in
     grow_discarding(scratch_, scratch_stride_ * threads);
 }
 
-constexpr std::int64_t kCached = 1'048'576;  // bytes of a core's own cache
+constexpr std::int64_t kCoreCacheBytes = 1'048'576;  // bytes of a core's own cache
 
 FactorView SymmetricNumeric::view(const Symbolic& s, int thread) noexcept {
     double* stack = work_.data() + thread * (s.work_size - s.stack_begin);
@@ -42,7 +42,7 @@ FactorView SymmetricNumeric::view(const Symbolic& s, int thread) noexcept {
                  pivot_.data(),      work_.data(),        stack,
                  s.stack_begin,      carry_.data(),       s.batch_steps.data(),
                  s.slot_sign.data(), s.slot_index.data(), s.tail_slot.data(),
-                 slot_pivot_.data(), slot_y_.data(),      bytes > kCached};
+                 slot_pivot_.data(), slot_y_.data(),      bytes > kCoreCacheBytes};
     if (!unsymmetric_) return v;
     v.unsymmetric = kind_.data();
     v.upper = upper_.data();

@@ -40,12 +40,12 @@ void Orderer::order_by_amd(const Pattern& pattern, std::vector<std::int32_t>& or
     // With this capacity the lists are seldom compacted. The capacity does not change the order.
     const std::size_t room = 2 * entries + n;
     if (room > at(std::numeric_limits<std::int32_t>::max())) throw std::bad_alloc();
-    constexpr std::size_t kArrays = 8;
-    work_.resize(kArrays * n + room);
-    std::int32_t* array[kArrays];
-    for (std::size_t i = 0; i < kArrays; ++i) array[i] = work_.data() + i * n;
+    constexpr std::size_t kWorkArrays = 8;
+    work_.resize(kWorkArrays * n + room);
+    std::int32_t* array[kWorkArrays];
+    for (std::size_t i = 0; i < kWorkArrays; ++i) array[i] = work_.data() + i * n;
     const auto& [start, length, count, next, head, elements, degree, flags] = array;
-    std::int32_t* const lists = work_.data() + kArrays * n;
+    std::int32_t* const lists = work_.data() + kWorkArrays * n;
     for (std::size_t v = 0; v < n; ++v) {
         start[v] = pattern.start[v];
         length[v] = pattern.start[v + 1] - pattern.start[v];

@@ -9,8 +9,8 @@
 namespace hawser::factor {
 namespace {
 
-constexpr std::uint8_t kMoved = 1, kFresh = 2;  // values of placing_
-constexpr std::int32_t kUnknown = -2;           // value of anchor_; −1: behind all trees
+constexpr std::uint8_t kMovedNode = 1, kAddedNode = 2;  // values of placing_
+constexpr std::int32_t kUnknown = -2;                   // value of anchor_; −1: behind all trees
 
 /// Number of neighbours above which a body keeps its position: most of the tree hangs below a hull.
 constexpr std::size_t kFewNeighbours = 16;
@@ -70,24 +70,25 @@ void Analysis::choose_moves(const Pattern& next) {
     for (const std::int32_t v : changes_) {
         const std::int32_t old = old_of_new_[at(v)];
         if (old < 0)
-            placing_[at(v)] = kFresh;
+            placing_[at(v)] = kAddedNode;
         else if (chain_of_[at(v)] < 0 &&
                  (next.sign[at(v)] < 0 || (at_branch_meeting_[at(old)] != 0 &&
                                            next.neighbours(v).size() <= kFewNeighbours)))
-            placing_[at(v)] = kFresh;
+            placing_[at(v)] = kAddedNode;
     }
     for (const std::int32_t v : changes_) {
-        if (placing_[at(v)] == kFresh) continue;
+        if (placing_[at(v)] == kAddedNode) continue;
         for (const std::int32_t w : pattern_.neighbours(old_of_new_[at(v)]))
             if (const std::int32_t now = new_of_old_[at(w)]; now >= 0)
                 mark_[at(now)] = 2 * n + v;  // distinct from the marks of the steps before
         for (const std::int32_t u : next.neighbours(v))
-            if (u > v && placing_[at(u)] != kFresh && mark_[at(u)] != 2 * n + v) join(next, v, u);
+            if (u > v && placing_[at(u)] != kAddedNode && mark_[at(u)] != 2 * n + v)
+                join(next, v, u);
     }
     for (const std::int32_t v : changes_) {  // every node to place counts as changed
         if (placing_[at(v)] == 0 || next.sign[at(v)] < 0) continue;
         for (const std::int32_t r : next.neighbours(v))
-            if (next.sign[at(r)] < 0 && chain_of_[at(r)] < 0) placing_[at(r)] = kFresh;
+            if (next.sign[at(r)] < 0 && chain_of_[at(r)] < 0) placing_[at(r)] = kAddedNode;
     }
 }
 
@@ -102,7 +103,7 @@ void Analysis::join(const Pattern& next, std::int32_t a, std::int32_t b) {
     if (!can_move(a) && !can_move(b)) return;
     const bool first = can_move(a) && (!can_move(b) || burden(a) <= burden(b));
     const std::int32_t moved = first ? a : b;
-    placing_[at(moved)] = kMoved;
+    placing_[at(moved)] = kMovedNode;
     anchor_[at(moved)] = common;
 }
 
@@ -133,7 +134,7 @@ void Analysis::collect_nodes_outside_chains(const Pattern& next) {
     next_.resize(n);
     spare_.assign(n, 0);
     for (std::size_t v = 0; v < n; ++v)
-        if (old_of_new_[v] >= 0 && placing_[v] != kFresh)
+        if (old_of_new_[v] >= 0 && placing_[v] != kAddedNode)
             spare_[v] = at_branch_meeting_[at(old_of_new_[v])];
     at_branch_meeting_.swap(spare_);
 }
@@ -152,7 +153,7 @@ std::int64_t Analysis::key_before_front(std::int32_t front) const noexcept {
 }
 
 void Analysis::place_body(const Pattern& next, std::int32_t v) {
-    if (placing_[at(v)] == kMoved) {
+    if (placing_[at(v)] == kMovedNode) {
         at_branch_meeting_[at(v)] = 1;
         key_[at(v)] = key_before_front(anchor_[at(v)]);
     } else {

@@ -81,12 +81,12 @@ RepairReport Analysis::update(const Pattern& next, std::span<const std::int32_t>
     const double nodes = next.nodes(), changes = static_cast<double>(changes_.size());
     RepairReport report;
     if (!planner_ && !order_fixed_ && next.nodes() <= MinimumDegree::kMaximum &&
-        changes > kEdited * nodes) {
+        changes > kMaxEditedFraction * nodes) {
         report.replanned = true;
     } else {
         report = follow(next, same_numbers);
-        report.replanned =
-            static_cast<double>(symbolic_.flops) > kReplan * static_cast<double>(planned_flops_);
+        report.replanned = static_cast<double>(symbolic_.flops) >
+                           kReplanGrowth * static_cast<double>(planned_flops_);
     }
     if (report.replanned) {
         plan(next);
@@ -187,21 +187,21 @@ void Analysis::find_changes(const Pattern& next, bool same_numbers) {
 /// Perform find_changes() for nodes that keep their indices. A fixed number of neighbours is
 /// compared at a time, and masks select the valid entries.
 void Analysis::compare_lists(const Pattern& next) {
-    constexpr std::int32_t kWide = 8;
-    static constexpr std::int32_t kFirst[2 * kWide] = {-1, -1, -1, -1, -1, -1, -1, -1};
+    constexpr std::int32_t kCopyWidth = 8;
+    static constexpr std::int32_t kFirst[2 * kCopyWidth] = {-1, -1, -1, -1, -1, -1, -1, -1};
     const std::int32_t n = next.nodes();
     const std::int32_t *const now = next.adjacent.data(), *const then = pattern_.adjacent.data();
     const std::int32_t *const begin = next.start.data(), *const began = pattern_.start.data();
-    const std::int32_t end = begin[n] - kWide, ended = began[n] - kWide;
+    const std::int32_t end = begin[n] - kCopyWidth, ended = began[n] - kCopyWidth;
     for (std::int32_t v = 0; v < n; ++v) {
         const std::int32_t length = begin[v + 1] - begin[v];
         const std::int32_t *a = now + begin[v], *b = then + began[v];
         std::int32_t differs = length ^ (began[v + 1] - began[v]);
         if (begin[v] <= end && began[v] <= ended) {
-            const std::int32_t* first = kFirst + kWide - std::min(length, kWide);
-            for (std::int32_t i = 0; i < kWide; ++i) differs |= (a[i] ^ b[i]) & first[i];
-            if (length > kWide && differs == 0)
-                differs = std::equal(a + kWide, a + length, b + kWide) ? 0 : 1;
+            const std::int32_t* first = kFirst + kCopyWidth - std::min(length, kCopyWidth);
+            for (std::int32_t i = 0; i < kCopyWidth; ++i) differs |= (a[i] ^ b[i]) & first[i];
+            if (length > kCopyWidth && differs == 0)
+                differs = std::equal(a + kCopyWidth, a + length, b + kCopyWidth) ? 0 : 1;
         } else if (differs == 0) {
             differs = std::equal(a, a + length, b) ? 0 : 1;
         }
@@ -219,7 +219,7 @@ void Analysis::keep_unchanged_chains(const Pattern& next, RepairReport& report) 
                 if (v >= 0) chain_of_[at(v)] = c;
     intact_chains_.clear();
     for (int c = 0; c < chains_.count(); ++c) {
-        if (chain_holds(next, c)) {
+        if (chain_is_unchanged(next, c)) {
             append(chains_, c, intact_chains_);
             continue;
         }
@@ -233,7 +233,7 @@ void Analysis::keep_unchanged_chains(const Pattern& next, RepairReport& report) 
 
 /// Return true if a chain is unchanged inside and has no neighbour in another chain. Its boundary
 /// may have changed.
-bool Analysis::chain_holds(const Pattern& next, std::int32_t chain) {
+bool Analysis::chain_is_unchanged(const Pattern& next, std::int32_t chain) {
     for (std::int32_t u = chains_.begin[at(chain)]; u < chains_.begin[at(chain) + 1]; ++u)
         for (const std::int32_t v : chains_.unit(u)) {
             if (v < 0) return false;

@@ -26,9 +26,9 @@
 /// again, in time linear in the number of fronts and rows. The result equals the result of
 /// analyse() for the same order and chains, member by member.
 ///
-/// Limits: an order becomes stale. A new order is computed by update() if the flops exceed kReplan
-/// times those after the last plan, or if more than kEdited of the nodes changed. Measurements on
-/// the paper's scene are in docs/factor_benchmark.md.
+/// Limits: an order becomes stale. A new order is computed by update() if the flops exceed
+/// kReplanGrowth times those after the last plan, or if more than kMaxEditedFraction of the nodes
+/// changed. Measurements on the paper's scene are in docs/factor_benchmark.md.
 
 #include "factor/columns.h"
 #include "factor/layout.h"
@@ -45,12 +45,12 @@ namespace hawser::factor {
 
 /// Growth of the flops since the last plan at which update() makes a new plan. A plan takes about
 /// twice the time of a repair.
-inline constexpr double kReplan = 1.2;
+inline constexpr double kReplanGrowth = 1.2;
 
 /// Fraction of new or changed nodes above which update() makes a plan at once. A plan takes about
 /// as long as the repairs and the later plan that it replaces, and its order is a new one. Above
 /// MinimumDegree::kMaximum nodes, ordering takes most of the time, so repairs pay for more changes.
-inline constexpr double kEdited = 0.125;
+inline constexpr double kMaxEditedFraction = 0.125;
 
 /// Result of a repair.
 struct RepairReport {
@@ -140,7 +140,7 @@ class Analysis {
     void find_changes(const Pattern& next, bool same_numbers);
     void compare_lists(const Pattern& next);
     void keep_unchanged_chains(const Pattern& next, RepairReport& report);
-    [[nodiscard]] bool chain_holds(const Pattern& next, std::int32_t chain);
+    [[nodiscard]] bool chain_is_unchanged(const Pattern& next, std::int32_t chain);
     // Choose the nodes that move to new positions (placing.cpp).
     void choose_moves(const Pattern& next);
     void join(const Pattern& next, std::int32_t a, std::int32_t b);
@@ -187,7 +187,7 @@ class Analysis {
     std::vector<std::int32_t> old_of_new_, new_of_old_;
     std::vector<std::uint8_t> changed_;  ///< 1: new, or with other neighbours.
     std::vector<std::int32_t> changes_;  ///< These nodes, ascending.
-    /// Non-zero: gets a new position; kFresh: from its neighbours alone.
+    /// Non-zero: gets a new position; kAddedNode: from its neighbours alone.
     std::vector<std::uint8_t> placing_;
     std::vector<std::uint8_t>
         at_branch_meeting_;  ///< Kept between calls: placed at a meeting of branches.

@@ -23,11 +23,11 @@ void Layout::fill_rows(const Pattern& pattern, const Columns& columns, bool of_c
         const std::int64_t limit = of_chains ? std::ssize(s.rows) : *done;
         std::int32_t* row = s.rows.data() + front.rows;
         const std::int32_t* const end =
-            s.rows.data() + std::min(front.rows + front.q + kWide, limit);
+            s.rows.data() + std::min(front.rows + front.q + kCopyWidth, limit);
         for (const std::int32_t v : columns.rows(last_node(s, front))) {
             const std::int32_t offset = offsets[v];
-            if (end - row >= kWide)
-                for (std::int32_t c = 0; c < kWide; ++c) row[c] = offset + c;
+            if (end - row >= kCopyWidth)
+                for (std::int32_t c = 0; c < kCopyWidth; ++c) row[c] = offset + c;
             else
                 for (std::int32_t c = 0; c < size[v]; ++c) row[c] = offset + c;
             row += size[v];

@@ -40,8 +40,8 @@ void Layout::choose_tasks(Symbolic& s) {
         subtree_flops_[at(front.parent)] += subtree_flops_[f];
         path_[at(front.parent)] = std::max(path_[at(front.parent)], path_[f]);
     }
-    constexpr std::int64_t kParts = 48, kSmallest = 40'000;
-    const std::int64_t target = std::max(total / kParts, kSmallest);
+    constexpr std::int64_t kTargetTasks = 48, kMinTaskFlops = 40'000;
+    const std::int64_t target = std::max(total / kTargetTasks, kMinTaskFlops);
     // Top: every front whose subtree exceeds the target.
     std::int32_t begin = 0;
     std::int64_t work = 0;

@@ -9,7 +9,7 @@
 namespace hawser::graph {
 namespace {
 
-constexpr std::int32_t kUnseen = -1;
+constexpr std::int32_t kNotVisited = -1;
 
 }  // namespace
 
@@ -29,7 +29,7 @@ void LoopFinder::search(std::int32_t root) {
             const auto& [a, b] = edges_[at(e)];
             const std::int32_t other = a == top.node ? b : a;
             if (e == top.edge) continue;
-            if (visit_time_[at(other)] == kUnseen)
+            if (visit_time_[at(other)] == kNotVisited)
                 begin_visit(other, e);
             else
                 low_link_[at(top.node)] = std::min(low_link_[at(top.node)], visit_time_[at(other)]);
@@ -47,7 +47,7 @@ std::span<const std::uint8_t> LoopFinder::find(
     std::int32_t nodes, std::span<const std::pair<std::int32_t, std::int32_t>> edges) {
     edges_ = edges;
     begin_.assign(at(nodes) + 1, 0);
-    visit_time_.assign(at(nodes), kUnseen);
+    visit_time_.assign(at(nodes), kNotVisited);
     low_link_.assign(at(nodes), 0);
     on_loop_.assign(edges.size(), 1);
     time_ = 0;
@@ -65,7 +65,7 @@ std::span<const std::uint8_t> LoopFinder::find(
     next_.assign(begin_.begin(), begin_.end() - 1);
     // Skip nodes without edges: they lie on no loop.
     for (std::int32_t root = 0; root < nodes; ++root)
-        if (visit_time_[at(root)] == kUnseen && begin_[at(root)] < begin_[at(root) + 1])
+        if (visit_time_[at(root)] == kNotVisited && begin_[at(root)] < begin_[at(root) + 1])
             search(root);
     return on_loop_;
 }

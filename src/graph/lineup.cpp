@@ -20,7 +20,7 @@ void Lineup::connect(const Hypergraph& graph, const Neighbours& neighbours, cons
     const std::uint8_t* size = graph.size.data();
     const std::int32_t *nodes = units.nodes.data(), *begin = units.begin.data();
     for (std::int32_t u = 0; u < count_; ++u)
-        weight_[at(u)] = size[nodes[begin[u]]] * std::min(kReach, begin[u + 1] - begin[u]);
+        weight_[at(u)] = size[nodes[begin[u]]] * std::min(kBendingReach, begin[u + 1] - begin[u]);
     const std::int32_t *first = neighbours.start.data(), *last = neighbours.end.data();
     const std::int32_t *adjacent = neighbours.adjacent.data(), *unit = units.unit.data();
     const std::int32_t* weight = weight_.data();
@@ -73,13 +73,13 @@ void Lineup::add_to_frontier(std::int32_t unit) noexcept {
         const std::int32_t u = adjacent_[at(k)];
         key_[at(u)] -= weight;
         const std::int32_t slot = bucket(key_[at(u)]);
-        list(u, state_[at(u)] == placed ? kBuckets : slot);
+        list(u, state_[at(u)] == placed ? kKeyBuckets : slot);
     }
 }
 
 /// Return the candidate that enlarges the frontier least, −1: none.
 std::int32_t Lineup::cheapest_candidate() noexcept {
-    for (; lowest_bucket_ < kBuckets; ++lowest_bucket_) {
+    for (; lowest_bucket_ < kKeyBuckets; ++lowest_bucket_) {
         const std::int32_t unit = next_[at(count_ + lowest_bucket_)];
         if (unit < count_) return unit;
     }
@@ -112,7 +112,7 @@ void Lineup::order_island(const Neighbours& neighbours, const Units& units, std:
     for (std::int32_t unit = cheapest_candidate(); unit >= 0; unit = cheapest_candidate()) {
         if (state_[at(unit)] == untouched) add_to_frontier(unit);
         state_[at(unit)] = placed;
-        list(unit, kBuckets);
+        list(unit, kKeyBuckets);
         append(neighbours, units, unit);
         for (std::int32_t k = start_[at(unit)]; k < start_[at(unit) + 1]; ++k)
             if (state_[at(adjacent_[at(k)])] == untouched) add_to_frontier(adjacent_[at(k)]);
@@ -124,7 +124,7 @@ void Lineup::build(const Hypergraph& graph, const Neighbours& neighbours, const 
     connect(graph, neighbours, units);
     state_.assign(at(count_), untouched);
     // Make each unit a ring of its own, which means it is in no list.
-    next_.resize(at(count_ + kBuckets) + 1);
+    next_.resize(at(count_ + kKeyBuckets) + 1);
     std::iota(next_.begin(), next_.end(), 0);
     previous_ = next_;
     place.assign(graph.size.size(), -1);

@@ -35,7 +35,7 @@ class Lineup {
     std::vector<std::int32_t> island_begin;
 
   private:
-    static constexpr std::int32_t kLow = -64, kBuckets = 512;
+    static constexpr std::int32_t kLowestKey = -64, kKeyBuckets = 512;
     enum State : std::int32_t { untouched, touched, placed };
 
     void connect(const Hypergraph& graph, const Neighbours& neighbours, const Units& units);
@@ -45,7 +45,7 @@ class Lineup {
     void list(std::int32_t unit, std::int32_t bucket) noexcept;
     [[nodiscard]] std::int32_t cheapest_candidate() noexcept;
     [[nodiscard]] static std::int32_t bucket(std::int32_t key) noexcept {
-        return std::clamp(key - kLow, 0, kBuckets - 1);
+        return std::clamp(key - kLowestKey, 0, kKeyBuckets - 1);
     }
     [[nodiscard]] std::int32_t outside_score(const Neighbours& neighbours, const Units& units,
                                              std::int32_t node) const noexcept;

@@ -12,12 +12,12 @@ namespace hawser::graph {
 namespace {
 
 /// Ratio of an island's cost to an even part above which the island is divided.
-constexpr double kSlack = 1.05;
+constexpr double kDivideIslandRatio = 1.05;
 /// Half width of the window around an even position in which a position is chosen, in fractions of
 /// a part.
-constexpr double kWindow = 0.10;
+constexpr double kHalfWindow = 0.10;
 /// Number of iterations of balance: the cost of separators is taken from the parts that held them.
-constexpr int kRounds = 3;
+constexpr int kBalanceIterations = 3;
 
 }  // namespace
 
@@ -39,7 +39,8 @@ void Partitioner::assign_islands(const PartitionOptions& options, Partition& out
     line_.reserve(graph.size.size());
     island_lane_.resize(at(islands));
     for (std::int32_t i = 0; i < islands; ++i) {
-        if (options.parts == 1 || static_cast<double>(island_cost_[at(i)]) <= kSlack * share) {
+        if (options.parts == 1 ||
+            static_cast<double>(island_cost_[at(i)]) <= kDivideIslandRatio * share) {
             small_cost_[at(i)] = island_cost_[at(i)];
             continue;
         }
@@ -130,7 +131,7 @@ void Partitioner::choose_cut_positions(const PartitionOptions& options) {
     double capacities = 0.0;
     for (std::int32_t l = 0; l < options.parts; ++l) {
         const double room = share - static_cast<double>(load_[at(l)]);
-        if (room < (kSlack - 1.0) * share) continue;
+        if (room < (kDivideIslandRatio - 1.0) * share) continue;
         lane_of_.push_back(l);
         capacities += room;
     }
@@ -144,8 +145,8 @@ void Partitioner::choose_cut_positions(const PartitionOptions& options) {
     const auto end = static_cast<std::int32_t>(line_.size());
     for (std::size_t j = 0; j + 1 < lane_of_.size(); ++j) {
         target += total * (share - static_cast<double>(load_[at(lane_of_[j])])) / capacities;
-        const auto low = static_cast<std::int64_t>(target - kWindow * share);
-        const auto high = static_cast<std::int64_t>(target + kWindow * share);
+        const auto low = static_cast<std::int64_t>(target - kHalfWindow * share);
+        const auto high = static_cast<std::int64_t>(target + kHalfWindow * share);
         auto place = static_cast<std::int32_t>(
             std::lower_bound(prefix_.begin(), prefix_.end(), low) - prefix_.begin());
         place = std::max(place, from);
@@ -262,7 +263,7 @@ void Partitioner::separate(const PartitionOptions& asked, Partition& out) {
     if (!line_.empty()) {
         find_profile();
         weight_ = cost_;
-        for (int round = 0; round < kRounds; ++round) {
+        for (int round = 0; round < kBalanceIterations; ++round) {
             for (const std::int32_t k : separator_positions_) weight_[at(k)] = 0;
             choose_cut_positions(options);
             for (const std::int32_t k : separator_positions_) weight_[at(k)] = cost_[at(k)];

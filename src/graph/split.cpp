@@ -8,9 +8,9 @@ namespace hawser::graph {
 namespace {
 
 /// Ratio of makespans, old partition over new, up to which the old one is kept without limit.
-constexpr double kWorse = 1.15;
-/// Number of steps for which an old partition is kept beyond kWorse.
-constexpr std::int32_t kPatience = 30;
+constexpr double kMaxCostRatio = 1.15;
+/// Number of steps for which an old partition is kept beyond kMaxCostRatio.
+constexpr std::int32_t kMaxWorseSteps = 30;
 
 }  // namespace
 
@@ -202,8 +202,9 @@ bool Splitter::split_from_previous(const Hypergraph& graph, const PartitionOptio
         part_ = new_part_;
         out.worse_for = 0;
         goes_on = false;
-    } else if (static_cast<double>(longest()) <= kWorse * best || ++out.worse_for <= kPatience) {
-        if (static_cast<double>(longest()) <= kWorse * best) out.worse_for = 0;
+    } else if (static_cast<double>(longest()) <= kMaxCostRatio * best ||
+               ++out.worse_for <= kMaxWorseSteps) {
+        if (static_cast<double>(longest()) <= kMaxCostRatio * best) out.worse_for = 0;
         move_best_cut();
     } else {
         part_ = new_part_;

@@ -43,7 +43,7 @@ class Splitter {
   private:
     /// Number of end nodes of a wire that stay with the body that holds it: forces change fastest
     /// there.
-    static constexpr std::int32_t kStub = 2;
+    static constexpr std::int32_t kStubNodes = 2;
 
     void prepare(const Hypergraph& graph, const PartitionOptions& options);
     void contract();

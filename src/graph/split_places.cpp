@@ -9,12 +9,12 @@ namespace hawser::graph {
 namespace {
 
 /// Ratio of an island's cost to an even part above which the island is divided.
-constexpr double kDivide = 1.05;
-/// Least cost of a large cluster, in even parts. kBig: clusters are packed together; kBigApart:
-/// distributed.
-constexpr double kBig = 0.25, kBigApart = 0.02;
-constexpr double kEven = 1.10;   ///< Ratio to an even part up to which parts count as even.
-constexpr double kLevel = 0.02;  ///< Tolerated imbalance, as a fraction of an even part.
+constexpr double kDivideRatio = 1.05;
+/// Least cost of a large cluster, in even parts. kLargePackedCluster: clusters are packed together;
+/// kLargeDistributedCluster: distributed.
+constexpr double kLargePackedCluster = 0.25, kLargeDistributedCluster = 0.02;
+constexpr double kMaxEvenRatio = 1.10;  ///< Ratio to an even part up to which parts count as even.
+constexpr double kMaxImbalance = 0.02;  ///< Tolerated imbalance, as a fraction of an even part.
 
 }  // namespace
 
@@ -30,7 +30,7 @@ void Splitter::choose_parts() {
     choose_parts(false);
     const std::int64_t longest_now = *std::max_element(load_.begin(), load_.end());
     const auto uneven = [&](std::int64_t load) {
-        return std::max(static_cast<double>(load), kEven * static_cast<double>(mean_load_));
+        return std::max(static_cast<double>(load), kMaxEvenRatio * static_cast<double>(mean_load_));
     };
     const double now = uneven(longest_now), before = uneven(longest);
     if (before < now || (before == now && cut <= count_cuts())) {
@@ -85,7 +85,7 @@ void Splitter::assign_islands() {
         island_cost_[at(i)] += node_cost_[at(c)];
         if (group_part_[at(c)] >= 0) lane_[at(i)] = -2;
     }
-    const double most = kDivide * static_cast<double>(mean_load_);
+    const double most = kDivideRatio * static_cast<double>(mean_load_);
     order_.clear();
     for (std::int32_t i = 0; i < islands; ++i)
         if (lane_[at(i)] != -2 &&
@@ -106,7 +106,7 @@ void Splitter::assign_islands() {
 /// Assign large clusters to parts in order of decreasing cost, then the other clusters by their
 /// position in the order of units.
 void Splitter::assign_clusters(bool together) {
-    const double big = together ? kBig : kBigApart;
+    const double big = together ? kLargePackedCluster : kLargeDistributedCluster;
     order_.clear();
     is_open_.assign(at(clusters), 0);
     std::int64_t left = 0;
@@ -137,7 +137,7 @@ void Splitter::assign_clusters(bool together) {
         assign_part(c, best < 0 ? emptiest : best);
     }
     std::int64_t passed = 0;
-    const double most = kDivide * static_cast<double>(mean_load_);
+    const double most = kDivideRatio * static_cast<double>(mean_load_);
     for (const std::int32_t c : lineup_.order) {
         if (!is_open_[at(c)]) continue;
         const std::int64_t middle = passed + node_cost_[at(c)] / 2;
@@ -211,7 +211,7 @@ void Splitter::balance_parts() {
         if (from < 0) return;
         const std::int64_t amount =
             std::min(load_[at(from)] - mean_load_, mean_load_ - load_[at(to)]);
-        if (static_cast<double>(amount) <= kLevel * static_cast<double>(mean_load_)) {
+        if (static_cast<double>(amount) <= kMaxImbalance * static_cast<double>(mean_load_)) {
             is_stuck_[at(from)] = 1;
             continue;
         }
@@ -243,12 +243,12 @@ bool Splitter::move_filler(std::int32_t from, std::int32_t to, std::int64_t amou
             // True at an end of the wire, or at an end that is already cut.
             const bool free_left = a == first ? !held(first) : part(a - 1) != from,
                        free_right = b == last ? !held(last) : part(b + 1) != from;
-            // Each end of the run that stays keeps its kStub nodes.
+            // Each end of the run that stays keeps its kStubNodes nodes.
             std::int32_t low = a, high = b;
             const bool at_left = left || (!right && free_left);
             const int kind = left || right ? 3 : free_left || free_right ? 2 : 1;
-            if (kind == 1 || !at_left) low = std::min(b + 1, a + kStub);
-            if (kind == 1 || at_left) high = std::max(a - 1, b - kStub);
+            if (kind == 1 || !at_left) low = std::min(b + 1, a + kStubNodes);
+            if (kind == 1 || at_left) high = std::max(a - 1, b - kStubNodes);
             std::int64_t sum = 0;
             for (std::int32_t k = low; k <= high; ++k) sum += node_cost_[at(units_.nodes[at(k)])];
             sum = std::min(sum, amount);
@@ -268,7 +268,8 @@ bool Splitter::move_filler(std::int32_t from, std::int32_t to, std::int64_t amou
                     at_left || kind == 1 ? high : low};
         }
     }
-    if (best.kind == 0 || static_cast<double>(best.cost) < kLevel * static_cast<double>(mean_load_))
+    if (best.kind == 0 ||
+        static_cast<double>(best.cost) < kMaxImbalance * static_cast<double>(mean_load_))
         return false;
     std::int32_t k = best.begin;
     if (best.kind == 1) {  // leave equal costs on both sides

@@ -8,9 +8,9 @@ namespace hawser::graph {
 namespace {
 
 /// Largest distance that a cut moves, as a fraction of an even part.
-constexpr double kSlide = 0.10;
+constexpr double kMaxCutShift = 0.10;
 /// A cut moves between two steps only if its weight falls below this fraction of the old weight.
-constexpr double kWorth = 0.8;
+constexpr double kMaxWeightRatio = 0.8;
 /// Least gain for which a cut moves, in thousandths. Smaller gains are noise that would move cuts
 /// in every step.
 constexpr std::int64_t kMinGain = 100;
@@ -20,7 +20,7 @@ constexpr std::int64_t kMinGain = 100;
 /// Return the best position for the cut behind `left`, as an index of units_.nodes.
 std::int32_t Splitter::cheaper_cut_near(std::int32_t wire, std::int32_t left) const noexcept {
     const auto part = [&](std::int32_t k) { return part_[at(units_.nodes[at(k)])]; };
-    const auto room = static_cast<std::int64_t>(kSlide * static_cast<double>(mean_load_));
+    const auto room = static_cast<std::int64_t>(kMaxCutShift * static_cast<double>(mean_load_));
     std::int32_t best = left;
     for (const std::int32_t step : {-1, 1}) {
         std::int64_t moved = 0;
@@ -28,8 +28,8 @@ std::int32_t Splitter::cheaper_cut_near(std::int32_t wire, std::int32_t left) co
         for (;;) {
             const std::int32_t crossed = step < 0 ? k : k + 1;  // node that changes its part
             const std::int32_t next = k + step;
-            if (next < units_.begin[at(wire)] + kStub - 1 ||
-                next + 1 > units_.begin[at(wire) + 1] - kStub)
+            if (next < units_.begin[at(wire)] + kStubNodes - 1 ||
+                next + 1 > units_.begin[at(wire) + 1] - kStubNodes)
                 break;
             const std::int32_t side = step < 0 ? part(left) : part(left + 1);
             if (part(crossed) != side || part(step < 0 ? next : next + 1) != side) break;
@@ -72,7 +72,8 @@ void Splitter::move_best_cut() {
             const std::int32_t best = cheaper_cut_near(w, k);
             const std::int64_t old = weight_[at(k)], now = weight_[at(best)];
             const std::int64_t gained = old - now - repair_[at(k)];
-            if (static_cast<double>(now) > kWorth * static_cast<double>(old) || gained <= gain)
+            if (static_cast<double>(now) > kMaxWeightRatio * static_cast<double>(old) ||
+                gained <= gain)
                 continue;
             gain = gained;
             from = k;

@@ -25,8 +25,8 @@ void Units::classify_nodes(const Hypergraph& graph, const Neighbours& neighbours
         for (std::int32_t k = start[v]; k < end[v]; ++k) ++like[neighbours.adjacent[at(k)]];
     }
     for (std::size_t v = 0; v < n; ++v)
-        open[v] =
-            (graph.size[v] != 0) & (is_hub[v] == 0) & (end[v] - start[v] - like[v] <= 2 * kReach);
+        open[v] = (graph.size[v] != 0) & (is_hub[v] == 0) &
+                  (end[v] - start[v] - like[v] <= 2 * kBendingReach);
     for_each_pair(neighbours.near_pairs(),
                   [=](Pair p) { bends[p.a] |= static_cast<std::uint8_t>(p.b - p.a == 1); });
     for_each_pair(neighbours.distant_pairs(),
@@ -47,7 +47,7 @@ std::int32_t Units::end_sequence(std::int32_t size) {
 }
 
 /// Find the wires whose nodes have consecutive indices. This covers most wires without a walk.
-void Units::follow_numbers(const Hypergraph& graph) {
+void Units::find_consecutive_wires(const Hypergraph& graph) {
     const std::size_t n = graph.size.size();
     walked_.resize(n + 1);
     std::int32_t size = 0;
@@ -126,7 +126,7 @@ void Units::close() noexcept {
 }
 
 /// Remove nodes from wires if they have a neighbour in another wire, or in their own wire at a
-/// distance above kReach.
+/// distance above kBendingReach.
 void Units::remove_nodes_beside_wires(const Neighbours& neighbours) {
     walk_.assign(walked_.size() + 1, -1);
     for (std::size_t w = 0; w + 1 < from_.size(); ++w) {
@@ -142,8 +142,9 @@ void Units::remove_nodes_beside_wires(const Neighbours& neighbours) {
     // Loop without branches; position 0 is for nodes in no sequence.
     for_each_pair(neighbours.pairs(), [=](Pair p) {
         const std::int32_t a = place[p.a], b = place[p.b];
-        const auto off = static_cast<std::uint32_t>(a - b + kReach);
-        const int other = static_cast<int>(walk[a] != walk[b]) | static_cast<int>(off > 2 * kReach);
+        const auto off = static_cast<std::uint32_t>(a - b + kBendingReach);
+        const int other =
+            static_cast<int>(walk[a] != walk[b]) | static_cast<int>(off > 2 * kBendingReach);
         const int parts = other & static_cast<int>(a != 0) & static_cast<int>(b != 0);
         separation[p.a] |= parts;
         separation[p.b] |= parts;
@@ -161,8 +162,9 @@ void Units::remove_nodes_beside_wires(const Neighbours& neighbours) {
     }
 }
 
-/// Collect all nodes outside wires. Up to kLump consecutive nodes with common bends form one unit,
-/// even if they have contacts with other bodies. Each other node is a unit of its own.
+/// Collect all nodes outside wires. Up to kMaxContractedNodes consecutive nodes with common bends
+/// form one unit, even if they have contacts with other bodies. Each other node is a unit of its
+/// own.
 void Units::add_free_nodes(const Hypergraph& graph) {
     const std::size_t n = graph.size.size();
     begin.resize(n + 2);
@@ -179,7 +181,7 @@ void Units::add_free_nodes(const Hypergraph& graph) {
                                      (v > 1 && (bends_[v - 1] & (bends_[v - 2] >> 1)) == 1));
         const bool joins = bent && room > 0 && hub[v] == 0 && graph.size[v] == graph.size[v - 1];
         last += joins ? 0 : 1;
-        room = joins ? room - 1 : hub[v] != 0 ? 0 : kLump - 1;
+        room = joins ? room - 1 : hub[v] != 0 ? 0 : kMaxContractedNodes - 1;
         unit[v] = last;
         nodes[at(size)] = static_cast<std::int32_t>(v);
         begin[at(last) + 1] = ++size;
@@ -195,7 +197,7 @@ void Units::build(const Hypergraph& graph, const Neighbours& neighbours) {
     walk_index_.assign(n, 0);
     from_.assign(1, 0);
     walked_.reserve(n + 1);
-    follow_numbers(graph);
+    find_consecutive_wires(graph);
     find_ends(neighbours);
     // Start at ends: nodes with one open neighbour, or two if wires bend. The remaining nodes form
     // rings.

@@ -21,9 +21,10 @@ namespace hawser::graph {
 /// Largest number of neighbours of a node that is no hub.
 inline constexpr std::int32_t kHubDegree = 16;
 /// Reach of bending: it couples a node to the next but one.
-inline constexpr std::int32_t kReach = 2;
+inline constexpr std::int32_t kBendingReach = 2;
 inline constexpr std::int32_t kShortestWire = 4;  ///< Least number of nodes of a wire.
-inline constexpr std::int32_t kLump = 3;  ///< Largest number of nodes contracted outside wires.
+inline constexpr std::int32_t kMaxContractedNodes =
+    3;  ///< Largest number of nodes contracted outside wires.
 
 class Units {
   public:
@@ -45,7 +46,7 @@ class Units {
   private:
     void classify_nodes(const Hypergraph& graph, const Neighbours& neighbours);
     [[nodiscard]] std::int32_t end_sequence(std::int32_t size);
-    void follow_numbers(const Hypergraph& graph);
+    void find_consecutive_wires(const Hypergraph& graph);
     void find_ends(const Neighbours& neighbours);
     void walk_wire(const Hypergraph& graph, const Neighbours& neighbours, std::int32_t end);
     [[nodiscard]] std::int32_t next_open_neighbour(const Neighbours& neighbours,
@@ -59,8 +60,8 @@ class Units {
     std::vector<std::uint8_t>
         /// By node: bit 1 if it is a neighbour of the next node, bit 2 if of the next but one.
         bends_;
-    /// Open nodes by their number of open neighbours, at most 2 kReach.
-    std::array<std::vector<std::int32_t>, 2 * kReach + 1> end_;
+    /// Open nodes by their number of open neighbours, at most 2 kBendingReach.
+    std::array<std::vector<std::int32_t>, 2 * kBendingReach + 1> end_;
     std::vector<std::int32_t> walked_;  ///< Sequences of nodes, before remove_nodes_beside_wires().
     std::vector<std::int32_t> from_;    ///< Offsets of the sequences in walked_.
     std::vector<std::int32_t> walk_index_;   ///< By node: 1 + index in walked_, 0: none.

@@ -6,7 +6,7 @@
 namespace hawser::marine {
 namespace {
 
-constexpr double kTurns = 1e3;  ///< Limit of a direction or phase [rad].
+constexpr double kMaxAngle = 1e3;  ///< Limit of a direction or phase [rad].
 
 /// Reject a wave steep enough to break: H > 0.142 λ tanh kd (R. Miche, "Mouvements ondulatoires de
 /// la mer en profondeur constante ou décroissante", 1944).
@@ -22,9 +22,9 @@ void check_steepness(const std::string& at, const WaveDef& wave, double depth, d
 void check_wave(const std::string& at, const WaveDef& wave, double depth, double gravity) {
     check_range(at + "/height", wave.height, 0.0, 100.0, true, "m");
     check_range(at + "/period", wave.period, 0.0, 1e4, true, "s");
-    check_range(at + "/direction", wave.direction, -kTurns, kTurns, false, "rad");
+    check_range(at + "/direction", wave.direction, -kMaxAngle, kMaxAngle, false, "rad");
     if (wave.kind == WaveKind::regular) {
-        check_range(at + "/phase", wave.phase, -kTurns, kTurns, false, "rad");
+        check_range(at + "/phase", wave.phase, -kMaxAngle, kMaxAngle, false, "rad");
         return check_steepness(at, wave, depth, gravity);
     }
     check_range(at + "/gamma", wave.gamma, 1.0, 20.0, false, "");
@@ -48,7 +48,7 @@ void check_tables(const SeaDef& def) {
         const std::string at = entry("current", i);
         check_range(at + "/depth", c.depth, 0.0, 1e5, false, "m");
         check_range(at + "/speed", c.speed, 0.0, 50.0, false, "m/s");
-        check_range(at + "/direction", c.direction, -kTurns, kTurns, false, "rad");
+        check_range(at + "/direction", c.direction, -kMaxAngle, kMaxAngle, false, "rad");
         if (i > 0 && !(c.depth > def.current[i - 1].depth))
             throw SeaError(at + "/depth", number(c.depth) + " m; depths have to ascend");
     }
@@ -81,7 +81,7 @@ void check_sea(const SeaDef& def, double gravity) {
                                     std::to_string(kMaxWaveComponents));
     const WindDef& wind = def.wind;
     check_range("wind/speed", wind.speed, 0.0, 100.0, false, "m/s");
-    check_range("wind/direction", wind.direction, -kTurns, kTurns, false, "rad");
+    check_range("wind/direction", wind.direction, -kMaxAngle, kMaxAngle, false, "rad");
     check_range("wind/components", wind.components, 1.0, kMaxWaveComponents, false, "");
     check_range("wind/density", wind.density, 0.0, 1e3, true, "kg/m^3");
     for (const double x : def.gauge) check_range("gauge", x, -1e7, 1e7, false, "m");

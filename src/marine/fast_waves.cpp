@@ -15,7 +15,7 @@ namespace {
 constexpr double kLeftOut =
     kKinematicTolerance / 8.0;  ///< Error of the components that are left out.
 constexpr double kPhaseFraction = 0.375 * kKinematicTolerance;  ///< Error of rounded phases.
-constexpr double kSingle = 0x1p-24;                             ///< Unit of rounding.
+constexpr double kFloatRounding = 0x1p-24;                      ///< Unit of rounding.
 constexpr double kNoBottom = 16.0;  ///< Where e^(−2kd + kζ) is below 1.2e-7 it is left out.
 
 /// Amplitudes at still water of one component.
@@ -168,8 +168,8 @@ void FastWaves::list_extents() {
         while (n < groups() && holds(static_cast<std::size_t>(n))) ++n;
         return n;
     };
-    rows_per_metre_ = static_cast<double>(kExtents - 1) / sea_depth_;
-    for (std::size_t i = 0; i < kExtents; ++i) {
+    rows_per_metre_ = static_cast<double>(kExtentRows - 1) / sea_depth_;
+    for (std::size_t i = 0; i < kExtentRows; ++i) {
         const double low = static_cast<double>(i) / rows_per_metre_;
         const double high = low + 1.0 / rows_per_metre_;
         FastExtent row;
@@ -196,7 +196,7 @@ double FastWaves::reach_of(std::size_t components) const {
             for (std::size_t i = 0; i < waves_.size(); ++i) {
                 const WaveComponent& w = waves_[i];
                 const double a = motion_of(w, sea_depth_).*of;
-                const double off = kTwoPi * kSingle * (1.5 + 1.13 * w.wave_number * r);
+                const double off = kTwoPi * kFloatRounding * (1.5 + 1.13 * w.wave_number * r);
                 sum += i < components ? a * a * off * off : 0.0;
                 all += a * a;
             }

@@ -65,7 +65,7 @@ class FastWaves {
     /// Return the groups to sum for velocity and acceleration at z' = −depth.
     [[nodiscard]] const FastExtent& extent(double depth) const noexcept {
         const double row = depth * rows_per_metre_;
-        return extents_[row < kExtents - 1 ? static_cast<std::size_t>(row) : kExtents - 1];
+        return extents_[row < kExtentRows - 1 ? static_cast<std::size_t>(row) : kExtentRows - 1];
     }
     /// Return the number of groups to sum for the elevation above points under water at z' = −depth
     /// or deeper.
@@ -82,7 +82,7 @@ class FastWaves {
     void list_extents();
     [[nodiscard]] double reach_of(std::size_t components) const;
 
-    static constexpr std::size_t kExtents = 1024;
+    static constexpr std::size_t kExtentRows = 1024;
 
     double sea_depth_;
     int padded_ = 0;

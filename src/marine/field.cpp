@@ -10,7 +10,7 @@ namespace hawser::marine {
 namespace {
 
 /// Cosines and sines of the components at the points of a batch, in double or single precision.
-constexpr int kCircle = 2 * kMaxWaveComponents * kWavePoints;
+constexpr int kCircleSize = 2 * kMaxWaveComponents * kWavePoints;
 static_assert(kMaxWaveComponents % kFastGroup == 0 &&
               kMaxWaveComponents <= kFastGroup * kMaxFastGroups);
 
@@ -31,7 +31,7 @@ struct WaterField::Batch {
     bool fast = false;
     bool motions = false;  ///< True: for velocities and accelerations as well.
     double surface[kWavePoints] = {};
-    alignas(base::kAlign) double circle[kCircle];
+    alignas(base::kAlign) double circle[kCircleSize];
 
     /// a cos θ and f of the components at each point in single precision.
     [[nodiscard]] float* floats() noexcept { return reinterpret_cast<float*>(circle); }
@@ -73,8 +73,8 @@ int WaterField::surface_groups(const FieldPoint& point) const noexcept {
 
 /// Form a cluster of points from `first` on: append batches as long as they are within reach of the
 /// middle of the cluster.
-void WaterField::refer(const FieldPoint* points, int first, int count, bool exact_surface,
-                       Cluster& to) const noexcept {
+void WaterField::form_cluster(const FieldPoint* points, int first, int count, bool exact_surface,
+                              Cluster& to) const noexcept {
     to.end = std::min(first + kWavePoints, count);
     to.fast = false;
     to.groups = 0;
@@ -200,7 +200,7 @@ void WaterField::water(const FieldPoint* points, int count, WaterPoint* out) con
         batch.count = std::min(count - first, kWavePoints);
         std::fill_n(batch.surface, kWavePoints, now_->level);
         if (moves()) {
-            if (first >= cluster.end) refer(points, first, count, false, cluster);
+            if (first >= cluster.end) form_cluster(points, first, count, false, cluster);
             surfaces(points, cluster, batch);
             motions(points, batch, out + first);
         } else {
@@ -224,7 +224,7 @@ void WaterField::press(const FieldPoint* points, int count, bool waves, double* 
     for (int first = 0; first < count; first += kWavePoints) {
         batch.first = first;
         batch.count = std::min(count - first, kWavePoints);
-        if (first >= cluster.end) refer(points, first, count, true, cluster);
+        if (first >= cluster.end) form_cluster(points, first, count, true, cluster);
         surfaces(points, cluster, batch);
         std::copy_n(batch.surface, batch.count, surface + first);
         if (rise != nullptr) pressures(points, batch, rise + first);

@@ -101,8 +101,8 @@ class WaterField {
     [[nodiscard]] bool moves() const noexcept { return padded_ > 0 && now_->waves != 0.0; }
     [[nodiscard]] double still_depth(double z, double surface) const noexcept;
     [[nodiscard]] int surface_groups(const FieldPoint& point) const noexcept;
-    void refer(const FieldPoint* points, int first, int count, bool exact_surface,
-               Cluster& to) const noexcept;
+    void form_cluster(const FieldPoint* points, int first, int count, bool exact_surface,
+                      Cluster& to) const noexcept;
     void surfaces(const FieldPoint* points, const Cluster& of, Batch& batch) const noexcept;
     void fast_surfaces(const FieldPoint* points, const Cluster& of, Batch& batch) const noexcept;
     void motions(const FieldPoint* points, Batch& batch, WaterPoint* out) const noexcept;

@@ -8,8 +8,9 @@
 namespace hawser {
 namespace {
 
-constexpr double kCells = 200.0;  ///< Number of cells along the longest side of the mesh's box.
-constexpr int kMaxAlong = 64;     ///< Cells along an axis.
+constexpr double kCellsAlongBox =
+    200.0;                     ///< Number of cells along the longest side of the mesh's box.
+constexpr int kMaxAlong = 64;  ///< Cells along an axis.
 
 /// List the heights at which the vertical line through (x, y) crosses the mesh, ascending.
 void crossings(const HullMesh& mesh, double x, double y, std::vector<double>& out) {
@@ -40,7 +41,7 @@ std::vector<HullCell> hull_cells(const HullMesh& mesh) {
         high = high.cwiseMax(v);
     }
     const Vec3 box = high - low;
-    const double edge = std::cbrt(std::max(box.prod(), 0.0) / kCells);
+    const double edge = std::cbrt(std::max(box.prod(), 0.0) / kCellsAlongBox);
     std::array<int, 3> count{};
     Vec3 size = Vec3::Zero();
     for (int k = 0; k < 3; ++k) {

@@ -126,15 +126,15 @@ HullMesh read_stl_text(const std::string& text, const std::string& file) {
 }
 
 HullMesh read_stl_bytes(const std::string& bytes, const std::string& file) {
-    constexpr std::size_t kHead = 84, kFacet = 50;
+    constexpr std::size_t kStlHeadBytes = 84, kStlFacetBytes = 50;
     std::uint32_t count = 0;
     std::memcpy(&count, bytes.data() + 80, sizeof count);
-    if (bytes.size() < kHead + kFacet * std::size_t{count})
+    if (bytes.size() < kStlHeadBytes + kStlFacetBytes * std::size_t{count})
         refuse_hull(file, "it ends before its " + std::to_string(count) + " facets do");
     MeshMaker make(file);
     for (std::size_t i = 0; i < count; ++i) {
         float f[12];
-        std::memcpy(f, bytes.data() + kHead + kFacet * i, sizeof f);
+        std::memcpy(f, bytes.data() + kStlHeadBytes + kStlFacetBytes * i, sizeof f);
         std::int32_t corner[3];
         for (int k = 0; k < 3; ++k) {
             const float* x = f + 3 + 3 * k;

@@ -15,7 +15,7 @@ namespace {
 
 /// Find the sinkage at which a hull of given orientation displaces the volume `wanted`. @return
 /// true if the hull floats.
-bool sink(const HullMesh& mesh, double wanted, Flotation& out) {
+bool find_sinkage(const HullMesh& mesh, double wanted, Flotation& out) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const Vec3& v : mesh.vertices) {
         const double z = (out.pose.orientation * v).z();
@@ -66,7 +66,7 @@ Flotation float_hull(const HullMesh& mesh, double mass, double density, double h
     Flotation out;
     const double wanted = mass / density;
     out.pose.orientation = heeled(heel);
-    out.floats = sink(mesh, wanted, out);
+    out.floats = find_sinkage(mesh, wanted, out);
     if (!out.floats) return out;
     // If B is forward of G, the bow rises by the lever over the longitudinal metacentric height.
     for (int i = 0; trims && i < 60; ++i) {
@@ -76,7 +76,7 @@ Flotation float_hull(const HullMesh& mesh, double mass, double density, double h
         if (std::abs(lever) <= 1e-13 * std::cbrt(s.volume) || !(height > 0.0)) break;
         out.trim -= std::clamp(lever / height, -0.1, 0.1);
         out.pose.orientation = heeled(heel) * trimmed(out.trim);
-        out.floats = sink(mesh, wanted, out);
+        out.floats = find_sinkage(mesh, wanted, out);
         if (!out.floats) return out;
     }
     const HullStatics& s = out.statics;

@@ -133,7 +133,7 @@ void HullMemorySums::check_state(StateRules& rules) const {
                         "the memory of a hull is out of range");
 }
 
-void HullMemorySums::tell(HullMemory& out) const {
+void HullMemorySums::write_memory(HullMemory& out) const {
     out.kind = kind_;
     out.step = step_;
     out.first = first_;

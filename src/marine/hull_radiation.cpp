@@ -180,9 +180,9 @@ void HullWater::check_state(StateRules& rules) const {
     waves_.check_state(rules);
 }
 
-void HullWater::tell(HullMemory& out) const {
-    memory_.tell(out);
-    waves_.tell(out);
+void HullWater::write_memory(HullMemory& out) const {
+    memory_.write_memory(out);
+    waves_.write_memory(out);
 }
 
 }  // namespace hawser::marine

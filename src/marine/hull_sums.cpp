@@ -68,8 +68,8 @@ void plane_stiffness(const HullSums& s, double (&out)[6]) noexcept {
     // Moments about the centre of the waterplane, which must not be negative,
     const double ixx = std::max(s.xx - s.plane * x * x, 0.0);
     const double iyy = std::max(s.yy - s.plane * y * y, 0.0);
-    constexpr double kMaximum = 1.0 - 1e-12;
-    const double most = kMaximum * std::sqrt(ixx * iyy);
+    constexpr double kMaxProductRatio = 1.0 - 1e-12;
+    const double most = kMaxProductRatio * std::sqrt(ixx * iyy);
     const double ixy = std::clamp(s.xy - s.plane * x * y, -most, most);
     // and then about the reference.
     out[0] = s.plane;

@@ -35,7 +35,7 @@ double lowest_scaled(const Matrix6& m, const Matrix6& size) {
 
 /// Tolerated negative damping: 5 % of the largest of each motion. Programs write three digits, and
 /// have noise at irregular frequencies.
-constexpr double kNoise = -0.05;
+constexpr double kMinRelativeDamping = -0.05;
 
 /// Return the nearest matrix without negative eigenvalues, scaled as in lowest_scaled().
 Matrix6 without_negative_of(const Matrix6& m, const Matrix6& size) {
@@ -146,7 +146,7 @@ std::string coefficients_fault(const WaveCoefficients& c) {
     if (std::string fault = finite_fault(c); !fault.empty()) return fault;
     const Matrix6 size = largest_diagonal(c.damping);
     for (std::size_t i = 0; i < c.damping.size(); ++i)
-        if (const double low = lowest_scaled(c.damping[i], size); low < kNoise)
+        if (const double low = lowest_scaled(c.damping[i], size); low < kMinRelativeDamping)
             return "damping at " + number(c.frequency[i]) +
                    " rad/s is not positive semi-definite: scaled to ones, its lowest eigenvalue "
                    "is " +
@@ -170,7 +170,8 @@ WaveCoefficients repaired_damping(const WaveCoefficients& c, NegativeDamping how
     if (how == NegativeDamping::refuse) return out;
     const Matrix6 size = largest_diagonal(c.damping);
     for (std::size_t i = 0; i < c.damping.size() && i < c.frequency.size(); ++i) {
-        if (!c.damping[i].allFinite() || !(lowest_scaled(c.damping[i], size) < kNoise)) continue;
+        if (!c.damping[i].allFinite() || !(lowest_scaled(c.damping[i], size) < kMinRelativeDamping))
+            continue;
         if (how == NegativeDamping::fit) {
             out.damping[i] = without_negative_of(c.damping[i], size);
             continue;

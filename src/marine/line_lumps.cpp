@@ -45,7 +45,7 @@ void add_line(const World& world, const WaterLine& line, const std::string& at, 
 
 /// Number of nodes ahead of the present one whose definitions are prefetched. Definitions are far
 /// apart in memory: reading one takes longer than all other work on a node.
-constexpr std::size_t kAhead = 8;
+constexpr std::size_t kPrefetchNodes = 8;
 
 void prefetch_node(const World& world, std::span<const BodyId> nodes, std::size_t i) noexcept {
     if (i < nodes.size() && world.alive(nodes[i]))
@@ -107,9 +107,9 @@ void LineNodes::assign_coefficient_sets(const Wire& wire) noexcept {
 
 /// Compute the data of each element of a wire, so that both of its nodes can use them.
 void LineNodes::find_spans(const World& world, const Wire& wire) noexcept {
-    for (std::size_t e = 0; e < kAhead; ++e) prefetch_element(world, wire.elements, e);
+    for (std::size_t e = 0; e < kPrefetchNodes; ++e) prefetch_element(world, wire.elements, e);
     for (std::size_t e = 0; e < wire.elements.size(); ++e) {
-        prefetch_element(world, wire.elements, e + kAhead);
+        prefetch_element(world, wire.elements, e + kPrefetchNodes);
         Span& span = spans_[wire.first + e];
         const InteractionId id = wire.elements[e];
         const int set_index = coefficient_sets_[wire.first + e];
@@ -162,9 +162,9 @@ void LineNodes::find(const World& world, int number) noexcept {
     const auto& [nodes, elements, first] = wire;
     assign_coefficient_sets(wire);
     const bool wet = !elements.empty() && coefficient_sets_[first + elements.size() - 1] >= 0;
-    for (std::size_t i = 0; wet && i < kAhead; ++i) prefetch_node(world, nodes, i);
+    for (std::size_t i = 0; wet && i < kPrefetchNodes; ++i) prefetch_node(world, nodes, i);
     for (std::size_t i = 0; wet && i < nodes.size(); ++i) {
-        prefetch_node(world, nodes, i + kAhead);
+        prefetch_node(world, nodes, i + kPrefetchNodes);
         NodeState& state = nodes_[first + i];
         state = NodeState::gone;
         if (!world.alive(nodes[i])) continue;

@@ -20,8 +20,8 @@ namespace {
 
 using Eigen::MatrixXd;
 
-constexpr int kSamples = 400;    ///< Number of samples of K, for C and the error of the fit.
-constexpr int kBlockRows = 240;  ///< Maximum number of rows of H.
+constexpr int kKernelSamples = 400;  ///< Number of samples of K, for C and the error of the fit.
+constexpr int kBlockRows = 240;      ///< Maximum number of rows of H.
 
 /// Motions that radiate, and K between them, scaled to ones at 0.
 class Scaled {
@@ -48,9 +48,9 @@ class Scaled {
     /// Return the time after which K is small.
     [[nodiscard]] double end() const {
         const double all = (*this)(0.0).norm();
-        double last = memory_ / kSamples;
-        for (int i = 1; i < kSamples; ++i) {
-            const double t = memory_ * i / kSamples;
+        double last = memory_ / kKernelSamples;
+        for (int i = 1; i < kKernelSamples; ++i) {
+            const double t = memory_ * i / kKernelSamples;
             if ((*this)(t).norm() > 2e-3 * all) last = t;
         }
         return std::min(1.2 * last, memory_);
@@ -183,15 +183,15 @@ MemoryModel memory_model(const WaveCoefficients& coefficients, int order, double
     MatrixXd b;
     fit_state_space(k, end, order, out.blocks, b);
     const auto n = static_cast<Eigen::Index>(k.motions.size());
-    MatrixXd left(kSamples * n, b.rows()), right(kSamples * n, n);
-    for (int i = 0; i < kSamples; ++i) {
-        const double t = end * i / kSamples;
+    MatrixXd left(kKernelSamples * n, b.rows()), right(kKernelSamples * n, n);
+    for (int i = 0; i < kKernelSamples; ++i) {
+        const double t = end * i / kKernelSamples;
         left.middleRows(i * n, n) = run(out.blocks, b, t).transpose();
         right.middleRows(i * n, n) = k(t).transpose();
     }
     const MatrixXd c = base::least_squares(left, right).transpose();
     const double all = k(0.0).norm();
-    for (int i = 0; i < kSamples; ++i)
+    for (int i = 0; i < kKernelSamples; ++i)
         out.fit_error = std::max(
             out.fit_error,
             (left.middleRows(i * n, n) * c.transpose() - right.middleRows(i * n, n)).norm() / all);

@@ -92,7 +92,7 @@ class HullMemorySums {
     [[nodiscard]] const Matrix6& damping() const noexcept { return damping_; }
     void visit_state(StateVisitor& v);
     void check_state(StateRules& rules) const;
-    void tell(HullMemory& out) const;
+    void write_memory(HullMemory& out) const;
     [[nodiscard]] bool any() const noexcept { return kind_ != RadiationKind::none; }
     /// True if push() must be called, because a memory exists or ahead() is used.
     [[nodiscard]] bool follows() const noexcept { return any() || follows_; }

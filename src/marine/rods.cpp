@@ -59,7 +59,8 @@ void RodWater::begin(const World& world) noexcept {
     n_[0] = axes_ * side_;
     n_[1] = axes_ * other_;
     // √(1 − t_z²), computed without cancellation.
-    reach_ = length_ * std::abs(t_.z()) + def_.water.diameter * std::hypot(t_.x(), t_.y());
+    vertical_extent_ =
+        length_ * std::abs(t_.z()) + def_.water.diameter * std::hypot(t_.x(), t_.y());
 }
 
 void RodWater::load(const WaterField& field, bool convective, int chunk) noexcept {
@@ -73,7 +74,7 @@ void RodWater::load(const WaterField& field, bool convective, int chunk) noexcep
     for (int i = 0; i < count; ++i) {
         const double fraction = (first + i + 0.5) / def_.segments;
         const Vec3 place = position_ + axes_ * (def_.from + fraction * (def_.to - def_.from));
-        points[i] = {place, place.z() + 0.5 * reach_};
+        points[i] = {place, place.z() + 0.5 * vertical_extent_};
     }
     field.water(points, count, water);
     for (int i = 0; i < count; ++i) {
@@ -87,8 +88,8 @@ void RodWater::load(const WaterField& field, bool convective, int chunk) noexcep
 void RodWater::add_segment(const Vec3& arm, const WaterPoint& water, const WaterLaw& law,
                            Part& out) const noexcept {
     const LineWater& of = def_.water;
-    const double depth = water.elevation - (position_.z() + arm.z() - 0.5 * reach_);
-    const double wet = wet_fraction(depth, 0.0, reach_);
+    const double depth = water.elevation - (position_.z() + arm.z() - 0.5 * vertical_extent_);
+    const double wet = wet_fraction(depth, 0.0, vertical_extent_);
     if (!(wet > 0.0)) return;
     out.wet = true;
     out.deepest = std::max(out.deepest, depth);
@@ -115,7 +116,7 @@ void RodWater::add_segment(const Vec3& arm, const WaterPoint& water, const Water
     out.righting += weight * wet * arm.z();
     if (wet < 1.0) {
         out.pierced = true;
-        add_rise(weight / reach_, arm, out.cut);
+        add_rise(weight / vertical_extent_, arm, out.cut);
     } else {
         add_rise(weight, arm, out.under);
     }

@@ -55,8 +55,8 @@ class RodWater {
     Vec3 position_{0.0, 0.0, 0.0};
     Twist twist_{};
     Mat3 axes_ = Mat3::Identity();
-    Vec3 t_, n_[2];     ///< Along and across, world.
-    double reach_ = 0;  ///< s [m].
+    Vec3 t_, n_[2];               ///< Along and across, world.
+    double vertical_extent_ = 0;  ///< s [m].
     bool any_ = false;
 };
 

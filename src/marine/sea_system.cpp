@@ -112,7 +112,7 @@ HullMemory SeaSystem::memory(std::size_t hull) const {
     if (hull >= hulls_.size())
         throw DefError("hull " + std::to_string(hull) + ": the sea has " +
                        std::to_string(hulls_.size()));
-    hulls_[hull].tell(out);
+    hulls_[hull].write_memory(out);
     return out;
 }
 
@@ -165,7 +165,7 @@ void SeaSystem::prestep(Prestep& now, Loads& loads) noexcept {
     tide_ = sea_.tide(now.time);  // without in_.level, which is a separate input
     if (!compute(now)) return now.set_input(InputId{}, std::nan(""));
     acted_ = true;
-    give(loads);
+    apply_loads(loads);
 }
 
 void SeaSystem::load_body(const World& world, int i) noexcept {
@@ -205,7 +205,7 @@ bool SeaSystem::compute(Prestep& now) noexcept {
         lines_.load_chunk(field_, def_.convective, i - works);
     });
     for (const HullWater& hull : hulls_)
-        if (hull.lost()) return false;
+        if (hull.lacks_direction()) return false;
     now.for_each(static_cast<int>(sums_.size()), [&](int i) noexcept {
         hulls_[slot(sums_[slot(i)].hull)].sum(sums_[slot(i)].chunk);
     });
@@ -218,7 +218,7 @@ bool SeaSystem::compute(Prestep& now) noexcept {
 }
 
 /// Add all loads in the order of nodes, bodies, hulls and rods, independent of threads.
-void SeaSystem::give(Loads& loads) const noexcept {
+void SeaSystem::apply_loads(Loads& loads) const noexcept {
     if (line_part_) loads.repeat(true);
     for (int i = 0; i < lines_.count(); ++i)
         if (lines_.of(i).any) add_point(lines_.of(i), loads.of(lines_.body(i)));

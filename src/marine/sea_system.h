@@ -157,10 +157,10 @@ class HullWater {
     [[nodiscard]] BodyId body() const noexcept { return def_->body; }
     [[nodiscard]] bool any() const noexcept { return any_; }
     /// True if a wave has a direction that the coefficients lack.
-    [[nodiscard]] bool lost() const noexcept { return lost_; }
+    [[nodiscard]] bool lacks_direction() const noexcept { return lost_; }
     void visit_state(StateVisitor& v);
     void check_state(StateRules& rules) const;
-    void tell(HullMemory& out) const;
+    void write_memory(HullMemory& out) const;
 
     std::array<double, 6> force{};
     std::array<double, 21> mass{}, damping{}, stiffness{};
@@ -252,7 +252,7 @@ class SeaSystem final : public System {
     void load_body(const World& world, int i) noexcept;
     void do_work(const Work& work) noexcept;
     void list_work(int hull);
-    void give(Loads& loads) const noexcept;
+    void apply_loads(Loads& loads) const noexcept;
 
     SeaDef def_;
     Start start_;

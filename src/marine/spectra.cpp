@@ -33,11 +33,12 @@ double wave_spectrum(const WaveDef& def, double omega) noexcept {
 }
 
 double gust_spectrum(double speed, double frequency) noexcept {
-    constexpr double kPower = 0.468;  // ISO 19901-1, A.7.4
+    constexpr double kIsoExponent = 0.468;  // ISO 19901-1, A.7.4
     if (!(speed > 0.0)) return 0.0;
     const double over_10 = 0.1 * speed;
     const double f = 172.0 * frequency * std::pow(over_10, -0.75);
-    return 320.0 * over_10 * over_10 / std::pow(1.0 + std::pow(f, kPower), 5.0 / (3.0 * kPower));
+    return 320.0 * over_10 * over_10 /
+           std::pow(1.0 + std::pow(f, kIsoExponent), 5.0 / (3.0 * kIsoExponent));
 }
 
 namespace marine {
@@ -47,9 +48,9 @@ namespace {
 /// table.
 class Spreading {
   public:
-    explicit Spreading(double s) : sum_(kCells + 1, 0.0) {
+    explicit Spreading(double s) : sum_(kAngleCells + 1, 0.0) {
         const auto density = [&](double angle) { return std::pow(std::cos(0.5 * angle), 2.0 * s); };
-        for (int i = 0; i < kCells; ++i)
+        for (int i = 0; i < kAngleCells; ++i)
             sum_[static_cast<std::size_t>(i) + 1] =
                 sum_[static_cast<std::size_t>(i)] +
                 integral(density, angle_of(i), angle_of(i + 1), 1);
@@ -63,8 +64,8 @@ class Spreading {
     }
 
   private:
-    static constexpr int kCells = 2000;
-    static double angle_of(double i) { return std::numbers::pi * (2.0 * i / kCells - 1.0); }
+    static constexpr int kAngleCells = 2000;
+    static double angle_of(double i) { return std::numbers::pi * (2.0 * i / kAngleCells - 1.0); }
     std::vector<double> sum_;
 };
 
@@ -115,10 +116,10 @@ void add_components(const WaveDef& def, double depth, double gravity,
 std::vector<GustComponent> gust_components(const WindDef& def) {
     std::vector<GustComponent> out;
     if (!def.gusts) return out;
-    constexpr double kLowest = 1.0 / 600.0, kHighest = 0.5;
+    constexpr double kMinFrequency = 1.0 / 600.0, kMaxFrequency = 0.5;
     Draw draw(def.seed);
-    const double ratio = std::pow(kHighest / kLowest, 1.0 / def.components);
-    double begin = kLowest;
+    const double ratio = std::pow(kMaxFrequency / kMinFrequency, 1.0 / def.components);
+    double begin = kMinFrequency;
     for (int i = 0; i < def.components; ++i) {
         const double end = begin * ratio;
         out.push_back({begin + draw() * (end - begin), end - begin, kTwoPi * draw()});

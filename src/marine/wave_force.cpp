@@ -13,7 +13,7 @@ namespace hawser::marine {
 namespace {
 
 /// Tolerance of directions beyond the ends of a table; they use the end's values [rad].
-constexpr double kBeyond = 5.0 * std::numbers::pi / 180.0;
+constexpr double kHeadingTolerance = 5.0 * std::numbers::pi / 180.0;
 
 double wrapped(double angle) noexcept { return angle - kTwoPi * std::nearbyint(angle / kTwoPi); }
 
@@ -38,7 +38,7 @@ std::array<T, 6> column_at(const WaveCoefficients& c, const std::vector<T>& tabl
 
 /// True if the coefficients are those of a symmetric body, for which sway, roll and yaw vanish in
 /// waves from ahead and astern.
-bool alike(const WaveCoefficients& c, const std::vector<std::complex<double>>& table) {
+bool is_symmetric_body(const WaveCoefficients& c, const std::vector<std::complex<double>>& table) {
     if (c.heading.size() < 2 || std::abs(c.heading.front()) > 1e-3 ||
         std::abs(c.heading.back() - std::numbers::pi) > 1e-3)
         return false;
@@ -81,7 +81,9 @@ void WaveForce::fill(const WaterHull& def, const Sea& sea) {
         bool mirrored;
     };
     std::vector<Column> columns;
-    const bool both = alike(c, force_ ? force : c.excitation.empty() ? force : c.excitation);
+    const bool both = is_symmetric_body(c, force_                 ? force
+                                           : c.excitation.empty() ? force
+                                                                  : c.excitation);
     if (both)
         for (std::size_t h = c.heading.size(); h-- > 1;)
             if (-c.heading[h] > -std::numbers::pi + 1e-3)
@@ -124,9 +126,10 @@ WaveForce::Spot WaveForce::find(double direction) const noexcept {
     Spot out;
     if (heading_.empty()) return out;
     double d = wrapped(direction);
-    if (d < heading_.front() - kBeyond) d += kTwoPi;
-    if (d > heading_.back() + kBeyond) d -= kTwoPi;
-    if (d < heading_.front() - kBeyond || d > heading_.back() + kBeyond) return out;
+    if (d < heading_.front() - kHeadingTolerance) d += kTwoPi;
+    if (d > heading_.back() + kHeadingTolerance) d -= kTwoPi;
+    if (d < heading_.front() - kHeadingTolerance || d > heading_.back() + kHeadingTolerance)
+        return out;
     out.known = true;
     const auto after = std::upper_bound(heading_.begin(), heading_.end(), d);
     if (after == heading_.begin()) return out;
@@ -191,11 +194,12 @@ bool WaveForce::act(const Sea& sea, const SeaMoment& now, Vec6& out) const noexc
             sum[2 * k + 1] += root * s;
         }
     }
-    constexpr int kMotion[] = {0, 1, 5};
+    constexpr int kDriftMotions[] = {0, 1, 5};
     if (drift_)
         for (int k = 0; k < 3; ++k)
-            out[kMotion[k]] += above[2 * k] * above[2 * k] + above[2 * k + 1] * above[2 * k + 1] -
-                               below[2 * k] * below[2 * k] - below[2 * k + 1] * below[2 * k + 1];
+            out[kDriftMotions[k]] +=
+                above[2 * k] * above[2 * k] + above[2 * k + 1] * above[2 * k + 1] -
+                below[2 * k] * below[2 * k] - below[2 * k + 1] * below[2 * k + 1];
     return true;
 }
 
@@ -218,7 +222,7 @@ void WaveForce::check_state(StateRules& rules) const {
     }
 }
 
-void WaveForce::tell(HullMemory& out) const {
+void WaveForce::write_memory(HullMemory& out) const {
     for (std::size_t i = 0; i < 4; ++i) out.lag[i] = lag_[i];
 }
 

@@ -33,7 +33,7 @@ class WaveForce {
     [[nodiscard]] double heading() const noexcept { return slow(2); }
     void visit_state(StateVisitor& v);
     void check_state(StateRules& rules) const;
-    void tell(HullMemory& out) const;
+    void write_memory(HullMemory& out) const;
 
   private:
     struct Entry {

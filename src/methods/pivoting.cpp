@@ -19,7 +19,7 @@ namespace {
 
 using nonsmooth::Cone;
 
-constexpr int kPasses = 8;
+constexpr int kMaxBoundPasses = 8;
 
 void make_laws(context::Model& model, context::Newton& newton) noexcept {
     for (std::size_t k = 0; k < model.system.contacts.count(); ++k) {
@@ -92,13 +92,13 @@ void begin_pivoting(context::Model& model, context::Newton& newton, runtime::Poo
 
 Status solve_pivoting(context::StepContext& ctx) noexcept {
     int rounds = 0;
-    for (int i = 0; i < kPasses; ++i) {
+    for (int i = 0; i < kMaxBoundPasses; ++i) {
         if (const Status s = run_pass(ctx, rounds); s != Status::ok) return s;
         // Tolerance of the bounds, 0.1 %. The box itself deviates by up to 41 %, so a smaller one
         // is useless.
-        constexpr double kStill = 1e-3;
-        if (rounds >= ctx.model.def.contact_iterations || i + 1 == kPasses) break;
-        if (renew_limits(ctx.model, ctx.work.newton) <= kStill) break;
+        constexpr double kBoundTolerance = 1e-3;
+        if (rounds >= ctx.model.def.contact_iterations || i + 1 == kMaxBoundPasses) break;
+        if (renew_limits(ctx.model, ctx.work.newton) <= kBoundTolerance) break;
         make_laws(ctx.model, ctx.work.newton);
         contact::adopt_laws(ctx.model, ctx.work.newton, ctx.pool, false);
     }

@@ -33,7 +33,7 @@ void Bodies::reserve_more() {
 }
 
 int Bodies::add(const BodyDef& def) {
-    const int place = place_for(def.kind);
+    const int place = vacant_slot_for(def.kind);
     if (place < 0) return append(def);
     slots.take(place);
     kind[at(place)] = def.kind;

@@ -86,7 +86,7 @@ struct Bodies {
     /// Reserve memory so that add(), append() and remove() do not throw. @throws std::bad_alloc.
     void reserve_more();
     /// Return the first empty slot with as many degrees of freedom, −1: none.
-    [[nodiscard]] int place_for(BodyKind of) const noexcept {
+    [[nodiscard]] int vacant_slot_for(BodyKind of) const noexcept {
         return slots.find_vacant(
             [&](std::int32_t p) { return room[static_cast<std::size_t>(p)] == dof_of(of); });
     }

@@ -185,9 +185,9 @@ void Interactions::write_rows(int id, const Bodies& bodies_in, double h) {
                                        &residual, &lambda, &multiplier, &force})
             (*a)[row] = 0.0;
         split_damping(row, wire, h);
-        sigma[row] = bare_sigma(row, h);
+        sigma[row] = sigma_without_floor(row, h);
     }
-    if (wire) follow_length(id, bodies_in, h);
+    if (wire) update_length_at_drum(id, bodies_in, h);
 }
 
 /// Add an interaction to the lists of interactions that require work in each step.

@@ -82,7 +82,7 @@ void Interactions::mirror(int copy, int original, const Bodies& bodies_in, doubl
         epsilon[row] = epsilon[of];
         // Σ of a rigid row is set by the analysis.
         if ((row_flags[row] & kRowVelocity) || epsilon[row] == 0.0) continue;
-        follow_compliance(row, kind_info(d.kind).is(kWireElement), h);
+        update_damping_of_row(row, kind_info(d.kind).is(kWireElement), h);
     }
 }
 
@@ -100,10 +100,10 @@ void Interactions::refresh(int id, const Bodies& bodies_in, double h) noexcept {
     const InteractionDef& d = def[at(id)];
     write_data(id);
     set_range(id);
-    if (kind_info(d.kind).is(kWireElement)) follow_length(id, bodies_in, h);
+    if (kind_info(d.kind).is(kWireElement)) update_length_at_drum(id, bodies_in, h);
 }
 
-double Interactions::wound_length(int id, const Bodies& bodies_in) const noexcept {
+double Interactions::length_at_drum_or_slide(int id, const Bodies& bodies_in) const noexcept {
     const InteractionDef& d = def[at(id)];
     const double length =
         d.params[0] + d.params[4] * (bodies_in.x[3 * at(d.body[2].index)] - d.params[5]);
@@ -112,19 +112,19 @@ double Interactions::wound_length(int id, const Bodies& bodies_in) const noexcep
                : length;
 }
 
-void Interactions::follow_length(int id, const Bodies& bodies_in, double h) noexcept {
+void Interactions::update_length_at_drum(int id, const Bodies& bodies_in, double h) noexcept {
     const InteractionDef& d = def[at(id)];
     const double whole = d.params[0];
-    double length = kind_info(d.kind).is(kWoundUp) ? wound_length(id, bodies_in) : whole;
+    double length = kind_info(d.kind).is(kWoundUp) ? length_at_drum_or_slide(id, bodies_in) : whole;
     // More line may run through a turning point than its last part holds; the law then keeps this
     // minimum length.
-    constexpr double kShortest = 0.01;
-    length = std::max(length, kShortest * whole);
+    constexpr double kMinLengthFraction = 0.01;
+    length = std::max(length, kMinLengthFraction * whole);
     rest_length[at(id)] = length;
     if (!(flags[at(id)] & kFromLength)) return;
     const auto row = at(row_begin[at(id)]);
     epsilon[row] = length / d.params[1];
-    follow_compliance(row, true, h);
+    update_damping_of_row(row, true, h);
 }
 
 template <class F>
@@ -189,8 +189,8 @@ std::array<double, 2> Interactions::wrapped(int id, const Bodies& b) const noexc
     return out;
 }
 
-void Interactions::follow_turns(int id, const std::array<double, 2>& before,
-                                const Bodies& b) noexcept {
+void Interactions::update_whole_turns(int id, const std::array<double, 2>& before,
+                                      const Bodies& b) noexcept {
     const std::array<double, 2> now = wheel_angles(id, b);
     auto turns = generic::kinds::WholeTurns::of(anchor[at(id)]);
     bool any = false;

@@ -193,7 +193,7 @@ struct Interactions {
     base::Array<double> upsilon;  ///< Υ, see hawser/row_constants.h; 0 for velocity rows.
     /// Factor 1 − 4τ(1 − θ)/h of ġ in c/Υ. For τ of the scheme: θ = 1.
     base::Array<double> recall;
-    base::Array<double> sigma;  ///< Σ, at least bare_sigma() and min_sigma.
+    base::Array<double> sigma;  ///< Σ, at least sigma_without_floor() and min_sigma.
     /// Lower bound of Σ of a cut row, see soften_sides(); else 0.
     base::Array<double> min_sigma;
     base::Array<double> inv_sigma;       ///< 1/Σ if condensed, else 0.
@@ -218,7 +218,7 @@ struct Interactions {
     /// throw, if the definition is an rvalue. @throws std::bad_alloc.
     void reserve_more(InteractionKind kind);
     /// Return the first empty slot of a kind, −1: none.
-    [[nodiscard]] int place_for(InteractionKind kind) const noexcept {
+    [[nodiscard]] int vacant_slot_for(InteractionKind kind) const noexcept {
         return slots.find_vacant(
             [&](std::int32_t p) { return def[static_cast<std::size_t>(p)].kind == kind; });
     }
@@ -242,7 +242,7 @@ struct Interactions {
     void split_damping(std::size_t row, bool wire, double h) noexcept;
     /// Return Σ from ε and Υ alone (hawser/row_constants.h), without the lower bounds that an
     /// analysis adds.
-    [[nodiscard]] double bare_sigma(std::size_t row, double h) const noexcept;
+    [[nodiscard]] double sigma_without_floor(std::size_t row, double h) const noexcept;
     /// Return the ratio of Σ of a row to its Σ without recoil, which is the ratio of the Υ.
     [[nodiscard]] double recoil_fraction(std::size_t row, bool wire, double h) const noexcept;
     /// Start or end the recoil of the rows of a wire element (split_damping()).
@@ -250,7 +250,7 @@ struct Interactions {
     /// Update Υ, recall, Σ and 1/Σ of a row with a violation. Call if its nonzero compliance has
     /// changed since the analysis. The new Σ is at least `min_sigma`; a row with a node of its own
     /// keeps this node. @param wire True for a wire element.
-    void follow_compliance(std::size_t row, bool wire, double h) noexcept;
+    void update_damping_of_row(std::size_t row, bool wire, double h) noexcept;
     /// Copy the parameters of interaction `original` to its duplicate `copy`.
     void mirror(int copy, int original, const Bodies& bodies_in, double h) noexcept;
     /// Mark an interaction as driven by an input.
@@ -276,9 +276,9 @@ struct Interactions {
     void set_mass(int id, double mass) noexcept;
     /// Return the unstretched length of an element at a drum or slide [m]. It follows from the
     /// coordinate of the drum or slide, and may be negative for a span.
-    [[nodiscard]] double wound_length(int id, const Bodies& bodies_in) const noexcept;
+    [[nodiscard]] double length_at_drum_or_slide(int id, const Bodies& bodies_in) const noexcept;
     /// Set the compliance and length of a wire element at a drum to its present rest length.
-    void follow_length(int id, const Bodies& bodies_in, double h) noexcept;
+    void update_length_at_drum(int id, const Bodies& bodies_in, double h) noexcept;
     /// Evaluate the rows of an interaction.
     /// @param v  Packed velocities; null: those of the bodies.
     [[nodiscard]] RowState row_state(int id, const Bodies& bodies_in,
@@ -305,8 +305,8 @@ struct Interactions {
     [[nodiscard]] std::array<double, 2> wrapped(int id, const Bodies& bodies_in) const noexcept;
     /// Update the number of whole turns in the angles of wheel_angles(). @param before  Angles
     /// before bodies moved or were replaced, by less than half a turn.
-    void follow_turns(int id, const std::array<double, 2>& before,
-                      const Bodies& bodies_in) noexcept;
+    void update_whole_turns(int id, const std::array<double, 2>& before,
+                            const Bodies& bodies_in) noexcept;
     /// Return the coordinate of the hinge, slider or scalar body that the interaction holds,
     /// limits, drives or brakes; zeros if its kind has none.
     [[nodiscard]] Coordinate coordinate(int id, const Bodies& bodies_in) const noexcept;

@@ -49,7 +49,7 @@ void Interactions::rewire(int id, std::size_t slot, BodyId to, Bodies& bodies_in
     }
     if (!bodies_in.turns(to.index)) d.point[slot].setZero();
     write_data(id);
-    if (on_wheel) follow_turns(id, before, bodies_in);
+    if (on_wheel) update_whole_turns(id, before, bodies_in);
     if (kind_info(d.kind).is(kAlongLine)) lightness[at(id)] = lightest_end(d, bodies_in);
 }
 

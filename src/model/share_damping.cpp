@@ -19,7 +19,7 @@ struct Shares {
 /// Row of a recoiling wire: the force is that at the end of the step, −g₊/ε. The wire behind the
 /// recoil front then moves at T/√(EA ρ) for any length of elements (docs/theory/parting.md). In
 /// terms of the step τ = h and θ = ¾, for any damper of the line.
-constexpr Shares kRecoil{0.25, 0.0};
+constexpr Shares kRecoilShares{0.25, 0.0};
 
 /// Rise from 0 at z = `from` to `most` for large z.
 double rise(double most, double z, double from) noexcept {
@@ -33,8 +33,8 @@ double rise(double most, double z, double from) noexcept {
 /// the iteration and singular poses cause large energies. The energy that this damping removes from
 /// resolved motion is proportional to ε.
 double min_damping(double epsilon, double spring) noexcept {
-    constexpr double kRigid = 0.5, kStiff = 0.1, kStiffFrom = 1e4;
-    return epsilon == 0.0 ? kRigid : rise(kStiff, spring, kStiffFrom);
+    constexpr double kMinDampingRigid = 0.5, kMaxDampingStiff = 0.1, kStiffZ = 1e4;
+    return epsilon == 0.0 ? kMinDampingRigid : rise(kMaxDampingStiff, spring, kStiffZ);
 }
 
 /// Return κ/h of a compliant joint's row. The law of the row contains κ (d₊ − d₋), which adds κ/h
@@ -45,8 +45,8 @@ double min_damping(double epsilon, double spring) noexcept {
 /// resolve. In a closed loop the end-of-step iteration then feeds it. The shift separates the
 /// roots and dissipates nothing. Damping separates them as well.
 double newmark_shift(double spring, double damping) noexcept {
-    constexpr double kShift = 0.1, kResolved = 0.25;  // hω = 1
-    return std::max(0.0, rise(kShift, spring, kResolved) - damping);
+    constexpr double kMaxShift = 0.1, kResolvedZ = 0.25;  // hω = 1
+    return std::max(0.0, rise(kMaxShift, spring, kResolvedZ) - damping);
 }
 
 /// Compute Υ and recall. The axial vibration of a wire's nodes is rarely resolved and would never
@@ -77,7 +77,7 @@ Shares shares_of(const Interactions& in, std::size_t row, bool wire, double h) n
 void Interactions::split_damping(std::size_t row, bool wire, double h) noexcept {
     recall[row] = 1.0;
     if (row_flags[row] & kRowVelocity) return;
-    const Shares s = row_flags[row] & kRowRecoils ? kRecoil : shares_of(*this, row, wire, h);
+    const Shares s = row_flags[row] & kRowRecoils ? kRecoilShares : shares_of(*this, row, wire, h);
     upsilon[row] = s.upsilon;
     recall[row] = s.recall;
 }
@@ -92,16 +92,16 @@ void Interactions::recoil(int id, bool recoils, double h) noexcept {
         const auto row = at(row_begin[at(id)] + r);
         if (((row_flags[row] & kRowRecoils) != 0) == recoils) continue;
         row_flags[row] ^= kRowRecoils;
-        follow_compliance(row, rest_length[at(id)] > 0.0, h);
+        update_damping_of_row(row, rest_length[at(id)] > 0.0, h);
     }
 }
 
-double Interactions::bare_sigma(std::size_t row, double h) const noexcept {
+double Interactions::sigma_without_floor(std::size_t row, double h) const noexcept {
     return row_flags[row] & kRowVelocity ? velocity_row_sigma(epsilon[row], h)
                                          : row_sigma(epsilon[row], upsilon[row], h);
 }
 
-void Interactions::follow_compliance(std::size_t row, bool wire, double h) noexcept {
+void Interactions::update_damping_of_row(std::size_t row, bool wire, double h) noexcept {
     split_damping(row, wire, h);
     sigma[row] = std::max(row_sigma(epsilon[row], upsilon[row], h), min_sigma[row]);
     if (inv_sigma[row] != 0.0) inv_sigma[row] = 1.0 / sigma[row];

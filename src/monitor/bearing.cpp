@@ -12,7 +12,8 @@ namespace hawser::monitor {
 
 Finding strain_finding(context::Model& model, const context::State& state,
                        context::MonitorState& memory) noexcept {
-    constexpr double kLonger = 1.25;  // Includes the motion of half a step, and damping.
+    constexpr double kMaxElongationRatio =
+        1.25;  // Includes the motion of half a step, and damping.
     const assembly::View v = context::row_view(model);
     Finding out{.value = 0.0,
                 .doubtful = 0.0,
@@ -28,7 +29,7 @@ Finding strain_finding(context::Model& model, const context::State& state,
         const double soft = v.epsilon[row] / length;  // strain per newton
         const double bears = soft * model.system.breaking_load[i];
         const double stretched = v.g[row] / length, pulled = -soft * v.lambda[row] / v.h;
-        longest = std::max(longest, stretched / (kLonger * bears));
+        longest = std::max(longest, stretched / (kMaxElongationRatio * bears));
         const double most = std::max(stretched, pulled);
         const double fraction = most / std::max(limit::kMostStrain, limit::kMostBreaking * bears);
         if (fraction <= out.wrong) continue;
@@ -45,7 +46,7 @@ Finding strain_finding(context::Model& model, const context::State& state,
 Finding wound_finding(const context::Model& model, const context::State& state,
                       context::MonitorState& memory) noexcept {
     // Fraction of the element length up to which its law continues.
-    constexpr double kSlack = 0.01;
+    constexpr double kLawEndFraction = 0.01;
     Finding out{.value = 0.0,
                 .doubtful = 0.0,
                 .wrong = 0.0,
@@ -56,8 +57,8 @@ Finding wound_finding(const context::Model& model, const context::State& state,
     for (const std::int32_t id : in.winches) {
         const InteractionDef& d = in.def[at(id)];
         if (in.parted[at(id)] != 0) continue;
-        const double length = in.wound_length(id, model.bodies);
-        const double fraction = -length / (kSlack * d.params[0]);
+        const double length = in.length_at_drum_or_slide(id, model.bodies);
+        const double fraction = -length / (kLawEndFraction * d.params[0]);
         if (fraction <= out.wrong) continue;
         out.wrong = fraction;
         out.value = length;

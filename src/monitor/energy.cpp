@@ -19,7 +19,7 @@ namespace hawser::monitor {
 namespace {
 
 /// Move carriers with a prescribed velocity back by half a step; their poses are saved to scratch.
-void carriers_back(context::Model& model, context::Before& before) noexcept {
+void move_carriers_back(context::Model& model, context::Before& before) noexcept {
     model::Bodies& b = model.bodies;
     const double t = -0.5 * model.def.step;
     double* kept = before.carriers.data();
@@ -33,7 +33,7 @@ void carriers_back(context::Model& model, context::Before& before) noexcept {
     }
 }
 
-void carriers_forth(context::Model& model, context::Before& before) noexcept {
+void restore_carriers(context::Model& model, context::Before& before) noexcept {
     model::Bodies& b = model.bodies;
     const double* kept = before.carriers.data();
     for (std::int32_t body : b.driven) {
@@ -63,9 +63,9 @@ Energy energy(context::StepContext& ctx) noexcept {
     const assembly::KeptRanges kept(ctx.work.before.active, ctx.model.interactions.active.data(),
                                     ctx.model.system.bounded);
     // The bodies of the rows move back by −(h/2) G v below.
-    carriers_back(ctx.model, ctx.work.before);
+    move_carriers_back(ctx.model, ctx.work.before);
     solve::evaluate_rows(ctx.model, ctx.pool);
-    carriers_forth(ctx.model, ctx.work.before);
+    restore_carriers(ctx.model, ctx.work.before);
     for (std::int32_t id = 0; id < context::interaction_count(ctx.model); ++id) {
         // The energy of a line follows from its length, not from its state in the last step.
         const bool line = (v.flags[id] & model::kOneSided) != 0;
@@ -75,7 +75,7 @@ Energy energy(context::StepContext& ctx) noexcept {
         if (ctx.model.wires.wire_of[at(id)] >= 0 && !ctx.model.system.rests(id) &&
             (v.flags[id] & model::kCarried) == 0) {
             if (model::holds_energy(v.epsilon[v.row_begin[id]], v.rest_length[id]))
-                e.elastic += solve::held_by_element(v, id);
+                e.elastic += solve::elastic_energy_of_element(v, id);
             continue;
         }
         double buffer[model::kArmBufferSize];

@@ -23,7 +23,7 @@ context::ByAccount<double> unexplained(const context::MonitorPart& p, const cont
             between - p.elastic + p.by_force};
 }
 
-Swing follow(context::DecayingExtremes& tide, double now, double forgotten) noexcept {
+Variation follow(context::DecayingExtremes& tide, double now, double forgotten) noexcept {
     tide.least = std::min(now, tide.least + forgotten * (now - tide.least));
     tide.most = std::max(now, tide.most + forgotten * (now - tide.most));
     return {now - tide.least, tide.most - now};
@@ -39,7 +39,7 @@ constexpr double kHeldFor = 1.0;
 
 /// Count the energy that rows returned beyond their recent losses. Rows may store lost energy for a
 /// short time.
-void count_given(double taken, double time, context::MonitorState& state) noexcept {
+void count_returned_energy(double taken, double time, context::MonitorState& state) noexcept {
     state.held = (state.held + std::max(0.0, taken)) * std::exp(-time / kHeldFor);
     const double back = std::min(state.held, std::max(0.0, -taken));
     state.held -= back;
@@ -70,7 +70,7 @@ void begin_energy(const context::MonitorPart& p, const context::Works& w,
 Unexplained follow_energy(const context::MonitorPart& p, const context::Works& w, double time,
                           context::MonitorState& state) noexcept {
     if (state.begun == 0) begin_energy(p, w, state);
-    count_given(w[context::kRows] - state.work[context::kRows], time, state);
+    count_returned_energy(w[context::kRows] - state.work[context::kRows], time, state);
     double moved = std::fabs(p.kinetic - state.kinetic) + std::fabs(p.potential - state.potential);
     for (std::size_t i = 0; i < context::kRows; ++i) moved += std::fabs(w[i] - state.work[i]);
     // An unresolved spring stores energy by its length that its force never exerts; rows absorb and
@@ -100,8 +100,8 @@ Unexplained follow_energy(const context::MonitorPart& p, const context::Works& w
         if (i == context::kWithGiven && state.open_start > 1.0) set(state, i, now[i]);
         if (first) set(state, i, std::min(now[i], state.mean[i] + early[i]));
         // After they have closed, mechanical energy must be balanced again.
-        constexpr std::int64_t kClosing = 3;  // steps
-        if (i >= context::kBetween && state.open_start > 1.0 && state.begun <= kClosing + 1)
+        constexpr std::int64_t kClosingSteps = 3;  // steps
+        if (i >= context::kBetween && state.open_start > 1.0 && state.begun <= kClosingSteps + 1)
             continue;
         state.mean[i] += (1.0 - std::exp(-time / limit::kMean)) * (now[i] - state.mean[i]);
         out.now[i] = follow(state.now_extremes[i], now[i], forgotten);

@@ -9,16 +9,16 @@
 namespace hawser::monitor {
 
 /// Rise of a sum above its minimum, and fall below its maximum [J].
-struct Swing {
+struct Variation {
     double rise = 0.0, fall = 0.0;
 };
 
 /// Unexplained energy: momentary and mean.
 struct Unexplained {
-    context::ByAccount<Swing> now{}, mean{};
+    context::ByAccount<Variation> now{}, mean{};
     /// Momentary value relative to the extrema of the mean: a short extremum counts by its fraction
     /// of kMean.
-    context::ByAccount<Swing> lasting{};
+    context::ByAccount<Variation> lasting{};
     double posed = 0.0;  ///< Earlier value of MonitorState::posed [J].
 };
 

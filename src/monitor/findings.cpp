@@ -45,7 +45,7 @@ void name_row(const context::Model& model, std::int32_t row, Finding& out) noexc
 
 /// Return the motor that drives the coordinate of a range against its end with most of the force of
 /// this end, −1 if there is none.
-std::int32_t motor_against(const context::Model& model, std::int32_t range) noexcept {
+std::int32_t motor_pushing_into_end(const context::Model& model, std::int32_t range) noexcept {
     const model::Interactions& in = model.interactions;
     const auto ends = [&](std::int32_t id) {
         const std::int32_t* body = &in.body[at(kMaxInteractionBodies * id)];
@@ -54,11 +54,11 @@ std::int32_t motor_against(const context::Model& model, std::int32_t range) noex
     const auto impulse = [&](std::int32_t id) {
         return std::fabs(in.lambda[at(in.row_begin[at(id)])]);
     };
-    constexpr double kMost = 0.5;
+    constexpr double kMinMotorFraction = 0.5;
     std::int32_t found = -1;
     for (const std::int32_t id : in.motors) {
         if (in.bodies[at(id)] != in.bodies[at(range)] || ends(id) != ends(range)) continue;
-        const double most = found < 0 ? kMost * impulse(range) : impulse(found);
+        const double most = found < 0 ? kMinMotorFraction * impulse(range) : impulse(found);
         if (impulse(id) > most) found = id;
     }
     return found;
@@ -75,11 +75,11 @@ double lasting(double now, std::array<double, N>& before) noexcept {
 
 /// Return the minimum rise of the present interval of 0.1 s and the two intervals before, which
 /// covers 0.2 to 0.3 s.
-double held_rise(double now, double time, context::MonitorState& memory) noexcept {
-    constexpr double kSpan = 0.1;
-    std::array<double, 3>& least = memory.held_rise;
+double lasting_rise(double now, double time, context::MonitorState& memory) noexcept {
+    constexpr double kRiseInterval = 0.1;
+    std::array<double, 3>& least = memory.lasting_rise;
     memory.held_time += time;
-    if (memory.held_time >= kSpan) {
+    if (memory.held_time >= kRiseInterval) {
         least = {now, least[0], least[1]};
         memory.held_time = 0.0;
     }
@@ -110,7 +110,7 @@ Finding energy_finding(const context::Model& model, const context::State& state,
         return energy <= nothing ? 0.0 : energy / of;
     };
     const double exchanged = p.kinetic + memory.exchanged, counted = p.kinetic + memory.counted;
-    const context::ByAccount<Swing>&now = u.now, &mean = u.mean;
+    const context::ByAccount<Variation>&now = u.now, &mean = u.mean;
     // Each balance has other momentary changes: at the midpoint between two poses, and at the
     // earlier pose. The latter is half a step away if the last sample is one step old.
     const bool close = time < 1.5 * model.def.step;
@@ -125,8 +125,8 @@ Finding energy_finding(const context::Model& model, const context::State& state,
     // has to last, above a level that lasted. An impact on a stop stores energy there that returns
     // within a few steps.
     const double by_length =
-        held_rise(std::min(u.lasting[context::kBetween].rise, u.lasting[context::kAtPoses].rise),
-                  time, memory);
+        lasting_rise(std::min(u.lasting[context::kBetween].rise, u.lasting[context::kAtPoses].rise),
+                     time, memory);
     const double hidden = std::max(now[context::kUnexplained].rise, now[context::kWithGiven].rise);
     // Use a level that lasted: the energy of an element by its length disappears after some steps.
     const double lost =
@@ -175,7 +175,7 @@ Finding range_finding(const context::Model& model, const context::State& state,
         finding(lasting(p.beyond, memory.beyond) * limit::kOpen.doubtful, limit::kOpen, state.time);
     name_row(model, p.beyond_row, out);
     if (p.beyond_row < 0) return out;
-    const std::int32_t motor = motor_against(model, owner_of(model, p.beyond_row));
+    const std::int32_t motor = motor_pushing_into_end(model, owner_of(model, p.beyond_row));
     if (motor >= 0) out.interaction = model.interactions.id(motor);
     return out;
 }

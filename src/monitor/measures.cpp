@@ -97,7 +97,7 @@ void measure_contacts(const context::Model& model, const context::State& state,
 }
 
 /// Return ½ f² ε from the force of the last step.
-double held_by_force(const View& v, std::int32_t row) noexcept {
+double elastic_energy_from_force(const View& v, std::int32_t row) noexcept {
     return 0.5 * v.force_of_row[row] * v.force_of_row[row] * v.epsilon[row];
 }
 
@@ -109,10 +109,10 @@ void measure_elastic(context::Model& model, const View& v, std::int32_t id, bool
         !v.parted[id] && (v.flags[id] & model::kCarried) == 0) {
         const std::int32_t row = v.row_begin[id];
         if (model::holds_energy(v.epsilon[row], v.rest_length[id])) {
-            const double held = solve::held_by_element(v, id);
+            const double held = solve::elastic_energy_of_element(v, id);
             p.elastic += held;
             p.by_length += held;
-            p.by_force += held_by_force(v, row);
+            p.by_force += elastic_energy_from_force(v, row);
             if (v.g[row] > 0.0 || !(v.flags[id] & model::kOneSided))
                 p.at_pose += 0.5 * v.g[row] * v.g[row] / v.epsilon[row];
         }
@@ -141,12 +141,12 @@ void measure_elastic(context::Model& model, const View& v, std::int32_t id, bool
         const double g = !rests && (v.flags[id] & model::kRange)
                              ? model::range_gap(v.low[id], v.high[id], -half * speed)
                              : model::half_step_gap(v.row_flags[row], now, half, speed);
-        if (half > 0.0) p.by_force += held_by_force(v, row);
+        if (half > 0.0) p.by_force += elastic_energy_from_force(v, row);
         if (!line || now > 0.0) p.at_pose += 0.5 * now * now / v.epsilon[row];
         const double held = !line || g > 0.0 ? 0.5 * g * g / v.epsilon[row] : 0.0;
         p.elastic += held;
         p.by_length +=
-            between_points && !state && half > 0.0 ? solve::held_by_element(v, id) : held;
+            between_points && !state && half > 0.0 ? solve::elastic_energy_of_element(v, id) : held;
     }
 }
 
@@ -196,7 +196,7 @@ void measure_line(const context::Model& model, const View& v, std::int32_t id,
     }
 }
 
-void take_worse(double value, std::int32_t which, double& most, std::int32_t& who) noexcept {
+void keep_larger(double value, std::int32_t which, double& most, std::int32_t& who) noexcept {
     if (value <= most) return;
     most = value;
     who = which;
@@ -207,11 +207,11 @@ void take_worse(double value, std::int32_t which, double& most, std::int32_t& wh
 // Sample energies, rows and lines of a state. Chunks are merged in order, so that the result does
 // not depend on threads.
 context::MonitorPart sample(context::Model& model, context::State& state, runtime::Pool& pool,
-                            At when) noexcept {
+                            SampleTime when) noexcept {
     const View v = context::row_view(model);
     context::MonitorData& data = state.monitor;
-    const double half = when == At::pose ? 0.0 : 0.5 * model.def.step;
-    const double* after = when == At::half_step ? v.v_new : v.v;
+    const double half = when == SampleTime::pose ? 0.0 : 0.5 * model.def.step;
+    const double* after = when == SampleTime::half_step ? v.v_new : v.v;
     const auto count_of = [](const auto& list) { return static_cast<std::int32_t>(list.size()); };
     const std::int32_t bodies = count_of(model.bodies.moving), rows = count_of(data.allowed),
                        elastic = count_of(data.elastic), lines = count_of(data.lines);
@@ -230,7 +230,8 @@ context::MonitorPart sample(context::Model& model, context::State& state, runtim
     });
     context::MonitorPart sum;
     measure_ranges(state, v, sum);
-    if (when == At::half_step) measure_contacts(model, state, sum);  // no contacts at the start
+    if (when == SampleTime::half_step)
+        measure_contacts(model, state, sum);  // no contacts at the start
     for (int i = 0; i < context::StepContext::chunks(most); ++i) {
         const context::MonitorPart& p = data.part[at(i)];
         sum.kinetic += p.kinetic;
@@ -239,19 +240,19 @@ context::MonitorPart sample(context::Model& model, context::State& state, runtim
         sum.at_pose += p.at_pose;
         sum.by_length += p.by_length;
         sum.by_force += p.by_force;
-        take_worse(p.open, p.open_row, sum.open, sum.open_row);
-        take_worse(p.stretch, p.stretch_id, sum.stretch, sum.stretch_id);
-        take_worse(p.turn, p.turn_body, sum.turn, sum.turn_body);
-        take_worse(p.twist, p.twist_id, sum.twist, sum.twist_id);
+        keep_larger(p.open, p.open_row, sum.open, sum.open_row);
+        keep_larger(p.stretch, p.stretch_id, sum.stretch, sum.stretch_id);
+        keep_larger(p.turn, p.turn_body, sum.turn, sum.turn_body);
+        keep_larger(p.twist, p.twist_id, sum.twist, sum.twist_id);
     }
     // Energy of the added mass. Its change since the last step counts as work of this step.
     const double added = state.loads.added;
     sum.kinetic += added;
-    sum.at_pose += when == At::pose ? added : 0.5 * (added + state.loads.added_after());
-    if (when == At::pose) sum.by_force = sum.elastic;  // no step has been taken yet
+    sum.at_pose += when == SampleTime::pose ? added : 0.5 * (added + state.loads.added_after());
+    if (when == SampleTime::pose) sum.by_force = sum.elastic;  // no step has been taken yet
     // Projected poses have moved further than by the velocity: at the midpoint, by half of the
     // projection.
-    if (when == At::half_step) {
+    if (when == SampleTime::half_step) {
         sum.potential -= 0.5 * data.state.closed;
         sum.by_length -= data.state.closed_elastic;
     }

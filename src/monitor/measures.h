@@ -9,12 +9,12 @@
 namespace hawser::monitor {
 
 /// Time of the velocities: at the poses, or half a step before them.
-enum class At { pose, half_step };
+enum class SampleTime { pose, half_step };
 
 /// Sample energies and extrema of the state, whose rows have been evaluated. The result does not
 /// depend on threads.
 [[nodiscard]] context::MonitorPart sample(context::Model& model, context::State& state,
-                                          runtime::Pool& pool, At when) noexcept;
+                                          runtime::Pool& pool, SampleTime when) noexcept;
 
 /// Write the violations of the rows of springs at the present poses into `gaps`, by row.
 void read_spring_gaps(context::Model& model, const context::State& state, double* gaps) noexcept;

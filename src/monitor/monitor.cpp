@@ -27,7 +27,7 @@ using Findings = std::array<Finding, kJudgeCount>;
 
 /// Set `worst` to the worse of two findings. It gets the larger of both ratios, because momentary
 /// and mean values differ.
-void take(const Finding& f, Finding& worst) noexcept {
+void keep_worse(const Finding& f, Finding& worst) noexcept {
     const double wrong = std::max(f.wrong, worst.wrong);
     const double doubtful = std::max(f.doubtful, worst.doubtful);
     if (!(f.doubtful <= worst.doubtful)) worst = f;
@@ -37,14 +37,14 @@ void take(const Finding& f, Finding& worst) noexcept {
 
 /// Run all monitors on a state and advance `state` to it.
 Findings run_all(context::StepContext& ctx, context::MonitorState& state) noexcept {
-    const context::MonitorPart p = sample(ctx.model, ctx.state, ctx.pool, At::half_step);
+    const context::MonitorPart p = sample(ctx.model, ctx.state, ctx.pool, SampleTime::half_step);
     const double time = ctx.model.def.step * static_cast<double>(ctx.state.step - state.step);
     if (state.begun == 0) state.open_start = p.open;  // the poses were set by the user
     Findings out{};
     out[place(Judge::energy)] = energy_finding(ctx.model, ctx.state, p, state, time);
     out[place(Judge::violation)] = open_finding(ctx.model, ctx.state, p, state, time);
-    take(range_finding(ctx.model, ctx.state, p, state), out[place(Judge::violation)]);
-    take(depth_finding(ctx.model, ctx.state, p, state), out[place(Judge::violation)]);
+    keep_worse(range_finding(ctx.model, ctx.state, p, state), out[place(Judge::violation)]);
+    keep_worse(depth_finding(ctx.model, ctx.state, p, state), out[place(Judge::violation)]);
     out[place(Judge::cable)] = stretch_finding(ctx.model, ctx.state, p, state);
     out[place(Judge::certificate)] = solved_finding(ctx, state, time);
     out[place(Judge::speed)] = turn_finding(ctx.model, ctx.state, p);
@@ -64,7 +64,7 @@ Grade add(const Findings& now, Verdict& verdict) noexcept {
     for (int k = 0; k < kJudgeCount; ++k) {
         const Finding& f = now[at(k)];
         Finding& worst = verdict.worst[at(k)];
-        take(f, worst);
+        keep_worse(f, worst);
         const bool speed = static_cast<Judge>(k) == Judge::speed;
         const Grade own = !(f.wrong <= 1.0)                ? Grade::wrong
                           : !(f.doubtful <= 1.0) && !speed ? Grade::doubtful
@@ -86,7 +86,7 @@ Grade add(const Findings& now, Verdict& verdict) noexcept {
 }
 
 /// Run the monitors that check every step, before elements break in it.
-Findings borne(context::StepContext& ctx, context::MonitorState& state) noexcept {
+Findings check_before_breaking(context::StepContext& ctx, context::MonitorState& state) noexcept {
     Findings out{};
     out[place(Judge::cable)] = strain_finding(ctx.model, ctx.state, state);
     out[place(Judge::violation)] = wound_finding(ctx.model, ctx.state, state);
@@ -94,9 +94,9 @@ Findings borne(context::StepContext& ctx, context::MonitorState& state) noexcept
 }
 
 /// Report an event for each monitor that has become suspect.
-/// @param all  True if all monitors were run; otherwise only those of borne().
-void tell(context::State& state, StepStats& stats, const Findings& now, bool all,
-          context::MonitorState& memory) noexcept {
+/// @param all  True if all monitors were run; otherwise only those of check_before_breaking().
+void report_findings(context::State& state, StepStats& stats, const Findings& now, bool all,
+                     context::MonitorState& memory) noexcept {
     constexpr EventKind kKinds[kJudgeCount] = {EventKind::energy_created, EventKind::joint_open,
                                                EventKind::cable_law, EventKind::uncertified,
                                                EventKind::fast};
@@ -122,10 +122,10 @@ void tell(context::State& state, StepStats& stats, const Findings& now, bool all
 /// is sent again only after a time kMemory without a failure. The remaining time is stored in
 /// ticks.
 void report_incomplete(context::StepContext& ctx) noexcept {
-    constexpr std::uint8_t kTicks = 200;
+    constexpr std::uint8_t kMemoryTicks = 200;
     std::uint8_t& left = ctx.state.monitor.state.reported[kJudgeCount];
     const auto tick =
-        std::max<std::int64_t>(1, std::llround(limit::kMemory / kTicks / ctx.model.def.step));
+        std::max<std::int64_t>(1, std::llround(limit::kMemory / kMemoryTicks / ctx.model.def.step));
     if (!ctx.model.completion.banned) {
         if (left > 0 && ctx.state.step % tick == 0) --left;
         return;
@@ -138,7 +138,7 @@ void report_incomplete(context::StepContext& ctx) noexcept {
         ctx.state.events.push(event);
         ++ctx.work.stats.event_count[static_cast<std::size_t>(event.kind)];
     }
-    left = kTicks;
+    left = kMemoryTicks;
 }
 
 /// Return the rise of the ledger from the start to the first sample under constant forces, less
@@ -152,14 +152,14 @@ void report_incomplete(context::StepContext& ctx) noexcept {
 /// ```
 /// So (h/8)(F − N)·(v₊ − v₋) remains. From rest, where v₋ = −v₊, the first step's work is zero. For
 /// N = 0 the remainder then equals the kinetic energy at its end.
-double early_gain(context::StepContext& ctx) noexcept {
+double gain_before_first_step(context::StepContext& ctx) noexcept {
     const model::Bodies& b = ctx.model.bodies;
     const assembly::View v = context::view(ctx);
     double gain = solve::drive_gain(ctx.model) + ctx.state.loads.gain(b, v.h, v.v, v.v_new) -
                   solve::spring_gain(ctx.model, ctx.state.monitor.elastic);
     // Half a step before the start, springs are longer or shorter by (h/2)|ġ| and store that energy
     // too.
-    gain += solve::spring_way(ctx.model, ctx.state.monitor.elastic);
+    gain += solve::spring_travel_energy(ctx.model, ctx.state.monitor.elastic);
     for (const std::int32_t body : b.moving) {
         const bool falls = b.weight[at(body)] && b.dof(body) >= 3;
         for (int i = 0; i < b.dof(body); ++i) {
@@ -180,7 +180,7 @@ void begin_monitors(context::StepContext& ctx) noexcept {
     const assembly::KeptRanges kept(ctx.work.before.active, ctx.model.interactions.active.data(),
                                     ctx.model.system.bounded);
     solve::evaluate_rows(ctx.model, ctx.pool);
-    const context::MonitorPart p = sample(ctx.model, ctx.state, ctx.pool, At::pose);
+    const context::MonitorPart p = sample(ctx.model, ctx.state, ctx.pool, SampleTime::pose);
     state = {};
     state.step = ctx.state.step;
     state.open_start = p.open > 1.0 ? p.open : 0.0;
@@ -193,11 +193,11 @@ Status run_monitors(context::StepContext& ctx) noexcept {
     const bool open = ctx.work.stats.violation_max > limit::kOpen.doubtful;
     // The balance of the start is completed at the first sample, with this rise.
     if (ctx.state.step == 0 && ctx.model.def.staggered_start) {
-        const double early = early_gain(ctx);
+        const double early = gain_before_first_step(ctx);
         for (double& start : d.state.mean) start += early;
     }
     context::MonitorState next = d.state;
-    Findings now = borne(ctx, next);
+    Findings now = check_before_breaking(ctx, next);
     const bool all =
         ctx.state.step != 0 && (ctx.state.step <= 1 || ctx.state.step % d.every == 0 || open);
     if (!all && is_good(now)) {
@@ -207,14 +207,14 @@ Status run_monitors(context::StepContext& ctx) noexcept {
     }
     if (all) {
         const Findings seen = run_all(ctx, next);
-        for (std::size_t k = 0; k < now.size(); ++k) take(seen[k], now[k]);
+        for (std::size_t k = 0; k < now.size(); ++k) keep_worse(seen[k], now[k]);
     }
     const Grade grade = add(now, d.verdict);
     const bool split = context::has_cuts(ctx.model);
     if (grade == Grade::wrong && ctx.model.def.on_diverged == OnDiverged::stop && !split)
         return Status::diverged;
     d.state = next;
-    tell(ctx.state, ctx.work.stats, now, all, d.state);
+    report_findings(ctx.state, ctx.work.stats, now, all, d.state);
     report_incomplete(ctx);
     return Status::ok;
 }

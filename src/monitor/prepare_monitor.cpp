@@ -90,8 +90,8 @@ void prepare_monitors(const context::Model& model, context::State& state) {
                 limit::kNothingHigher * model.bodies.mass[at(b)] * model.def.gravity.norm();
     }
     // Sampling a small scene costs almost nothing.
-    constexpr std::size_t kSmall = 128;
-    const bool small = model.bodies.moving.size() + d.elastic.size() <= kSmall;
+    constexpr std::size_t kSmallScene = 128;
+    const bool small = model.bodies.moving.size() + d.elastic.size() <= kSmallScene;
     d.every =
         small ? 1
               : static_cast<std::int32_t>(std::max(1.0, std::round(limit::kLook / model.def.step)));

@@ -10,9 +10,9 @@ namespace hawser::nonsmooth {
 namespace {
 
 /// A difference with a smaller independent part is redundant up to rounding.
-constexpr double kDependent = 1e-10;
+constexpr double kMinIndependentPart = 1e-10;
 /// Growth of the residual that clears the history.
-constexpr double kWorse = 100;
+constexpr double kMaxResidualGrowth = 100;
 
 }  // namespace
 
@@ -20,7 +20,7 @@ void Anderson::reserve(std::size_t n) {
     n_ = n;
     for (std::vector<double>* a : {&x_, &image_, &f_, &last_f_, &last_image_, &weight_})
         a->resize(n);
-    for (std::vector<double>* a : {&df_, &dg_, &q_}) a->resize(n * kDepth);
+    for (std::vector<double>* a : {&df_, &dg_, &q_}) a->resize(n * kHistoryDepth);
     restart();
 }
 
@@ -32,7 +32,7 @@ const double* Anderson::next(double floor) noexcept {
         f_[i] *= weight_[i];
     }
     const double norm = std::sqrt(dot(f_.data(), f_.data(), n_));
-    if (count_ >= 0 && norm > kWorse * norm_) count_ = -1;
+    if (count_ >= 0 && norm > kMaxResidualGrowth * norm_) count_ = -1;
     if (count_ >= 0) {
         // Drop the oldest difference.
         std::rotate(df_.begin(), df_.end() - static_cast<std::ptrdiff_t>(n_), df_.end());
@@ -42,13 +42,13 @@ const double* Anderson::next(double floor) noexcept {
             dg(0)[i] = image_[i] - last_image_[i];
         }
     }
-    count_ = std::min(count_ + 1, kDepth);
+    count_ = std::min(count_ + 1, kHistoryDepth);
     norm_ = norm;
     last_f_ = f_;
     last_image_ = image_;
     // Modified Gram-Schmidt from the latest difference on; dependent ones are skipped.
-    double r[kDepth][kDepth] = {}, rhs[kDepth] = {};
-    int used = 0, index[kDepth];
+    double r[kHistoryDepth][kHistoryDepth] = {}, rhs[kHistoryDepth] = {};
+    int used = 0, index[kHistoryDepth];
     for (int j = 0; j < count_; ++j) {
         double* v = q(used);
         std::copy_n(df(j), n_, v);
@@ -58,7 +58,7 @@ const double* Anderson::next(double floor) noexcept {
             for (std::size_t i = 0; i < n_; ++i) v[i] -= r[k][used] * q(k)[i];
         }
         const double left = std::sqrt(dot(v, v, n_));
-        if (!(left > kDependent * whole)) continue;
+        if (!(left > kMinIndependentPart * whole)) continue;
         for (std::size_t i = 0; i < n_; ++i) v[i] /= left;
         r[used][used] = left;
         rhs[used] = dot(v, f_.data(), n_);

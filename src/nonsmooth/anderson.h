@@ -8,9 +8,9 @@
 /// ```
 ///   x₊ = F(x) − ΔF γ,   γ = argmin ‖f − Δf γ‖
 /// ```
-/// For one unknown this is the secant method. If F is affine, as in GMRES, n ≤ kDepth unknowns need
-/// at most n + 1 iterations, independent of the convergence of x ← F(x). If f grows by a factor of
-/// 100, the history is cleared, and a plain step is made.
+/// For one unknown this is the secant method. If F is affine, as in GMRES, n ≤ kHistoryDepth
+/// unknowns need at most n + 1 iterations, independent of the convergence of x ← F(x). If f grows
+/// by a factor of 100, the history is cleared, and a plain step is made.
 
 #include <cstddef>
 #include <vector>
@@ -20,7 +20,7 @@ namespace hawser::nonsmooth {
 class Anderson {
   public:
     /// Number of iterations in the history.
-    static constexpr int kDepth = 8;
+    static constexpr int kHistoryDepth = 8;
 
     /// Reserve buffers for n unknowns. @throws std::bad_alloc.
     void reserve(std::size_t n);

@@ -10,7 +10,7 @@ namespace {
 /// Fraction of W in the tangents' ρ. Iterations per step on a wall of bricks with 648 contacts, of
 /// which 150 slide, at k = 3.4e7 N/m and at 1e8. 1.0: 7.4 and 11.2; 0.3: 6.2 and 8.8; 0.1: 5.7 and
 /// 7.2; 0.03: does not always converge.
-constexpr double kTangential = 0.1;
+constexpr double kTangentialMobility = 0.1;
 
 /// Compute r = u + Σλ − b of a contact.
 void gap_rate(const Cone& c, const double u[3], const double lambda[3], double r[3]) noexcept {
@@ -20,7 +20,7 @@ void gap_rate(const Cone& c, const double u[3], const double lambda[3], double r
 
 double normal_rho(const Cone& c) noexcept { return 1.0 / (c.sigma_n + c.mobility); }
 double tangential_rho(const Cone& c) noexcept {
-    return 1.0 / (c.sigma_t + kTangential * c.mobility);
+    return 1.0 / (c.sigma_t + kTangentialMobility * c.mobility);
 }
 
 }  // namespace

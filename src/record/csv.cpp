@@ -59,9 +59,9 @@ CsvWriter::CsvWriter(const std::filesystem::path& file, const SceneInfo& scene, 
 void CsvWriter::add_row(const World& world) {
     const auto out = std::back_inserter(line_);
     fmt::format_to(out, "{:.9g}", world.time());
-    constexpr double kGone = std::numeric_limits<double>::quiet_NaN();
+    constexpr double kRemovedValue = std::numeric_limits<double>::quiet_NaN();
     const auto tension = [&](InteractionId id) {
-        return world.alive(id) ? element_tension(world, id) : kGone;
+        return world.alive(id) ? element_tension(world, id) : kRemovedValue;
     };
     for (const auto& [wire, first, last] : ends_) {
         const auto now =
@@ -71,7 +71,7 @@ void CsvWriter::add_row(const World& world) {
     }
     for (const BodyId body : bodies_) {
         if (!world.alive(body)) {
-            for (int k = 0; k < 6; ++k) fmt::format_to(out, ",{:.9g}", kGone);
+            for (int k = 0; k < 6; ++k) fmt::format_to(out, ",{:.9g}", kRemovedValue);
             continue;
         }
         const Pose pose = world.pose(body);
@@ -80,7 +80,7 @@ void CsvWriter::add_row(const World& world) {
             fmt::format_to(out, ",{:.9g},{:.9g},{:.9g}", v.x(), v.y(), v.z());
     }
     for (const OutputId id : outputs_)
-        fmt::format_to(out, ",{:.9g}", world.alive(id) ? world.output(id) : kGone);
+        fmt::format_to(out, ",{:.9g}", world.alive(id) ? world.output(id) : kRemovedValue);
     write();
 }
 

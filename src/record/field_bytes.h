@@ -158,10 +158,10 @@ struct GetFields {
     void list(std::vector<T>& all) {
         // Least size of an entry. For a class it is the size of its numbers and of the counts of
         // its texts and lists.
-        constexpr std::size_t kMinimum = std::is_arithmetic_v<T> ? sizeof(T)
-                                         : sizeof(T) < 64        ? 8
-                                                                 : 32;
-        all.resize(in.get_count(kMinimum));
+        constexpr std::size_t kMinEntrySize = std::is_arithmetic_v<T> ? sizeof(T)
+                                              : sizeof(T) < 64        ? 8
+                                                                      : 32;
+        all.resize(in.get_count(kMinEntrySize));
         for (T& each : all) (*this)(each);
     }
 

@@ -53,7 +53,7 @@ std::string read_to(const std::filesystem::path& file, Out& out, std::size_t mos
     const auto size = static_cast<std::size_t>(about.st_size);
     if (size > most) return "larger than " + std::to_string(most >> 20U) + " MiB";
     const auto held = 512 * static_cast<std::size_t>(about.st_blocks);
-    if (size >= kSparse && held < size / 16)
+    if (size >= kSparseFileSize && held < size / 16)
         return "a file with holes: of " + std::to_string(size) + " bytes only " +
                std::to_string(held) + " are there; it is no whole file of this program";
     out.resize(size);

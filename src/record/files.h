@@ -18,7 +18,7 @@ namespace hawser::record {
 /// Size above which a file is rejected if less than a sixteenth of it is allocated on the disk
 /// [bytes]. No program that writes results makes such files, and reading one would fill the memory
 /// with zeros.
-inline constexpr std::size_t kSparse = std::size_t{1} << 24;
+inline constexpr std::size_t kSparseFileSize = std::size_t{1} << 24;
 
 /// Read a file that exists, is plain and not sparse. Does not block. @param most  Longer files are
 /// rejected [bytes]. @throws std::bad_alloc.

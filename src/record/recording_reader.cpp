@@ -19,7 +19,7 @@ namespace {
 
 // The four chunks that must come first, in this order.
 constexpr const char* kStartChunks[] = {kSceneChunk, kSettingsChunk, kLayoutChunk, kSnapshotChunk};
-constexpr int kStarted = 4;
+constexpr int kFirstStageWithState = 4;
 
 Frame get_frame_head(ByteReader& in) {
     Frame frame;
@@ -84,7 +84,7 @@ Recording Recording::read(std::vector<std::byte> bytes, const std::string& name)
     } catch (const BadBytes& e) {
         r.damage = e.what();
     }
-    if (stage < kStarted)
+    if (stage < kFirstStageWithState)
         throw RecordingError(fmt::format("{}: the recording's start is incomplete{}{}", name,
                                          r.damage.empty() ? "" : ": ", r.damage));
     if (r.damage.empty() && r.ending == Ending::unknown) r.damage = "the end is missing";
@@ -93,7 +93,7 @@ Recording Recording::read(std::vector<std::byte> bytes, const std::string& name)
 
 void Recording::read_chunk(std::string_view kind, std::span<const std::byte> payload, int& stage) {
     ByteReader in(payload);
-    if (stage < kStarted) {
+    if (stage < kFirstStageWithState) {
         if (kind != kStartChunks[stage]) throw BadBytes("chunks are out of order");
         switch (stage) {
             case 0:

@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 6> kNoMatter = {
     "/name", "/description", "/plot", "/settings/duration", "/state", "/settings/threads"};
 
 /// Numbers that belong to the structure: a state does not fit if they differ.
-constexpr std::array<std::string_view, 1> kFixed = {"/settings/step"};
+constexpr std::array<std::string_view, 1> kStructuralNumbers = {"/settings/step"};
 
 class DocumentComparison {
   public:
@@ -26,7 +26,7 @@ class DocumentComparison {
 
     void compare(const DocumentJson& before, const DocumentJson& now, const std::string& path) {
         if (!out_.structure.empty() || before == now || has(kNoMatter, path)) return;
-        if (before.is_number() && now.is_number() && !has(kFixed, path)) {
+        if (before.is_number() && now.is_number() && !has(kStructuralNumbers, path)) {
             out_.numbers.push_back(fmt::format("{}: {} -> {}", path, before.dump(), now.dump()));
         } else if (before.is_object() && now.is_object()) {
             compare_objects(before, now, path);
@@ -71,7 +71,7 @@ class DocumentComparison {
         }
     }
     void number(const std::string& path, const std::string& before, const std::string& now) {
-        if (has(kFixed, path)) return add_difference(path, before, now);
+        if (has(kStructuralNumbers, path)) return add_difference(path, before, now);
         out_.numbers.push_back(fmt::format("{}: {} -> {}", path, before, now));
     }
 

@@ -94,8 +94,8 @@ std::string interaction_label(const World& world, InteractionId interaction) {
 std::string name_in_quotes(const std::string& name) { return "\"" + name + "\""; }
 
 std::string names_in_words(const std::vector<std::string>& names) {
-    constexpr std::size_t kNamed = 8;
-    const std::size_t shown = std::min(kNamed, names.size());
+    constexpr std::size_t kMaxNames = 8;
+    const std::size_t shown = std::min(kMaxNames, names.size());
     std::string text;
     for (std::size_t i = 0; i < shown; ++i) {
         const bool last = i + 1 == names.size();

@@ -160,15 +160,16 @@ std::vector<std::pair<std::size_t, std::size_t>> continuous_intervals(
 }
 
 std::string parameter_line(const Recording& recording) {
-    static constexpr const char* kForms[] = {"automatic", "saddle", "condensed"};
+    static constexpr const char* kFormNames[] = {"automatic", "saddle", "condensed"};
     const std::size_t n = recording.frame_count();
     const double from = n > 0 ? recording.frame_head(0).time : 0.0;
     const double to = n > 0 ? recording.frame_head(n - 1).time : 0.0;
     return fmt::format(
         "step h = {:.6g} ms  ·  form {}  ·  {:.6g} s to {:.6g} s, {} frames  ·  scene hash "
         "{:016x}  ·  {}  ·  Hawser {}",
-        1e3 * recording.settings.step, kForms[static_cast<int>(recording.settings.form)], from, to,
-        n, recording.scene_hash, recording.settings.instruction_set, recording.settings.version);
+        1e3 * recording.settings.step, kFormNames[static_cast<int>(recording.settings.form)], from,
+        to, n, recording.scene_hash, recording.settings.instruction_set,
+        recording.settings.version);
 }
 
 }  // namespace hawser::record

@@ -19,7 +19,7 @@ namespace {
 
 constexpr char kSnapshotMagic[8] = {'H', 'A', 'W', 'S', 'E', 'R', 'S', 'T'};
 /// Version 5 has a structure before the state. Both versions contain the scene.
-constexpr std::uint32_t kVersion = 4, kWithStructure = 5;
+constexpr std::uint32_t kVersion = 4, kVersionWithStructure = 5;
 
 std::uint32_t file_checksum(std::span<const std::byte> file) {
     std::uint32_t sum = 0;
@@ -53,7 +53,7 @@ void save_snapshot(const std::filesystem::path& file, const SceneInfo& scene, co
                    bool with_structure) {
     ByteWriter out;
     out.write_bytes(std::as_bytes(std::span(kSnapshotMagic)));
-    out.put(with_structure ? kWithStructure : kVersion);
+    out.put(with_structure ? kVersionWithStructure : kVersion);
     out.put(scene.hash);
     out.put_text(scene.name);
     out.put_text(scene.text);
@@ -81,9 +81,9 @@ std::vector<std::string> restore_snapshot(const std::filesystem::path& file, con
             throw BadBytes(base::file_kind_error_or(as_text(bytes), "a saved state", file.string(),
                                                     "not a Hawser snapshot"));
         const auto version = in.get<std::uint32_t>();
-        if (version != kVersion && version != kWithStructure)
+        if (version != kVersion && version != kVersionWithStructure)
             throw BadBytes(fmt::format("snapshot format {}, this program reads {} and {}", version,
-                                       kVersion, kWithStructure));
+                                       kVersion, kVersionWithStructure));
         const auto hash = in.get<std::uint64_t>();
         const std::string name = in.get_text(), text = in.get_text();
         const double time = in.get<double>();
@@ -93,7 +93,7 @@ std::vector<std::string> restore_snapshot(const std::filesystem::path& file, con
             throw BadBytes("the checksum does not match");
         if (hash != scene.hash) {
             SceneDifferences found = differences(text, scene.text);
-            if (found.structure.empty() && version == kWithStructure)
+            if (found.structure.empty() && version == kVersionWithStructure)
                 found.structure = "the run had added or removed parts before that time";
             if (!found.structure.empty())
                 throw BadBytes(fmt::format(
@@ -108,11 +108,11 @@ std::vector<std::string> restore_snapshot(const std::filesystem::path& file, con
         }
         Structure made_of;
         GetFields get{in};
-        if (version == kWithStructure) get(made_of);
+        if (version == kVersionWithStructure) get(made_of);
         const auto state = in.take(in.bytes_left() - 4);
         // If the state does not fit, the world stays unchanged.
         const std::vector<std::byte> before = world.state().save();
-        const bool other = version == kWithStructure;
+        const bool other = version == kVersionWithStructure;
         const Structure was = other ? world.state().structure() : Structure{};
         other ? world.state().restore(made_of, state) : world.state().restore(state);
         if (world.state().hash() != state_hash) {

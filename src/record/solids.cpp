@@ -11,7 +11,7 @@
 namespace hawser::record {
 namespace {
 
-constexpr double kFlat =
+constexpr double kMinRelativeEdge =
     1e-9;  ///< Relative to the extent: limit of a zero volume, and of a point in a face.
 constexpr std::size_t kMaxSolidPoints =
     1024;  ///< Limit of points, because the cost of a point grows with the number of faces.
@@ -51,15 +51,15 @@ class Hull {
         };
         const std::uint32_t a = farthest([&](const Vec3& q) { return (q - p_[0]).norm(); }).first;
         const auto [b, ab] = farthest([&](const Vec3& q) { return (q - p_[a]).norm(); });
-        if (ab <= kFlat * extent_) return false;
+        if (ab <= kMinRelativeEdge * extent_) return false;
         const Vec3 along = (p_[b] - p_[a]).normalized();
         const auto [c, off] =
             farthest([&](const Vec3& q) { return along.cross(q - p_[a]).norm(); });
-        if (off <= kFlat * extent_) return false;
+        if (off <= kMinRelativeEdge * extent_) return false;
         const Vec3 normal = along.cross(p_[c] - p_[a]).normalized();
         const auto [d, high_off] =
             farthest([&](const Vec3& q) { return std::abs(normal.dot(q - p_[a])); });
-        if (high_off <= kFlat * extent_) return false;
+        if (high_off <= kMinRelativeEdge * extent_) return false;
         inside_ = 0.25 * (p_[a] + p_[b] + p_[c] + p_[d]);
         for (const Corner& f : {Corner{a, b, c}, Corner{a, b, d}, Corner{a, c, d}, Corner{b, c, d}})
             add(f);
@@ -70,7 +70,7 @@ class Hull {
         std::map<std::pair<std::uint32_t, std::uint32_t>, int> seen_edges;
         bool removes_face = false;
         for (Face& face : faces_) {
-            if (face.normal.dot(p_[point]) - face.offset <= kFlat * extent_) continue;
+            if (face.normal.dot(p_[point]) - face.offset <= kMinRelativeEdge * extent_) continue;
             face.is_removed = removes_face = true;
             for (std::size_t k = 0; k < 3; ++k)
                 seen_edges[{face.corner[k], face.corner[(k + 1) % 3]}] = 1;

@@ -286,12 +286,12 @@ std::string to_text(const Summary& s, Detail detail) {
         fmt::format_to(out, "  {:<11}  {}\n", to_string(s.verdict.verdict.grade),
                        s.verdict.description);
     print_simulated(out, s);
-    constexpr std::size_t kWarnings = 5;
-    for (std::size_t i = 0; i < std::min(kWarnings, s.warnings.size()); ++i)
+    constexpr std::size_t kMaxWarnings = 5;
+    for (std::size_t i = 0; i < std::min(kMaxWarnings, s.warnings.size()); ++i)
         fmt::format_to(out, "  warning      {}\n", s.warnings[i]);
-    if (s.warnings.size() > kWarnings)
+    if (s.warnings.size() > kMaxWarnings)
         fmt::format_to(out, "  warning      and {} more of the start (see --summary)\n",
-                       s.warnings.size() - kWarnings);
+                       s.warnings.size() - kMaxWarnings);
     print_cables(out, s);
     print_bodies(out, s);
     text += event_lines(s);

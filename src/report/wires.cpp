@@ -15,7 +15,7 @@ namespace hawser::report {
 
 namespace {
 
-constexpr std::size_t kShares = 20, kMaxBroken = 100, kShownWires = 20, kShownBroken = 8;
+constexpr std::size_t kMaxCourseSamples = 20, kMaxBroken = 100, kShownWires = 20, kShownBroken = 8;
 
 void follow(Course& course, double now, bool first) {
     if (first) course = {now, now, now, now};
@@ -111,7 +111,7 @@ WireWatch::WireWatch(const World& world) {
 
 void WireWatch::add(const World& world, WireId id, bool is_cut_piece) {
     const std::size_t shares =
-        std::clamp<std::size_t>(world.wires().elements(id).size(), 1, kShares);
+        std::clamp<std::size_t>(world.wires().elements(id).size(), 1, kMaxCourseSamples);
     Watched one{.id = id, .figures = {}};
     one.sum.assign(shares, 0.0);
     one.counted.assign(shares, 0);

@@ -113,11 +113,11 @@ int Pool::run_remaining_tasks(Part& part, int thread) noexcept {
     int worked = 0;
     std::uint64_t ticket = part.ticket.load(std::memory_order_acquire);
     for (;;) {
-        const std::uint64_t index = ticket & kClosed;
+        const std::uint64_t index = ticket & kTicketClosed;
         const Task task = task_.load(std::memory_order_acquire);
         void* const context = context_.load(std::memory_order_acquire);
         const std::int32_t end = part.end.load(std::memory_order_acquire);
-        if (index == kClosed || static_cast<std::int64_t>(index) >= end) return worked;
+        if (index == kTicketClosed || static_cast<std::int64_t>(index) >= end) return worked;
         if (!part.ticket.compare_exchange_weak(ticket, ticket + 1, std::memory_order_acq_rel,
                                                std::memory_order_acquire))
             continue;
@@ -185,13 +185,13 @@ void Pool::distribute_tasks(int count, Task task, void* context) noexcept {
         for (int i = 0; i < count; ++i) task(context, i, 0);
         return;
     }
-    const std::uint64_t batch = opened_.load(std::memory_order_relaxed) + kClosed + 1;
+    const std::uint64_t batch = opened_.load(std::memory_order_relaxed) + kTicketClosed + 1;
     const auto parts = static_cast<std::size_t>(threads_);
     const auto begin_of = [&](std::size_t p) {
         return static_cast<std::size_t>(count) * p / parts;
     };
     for (std::size_t p = 0; p < parts; ++p)
-        parts_[p].ticket.store(batch | kClosed, std::memory_order_release);
+        parts_[p].ticket.store(batch | kTicketClosed, std::memory_order_release);
     task_.store(task, std::memory_order_release);
     context_.store(context, std::memory_order_release);
     done_.store(0, std::memory_order_release);

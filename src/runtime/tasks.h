@@ -76,13 +76,13 @@ class Pool final : public base::Executor {
     void run_remaining_tasks(int thread) noexcept;
 
     /// Ticket = batch number (high half) and next task (low half). While the fields of the ticket
-    /// change, the low half is kClosed. A worker that read an old ticket with new fields then fails
-    /// its compare-and-swap.
-    static constexpr std::uint64_t kClosed = 0xffffffffU;
+    /// change, the low half is kTicketClosed. A worker that read an old ticket with new fields then
+    /// fails its compare-and-swap.
+    static constexpr std::uint64_t kTicketClosed = 0xffffffffU;
 
     /// First tasks of a thread, in a cache line of their own.
     struct alignas(64) Part {
-        std::atomic<std::uint64_t> ticket{kClosed};
+        std::atomic<std::uint64_t> ticket{kTicketClosed};
         std::atomic<std::int32_t> end{0};
     };
     int run_remaining_tasks(Part& part, int thread) noexcept;

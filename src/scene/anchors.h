@@ -67,8 +67,8 @@ struct VesselTable<StabilityDef> {
     static constexpr FieldInfo<StabilityDef> kNumbers[] = {
         {"thrust_height", &StabilityDef::thrust_height, "m", "half of the draught",
          "z of the thrust line in the frame of the body.", -1e3, 1e3},
-        {"stern_x", &StabilityDef::stern_x, "m", "of the pin", "x of the stern.", -kVesselFar,
-         kVesselFar},
+        {"stern_x", &StabilityDef::stern_x, "m", "of the pin", "x of the stern.", -kMaxVesselLength,
+         kMaxVesselLength},
         {"bollard_pull", &StabilityDef::bollard_pull, "N", "0", "Limits the worst angle.", 0.0,
          1e9},
         {"mass", &StabilityDef::mass, "kg", "of the body", "Displacement.", 1e-3, 1e15},

@@ -139,10 +139,10 @@ void read_elements(CableLayout& c, const Description& out, const Json& cable,
 
 void check_lengths(CableLayout& c, const SourceLocation& location) {
     // The smallest length that a stretch accepts.
-    constexpr double kShortest = 1e-9;
+    constexpr double kMinElementLength = 1e-9;
     measure_elements(c);
     for (const LayoutSection& section : c.sections)
-        if (!(section.element >= kShortest)) {
+        if (!(section.element >= kMinElementLength)) {
             throw_error(location,
                         fmt::format("its elements would be {} m long; the ends coincide or "
                                     "\"elements\" is too large",
@@ -150,7 +150,7 @@ void check_lengths(CableLayout& c, const SourceLocation& location) {
         }
     for (std::size_t i = 0; i < c.elements; ++i) {
         const double distance = (c.nodes[i + 1] - c.nodes[i]).norm();
-        if (!(distance > kShortest)) {
+        if (!(distance > kMinElementLength)) {
             throw_error(location, fmt::format("the nodes {} and {} coincide", i, i + 1));
         }
         const double element = c.of(i).element;

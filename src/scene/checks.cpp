@@ -58,8 +58,8 @@ std::vector<std::string> tokens_of(const std::string& path) {
 }
 
 /// Remove an entry from a list and record that it is missing.
-void drop_entry(Json& list, const std::string& index, const std::vector<OmittedPart>& kinds,
-                const std::string& prefix, Mistakes& mistakes) {
+void remove_entry(Json& list, const std::string& index, const std::vector<OmittedPart>& kinds,
+                  const std::string& prefix, Mistakes& mistakes) {
     std::size_t i = 0;
     std::from_chars(index.data(), index.data() + index.size(), i);
     if (i >= list.size() || list[i].is_null()) {
@@ -87,7 +87,7 @@ void drop(Json& root, const std::string& path, const std::string& prefix, Mistak
         }
         root.erase(tokens[0]);
     } else if (top.is_array()) {
-        drop_entry(top, tokens[1], kinds, prefix, mistakes);
+        remove_entry(top, tokens[1], kinds, prefix, mistakes);
     } else if (top.is_object()) {
         for (const OmittedPart what : kinds) {
             mistakes.record_omitted(what, tokens[1]);
@@ -99,7 +99,7 @@ void drop(Json& root, const std::string& path, const std::string& prefix, Mistak
 /// Check a part of the document. @param above  Path from `root` to `value`.
 void check_part(Json& root, const Json& value, const Shape& shape, const SourceLocation& location,
                 const std::string& above, const std::string& prefix, Mistakes& mistakes) {
-    const std::vector<Problem> problems = find_problems(value, shape, Mistakes::kMaximum);
+    const std::vector<Problem> problems = find_problems(value, shape, Mistakes::kMaxMistakes);
     for (const Problem& problem : problems) {
         mistakes.add_mistake(
             SceneError(location.file, location.path + problem.path, problem.message));

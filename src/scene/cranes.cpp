@@ -111,8 +111,8 @@ class SceneSite final : public CraneSite {
 /// (mount/point, boom_angle [rad]) are converted to those of the scene (point, boom_angle_deg).
 [[noreturn]] void throw_crane_error(const SourceLocation& location, const DefError& error) {
     FieldWords said = field_words(error);
-    constexpr std::string_view kMount = "mount/";
-    if (said.path.starts_with(kMount)) said.path = said.path.substr(kMount.size());
+    constexpr std::string_view kMountPath = "mount/";
+    if (said.path.starts_with(kMountPath)) said.path = said.path.substr(kMountPath.size());
     if (said.path == "orientation") said.path = "euler_deg";
     if (said.path.ends_with("angle")) said.path += "_deg";
     throw_field_error(location, said);

@@ -14,13 +14,15 @@
 
 namespace hawser::scene {
 
-inline constexpr double kFarthest = 1e12;  ///< Limit of coordinates (make_shape.cpp) [m].
+inline constexpr double kMaxCoordinate = 1e12;  ///< Limit of coordinates (make_shape.cpp) [m].
 
 inline constexpr auto kStopperFields = std::to_array<FieldInfo<StopperDef>>(
     {{"point", &StopperDef::point, "m", "",
-      "Point where cables are to lie, in the frame of the body.", -kFarthest, kFarthest, "a point"},
+      "Point where cables are to lie, in the frame of the body.", -kMaxCoordinate, kMaxCoordinate,
+      "a point"},
      {"outboard", &StopperDef::outboard, "1", "[-1, 0, 0]",
-      "The way in which cable pays out, in that frame.", -kFarthest, kFarthest, "a direction"},
+      "The way in which cable pays out, in that frame.", -kMaxCoordinate, kMaxCoordinate,
+      "a direction"},
      {"reach", &StopperDef::reach, "m", "0.5",
       "Distance from the point within which it engages cables.", 0.0, 1e3, "a length", kAboveLeast},
      {"rated_load", &StopperDef::rated_load, "N", "", "Load above which the stopper opens.", 0.0,
@@ -33,8 +35,9 @@ inline constexpr auto kStopperFields = std::to_array<FieldInfo<StopperDef>>(
 
 inline constexpr auto kPinFields = std::to_array<FieldInfo<PinDef>>(
     {{"from", &PinDef::from, "m", "", "Foot of its axis when it is up, in the frame of the body.",
-      -kFarthest, kFarthest, "a point"},
-     {"to", &PinDef::to, "m", "", "Its top, in that frame.", -kFarthest, kFarthest, "a point"},
+      -kMaxCoordinate, kMaxCoordinate, "a point"},
+     {"to", &PinDef::to, "m", "", "Its top, in that frame.", -kMaxCoordinate, kMaxCoordinate,
+      "a point"},
      {"radius", &PinDef::radius, "m", "", "Radius of the pin.", 0.0, 100.0, "a radius"},
      {"friction", &PinDef::friction, "1", "0", "Friction coefficient of cables that lie on it.",
       0.0, 10.0, "a coefficient"},
@@ -53,8 +56,8 @@ inline constexpr auto kPinFields = std::to_array<FieldInfo<PinDef>>(
 
 inline constexpr auto kHookFields = std::to_array<FieldInfo<HookDef>>(
     {{"point", &HookDef::point, "m", "[0, 0, 0]",
-      "Point at which slings are attached, in the frame of the body.", -kFarthest, kFarthest,
-      "a point"},
+      "Point at which slings are attached, in the frame of the body.", -kMaxCoordinate,
+      kMaxCoordinate, "a point"},
      {"strength", &HookDef::strength, "N", "none", "Load above which the hook opens by itself.",
       0.0, 1e30, "a force", kAboveLeast},
      {"latch", &HookDef::latch, "N", "none",
@@ -63,7 +66,8 @@ inline constexpr auto kHookFields = std::to_array<FieldInfo<HookDef>>(
 
 inline constexpr auto kChaserFields = std::to_array<FieldInfo<ChaserDef>>(
     {{"point", &ChaserDef::point, "m", "[0, 0, 0]",
-      "Position of its middle, in the frame of the body.", -kFarthest, kFarthest, "a point"},
+      "Position of its middle, in the frame of the body.", -kMaxCoordinate, kMaxCoordinate,
+      "a point"},
      {"reach", &ChaserDef::reach, "m", "1",
       "Distance from that point within which it engages cables.", 0.0, 1e3, "a length",
       kAboveLeast},

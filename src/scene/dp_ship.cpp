@@ -103,8 +103,8 @@ DpShip read_dp_ship(const Json& json, const SourceLocation& location) {
         check_dp_ship(s);
     } catch (const DefError& error) {
         FieldWords said = field_words(error);
-        constexpr std::string_view kOwn = "dp_capability: ";
-        if (said.words.starts_with(kOwn)) said.words.erase(0, kOwn.size());
+        constexpr std::string_view kKeyPrefix = "dp_capability: ";
+        if (said.words.starts_with(kKeyPrefix)) said.words.erase(0, kKeyPrefix.size());
         throw_field_error(location, said);
     }
     return s;

@@ -108,9 +108,9 @@ std::string suggestion(std::string_view name, std::span<const std::string> known
 }
 
 std::string in_quotes(std::string_view text) {
-    constexpr std::size_t kShown = 60;
-    std::string shown(text.substr(0, kShown));
-    if (text.size() > kShown) {
+    constexpr std::size_t kMaxShownLength = 60;
+    std::string shown(text.substr(0, kMaxShownLength));
+    if (text.size() > kMaxShownLength) {
         shown += "…";
     }
     return "\"" + shown + "\"";

@@ -42,7 +42,7 @@ ShapePtr cylinder() {
 }
 
 /// Return the schema of a key of bodies that has a special reader.
-ShapePtr own_shape(const FieldInfo<BodyDef>& row) {
+ShapePtr shape_with_special_reader(const FieldInfo<BodyDef>& row) {
     const std::string_view key = row.key;
     if (key == "orientation") return quaternion();
     if (key == "inertia") return inertia();
@@ -52,7 +52,7 @@ ShapePtr own_shape(const FieldInfo<BodyDef>& row) {
 }
 
 /// Return the keys that set the member of a row in another form.
-std::vector<Field> other_keys(std::string_view key) {
+std::vector<Field> keys_of_other_form(std::string_view key) {
     if (key == "orientation")
         return {{"euler_deg", angles(), false, "", "deg",
                  "[roll, pitch, yaw]: about x, then y, then z of the world."}};
@@ -74,9 +74,9 @@ ShapePtr body_shape() {
          "rigid: 6 degrees of freedom; lump: a point mass, 3; scalar: a drum, 1; fixed: part of "
          "the world; kinematic: moves with its velocity whatever pulls at it."}};
     for (const FieldInfo<BodyDef>& row : kBodyFields) {
-        fields.push_back(
-            field_from_row(row, row.is(kOwnReader) ? own_shape(row) : shape_of_field(row)));
-        for (Field& other : other_keys(row.key)) fields.push_back(std::move(other));
+        fields.push_back(field_from_row(
+            row, row.is(kOwnReader) ? shape_with_special_reader(row) : shape_of_field(row)));
+        for (Field& other : keys_of_other_form(row.key)) fields.push_back(std::move(other));
     }
     fields.push_back({"shapes", list_of("a list of shapes", shape_of_body()), false, "none", "",
                       "What of it touches other things. A lump takes spheres and segments."});

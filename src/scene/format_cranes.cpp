@@ -44,7 +44,7 @@ ShapePtr rating_shape() {
         "crane_rating", "a rating of a crane", "Rated load by radius, and its alarms.",
         {{"curve",
           list("a list of points",
-               list("a radius and a mass", number("a number", 0.0, kCraneHeavy), 2, 2), 1, 1000),
+               list("a radius and a mass", number("a number", 0.0, kMaxCraneMass), 2, 2), 1, 1000),
           true, "", "m, kg", "Radii grow, rated loads do not; linear between."},
          {"cut_out", boolean("true or false"), false, "false", "",
           "In step 2 of the alarm no motion goes on that raises the moment."}});

@@ -13,8 +13,8 @@ std::string article(const std::string& noun) {
 }
 
 ShapePtr per_row(const std::string& what, int rows) {
-    constexpr double kLargest = 1e12;
-    const ShapePtr one = make::number(what, 0.0, kLargest);
+    constexpr double kMaxDimension = 1e12;
+    const ShapePtr one = make::number(what, 0.0, kMaxDimension);
     const auto count = static_cast<std::size_t>(rows);
     return make::choice(
         fmt::format("{}, or {} of them, one a row", what, rows),

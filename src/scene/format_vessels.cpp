@@ -65,7 +65,8 @@ ShapePtr resistance_shape() {
         "hull_resistance", "a resistance", "A curve, or linear and quadratic coefficients.",
         {{"curve",
           list("a list of points",
-               list("a speed and a force", number("a number", 0.0, kVesselStrong), 2, 2), 2, 1000),
+               list("a speed and a force", number("a number", 0.0, kMaxVesselForce), 2, 2), 2,
+               1000),
           false, "none", "m/s, N", "Speeds ascend from 0; linear between."}});
 }
 
@@ -160,7 +161,7 @@ ShapePtr vessel_shape() {
           "Depth of the water, for esso_190k."},
          {"origin", vector3("a point"), false, "[0, 0, 0]", "m",
           "O of the coefficients from the centre of mass, in the body's frame."},
-         {"draught", number("a number", 0.0, kVesselFar), false, "0", "m",
+         {"draught", number("a number", 0.0, kMaxVesselLength), false, "0", "m",
           "Draught; the current is taken at half of it."},
          {"density", positive("a density", 1e5), false, "1025", "kg/m^3",
           "Density of water where the scene has no sea."},

@@ -58,8 +58,8 @@ std::size_t nearest(Description& out, const Cable& cable, const GuideDef& def,
         throw_error(location / "cable", "all elements of the cable " + in_quotes(cable.name) +
                                             " are at drums or guides already; give it more");
     // Another one would be pulled to it from there.
-    constexpr double kSame = 1e-3;
-    if (guided < least - kSame)
+    constexpr double kSamePosition = 1e-3;
+    if (guided < least - kSamePosition)
         throw_error(location / "point",
                     "the cable " + in_quotes(cable.name) +
                         " passes it with an element of another guide; two guides need "

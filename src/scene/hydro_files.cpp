@@ -84,7 +84,7 @@ std::vector<NumberLine> number_lines(const Path& file, std::size_t most) {
     std::vector<NumberLine> out;
     std::string row;
     // A line needs as much memory as about eight numbers.
-    constexpr std::size_t kLine = 8;
+    constexpr std::size_t kNumbersPerLine = 8;
     std::size_t total = 0;
     for (std::size_t line = 1; std::getline(lines, row); ++line) {
         std::istringstream words(row);
@@ -107,7 +107,7 @@ std::vector<NumberLine> number_lines(const Path& file, std::size_t most) {
             numbers.value.push_back(value);
         }
         if (heading || numbers.value.empty()) continue;
-        total += numbers.value.size() + kLine;
+        total += numbers.value.size() + kNumbersPerLine;
         if (total > kMaxHydroNumbers)
             throw_hydro_error(file,
                               "line " + std::to_string(line) + ": more numbers than are read (" +

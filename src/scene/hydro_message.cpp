@@ -50,7 +50,7 @@ void for_each_table(C& c, F&& f) {
     f(c.scattering);
     f(c.drift);
 }
-constexpr std::size_t kTables = 7;
+constexpr std::size_t kTableCount = 7;
 
 std::string printable(std::string text) {
     if (text.size() > kMaxErrorText) text.resize(kMaxErrorText);
@@ -97,8 +97,9 @@ std::optional<HydroMessage> read_message(std::span<const char> bytes) {
         if (out.error.empty()) return std::nullopt;
         return out;
     }
-    if (kind != 1 || in.bytes_left() < (kTables + 1) * sizeof(std::uint64_t)) return std::nullopt;
-    std::array<std::uint64_t, kTables> count{};
+    if (kind != 1 || in.bytes_left() < (kTableCount + 1) * sizeof(std::uint64_t))
+        return std::nullopt;
+    std::array<std::uint64_t, kTableCount> count{};
     for (std::uint64_t& n : count) n = in.word();
     const std::uint64_t flags = in.word();
     if (flags > (kHasInfinite | kHasZero | kHasStiffness)) return std::nullopt;
@@ -106,10 +107,10 @@ std::optional<HydroMessage> read_message(std::span<const char> bytes) {
     std::size_t needed = 3 * sizeof(double) * 36, at = 0;
     bool fits = true;
     for_each_table(c, [&](const auto& table) {
-        constexpr std::size_t kEntry = sizeof(*table.data());
+        constexpr std::size_t kEntrySize = sizeof(*table.data());
         const std::uint64_t n = count[at++];
-        fits = fits && n <= kMaxHydroMessage / kEntry;
-        if (fits) needed += static_cast<std::size_t>(n) * kEntry;
+        fits = fits && n <= kMaxHydroMessage / kEntrySize;
+        if (fits) needed += static_cast<std::size_t>(n) * kEntrySize;
     });
     if (!fits || needed != in.bytes_left()) return std::nullopt;
     c.has_infinite = (flags & kHasInfinite) != 0;

@@ -8,7 +8,7 @@ namespace hawser::scene {
 void Mistakes::add_mistake(const SceneError& error) {
     SceneError noted(error.file, error.path, error.message + note);
     // Mistakes of a template that is used twice are listed once.
-    if (list_.size() < kMaximum && seen_messages_.insert(error.what()).second) {
+    if (list_.size() < kMaxMistakes && seen_messages_.insert(error.what()).second) {
         list_.push_back(std::move(noted));
     }
 }

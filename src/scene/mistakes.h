@@ -27,7 +27,7 @@ struct Consequence : SceneError {
 class Mistakes {
   public:
     /// Capacity of the list.
-    static constexpr std::size_t kMaximum = 1000;
+    static constexpr std::size_t kMaxMistakes = 1000;
 
     [[nodiscard]] const std::vector<SceneError>& list() const { return list_; }
     [[nodiscard]] bool is_empty() const { return list_.empty(); }

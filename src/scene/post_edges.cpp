@@ -14,7 +14,7 @@ namespace hawser::scene {
 namespace {
 
 constexpr std::size_t kMaxEdges = 64;  ///< Largest number of edges of one post.
-constexpr double kNear =
+constexpr double kMaxEdgeDistance =
     0.1;  ///< Largest distance of an edge from two points, relative to their distance.
 constexpr double kAnyTurn = 1e-3;  ///< Least angle of an edge that two points define [rad].
 
@@ -70,7 +70,7 @@ ShapeEdge edge_near(const std::vector<ShapeEdge>& edges, const Vec3& a, const Ve
             return distance_to_edge(x, a, b) < distance_to_edge(y, a, b);
         });
     const double far = distance_to_edge(*best, a, b);
-    if (far > kNear * (b - a).norm())
+    if (far > kMaxEdgeDistance * (b - a).norm())
         throw_error(location, fmt::format("no convex edge is within a tenth of their distance; the "
                                           "nearest, {:.3g} m away, goes from {} to {}",
                                           far, words(best->from), words(best->to)));

@@ -47,7 +47,7 @@ class Finder {
     void object(const Json& value, const Shape& shape, bool placeholders);
     void map(const Json& value, const Shape& shape, bool placeholders);
     void choice(const Json& value, const Shape& shape, bool placeholders);
-    void switched(const Json& value, const Shape& shape, bool placeholders);
+    void check_switched(const Json& value, const Shape& shape, bool placeholders);
 
     std::size_t most_;
     std::string path_;
@@ -210,7 +210,7 @@ void Finder::choice(const Json& value, const Shape& shape, bool placeholders) {
     }
 }
 
-void Finder::switched(const Json& value, const Shape& shape, bool placeholders) {
+void Finder::check_switched(const Json& value, const Shape& shape, bool placeholders) {
     if (!value.is_object()) {
         return expected(shape, value);
     }
@@ -264,7 +264,7 @@ void Finder::find(const Json& value, const Shape& shape, bool placeholders) {
         case Type::choice:
             return choice(value, shape, placeholders);
         case Type::switched:
-            return switched(value, shape, placeholders);
+            return check_switched(value, shape, placeholders);
     }
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kMaxMetres = 1e6, kHalfTurn = 3.14159265358979323846;
 
-constexpr FieldInfo<ResolutionDef> kFields[] = {
+constexpr FieldInfo<ResolutionDef> kResolutionFields[] = {
     {"min_length", &ResolutionDef::min_length, "m", "2.5", "No element gets shorter by a node.",
      0.01, kMaxMetres},
     {"max_length", &ResolutionDef::max_length, "m", "20",
@@ -64,7 +64,7 @@ void check_limits(const ResolutionDef& def, const SourceLocation& location) {
 
 }  // namespace
 
-std::span<const FieldInfo<ResolutionDef>> resolution_fields() noexcept { return kFields; }
+std::span<const FieldInfo<ResolutionDef>> resolution_fields() noexcept { return kResolutionFields; }
 
 void read_resolution(Description& out, const CableLayout& cable, const Json& json,
                      const SourceLocation& cable_location) {
@@ -78,7 +78,7 @@ void read_resolution(Description& out, const CableLayout& cable, const Json& jso
     Resolution one;
     one.def.name = cable.name + "/resolution";
     one.cable = cable.name;
-    read_fields(one.def, *given, kFields);
+    read_fields(one.def, *given, kResolutionFields);
     check_limits(one.def, location);
     if (cable.elements + 1 > static_cast<std::size_t>(one.def.max_nodes))
         throw_error(location / "max_nodes",

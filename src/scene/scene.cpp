@@ -42,7 +42,7 @@ class Builder {
 
     World build(const Options& options, const SourceLocation& settings_location) {
         std::optional<World> world;
-        (void)take(settings_location, [&] { world.emplace(settings_with(options)); });
+        (void)add_or_report(settings_location, [&] { world.emplace(settings_with(options)); });
         if (!world) {
             return World();
         }
@@ -57,19 +57,19 @@ class Builder {
         add_resolutions(*world);
         add_cranes(*world);
         if (numbered_) {
-            (void)take(description_.sea_location, [&] { add_sea(*world, description_); });
+            (void)add_or_report(description_.sea_location, [&] { add_sea(*world, description_); });
         }
         if (numbered_ && whole_) add_vessels(*world, description_);
         if (numbered_ && whole_) add_anchors(*world, description_);
         for (std::size_t i = 0; i < description_.inputs.size() && numbered_; ++i) {
-            (void)take(description_.input_location(i),
-                       [&] { world->add_input(description_.inputs[i]); });
+            (void)add_or_report(description_.input_location(i),
+                                [&] { world->add_input(description_.inputs[i]); });
         }
         if (numbered_ && whole_) add_sections(*world, description_);
         check_signal_inputs(*world);
         for (std::size_t i = 0; i < description_.outputs.size() && numbered_; ++i) {
-            (void)take(description_.output_location(i),
-                       [&] { world->add_output(output_of(description_, i, *world)); });
+            (void)add_or_report(description_.output_location(i),
+                                [&] { world->add_output(output_of(description_, i, *world)); });
         }
         return std::move(*world);
     }
@@ -78,7 +78,7 @@ class Builder {
     /// Run `work` and convert an error of the world to a mistake at this place. @return the result
     /// of attempt().
     template <class Work>
-    bool take(const SourceLocation& location, const Work& work) {
+    bool add_or_report(const SourceLocation& location, const Work& work) {
         return attempt(description_.mistakes, [&] {
             try {
                 work();
@@ -105,7 +105,8 @@ class Builder {
     void add_bodies(World& world) {
         for (std::size_t i = 0; i < description_.bodies.size(); ++i) {
             const BodyDef& def = description_.bodies[i];
-            const bool added = take(description_.body_location(i), [&] { world.add_body(def); });
+            const bool added =
+                add_or_report(description_.body_location(i), [&] { world.add_body(def); });
             if (!added) {  // add a substitute, so that numbers do not change
                 world.add_body({.name = "", .kind = BodyKind::fixed});
                 whole_ = false;
@@ -119,8 +120,8 @@ class Builder {
             if (!numbered_ && def.load[0].interaction.valid()) {
                 continue;
             }
-            numbered_ &=
-                take(description_.interaction_location(i), [&] { world.add_interaction(def); });
+            numbered_ &= add_or_report(description_.interaction_location(i),
+                                       [&] { world.add_interaction(def); });
         }
         numbered_ &= whole_;
     }
@@ -136,7 +137,7 @@ class Builder {
             }
             if (std::isnan(cable.drum_element)) continue;
             const auto drum = static_cast<std::size_t>(cable.stretch.front().index);
-            (void)take(description_.interaction_location(drum) / "winch", [&] {
+            (void)add_or_report(description_.interaction_location(drum) / "winch", [&] {
                 world.add(DrumFeedDef{.name = cable.name + "/feed",
                                       .wire = world.wires().find(cable.name),
                                       .element = cable.drum_element,
@@ -145,7 +146,7 @@ class Builder {
         }
         for (std::size_t i = 0; i < description_.winches.size(); ++i) {
             const Winch& winch = description_.winches[i];
-            (void)take(description_.winch_location(i), [&] {
+            (void)add_or_report(description_.winch_location(i), [&] {
                 WinchDef def = winch.def;
                 def.wire = world.wires().find(winch.cable);
                 world.add(def);
@@ -167,7 +168,7 @@ class Builder {
     void add_guides(World& world) {
         for (std::size_t i = 0; i < description_.guides.size() && numbered_; ++i) {
             const GuideItem& guide = description_.guides[i];
-            (void)take(description_.guide_location(i), [&] {
+            (void)add_or_report(description_.guide_location(i), [&] {
                 GuideDef def = guide.def;
                 def.wire = world.wires().find(guide.cable);
                 world.add(def);
@@ -178,7 +179,7 @@ class Builder {
     /// Add the posts. Their shapes have been added before.
     void add_posts(World& world) {
         for (std::size_t i = 0; i < description_.posts.size() && numbered_ && whole_; ++i) {
-            (void)take(description_.post_location(i), [&] {
+            (void)add_or_report(description_.post_location(i), [&] {
                 PostDef def = description_.posts[i].def;
                 def.shape = world.find_shape(def.name);
                 if (def.shape.valid()) world.add(def);  // else the shape was rejected
@@ -190,12 +191,13 @@ class Builder {
     /// @throws SceneError.
     static void check_signal_input_range(const SignalInput& input, const SystemSignal& signal,
                                          const SourceLocation& location) {
-        constexpr double kNone = 1e29;   // SignalInput::max is 1e30 without a declared range.
-        constexpr double kRound = 1e-9;  // relative rounding of the products with `factor`
+        constexpr double kNoLimit = 1e29;  // SignalInput::max is 1e30 without a declared range.
+        constexpr double kFactorRounding = 1e-9;  // relative rounding of the products with `factor`
         for (const auto& [key, value] :
              {std::pair("min", input.min), std::pair("max", input.max)}) {
-            const double set = input.factor * value, slack = kRound * std::abs(set);
-            if (std::abs(value) > kNone || (set >= signal.min - slack && set <= signal.max + slack))
+            const double set = input.factor * value, slack = kFactorRounding * std::abs(set);
+            if (std::abs(value) > kNoLimit ||
+                (set >= signal.min - slack && set <= signal.max + slack))
                 continue;
             std::string why = "the signal " + in_quotes(input.signal) + " accepts ";
             why += number(signal.min) + " to " + number(signal.max);
@@ -238,7 +240,7 @@ class Builder {
     void add_resolutions(World& world) {
         for (std::size_t i = 0; i < description_.resolutions.size() && numbered_; ++i) {
             const Resolution& one = description_.resolutions[i];
-            (void)take(description_.resolution_location(i), [&] {
+            (void)add_or_report(description_.resolution_location(i), [&] {
                 ResolutionDef def = one.def;
                 def.wire = world.wires().find(one.cable);
                 for (const Winch& winch : description_.winches)
@@ -257,7 +259,7 @@ class Builder {
 
     void add_cranes(World& world) {
         for (std::size_t i = 0; i < description_.cranes.size() && numbered_; ++i) {
-            (void)take(description_.crane_location(i), [&] {
+            (void)add_or_report(description_.crane_location(i), [&] {
                 std::visit([&](const auto& def) { start_crane(world, def); },
                            description_.cranes[i].def);
             });
@@ -272,8 +274,8 @@ class Builder {
             world.add_material_pair(pair);
         }
         for (std::size_t i = 0; i < description_.shapes.size() && whole_; ++i) {
-            (void)take(description_.shape_location(i),
-                       [&] { world.add_shape(description_.shapes[i]); });
+            (void)add_or_report(description_.shape_location(i),
+                                [&] { world.add_shape(description_.shapes[i]); });
         }
     }
 

@@ -71,7 +71,7 @@ class Writer {
             case Type::choice:
                 return choice(shape, placeholders);
             case Type::switched:
-                return switched(shape, placeholders);
+                return conditional_schema(shape, placeholders);
         }
         return {};
     }
@@ -165,7 +165,7 @@ class Writer {
     }
 
     /// Write "if kind is … then …", so that an editor reports errors of the matching case only.
-    Ordered switched(const Shape& shape, bool placeholders) {
+    Ordered conditional_schema(const Shape& shape, bool placeholders) {
         Ordered words = Ordered::array();
         Ordered cases = Ordered::array();
         for (const auto& [name, fields] : shape.cases) {

@@ -16,7 +16,7 @@
 namespace hawser::scene {
 namespace {
 
-constexpr const char* kGear[] = {"splice", "shackle", "swivel", "triplate", "pelican_hook"};
+constexpr const char* kGearNames[] = {"splice", "shackle", "swivel", "triplate", "pelican_hook"};
 
 int end_of(const Json& json, const char* key, const char* fallback) {
     return text_or(json, key, fallback) == "last" ? 1 : 0;
@@ -26,8 +26,8 @@ JoinDef read_gear(const Json& json) {
     JoinDef def;
     def.name = text_or(json, "name", "");
     const std::string word = text_or(json, "gear", "splice");
-    def.gear =
-        static_cast<Gear>(std::find(std::begin(kGear), std::end(kGear), word) - std::begin(kGear));
+    def.gear = static_cast<Gear>(std::find(std::begin(kGearNames), std::end(kGearNames), word) -
+                                 std::begin(kGearNames));
     def.mass = number_or(json, "mass", def.mass);
     def.length = number_or(json, "length", def.length);
     def.EA = number_or(json, "EA", def.EA);
@@ -116,15 +116,14 @@ class Reader {
             if (std::find(known.begin(), known.end(), name) == known.end())
                 throw_error(location / name,
                             "there is no input " + in_quotes(name) + suggestion(name, known));
-            out.set.push_back(by_signal(name, value, location / name));
+            out.set.push_back(resolve_signal(name, value, location / name));
         }
     }
 
     /// Return the name and value that set an input. For an input that sets a signal, return the
     /// signal and its value.
-    [[nodiscard]] std::pair<std::string, double> by_signal(const std::string& name,
-                                                           const Json& json,
-                                                           const SourceLocation& location) const {
+    [[nodiscard]] std::pair<std::string, double> resolve_signal(
+        const std::string& name, const Json& json, const SourceLocation& location) const {
         const auto lever = std::find_if(signal_inputs_.begin(), signal_inputs_.end(),
                                         [&](const SignalInput& l) { return l.name == name; });
         if (lever == signal_inputs_.end()) {
@@ -272,7 +271,7 @@ class Reader {
 
 }  // namespace
 
-std::span<const char* const> gear_words() noexcept { return kGear; }
+std::span<const char* const> gear_words() noexcept { return kGearNames; }
 
 std::vector<Operation> read_timeline(const World& world, const Document& document,
                                      const InputWords& words, std::span<const SignalInput> levers) {

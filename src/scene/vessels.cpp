@@ -240,10 +240,10 @@ VesselDef read_vessel(Description& out, const Scope& scope, const Json& json,
 [[noreturn]] void throw_vessel_error(const SourceLocation& location, const VesselDef& def,
                                      const DefError& error) {
     FieldWords said = field_words(error);
-    constexpr std::string_view kTerms = "polynomial/terms/";
-    if (said.path.starts_with(kTerms)) {
+    constexpr std::string_view kTermsPath = "polynomial/terms/";
+    if (said.path.starts_with(kTermsPath)) {
         constexpr const char* kAxes[] = {"x", "y", "k", "n"};
-        const HullTerm& t = def.polynomial.terms[std::stoul(said.path.substr(kTerms.size()))];
+        const HullTerm& t = def.polynomial.terms[std::stoul(said.path.substr(kTermsPath.size()))];
         throw_error(location / "polynomial" / kAxes[static_cast<std::size_t>(t.axis)] / t.of,
                     said.words);
     }

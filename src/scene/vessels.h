@@ -11,7 +11,7 @@
 
 namespace hawser::scene {
 
-inline constexpr double kVesselFar = 1e4, kVesselStrong = 1e15, kVesselAny = 1e6;
+inline constexpr double kMaxVesselLength = 1e4, kMaxVesselForce = 1e15, kMaxVesselNumber = 1e6;
 
 /// Table of one part of a definition.
 template <class T>
@@ -21,9 +21,9 @@ template <>
 struct VesselTable<HullResistance> {
     static constexpr FieldInfo<HullResistance> kNumbers[] = {
         {"linear", &HullResistance::linear, "N s/m", "0",
-         "Linear coefficient of the resistance, -X_u at rest.", 0.0, kVesselStrong},
+         "Linear coefficient of the resistance, -X_u at rest.", 0.0, kMaxVesselForce},
         {"quadratic", &HullResistance::quadratic, "N s^2/m^2", "0",
-         "Quadratic coefficient of the resistance, -X_uu.", 0.0, kVesselStrong},
+         "Quadratic coefficient of the resistance, -X_uu.", 0.0, kMaxVesselForce},
         {"blend", &HullResistance::blend, "m/s", "2",
          "Speed of tanh(u/blend) between both; above 0.", 0.0, 1e3}};
 };
@@ -31,9 +31,9 @@ struct VesselTable<HullResistance> {
 template <>
 struct VesselTable<CrossFlow> {
     static constexpr FieldInfo<CrossFlow> kNumbers[] = {
-        {"length", &CrossFlow::length, "m", "", "Length of the waterline.", 0.0, kVesselFar},
-        {"beam", &CrossFlow::beam, "m", "", "Beam.", 0.0, kVesselFar},
-        {"draught", &CrossFlow::draught, "m", "", "Draught.", 0.0, kVesselFar},
+        {"length", &CrossFlow::length, "m", "", "Length of the waterline.", 0.0, kMaxVesselLength},
+        {"beam", &CrossFlow::beam, "m", "", "Beam.", 0.0, kMaxVesselLength},
+        {"draught", &CrossFlow::draught, "m", "", "Draught.", 0.0, kMaxVesselLength},
         {"drag", &CrossFlow::drag, "1", "Hoerner's curve", "Drag coefficient of a section.", 0.0,
          10.0}};
 };
@@ -41,7 +41,7 @@ struct VesselTable<CrossFlow> {
 template <>
 struct VesselTable<HullPolynomial> {
     static constexpr FieldInfo<HullPolynomial> kNumbers[] = {
-        {"length", &HullPolynomial::length, "m", "", "L of the scales.", 0.0, kVesselFar},
+        {"length", &HullPolynomial::length, "m", "", "L of the scales.", 0.0, kMaxVesselLength},
         {"area", &HullPolynomial::area, "m^2", "0",
          "Reference area A of the scale, for example L d or L^2.", 0.0, 1e8},
         {"speed", &HullPolynomial::speed, "m/s", "0", "U0 of u' = (u - U0)/U.", 0.0, 1e3},
@@ -53,7 +53,7 @@ template <>
 struct VesselTable<MmgStern> {
     static constexpr FieldInfo<MmgStern> kNumbers[] = {
         {"diameter", &MmgStern::diameter, "m", "", "Diameter of the propeller.", 0.0, 100.0},
-        {"length", &MmgStern::length, "m", "", "L of x' and r'.", 0.0, kVesselFar},
+        {"length", &MmgStern::length, "m", "", "L of x' and r'.", 0.0, kMaxVesselLength},
         {"k0", &MmgStern::k0, "1", "", "K_T at J = 0.", 0.0, 10.0},
         {"k1", &MmgStern::k1, "1", "0", "Coefficient of K_T with J.", -10.0, 10.0},
         {"k2", &MmgStern::k2, "1", "0", "K_T of J^2.", -10.0, 10.0},
@@ -101,11 +101,11 @@ struct VesselTable<WindLoad> {
     static constexpr FieldInfo<WindLoad> kNumbers[] = {
         {"frontal_area", &WindLoad::frontal_area, "m^2", "", "A_F above the water.", 0.0, 1e6},
         {"lateral_area", &WindLoad::lateral_area, "m^2", "", "A_L above the water.", 0.0, 1e6},
-        {"length", &WindLoad::length, "m", "", "Length over all.", 0.0, kVesselFar},
+        {"length", &WindLoad::length, "m", "", "Length over all.", 0.0, kMaxVesselLength},
         {"centre", &WindLoad::centre, "m", "0",
-         "Position of the centre of A_L ahead of the origin.", -kVesselFar, kVesselFar},
+         "Position of the centre of A_L ahead of the origin.", -kMaxVesselLength, kMaxVesselLength},
         {"height", &WindLoad::height, "m", "0", "Height of the centre of A_L above the water.", 0.0,
-         kVesselFar}};
+         kMaxVesselLength}};
 };
 
 template <>
@@ -122,7 +122,7 @@ template <>
 struct VesselTable<PropulsorDef> {
     static constexpr FieldInfo<PropulsorDef> kNumbers[] = {
         {"thrust", &PropulsorDef::thrust, "N", "with a propeller none",
-         "Thrust of an ideal propulsor at full order.", 0.0, kVesselStrong},
+         "Thrust of an ideal propulsor at full order.", 0.0, kMaxVesselForce},
         {"astern", &PropulsorDef::astern, "1", "1", "Thrust astern over ahead.", 0.0, 1.0},
         {"ramp", &PropulsorDef::ramp, "s", "0",
          "Time in which the output goes from order 0 to order 1.", 0.0, 1e4},
@@ -135,9 +135,9 @@ struct VesselTable<PropulsorDef> {
         {"response", &PropulsorDef::response, "s", "1",
          "Time constant of the revolutions within the limits; above 0.", 0.0, 1e4},
         {"most_torque", &PropulsorDef::most_torque, "N m", "none",
-         "Largest torque of the motor at the shaft.", 0.0, kVesselStrong},
+         "Largest torque of the motor at the shaft.", 0.0, kMaxVesselForce},
         {"most_power", &PropulsorDef::most_power, "W", "none", "Largest power of the motor.", 0.0,
-         kVesselStrong},
+         kMaxVesselForce},
         {"pitch_time", &PropulsorDef::pitch_time, "s", "10",
          "Time in which the pitch goes from full to none.", 0.0, 1e4},
         {"turn_rate_deg", &PropulsorDef::turn_rate, "deg/s", "11.5",
@@ -176,8 +176,8 @@ struct VesselTable<RudderDef> {
 template <>
 struct VesselTable<CurrentLoad> {
     static constexpr FieldInfo<CurrentLoad> kNumbers[] = {
-        {"length", &CurrentLoad::length, "m", "", "L.", 0.0, kVesselFar},
-        {"draught", &CurrentLoad::draught, "m", "", "T.", 0.0, kVesselFar}};
+        {"length", &CurrentLoad::length, "m", "", "L.", 0.0, kMaxVesselLength},
+        {"draught", &CurrentLoad::draught, "m", "", "T.", 0.0, kMaxVesselLength}};
 };
 
 template <>

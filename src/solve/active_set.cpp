@@ -17,11 +17,11 @@ constexpr int kMaxPasses = 20;
 /// Murty's least index rule, which terminates).
 /// @return the number of such rows; from pass kMaxPasses on none is switched.
 std::int32_t switch_solved(context::Model& model, context::Work& work, int pass) noexcept {
-    constexpr int kTogether = 6;
+    constexpr int kSimultaneousPasses = 6;
     take_bounds(model, work.newton);
     keep_bounds(work.newton, 1.0);
     const std::int32_t rows =
-        switch_bounds(model, work, 0.0, pass < kTogether ? kAnyRows : pass < kMaxPasses);
+        switch_bounds(model, work, 0.0, pass < kSimultaneousPasses ? kAnyRows : pass < kMaxPasses);
     work.stats.flips_left = pass < kMaxPasses ? 0 : rows;
     if (rows > 0) work.solve.rhs_ready = false;
     return rows;
@@ -39,7 +39,7 @@ Status settle_bounds(context::StepContext& ctx) noexcept {
         Status status = Status::ok;
         const bool moved = ctx.work.stats.natural_map > tolerance;
         if (!moved && pass < kMaxPasses &&
-            !any_asks(ctx.model, ctx.work.newton, context::row_view(ctx.model))) {
+            !any_row_requests_switch(ctx.model, ctx.work.newton, context::row_view(ctx.model))) {
             ctx.work.stats.flips_left = 0;
             break;
         }
@@ -58,10 +58,10 @@ Status settle_bounds(context::StepContext& ctx) noexcept {
 }
 
 Status follow_loads(context::StepContext& ctx) noexcept {
-    constexpr int kMaximum = 8;
+    constexpr int kMaxLoadIterations = 8;
     Status status = Status::ok;
     ctx.work.newton.follow.restart();
-    for (int i = 0; i < kMaximum && status == Status::ok; ++i) {
+    for (int i = 0; i < kMaxLoadIterations && status == Status::ok; ++i) {
         if (!(bounds_map(ctx.model, ctx.work.newton) > ctx.model.def.contact_tolerance)) break;
         if (asking_rows(ctx.model, ctx.work, ctx.model.contact_floor) > 0) break;
         (void)switch_bounds(ctx.model, ctx.work, ctx.model.contact_floor, kAnyRows);

@@ -74,7 +74,8 @@ void count_analysis(context::Model& model, StepStats& stats) noexcept {
 }
 
 void count_growth(context::Model& model, StepStats& stats) noexcept {
-    if (model.system.grew(model.bodies.bytes() + model.interactions.bytes())) ++stats.growths;
+    if (model.system.needed_more_memory(model.bodies.bytes() + model.interactions.bytes()))
+        ++stats.growths;
 }
 
 void finish_preparation(context::StepContext& ctx) {

@@ -38,7 +38,7 @@ double switch_scale(const context::Model& model, const context::Newton& newton,
 }
 
 /// Return λ and r = c − G v − Σλ. r is 0 for an active row, which has been solved for.
-context::BoundedRow row_now(const View& v, std::int32_t id) noexcept {
+context::BoundedRow present_row(const View& v, std::int32_t id) noexcept {
     const std::int32_t row = v.row_begin[id];
     const double lambda = v.lambda[row];
     const double r =
@@ -67,7 +67,7 @@ double choose_end(const context::Model& model, const View& v, std::int32_t id) n
 /// Return the end of a range to which an impulse `held` belongs after the range has moved. It is
 /// the end with the sign of the impulse. If both ends have one sign (a winch that pulls with one of
 /// two tensions), it is the nearer end.
-double moved_with(const ImpulseRange& range, double held) noexcept {
+double end_of_moved_range(const ImpulseRange& range, double held) noexcept {
     if (held == 0.0) return std::clamp(0.0, range.low, range.high);
     const bool one_sided = range.high < 0.0 || range.low > 0.0;
     const double middle = one_sided ? 0.5 * (range.low + range.high) : 0.0;
@@ -80,7 +80,7 @@ context::BoundedRow along(const context::Newton& n, std::size_t i, double t) noe
 }
 
 /// Return true for a line under tension that has no replacement law.
-bool pulls_on(const View& v, std::int32_t id) noexcept {
+bool is_taut_line(const View& v, std::int32_t id) noexcept {
     constexpr int kOther = model::kRange | model::kMotor | model::kFriction;
     const double lambda = v.lambda[v.row_begin[id]];
     return (v.flags[id] & (model::kOneSided | kOther)) == model::kOneSided && v.active[id] != 0.0 &&
@@ -92,7 +92,7 @@ struct SwitchRequest {
     bool was_active, active;
     bool across;       ///< True if it moves from one end of its range to the other.
     double projected;  ///< Its impulse, clamped to the range [N s].
-    [[nodiscard]] bool asks() const noexcept { return active != was_active || across; }
+    [[nodiscard]] bool requests_switch() const noexcept { return active != was_active || across; }
 };
 SwitchRequest request_of(const context::Model& model, const context::Newton& newton, const View& v,
                          std::size_t i, const context::BoundedRow& p,
@@ -100,7 +100,7 @@ SwitchRequest request_of(const context::Model& model, const context::Newton& new
     const std::int32_t id = model.system.bounded[i];
     const bool was_active = v.active[id] != 0.0;
     // An inactive row first follows its bound. Then the rule decides whether it stays inactive.
-    const double lambda = was_active ? p.lambda : moved_with(range, v.held[id]);
+    const double lambda = was_active ? p.lambda : end_of_moved_range(range, v.held[id]);
     const double y = lambda + p.r / switch_scale(model, newton, i);
     const double projected = std::clamp(y, range.low, range.high);
     const bool active = range.low < y && y < range.high;
@@ -110,8 +110,8 @@ SwitchRequest request_of(const context::Model& model, const context::Newton& new
 }
 /// Return true for rows that never switch: rows that are broken or replaced, and ranges with equal
 /// ends.
-bool stays(const context::Model& model, const View& v, std::int32_t id,
-           const ImpulseRange& range) noexcept {
+bool never_switches(const context::Model& model, const View& v, std::int32_t id,
+                    const ImpulseRange& range) noexcept {
     return v.parted[id] || model.wires.is_replaced(id) ||
            ((v.flags[id] & model::kRange) && range.low == range.high);
 }
@@ -121,8 +121,8 @@ bool is_rounding(const context::Model& model, std::int32_t id, const SwitchReque
                  double lambda, const ImpulseRange& range) noexcept {
     const double way = std::fabs(wish.projected - lambda), width = range.high - range.low;
     // A stop without a finite bound gives no scale.
-    constexpr double kStop = 1e20;  // [N s]
-    if (width > kStop) return false;
+    constexpr double kStopImpulse = 1e20;  // [N s]
+    if (width > kStopImpulse) return false;
     if (way > kCapstanAtBound * width || !is_capstan(model, id)) return false;
     return wish.was_active || way <= kCapstanNoise * width ||
            way <= kCapstanRounding * largest_in_run(model, id);
@@ -160,7 +160,7 @@ void hold_bounds(context::Model& model, context::Newton& newton, double time) no
         if (in.active[at(id)] != 0.0 || !(in.flags[at(id)] & (model::kMotor | model::kFriction)))
             continue;
         const ImpulseRange range = impulse_range(model, newton, id);
-        held = moved_with(range, in.lambda[at(in.row_begin[at(id)])]);
+        held = end_of_moved_range(range, in.lambda[at(in.row_begin[at(id)])]);
     }
 }
 
@@ -168,7 +168,7 @@ void take_bounds(context::Model& model, context::Newton& newton) noexcept {
     const View v = context::row_view(model);
     for (std::size_t i = 0; i < model.system.bounded.size(); ++i) {
         newton.row[i].r += choose_end(model, v, model.system.bounded[i]);
-        newton.row_end[i] = row_now(v, model.system.bounded[i]);
+        newton.row_end[i] = present_row(v, model.system.bounded[i]);
     }
 }
 
@@ -196,7 +196,7 @@ double bounds_slope(const context::Model& model, const context::Newton& newton, 
     for (std::size_t i = 0; i < model.system.bounded.size(); ++i) {
         const std::int32_t id = model.system.bounded[i];
         const ImpulseRange range = impulse_range(model, newton, id);
-        if (stays(model, v, id, range)) continue;
+        if (never_switches(model, v, id, range)) continue;
         const double sigma = v.sigma[v.row_begin[id]];
         const context::BoundedRow &from = newton.row[i], &to = newton.row_end[i],
                                   p = along(newton, i, t);
@@ -223,7 +223,7 @@ double bounds_map(const context::Model& model, const context::Newton& newton) no
     for (const std::int32_t id : in.frictions) {
         if (!inactive(id)) continue;
         const double held = in.held[at(id)],
-                     bound = moved_with(impulse_range(model, newton, id), held);
+                     bound = end_of_moved_range(impulse_range(model, newton, id), held);
         if (bound == held) continue;
         largest = std::max(
             largest, std::fabs(bound - held) / std::max(std::fabs(bound), model.contact_floor));
@@ -245,7 +245,8 @@ double bounds_map(const context::Model& model, const context::Newton& newton) no
 namespace {
 
 /// Read the impulses of the rows whose bounds depend on their loads. Active rows give 0.
-void read_held(const context::Model& model, const context::Newton& newton, double* out) noexcept {
+void read_dependent_impulses(const context::Model& model, const context::Newton& newton,
+                             double* out) noexcept {
     for (const std::int32_t id : newton.loaded)
         *out++ = model.interactions.active[at(id)] == 0.0 ? model.interactions.held[at(id)] : 0.0;
 }
@@ -254,7 +255,7 @@ void read_held(const context::Model& model, const context::Newton& newton, doubl
 void extrapolate_bounds(context::Model& model, context::Work& work) noexcept {
     const View v = context::row_view(model);
     nonsmooth::Anderson& follow = work.newton.follow;
-    read_held(model, work.newton, follow.image());
+    read_dependent_impulses(model, work.newton, follow.image());
     const double* x = follow.next(model.contact_floor);
     for (const std::int32_t id : work.newton.loaded) {
         double& held = model.interactions.held[at(id)];
@@ -275,17 +276,17 @@ std::int32_t switch_bounds(context::Model& model, context::Work& work, double fl
     const bool follows = most > 0 && !work.newton.loaded.empty();
     const bool runs = most == kAnyRows && !model.system.capstans.empty();
     if (runs) note_runs(model);
-    if (follows) read_held(model, work.newton, work.newton.follow.x());
+    if (follows) read_dependent_impulses(model, work.newton, work.newton.follow.x());
     for (std::size_t i = 0; i < model.system.bounded.size(); ++i) {
         const std::int32_t id = model.system.bounded[i], row = v.row_begin[id];
         const ImpulseRange range = impulse_range(model, work.newton, id);
-        if (stays(model, v, id, range)) continue;
+        if (never_switches(model, v, id, range)) continue;
         const context::BoundedRow p = work.newton.row[i];
         double& held = model.interactions.held[at(id)];
         const SwitchRequest wish = request_of(model, work.newton, v, i, p, range);
         if (wish.active && wish.was_active) continue;
-        if (wish.asks() && is_rounding(model, id, wish, p.lambda, range)) continue;
-        if (wish.asks()) {
+        if (wish.requests_switch() && is_rounding(model, id, wish, p.lambda, range)) continue;
+        if (wish.requests_switch()) {
             // Lines without load are slack or taut by rounding, which does not count.
             const double least =
                 work.newton.on_scalar[i] != 0 ? std::min(floor, model.scalar_floor) : floor;
@@ -305,16 +306,17 @@ std::int32_t switch_bounds(context::Model& model, context::Work& work, double fl
     return asking;
 }
 
-bool any_asks(const context::Model& model, const context::Newton& newton, const View& v) noexcept {
+bool any_row_requests_switch(const context::Model& model, const context::Newton& newton,
+                             const View& v) noexcept {
     for (std::size_t i = 0; i < model.system.bounded.size(); ++i) {
         const std::int32_t id = model.system.bounded[i];
-        if (pulls_on(v, id)) continue;
+        if (is_taut_line(v, id)) continue;
         (void)choose_end(model, v, id);
         const ImpulseRange range = impulse_range(model, newton, id);
-        if (stays(model, v, id, range)) continue;
-        const context::BoundedRow p = row_now(v, id);
+        if (never_switches(model, v, id, range)) continue;
+        const context::BoundedRow p = present_row(v, id);
         const SwitchRequest wish = request_of(model, newton, v, i, p, range);
-        if (wish.asks() && std::fabs(wish.projected - p.lambda) > 0.0 &&
+        if (wish.requests_switch() && std::fabs(wish.projected - p.lambda) > 0.0 &&
             !is_rounding(model, id, wish, p.lambda, range))
             return true;
     }

@@ -79,8 +79,9 @@ void show_held(context::Model& model) noexcept;
                                        double floor) noexcept;
 
 /// Return true if asking_rows() with a floor of 0 would return more than 0.
-[[nodiscard]] bool any_asks(const context::Model& model, const context::Newton& newton,
-                            const assembly::View& v) noexcept;
+[[nodiscard]] bool any_row_requests_switch(const context::Model& model,
+                                           const context::Newton& newton,
+                                           const assembly::View& v) noexcept;
 
 /// Move the friction anchors of joints that have slid. Call after the step.
 void move_anchors(context::Model& model) noexcept;

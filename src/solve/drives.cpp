@@ -15,14 +15,14 @@ namespace hawser::solve {
 namespace {
 
 /// Weights of the velocities before and after the step.
-struct Weights {
+struct VelocityWeights {
     double before, after;
 };
 
 /// Return λ·G (a v + b v₊), summed over the rows of an interaction. With a = b = ½ this is the work
 /// of an interaction on the kinetic energy of moving bodies, exact for the scheme, since their
 /// velocities change by M⁻¹Gᵀλ.
-double impulse_times(const assembly::View& v, std::int32_t id, Weights weights,
+double impulse_times(const assembly::View& v, std::int32_t id, VelocityWeights weights,
                      bool rigid_rows_only) noexcept {
     double buffer[model::kArmBufferSize];
     const double* jac = packed_rows(v, id, buffer);
@@ -125,7 +125,7 @@ double spring_gain(context::Model& model, std::span<const std::int32_t> springs)
     return gain;
 }
 
-double spring_way(context::Model& model, std::span<const std::int32_t> springs) noexcept {
+double spring_travel_energy(context::Model& model, std::span<const std::int32_t> springs) noexcept {
     const assembly::View v = context::row_view(model);
     double sum = 0.0;
     for (const std::int32_t id : springs) {
@@ -167,7 +167,7 @@ void follow_winches(context::Model& model, context::State& state) noexcept {
     for (const std::int32_t id : in.winches) {
         const auto row = at(in.row_begin[at(id)]);
         const double before = in.epsilon[row];
-        in.follow_length(id, model.bodies, h);
+        in.update_length_at_drum(id, model.bodies, h);
         // The energy is g²/2ε at the new compliance; at the old one it was the ε_new/ε_old part of
         // it.
         if (in.epsilon[row] == before) continue;

@@ -30,8 +30,8 @@ struct DriveWork {
                                  std::span<const std::int32_t> springs) noexcept;
 
 /// Return Σ h² ġ²/ε of springs, with prescribed velocities [J].
-[[nodiscard]] double spring_way(context::Model& model,
-                                std::span<const std::int32_t> springs) noexcept;
+[[nodiscard]] double spring_travel_energy(context::Model& model,
+                                          std::span<const std::int32_t> springs) noexcept;
 
 /// Move bodies with a prescribed velocity exactly: a rotation by h|ω| about ω.
 void move_carriers(context::Model& model) noexcept;

@@ -40,8 +40,8 @@ void collect_columns(const assembly::System& s, const std::vector<std::uint8_t>&
 }
 
 /// Add the nodes of rows that became active or inactive since the matrix was factored.
-void add_switched(const context::Model& model, const std::vector<double>& factored,
-                  std::vector<std::int32_t>& columns) noexcept {
+void add_switched_rows(const context::Model& model, const std::vector<double>& factored,
+                       std::vector<std::int32_t>& columns) noexcept {
     const assembly::System& s = model.system;
     const model::Interactions& in = model.interactions;
     for (std::size_t i = 0; i < s.bounded.size(); ++i) {
@@ -63,7 +63,7 @@ void keep_factored(const context::Model& model, std::vector<double>& factored) n
 
 /// Return true if wrong pivots make a factorisation fail. Wrong pivots that sliding contacts can
 /// cause do not (factor/unsymmetric.h).
-bool fails(const factor::Numeric& numeric, int wrong) noexcept {
+bool is_singular(const factor::Numeric& numeric, int wrong) noexcept {
     return wrong > 0 && numeric.nodes_with_wrong_pivots().empty();
 }
 
@@ -96,11 +96,11 @@ Status factor(context::StepContext& ctx, bool whole) noexcept {
     const std::int64_t all = set ? set->flops : s.symbolic.flops;
     if (!whole && !ctx.work.solve.factor_whole && set && !runs) {
         collect_columns(s, s.contacts.block_changed, ctx.work.solve.columns);
-        add_switched(ctx.model, ctx.work.solve.factored_active, ctx.work.solve.columns);
+        add_switched_rows(ctx.model, ctx.work.solve.factored_active, ctx.work.solve.columns);
         s.dirty.find(s.symbolic, ctx.work.solve.columns, set);
         // Above this fraction, one pass through memory takes less time than fewer flops.
-        constexpr double kPartial = 0.7;
-        if (static_cast<double>(s.dirty.flops) < kPartial * static_cast<double>(all)) {
+        constexpr double kMaxPartialFlops = 0.7;
+        if (static_cast<double>(s.dirty.flops) < kMaxPartialFlops * static_cast<double>(all)) {
             ctx.work.solve.step_flops += s.dirty.flops;
             keep_factored(ctx.model, ctx.work.solve.factored_active);
             ++ctx.work.stats.substitutions;
@@ -109,7 +109,7 @@ Status factor(context::StepContext& ctx, bool whole) noexcept {
             s.write_blocks(v, s.dirty, s.numeric.values(), ctx.pool);
             s.numeric.copy_to_upper(s.symbolic, s.dirty, *set, ctx.pool);
             s.write_skew(v, s.dirty, s.numeric.upper(), ctx.pool);
-            if (fails(s.numeric, s.numeric.refactor(s.symbolic, s.dirty, ctx.pool, set)))
+            if (is_singular(s.numeric, s.numeric.refactor(s.symbolic, s.dirty, ctx.pool, set)))
                 return Status::wrong_pivot;
             s.numeric.solve(s.symbolic, v.solution, ctx.pool);
             return Status::ok;
@@ -120,7 +120,8 @@ Status factor(context::StepContext& ctx, bool whole) noexcept {
     ++ctx.work.stats.substitutions;
     Writer writer{s, v};
     const factor::Fill fill{Writer::write, &writer, Writer::skew};
-    if (fails(s.numeric, s.numeric.factor_forward(s.symbolic, fill, v.solution, ctx.pool, set)))
+    if (is_singular(s.numeric,
+                    s.numeric.factor_forward(s.symbolic, fill, v.solution, ctx.pool, set)))
         return Status::wrong_pivot;
     s.numeric.backward(s.symbolic, v.solution, ctx.pool);
     return Status::ok;

@@ -80,13 +80,13 @@ ImpulseRange impulse_range(const context::Model& model, const context::Newton& n
     const int flags = in.flags[at(id)];
     if (in.parted[at(id)] || model.wires.is_replaced(id)) return {0.0, 0.0};
     if (flags & model::kRange) {
-        constexpr double kAll = model::kUnbounded;
-        if (in.low[at(id)] + in.high[at(id)] <= model::kNoWidth) return {-kAll, kAll};
+        constexpr double kNoBound = model::kUnbounded;
+        if (in.low[at(id)] + in.high[at(id)] <= model::kNoWidth) return {-kNoBound, kNoBound};
         const bool upper = in.upper[at(id)] != 0;
         // In an impact only an end acts that the coordinate has reached.
         const double inside = upper ? in.high[at(id)] : in.low[at(id)];
         if (newton.bound_time == 0.0 && inside > 0.0) return {0.0, 0.0};
-        return {upper ? -kAll : 0.0, upper ? 0.0 : kAll};
+        return {upper ? -kNoBound : 0.0, upper ? 0.0 : kNoBound};
     }
     // The force of a line is also unbounded in an impact.
     const double time = flags & (model::kMotor | model::kFriction) ? newton.bound_time : 1.0;

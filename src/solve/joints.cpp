@@ -20,7 +20,8 @@ using assembly::Turning;
 using assembly::View;
 using context::IterationChange;
 
-constexpr std::uint8_t kCoarse = 60;  ///< Steps for which a joint above the limit is not completed.
+constexpr std::uint8_t kCoarseSteps =
+    60;  ///< Steps for which a joint above the limit is not completed.
 
 /// Write into the record of a compact joint (model/arms.h) whether end-of-step constraint
 /// iterations apply to it. Kernels read it as the sign of the constant of its oscillation number.
@@ -110,11 +111,12 @@ void choose_completed(context::Model& model, const context::State& state,
             for (std::int32_t k = a; k < b; ++k) {
                 const std::int32_t id = c.joints[at(k)];
                 const std::uint8_t left = in.coarse[at(id)];
-                constexpr double kMaximum = kResolvedVibration * kResolvedVibration;
-                const bool fast = c.refused[at(k)] ||
-                                  !(squared_vibration(model, k, in.lambda.data()) <= kMaximum);
+                constexpr double kMaxSquaredVibration = kResolvedVibration * kResolvedVibration;
+                const bool fast =
+                    c.refused[at(k)] ||
+                    !(squared_vibration(model, k, in.lambda.data()) <= kMaxSquaredVibration);
                 c.coarse_next[at(k)] =
-                    fast ? kCoarse : static_cast<std::uint8_t>(left - (left > 0));
+                    fast ? kCoarseSteps : static_cast<std::uint8_t>(left - (left > 0));
                 const bool chosen = allowed && c.coarse_next[at(k)] == 0 && in.parted[at(id)] == 0;
                 std::uint8_t completed = 0;
                 if (chosen)
@@ -156,10 +158,11 @@ namespace {
 /// Weigh the changes of the right-hand sides of compliant joints of a row block.
 ///
 /// A change δc of a redundant row is a force δc/(hΣ), which changes the oscillation number s of the
-/// joint by h · vibration · δc/Σ. At the end s must be right to kVibration, or noise would reject a
-/// stiff loop. @return the largest weighted change.
+/// joint by h · vibration · δc/Σ. At the end s must be right to kVibrationTolerance, or noise would
+/// reject a stiff loop. @return the largest weighted change.
 double weighted_change(const context::Model& model, const View& v, int strip) noexcept {
-    constexpr double kChange = 1e-7, kVibration = 0.01;  // the change of step/completion.cpp
+    constexpr double kMaxRelativeChange = 1e-7,
+                     kVibrationTolerance = 0.01;  // the change of step/completion.cpp
     double most = 0.0;
     if (!model.completion.any_compliant) return most;
     for (const assembly::PoolRange& range : model.system.strips.pools(strip)) {
@@ -168,7 +171,7 @@ double weighted_change(const context::Model& model, const View& v, int strip) no
         for (std::int32_t k = range.begin; k < range.end; ++k) {
             const std::int32_t id = ids[at(k)];
             if (v.completed[id] != assembly::kCompliant) continue;
-            const double rate = kChange / kVibration * v.h * v.vibration[id];
+            const double rate = kMaxRelativeChange / kVibrationTolerance * v.h * v.vibration[id];
             for (std::int32_t r = v.row_begin[id]; r < v.row_begin[id] + v.rows[id]; ++r) {
                 const double weight = std::max(1.0, rate / v.sigma[r]);
                 const double change = weight * std::fabs(v.c_next[r] - v.c[r]);

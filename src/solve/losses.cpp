@@ -15,14 +15,14 @@ namespace {
 using assembly::View;
 
 /// ġ of every row at v and at v₊.
-struct Rates {
+struct ViolationRates {
     double before[kMaxInteractionRows], after[kMaxInteractionRows];
 };
 
 /// Compute the rates of rows from the Jacobian, including the contribution of bodies with a
 /// prescribed velocity.
 void rates_by_jacobian(const context::Model& model, const View& v, std::int32_t id,
-                       Rates& out) noexcept {
+                       ViolationRates& out) noexcept {
     double buffer[model::kArmBufferSize];
     const double* jac = packed_rows(v, id, buffer);
     const bool carried = (v.flags[id] & model::kCarried) != 0;
@@ -42,7 +42,7 @@ void rates_by_jacobian(const context::Model& model, const View& v, std::int32_t 
 
 /// Compute the rates of rows from c = Υ(Rġ − 4g/h), R the factor of ġ, and from the row's equation.
 /// This avoids a pass over the Jacobian.
-void rates_by_rows(const View& v, std::int32_t id, Rates& out) noexcept {
+void rates_by_rows(const View& v, std::int32_t id, ViolationRates& out) noexcept {
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;
         out.before[r] = v.completed[id]
@@ -55,7 +55,7 @@ void rates_by_rows(const View& v, std::int32_t id, Rates& out) noexcept {
 /// Compute the mean rates of the violations in the last step and in this step, d₋ and d₊ of
 /// step/completion.h. For a completed joint they follow from the law of its rows.
 void rates_between_poses(const context::Model& model, const View& v, std::int32_t id,
-                         Rates& out) noexcept {
+                         ViolationRates& out) noexcept {
     const double h = model.def.step;
     model.interactions.secants_before(id, model.bodies, h, out.before);
     if (v.completed[id] != assembly::kCompliant) {
@@ -72,7 +72,8 @@ void rates_between_poses(const context::Model& model, const View& v, std::int32_
 
 /// Return ½ g²/ε of a row if it exerts a force.
 /// @param now  Violation at the poses of the step.
-double held(const View& v, std::int32_t id, std::int32_t row, double now, double g) noexcept {
+double elastic_energy(const View& v, std::int32_t id, std::int32_t row, double now,
+                      double g) noexcept {
     if (!model::holds_energy(v.epsilon[row], v.rest_length[id])) return 0.0;
     if ((v.flags[id] & model::kOneSided) && g < 0.0) return 0.0;
     if (v.flags[id] & model::kRange) g = model::range_gap(v.low[id], v.high[id], g - now);
@@ -88,7 +89,7 @@ bool was_taut(const View& v, std::int32_t row, double before) noexcept {
 
 double losses_of(const context::Model& model, const View& v, std::int32_t id) noexcept {
     const int flags = v.flags[id];
-    Rates rate;
+    ViolationRates rate;
     rates_by_rows(v, id, rate);
     bool faded = false;
     for (int r = v.row_begin[id]; r < v.row_begin[id] + v.rows[id]; ++r)
@@ -97,7 +98,7 @@ double losses_of(const context::Model& model, const View& v, std::int32_t id) no
     if ((flags & (model::kCarried | model::kRange)) || faded ||
         (line && (v.active[id] == 0.0 || !was_taut(v, v.row_begin[id], rate.before[0]))))
         rates_by_jacobian(model, v, id, rate);
-    Rates mean = rate;  // of the violations between half-step positions
+    ViolationRates mean = rate;  // of the violations between half-step positions
     if (model.interactions.uses_secants(id)) rates_between_poses(model, v, id, mean);
     double taken = 0.0;
     for (int r = 0; r < v.rows[id]; ++r) {
@@ -106,10 +107,11 @@ double losses_of(const context::Model& model, const View& v, std::int32_t id) no
         const bool rigid = !model::holds_energy(v.epsilon[row], v.rest_length[id]);
         if (rigid && (flags & model::kByInput)) continue;  // its work counts as driven
         const double g = v.g[row], half = 0.5 * v.h;
-        taken +=
-            held(v, id, row, g, model::half_step_gap(v.row_flags[row], g, half, mean.before[r])) -
-            held(v, id, row, g, model::half_step_gap(v.row_flags[row], g, half, -mean.after[r])) -
-            0.5 * v.lambda[row] * (rate.before[r] + rate.after[r]);
+        taken += elastic_energy(v, id, row, g,
+                                model::half_step_gap(v.row_flags[row], g, half, mean.before[r])) -
+                 elastic_energy(v, id, row, g,
+                                model::half_step_gap(v.row_flags[row], g, half, -mean.after[r])) -
+                 0.5 * v.lambda[row] * (rate.before[r] + rate.after[r]);
     }
     return taken;
 }
@@ -156,9 +158,11 @@ double cut_losses(context::Model& model, std::int32_t id) noexcept {
         const double g = before.g[r], half = 0.5 * v.h;
         const double rate = before.rate[r] + before.carried[r];
         const double rate_after = after.rate[r] + after.carried[r];
-        taken += held(v, id, row, g, model::half_step_gap(v.row_flags[row], g, half, rate)) -
-                 held(v, id, row, g, model::half_step_gap(v.row_flags[row], g, half, -rate_after)) -
-                 0.5 * v.lambda[row] * (rate + rate_after);
+        taken +=
+            elastic_energy(v, id, row, g, model::half_step_gap(v.row_flags[row], g, half, rate)) -
+            elastic_energy(v, id, row, g,
+                           model::half_step_gap(v.row_flags[row], g, half, -rate_after)) -
+            0.5 * v.lambda[row] * (rate + rate_after);
     }
     return taken;
 }
@@ -168,11 +172,12 @@ double held_by_line(context::Model& model, std::int32_t id) noexcept {
     const std::int32_t row = v.row_begin[id];
     if (model.system.rests(id)) {  // cut: not evaluated in this step, and bodies have moved
         const model::RowState now = model.interactions.row_state(id, model.bodies);
-        return held(v, id, row, now.g[0], now.g[0] - 0.5 * v.h * (now.rate[0] + now.carried[0]));
+        return elastic_energy(v, id, row, now.g[0],
+                              now.g[0] - 0.5 * v.h * (now.rate[0] + now.carried[0]));
     }
-    Rates rate;
+    ViolationRates rate;
     rates_by_jacobian(model, v, id, rate);
-    return held(v, id, row, v.g[row], v.g[row] + 0.5 * v.h * rate.after[0]);
+    return elastic_energy(v, id, row, v.g[row], v.g[row] + 0.5 * v.h * rate.after[0]);
 }
 
 }  // namespace hawser::solve

@@ -16,7 +16,7 @@ namespace {
 using assembly::View;
 
 /// Return a pseudo-random number in [−½, ½) for a row, equal on every machine.
-double drawn(std::int32_t row) noexcept {
+double pseudo_random_impulse(std::int32_t row) noexcept {
     std::uint64_t x = static_cast<std::uint64_t>(row) + 1;
     x *= 0x9e3779b97f4a7c15;  // J. S. Steele et al., SplitMix (2014)
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
@@ -24,18 +24,18 @@ double drawn(std::int32_t row) noexcept {
     return static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1p-53 - 0.5;
 }
 
-constexpr double kDrawnSquare = 1.0 / 12.0;  ///< Mean square of drawn().
+constexpr double kDrawnSquare = 1.0 / 12.0;  ///< Mean square of pseudo_random_impulse().
 
 /// Magnitudes of the momentum of joint impulses: of the sum over bodies, and of each joint's part.
-struct Push {
+struct MomentumNorms {
     double sum = 0.0, parts = 0.0;  ///< Squares.
 };
 
 /// Write Gᵀλ into the solver's vector, for the impulses λ(row) of some joints.
 template <class Lambda>
-Push load_joints(const context::Model& model, context::SolveWork& solve, const View& v,
-                 Lambda lambda) noexcept {
-    Push size;
+MomentumNorms load_joints(const context::Model& model, context::SolveWork& solve, const View& v,
+                          Lambda lambda) noexcept {
+    MomentumNorms size;
     std::fill_n(v.solution, model.system.symbolic.scalars, 0.0);
     for (const std::int32_t id : model.completion.looped) {
         double buffer[model::kArmBufferSize];
@@ -76,9 +76,11 @@ void read_filtered(const View& v, std::int32_t id, double* out) noexcept {
     }
 }
 
-constexpr double kShare = 0.01;  ///< Fraction of a joint's impulse below which changes are ignored.
+constexpr double kMinChangedFraction =
+    0.01;  ///< Fraction of a joint's impulse below which changes are ignored.
 
-/// Return true if the filter changes the impulse λ(row) of a joint by more than kShare.
+/// Return true if the filter changes the impulse λ(row) of a joint by more than
+/// kMinChangedFraction.
 /// @param kept  Output: the filtered impulse.
 template <class Lambda>
 bool is_changed(const View& v, std::int32_t id, Lambda lambda, double* kept) noexcept {
@@ -89,20 +91,20 @@ bool is_changed(const View& v, std::int32_t id, Lambda lambda, double* kept) noe
         all += whole * whole;
         less += d * d;
     }
-    return less > kShare * kShare * all;
+    return less > kMinChangedFraction * kMinChangedFraction * all;
 }
 
 /// Correct the impulses `taken` so that their removal moves no body, Gᵀ `taken` = 0. After one
 /// substitution a residual momentum remains, which the bodies would lose. The filter, applied to
 /// `taken`, returns the part that must not be removed.
 void keep_momentum(context::StepContext& ctx, const View& v) noexcept {
-    constexpr double kMaximum = 1e-11;  ///< Relative to the impulses.
+    constexpr double kMaxResidualMomentum = 1e-11;  ///< Relative to the impulses.
     constexpr int kFilterPasses = 2;
     double* taken = ctx.work.joints.taken.data();
     const auto loss = [&](std::int32_t, std::int32_t row) noexcept { return taken[row]; };
     for (int pass = 0; pass < kFilterPasses; ++pass) {
-        const Push size = load_joints(ctx.model, ctx.work.solve, v, loss);
-        if (!(size.sum > kMaximum * kMaximum * size.parts)) return;
+        const MomentumNorms size = load_joints(ctx.model, ctx.work.solve, v, loss);
+        if (!(size.sum > kMaxResidualMomentum * kMaxResidualMomentum * size.parts)) return;
         solve_loaded(ctx, v);
         for (const std::int32_t id : ctx.model.completion.looped) {
             double kept[kMaxInteractionRows];
@@ -113,9 +115,10 @@ void keep_momentum(context::StepContext& ctx, const View& v) noexcept {
 }
 
 /// Filter the impulses `taken` once and replace them by the removed part. Clear the mark
-/// "redundant" of joints whose removed part is at most the fraction kShare of the drawn impulse.
+/// "redundant" of joints whose removed part is at most the fraction kMinChangedFraction of the
+/// pseudo_random_impulse impulse.
 /// @return true if any marked joint remains.
-bool lose_again(context::StepContext& ctx, const View& v) noexcept {
+bool filter_again(context::StepContext& ctx, const View& v) noexcept {
     double* lost = ctx.work.joints.taken.data();
     (void)load_joints(ctx.model, ctx.work.solve, v,
                       [&](std::int32_t, std::int32_t row) noexcept { return lost[row]; });
@@ -128,20 +131,23 @@ bool lose_again(context::StepContext& ctx, const View& v) noexcept {
             const std::int32_t row = v.row_begin[id] + r;
             lost[row] -= kept[r];
             less += lost[row] * lost[row];
-            all += drawn(row) * drawn(row);
+            all += pseudo_random_impulse(row) * pseudo_random_impulse(row);
         }
         std::uint8_t& repeats = ctx.model.interactions.repeats[at(id)];
-        if (!(less > kShare * kShare * std::max(all, v.rows[id] * kDrawnSquare))) repeats = 0;
+        if (!(less >
+              kMinChangedFraction * kMinChangedFraction * std::max(all, v.rows[id] * kDrawnSquare)))
+            repeats = 0;
         any |= repeats != 0;
     }
     return any;
 }
 
-/// Find the joints in loops that are redundant at the present poses. Random impulses are drawn for
-/// all joints and filtered in two passes; the second pass filters the part that the first one
-/// removed. A joint is redundant if each pass removes more than the fraction kShare. Impulses that
-/// move no body are removed entirely in each pass. For soft modes of long chains the first pass
-/// removes a fraction because of Σ, and the second pass a smaller one.
+/// Find the joints in loops that are redundant at the present poses. Random impulses are
+/// pseudo_random_impulse for all joints and filtered in two passes; the second pass filters the
+/// part that the first one removed. A joint is redundant if each pass removes more than the
+/// fraction kMinChangedFraction. Impulses that move no body are removed entirely in each pass. For
+/// soft modes of long chains the first pass removes a fraction because of Σ, and the second pass a
+/// smaller one.
 ///
 /// Some of many random impulses are almost zero. The loss is therefore compared with at least the
 /// mean impulse. Otherwise one joint in thousands would count as redundant if a thousandth is
@@ -151,20 +157,20 @@ void probe_loops(context::StepContext& ctx) noexcept {
     for (const std::int32_t id : ctx.model.completion.looped) {
         ctx.model.interactions.repeats[at(id)] = 1;
         for (int r = v.row_begin[id]; r < v.row_begin[id] + v.rows[id]; ++r)
-            ctx.work.joints.taken[at(r)] = drawn(r);
+            ctx.work.joints.taken[at(r)] = pseudo_random_impulse(r);
     }
     constexpr int kPasses = 2;
     for (int pass = 0; pass < kPasses; ++pass)
-        if (!lose_again(ctx, v)) return;
+        if (!filter_again(ctx, v)) return;
 }
 
 }  // namespace
 
 void take_self_stress(context::StepContext& ctx) noexcept {
-    constexpr std::int64_t kEvery = 16;  // steps: loops become singular gradually
+    constexpr std::int64_t kStepsBetweenProbes = 16;  // steps: loops become singular gradually
     const std::vector<std::int32_t>& looped = ctx.model.completion.looped;
     if (looped.empty()) return;
-    if (!ctx.state.started || ctx.state.step % kEvery == 0) probe_loops(ctx);
+    if (!ctx.state.started || ctx.state.step % kStepsBetweenProbes == 0) probe_loops(ctx);
     std::uint8_t* repeats = ctx.model.interactions.repeats.data();
     if (std::none_of(looped.begin(), looped.end(), [&](std::int32_t id) { return repeats[id]; }))
         return;

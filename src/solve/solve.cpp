@@ -92,12 +92,12 @@ void add_everywhere(runtime::Pool& pool, const View& v) noexcept {
 
 /// Next step after a correction of v₊ and λ: the right-hand side of another one, or the norms of
 /// the solution.
-enum class Next { solve, measure };
+enum class AfterCorrection { solve, measure };
 
 /// Correct v₊ and λ by the solver's vector and update the residuals.
 /// @param first  True if the vector is the solution itself.
 Norms correct(context::Model& model, context::Work& work, runtime::Pool& pool, const View& v,
-              bool first, Next next) noexcept {
+              bool first, AfterCorrection next) noexcept {
     context::SolveWork& solve = work.solve;
     const assembly::Kernels& k = assembly::kernels();
     const assembly::RowBlocks& strips = model.system.strips;
@@ -112,9 +112,10 @@ Norms correct(context::Model& model, context::Work& work, runtime::Pool& pool, c
         auto add_shared = [&](int i, int) noexcept { context::each(strips.shared(i), add); };
         pool.for_each(strips.groups(), add_shared);
     }
-    if (next == Next::measure) std::fill(solve.norms.begin(), solve.norms.end(), Norms{});
+    if (next == AfterCorrection::measure)
+        std::fill(solve.norms.begin(), solve.norms.end(), Norms{});
     // With contacts, the last measured solution need not be that of the step.
-    solve.losses_known = next == Next::measure && !touching;
+    solve.losses_known = next == AfterCorrection::measure && !touching;
     context::sweep(
         model, pool,
         [&](int strip) {
@@ -122,18 +123,18 @@ Norms correct(context::Model& model, context::Work& work, runtime::Pool& pool, c
             double taken = 0.0;
             context::each(strips.interactions(strip), [&](std::int32_t a, std::int32_t b) {
                 if (!runs) k.row_update(v, a, b, first);
-                if (next == Next::measure) k.row_norms(v, a, b, &solve.norms[at(strip)]);
+                if (next == AfterCorrection::measure) k.row_norms(v, a, b, &solve.norms[at(strip)]);
                 if (solve.losses_known) taken += losses_between(model, v, a, b);
             });
             solve.losses[at(strip)] = taken;
         },
         [&](std::int32_t a, std::int32_t b, int norm) {
-            if (next == Next::measure)
+            if (next == AfterCorrection::measure)
                 k.body_norms(v, a, b, &solve.norms[at(norm)]);
             else
                 k.body_rhs(v, a, b);
         });
-    return next == Next::measure ? merged(solve.norms) : Norms{};
+    return next == AfterCorrection::measure ? merged(solve.norms) : Norms{};
 }
 
 double momentum_residual(const context::Model& model, const Norms& n) noexcept {
@@ -154,13 +155,13 @@ Status report(const context::Model& model, context::Work& work, const Norms& n) 
 
 /// Tolerance of a corrected solution. For a million links rounding leaves 1e-12 to 3e-12. Another
 /// correction, a third of the step's time, leaves the same.
-constexpr double kCorrected = 1e-11;
+constexpr double kCorrectedTolerance = 1e-11;
 
 /// Return true if a residual requires a correction. The residual of momentum is relative, those of
 /// rows are in [m/s, rad/s].
 bool needs_refinement(const context::Model& model, const StepStats& stats,
                       const Norms& n) noexcept {
-    const double good = stats.refinements > 0 ? kCorrected : model.def.solution_tolerance;
+    const double good = stats.refinements > 0 ? kCorrectedTolerance : model.def.solution_tolerance;
     return momentum_residual(model, n) > good || n.constraint > good;
 }
 
@@ -183,7 +184,7 @@ Status finish_solve(context::Model& model, context::Work& work, runtime::Pool& p
         model.system.numeric.solve(model.system.symbolic, v.solution, pool);
         ++work.stats.refinements;
         ++work.stats.substitutions;
-        n = correct(model, work, pool, v, false, Next::measure);
+        n = correct(model, work, pool, v, false, AfterCorrection::measure);
         if (!(n.momentum < 0.25 * before.momentum)) break;
     }
     return report(model, work, n);
@@ -210,7 +211,7 @@ Status factor_and_solve(context::StepContext& ctx) noexcept {
         if (i > 0) ctx.model.system.numeric.solve(ctx.model.system.symbolic, v.solution, ctx.pool);
         ctx.work.stats.substitutions += i > 0 ? 1 : 0;
         n = correct(ctx.model, ctx.work, ctx.pool, v, i == 0,
-                    i < refinements ? Next::solve : Next::measure);
+                    i < refinements ? AfterCorrection::solve : AfterCorrection::measure);
     }
     ctx.work.stats.refinements = refinements;
     // the constraint iterations also refine
@@ -263,7 +264,7 @@ Status refine(context::StepContext& ctx) noexcept {
     ctx.work.stats.refinements = 1;
     ++ctx.work.stats.substitutions;
     return finish_solve(ctx.model, ctx.work, ctx.pool, v,
-                        correct(ctx.model, ctx.work, ctx.pool, v, false, Next::measure),
+                        correct(ctx.model, ctx.work, ctx.pool, v, false, AfterCorrection::measure),
                         max_refinements(ctx.model) - 1);
 }
 

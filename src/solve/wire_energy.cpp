@@ -17,14 +17,14 @@ using assembly::View;
 /// Value of h² T/(l m) of an element up to which its wire is not checked: a transverse wave passes
 /// a seventh of an element in a step. Beyond ¼ the step damps its vibration (assembly/geo.h). An
 /// element that becomes taut may gain energy below that.
-constexpr double kResolved = 0.02;
+constexpr double kResolvedRatio = 0.02;
 
 bool is_fast(const context::Model& model, const context::Before& kept, const View& v,
              std::int32_t id) noexcept {
     const double rest = v.rest_length[id];
     const double length = rest > 0.0 ? rest : model.interactions.def[at(id)].params[0];
     const double impulse = std::max(-v.lambda[v.row_begin[id]], -kept.lambda[at(v.row_begin[id])]);
-    return v.h * impulse * v.lightness[id] > kResolved * length;
+    return v.h * impulse * v.lightness[id] > kResolvedRatio * length;
 }
 
 /// Return Σ ½ m |v₊² − v²| of some nodes.

@@ -193,7 +193,7 @@ void settle_wires(context::StepContext& ctx) noexcept {
     ctx.work.solve.losses_known = false;
 }
 
-double held_by_element(const View& v, std::int32_t id) noexcept {
+double elastic_energy_of_element(const View& v, std::int32_t id) noexcept {
     const std::int32_t* body = v.body + kMaxInteractionBodies * id;
     const double* record = v.geo_record + v.geo[id].record;
     const bool lumps = v.geo[id].dof == 3;

@@ -29,6 +29,6 @@ void replan_wires(context::Model& model, const assembly::View& v, int strip) noe
 void settle_wires(context::StepContext& ctx) noexcept;
 
 /// Return the elastic energy of an element at the half step before the current poses [J].
-[[nodiscard]] double held_by_element(const assembly::View& v, std::int32_t id) noexcept;
+[[nodiscard]] double elastic_energy_of_element(const assembly::View& v, std::int32_t id) noexcept;
 
 }  // namespace hawser::solve

@@ -12,7 +12,7 @@
 namespace hawser::solve {
 namespace {
 
-constexpr std::int32_t kPart = 64;  ///< Number of elements or nodes in one part.
+constexpr std::int32_t kPartSize = 64;  ///< Number of elements or nodes in one part.
 /// Steps after which all but a third of a loss no longer comes back. The stiffness takes energy
 /// from a vibration with few steps per period and returns it a quarter of a period later. This
 /// exceeds the limit of the guard.
@@ -109,10 +109,10 @@ void make_parts(const context::Model& model, context::WireWork& work) {
             }
         const auto node_elements_end = static_cast<std::int32_t>(w.lump.size());
         for (std::int32_t e = element, l = lump; e < end || l < node_elements_end;
-             e += kPart, l += kPart)
+             e += kPartSize, l += kPartSize)
             w.parts.push_back({static_cast<std::int32_t>(k), std::min(e, end),
-                               std::min(e + kPart, end), std::min(l, node_elements_end),
-                               std::min(l + kPart, node_elements_end)});
+                               std::min(e + kPartSize, end), std::min(l, node_elements_end),
+                               std::min(l + kPartSize, node_elements_end)});
     }
 }
 
@@ -139,8 +139,8 @@ namespace {
 
 /// Transfer the state of wires (energy allowance, flags, recoil) after their elements have changed.
 /// Each element keeps its part of the state of its former wire.
-void recall_wires(const context::Model& model, const context::State& state,
-                  context::WireWork& work) {
+void transfer_wire_state(const context::Model& model, const context::State& state,
+                         context::WireWork& work) {
     const context::Wires& w = model.wires;
     context::Wires& made = work.made;
     if (w.wire_of == made.wire_of && state.edits.interactions.empty()) {
@@ -188,7 +188,7 @@ void make_wires(context::Model& model, const context::State& state, context::Wir
     made.energy_allowance.assign(wires, 0.0);
     made.flag_steps.assign(wires, 0);
     made.recoil.assign(wires, 0);
-    recall_wires(model, state, work);
+    transfer_wire_state(model, state, work);
     made.fast.assign(wires, 0);
     made.level.assign(wires, 0);
     made.gain.assign(wires, {});

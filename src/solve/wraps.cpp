@@ -54,7 +54,7 @@ void note_wheels(const context::Model& model, context::Work& work) noexcept {
 void follow_wheels(context::Model& model, const context::Work& work) noexcept {
     model::Interactions& in = model.interactions;
     for (std::size_t i = 0; i < in.spans.size(); ++i)
-        in.follow_turns(in.spans[i], work.wheel_angles[i], model.bodies);
+        in.update_whole_turns(in.spans[i], work.wheel_angles[i], model.bodies);
 }
 
 void follow_wraps(context::Model& model) noexcept {

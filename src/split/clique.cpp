@@ -86,7 +86,7 @@ void copy_interactions(Clique& c, const context::Model& world) noexcept {
             in.lambda[row] = from.lambda[of];
             if (in.epsilon[row] == from.epsilon[of]) continue;
             in.epsilon[row] = from.epsilon[of];
-            in.follow_compliance(row, in.rest_length[i] > 0.0, h);
+            in.update_damping_of_row(row, in.rest_length[i] > 0.0, h);
         }
     }
 }

@@ -32,7 +32,7 @@ void average_sides(model::Interactions& in, const context::Cut& cut) noexcept {
 
 /// Copy multipliers and active flags of an inactive cut to its duplicated interactions, so that the
 /// cut may become active.
-void follow_original(model::Interactions& in, const context::Cut& cut) noexcept {
+void copy_from_original(model::Interactions& in, const context::Cut& cut) noexcept {
     for (std::int32_t i = cut.first; i < cut.first + cut.sides; ++i) {
         in.active[at(i)] = in.active[at(cut.id)];
         std::copy_n(&in.lambda[at(in.row_begin[at(cut.id)])], in.rows[at(cut.id)],
@@ -141,7 +141,7 @@ void finish_cuts(context::StepContext& ctx) noexcept {
     double defect = residual_momentum(ctx.model, v);
     for (context::Cut& cut : ctx.model.cuts.list) {
         if (!cut.open) {
-            follow_original(ctx.model.interactions, cut);
+            copy_from_original(ctx.model.interactions, cut);
             cut.defect = cut.residual = 0.0;
             continue;
         }
@@ -160,7 +160,7 @@ void finish_cuts(context::StepContext& ctx) noexcept {
 }
 
 void follow_cuts(context::Model& model) noexcept {
-    for (const context::Cut& cut : model.cuts.list) follow_original(model.interactions, cut);
+    for (const context::Cut& cut : model.cuts.list) copy_from_original(model.interactions, cut);
 }
 
 void part_all(context::Model& model, std::int32_t id) noexcept {

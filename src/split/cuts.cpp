@@ -132,7 +132,7 @@ bool may_split(const context::Model& model) noexcept {
 
 void make_cuts(context::Model& model) {
     context::Cuts& cuts = model.cuts;
-    drop_cuts(model);
+    remove_cuts(model);
     const std::int32_t bodies = model.bodies.count(), count = model.interactions.count();
     cuts.group.resize(at(bodies), 0);
     cuts.coupling.resize(at(count), model.def.coupling);
@@ -164,7 +164,7 @@ void make_cuts(context::Model& model) {
     if (model.def.predictor == Predictor::clique) make_clique(model);
 }
 
-void drop_cuts(context::Model& model) {
+void remove_cuts(context::Model& model) {
     context::Cuts& cuts = model.cuts;
     if (cuts.bodies >= 0) {
         // Later bodies and interactions at these indices are new ones.
@@ -187,7 +187,7 @@ void drop_cuts(context::Model& model) {
 }
 
 void join_model(context::Model& model) noexcept {
-    drop_cuts(model);
+    remove_cuts(model);
     model.regroup.stale = true;
 }
 

@@ -30,7 +30,7 @@ namespace hawser::split {
 /// std::bad_alloc.
 void make_cuts(context::Model& model);
 /// Remove all ghost bodies and duplicated interactions.
-void drop_cuts(context::Model& model);
+void remove_cuts(context::Model& model);
 
 /// Determine the active cuts. A cut is active if nothing else connects its two sides; contacts and
 /// interactions that cannot be cut unite two groups to one part. Call before the system is

@@ -24,7 +24,7 @@ budget::Load solver_load(const context::StepContext& ctx) noexcept {
 }
 
 /// Fraction of the budget that is planned; the rest is a margin for prediction errors.
-constexpr double kAim = 0.95;
+constexpr double kPlannedFraction = 0.95;
 
 /// True if a deadline may activate cuts in this step.
 bool may_cut(const context::Model& model, const context::State& state) noexcept {
@@ -51,7 +51,8 @@ Status choose_cuts(context::StepContext& ctx) noexcept {
     std::uint64_t cuts = ctx.state.imposed.cuts;
     if (may_cut(ctx.model, ctx.state))
         cuts = ctx.work.limits.cut_levels.choose(ctx.work.limits.deadline, solver_load(ctx),
-                                                 kAim * ctx.model.def.budget, ctx.model.cuts.asked);
+                                                 kPlannedFraction * ctx.model.def.budget,
+                                                 ctx.model.cuts.asked);
     const Status status = request_cuts(ctx, cuts);
     ctx.work.stats.degradation.cuts = cuts;
     return status;
@@ -59,7 +60,7 @@ Status choose_cuts(context::StepContext& ctx) noexcept {
 
 void begin_budget(context::StepContext& ctx) noexcept {
     ctx.work.newton.iterations = 0;  // counts all solves of the step from here on
-    budget::Limits limits{.seconds = kAim * ctx.model.def.budget,
+    budget::Limits limits{.seconds = kPlannedFraction * ctx.model.def.budget,
                           .work = 0.0,
                           .most = 0,
                           .foreseen = 0.0,
@@ -91,17 +92,18 @@ void begin_budget(context::StepContext& ctx) noexcept {
 
 namespace {
 
-/// Return the used fraction of the budget, at least kCut if the step was cut; 0: no budget.
+/// Return the used fraction of the budget, at least kMinUsedIfCut if the step was cut; 0: no
+/// budget.
 double budget_fraction_used(const context::StepContext& ctx) noexcept {
     const WorldDef& def = ctx.model.def;
     const StepStats& s = ctx.work.stats;
     double demand = 0.0;
-    if (def.budget > 0.0) demand = s.solver_cpu_seconds / (kAim * def.budget);
+    if (def.budget > 0.0) demand = s.solver_cpu_seconds / (kPlannedFraction * def.budget);
     if (def.budget_work > 0.0)
         demand = std::max(demand, static_cast<double>(ctx.work.solve.step_flops) / def.budget_work);
     // The predicted demand of the whole step contains a margin, so it is not used here.
-    constexpr double kCut = 1.05;
-    if (s.cut) demand = std::max(demand, kCut);
+    constexpr double kMinUsedIfCut = 1.05;
+    if (s.cut) demand = std::max(demand, kMinUsedIfCut);
     return demand;
 }
 

@@ -22,8 +22,8 @@ using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 /// Add to v of a rigid body M⁻¹ (p + h (f − D v + m g) − h ω × Iω), for an impulse p of rows and
 /// contacts.
-void push_rigid(const context::Model& model, const context::State& state, std::int32_t body,
-                const double* p, double* v) noexcept {
+void add_impulse_to_rigid(const context::Model& model, const context::State& state,
+                          std::int32_t body, const double* p, double* v) noexcept {
     const model::Bodies& b = model.bodies;
     const auto i = at(body);
     const double h = model.def.step;
@@ -51,8 +51,8 @@ void push_rigid(const context::Model& model, const context::State& state, std::i
 
 /// Update v += (p + h (f − D v + m g))/m of a node or a scalar body, for an impulse p of rows and
 /// contacts. Scalar bodies have no weight.
-void push_point(const context::Model& model, const context::State& state, std::int32_t body,
-                const double* p, double* v) noexcept {
+void add_impulse_to_point(const context::Model& model, const context::State& state,
+                          std::int32_t body, const double* p, double* v) noexcept {
     const model::Bodies& b = model.bodies;
     const auto i = at(body);
     const double h = model.def.step;
@@ -84,9 +84,9 @@ void predict_by_forces(context::Model& model, const context::State& state) noexc
         }
         double* v = &b.v_fixed[6 * at(ghost.body)];
         if (b.dof(ghost.of) == 6)
-            push_rigid(model, state, ghost.of, impulse, v);
+            add_impulse_to_rigid(model, state, ghost.of, impulse, v);
         else
-            push_point(model, state, ghost.of, impulse, v);
+            add_impulse_to_point(model, state, ghost.of, impulse, v);
     }
 }
 

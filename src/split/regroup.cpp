@@ -80,24 +80,24 @@ void number_groups(context::Model& model) {
 }
 
 /// Return the part that the user's group of a body has; −1: the user has set no group.
-std::int32_t part_by_hand(const context::Model& model, std::int32_t body) noexcept {
+std::int32_t user_part(const context::Model& model, std::int32_t body) noexcept {
     const context::Regroup& r = model.regroup;
     const std::int32_t name = r.by_hand[at(body)];
     return name < 0 || model.bodies.dof(body) == 0 ? -1 : r.part_of_name[at(name)];
 }
 
 /// Read the graph to be partitioned, with the groups from the user.
-void read_user_graph(context::Model& model, bool weigh) {
+void read_user_graph(context::Model& model, bool compute_weights) {
     context::Regroup& r = model.regroup;
     read_graph(model, r.graph);
     mark_uncuttable(model, r.graph);
-    if (weigh) weigh_graph(model, r.graph);
+    if (compute_weights) weigh_graph(model, r.graph);
     number_groups(model);
     r.graph.group.clear();
     if (r.part_of_name.empty()) return;
     r.graph.group.resize(at(context::body_count(model)));
     for (std::int32_t b = 0; b < context::body_count(model); ++b)
-        r.graph.group[at(b)] = part_by_hand(model, b);
+        r.graph.group[at(b)] = user_part(model, b);
 }
 
 /// Make groups from the model if there are none, or if the model has changed.
@@ -122,7 +122,7 @@ void make_groups(context::Model& model, const context::State& state) {
 }
 
 /// True if the groups must be updated before this step.
-bool due(const context::Model& model, const context::State& state) noexcept {
+bool update_is_due(const context::Model& model, const context::State& state) noexcept {
     const context::Regroup& r = model.regroup;
     if (model.def.regroup_every < 1 || !makes_groups(model) || state.step == r.seen) return false;
     const std::int64_t age = state.step - r.made;
@@ -155,12 +155,12 @@ void weigh_graph(context::Model& model, assembly::PartGraph& graph) {
     cut.clear();
     for (const context::Cut& c : model.cuts.list)
         if (c.open) cut.push_back(c.id);
-    graph.weigh(model.bodies, model.interactions, cut, model.def);
+    graph.compute_weights(model.bodies, model.interactions, cut, model.def);
     // Contacts of the last step are part of the state.
     for (std::size_t k = 0; k < model.collider.last_awake_count(); ++k)
         for (const std::int32_t s : model.collider.last_contacts()[k].shape)
             for (const std::int32_t b : model.collider.shapes()[at(s)].body)
-                if (b >= 0) graph.touch(b);
+                if (b >= 0) graph.add_contact_weight(b);
 }
 
 std::int64_t assign_groups(context::Model& model) {
@@ -168,7 +168,7 @@ std::int64_t assign_groups(context::Model& model) {
     std::int64_t moved = 0;
     model.cuts.group.resize(at(context::body_count(model)), 0);
     for (std::int32_t b = 0; b < context::body_count(model); ++b) {
-        const std::int32_t hand = part_by_hand(model, b);
+        const std::int32_t hand = user_part(model, b);
         const std::int32_t part = hand >= 0 ? hand : std::max(0, model.regroup.parts.part[at(b)]);
         moved += model.cuts.group[at(b)] != part ? 1 : 0;
         model.cuts.group[at(b)] = part;
@@ -183,7 +183,7 @@ void split_model(context::StepContext& ctx) {
 }
 
 Status regroup(context::StepContext& ctx) noexcept {
-    if (!due(ctx.model, ctx.state)) return Status::ok;
+    if (!update_is_due(ctx.model, ctx.state)) return Status::ok;
     context::Regroup& r = ctx.model.regroup;
     const context::StageTimer timer(ctx, Stage::graph);
     return context::guarded(ctx, [&] {

@@ -226,8 +226,8 @@ std::string StateVerifier::check_loss(const World& world, double kinetic_now) {
     moving_energy_ = energy;
     const double fraction = 1.0 - std::exp(-h / limit::kMean);
     // Joints that the scene or an edit opened dissipate energy until they are closed.
-    constexpr double kClosed = 0.01;
-    if (steps_ == 0 || gap_allowance_ > kClosed) {
+    constexpr double kMaxClosedGap = 0.01;
+    if (steps_ == 0 || gap_allowance_ > kMaxClosedGap) {
         mean_moving_ = most_ = left;
     } else {
         mean_moving_ += fraction * (left - mean_moving_);

@@ -52,11 +52,12 @@ class Linearised {
     /// mass-weighted; −1: the step failed.
     double apply(std::vector<Deviation>& d) {
         perturbed_.state().copy_from(world_);
-        for (std::size_t i = 0; i < bodies_.size(); ++i) apply_deviation(bodies_[i], kSmall * d[i]);
+        for (std::size_t i = 0; i < bodies_.size(); ++i)
+            apply_deviation(bodies_[i], kDeviationScale * d[i]);
         if (!is_ok_ || perturbed_.step() != Status::ok) return -1.0;
         double sum = 0.0;
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
-            const Deviation next = (1.0 / kSmall) * difference(bodies_[i]);
+            const Deviation next = (1.0 / kDeviationScale) * difference(bodies_[i]);
             sum += weight(bodies_[i]) * (next.v - d[i].v).squaredNorm();
             d[i] = next;
         }
@@ -75,7 +76,7 @@ class Linearised {
     [[nodiscard]] double weight(BodyId body) const { return world_.body_def(body).mass; }
 
   private:
-    static constexpr double kSmall =
+    static constexpr double kDeviationScale =
         1e-5;  ///< Scale of the differences [m/s]: far above rounding, far below motions.
 
     void apply_deviation(BodyId body, const Deviation& d) {
@@ -192,7 +193,7 @@ CouplingFigures CouplingObserver::result(const World& world, bool radius) const 
 }
 
 double spectral_radius(const World& world) {
-    constexpr int kIterations = 160, kHalf = kIterations / 2;
+    constexpr int kIterations = 160, kHalfIterations = kIterations / 2;
     Linearised step(world);
     std::vector<Deviation> d(step.size(), {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
     for (std::size_t i = 0; i < d.size(); ++i) {  // no symmetry, equal in each run
@@ -212,9 +213,9 @@ double spectral_radius(const World& world) {
         const double change = step.apply(d);
         if (change < 0.0) return HUGE_VAL;
         last = scale + std::log(change + 1e-300);
-        if (k == kHalf) middle = last;
+        if (k == kHalfIterations) middle = last;
     }
-    return std::exp((last - middle) / kHalf);
+    return std::exp((last - middle) / kHalfIterations);
 }
 
 }  // namespace hawser::verify

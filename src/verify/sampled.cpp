@@ -9,11 +9,11 @@ namespace {
 
 constexpr std::int64_t kEverySteps = 600;
 constexpr std::int64_t kAfterEvents = 300;  // Least distance of sampled intervals after events.
-constexpr int kWindow = 3;  // The first step only provides the changes of angular velocities.
+constexpr int kWindowSteps = 3;  // The first step only provides the changes of angular velocities.
 
 /// True if an event of this kind starts a sampled interval: events that change a world or break a
 /// part. Slack and taut lines are too frequent.
-bool opens_window(const Event& event) {
+bool starts_interval(const Event& event) {
     switch (event.kind) {
         case EventKind::slack:
         case EventKind::taut:
@@ -43,18 +43,19 @@ void SampledVerifier::before_step(const World& world) {
     if (!verifier_) return;
     if (steps_left_ == 0) {
         const std::int64_t since = world.step_count() - interval_begin_;
-        const bool ends = world.step_count() == last_ - kWindow;
+        const bool ends = world.step_count() == last_ - kWindowSteps;
         if (since < kEverySteps && !ends && !(events_happened_ && since >= kAfterEvents)) return;
         verifier_->begin_at(world);
         interval_begin_ = world.step_count();
-        steps_left_ = kWindow;
+        steps_left_ = kWindowSteps;
         events_happened_ = false;
     }
     verifier_->before_step(world);
 }
 
 void SampledVerifier::after_step(const World& world, std::span<const Event> events) {
-    events_happened_ = events_happened_ || std::any_of(events.begin(), events.end(), opens_window);
+    events_happened_ =
+        events_happened_ || std::any_of(events.begin(), events.end(), starts_interval);
     if (steps_left_ == 0 || !verifier_) return;
     --steps_left_;
     ++steps_;

@@ -64,9 +64,9 @@ void SeaVerifier::before_step(const World& world) {
 }
 
 double SeaVerifier::limit() const noexcept {
-    constexpr double kDouble = 1e-9, kSingle = 1e-5;
+    constexpr double kDoubleTolerance = 1e-9, kSingleTolerance = 1e-5;
     constexpr std::size_t kFewComponents = 16;  // that are summed in double precision
-    return waves_.size() > kFewComponents ? kSingle : kDouble;
+    return waves_.size() > kFewComponents ? kSingleTolerance : kDoubleTolerance;
 }
 
 double SeaVerifier::surface(double x, double y) const {
@@ -78,7 +78,7 @@ double SeaVerifier::surface(double x, double y) const {
 }
 
 SeaVerifier::Water SeaVerifier::water(const Vec3& x) const {
-    constexpr double kNothing = 45.0;  // e^−45 is below the last bit of a sum
+    constexpr double kMaxExponent = 45.0;  // e^−45 is below the last bit of a sum
     Water out;
     out.surface = level_;
     double cosine[kMaxWaveComponents], sine[kMaxWaveComponents];
@@ -96,10 +96,10 @@ SeaVerifier::Water SeaVerifier::water(const Vec3& x) const {
     for (std::size_t i = 0; i < waves_.size(); ++i) {
         const auto& [w, east, north, all] = waves_[i];
         const double k = w.wave_number, a = inputs_.waves * w.amplitude * w.frequency;
-        if (k * (d - down) > kNothing) continue;
+        if (k * (d - down) > kMaxExponent) continue;
         // cosh and sinh of k × height over sinh kd, where e^kd overflows too
         const double top = std::exp(k * (down - d));
-        const double low = k * (down + d) > kNothing ? 0.0 : std::exp(-k * (down + d));
+        const double low = k * (down + d) > kMaxExponent ? 0.0 : std::exp(-k * (down + d));
         const double c = (top + low) / all * a, s = (top - low) / all * a;
         const double level = c * cosine[i], turned = c * sine[i];
         out.flow += Vec3(level * east, level * north, s * sine[i]);

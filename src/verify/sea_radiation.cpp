@@ -46,10 +46,10 @@ std::vector<double> frequency_breaks(const WaveCoefficients& c) {
 /// Return K at m h, m = 0 … count − 1, with about five Gauss points per radian.
 std::vector<M6> retardation_kernel(const WaveCoefficients& c, double h, std::size_t count,
                                    double memory) {
-    constexpr double kAt[] = {-0.9061798459386640, -0.5384693101056831, 0.0, 0.5384693101056831,
-                              0.9061798459386640};
-    constexpr double kWeight[] = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889,
-                                  0.4786286704993665, 0.2369268850561891};
+    constexpr double kGaussPoints[] = {-0.9061798459386640, -0.5384693101056831, 0.0,
+                                       0.5384693101056831, 0.9061798459386640};
+    constexpr double kGaussWeights[] = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889,
+                                        0.4786286704993665, 0.2369268850561891};
     std::vector<M6> out(count, M6::Zero());
     const std::vector<double> ends = frequency_breaks(c);
     const double longest = h * static_cast<double>(count);
@@ -58,10 +58,11 @@ std::vector<M6> retardation_kernel(const WaveCoefficients& c, double h, std::siz
         const int panels = 1 + static_cast<int>(0.7 * wide * longest);
         for (int p = 0; p < panels; ++p)
             for (int g = 0; g < 5; ++g) {
-                const double omega = ends[i - 1] + wide / panels * (p + 0.5 + 0.5 * kAt[g]);
+                const double omega =
+                    ends[i - 1] + wide / panels * (p + 0.5 + 0.5 * kGaussPoints[g]);
                 const M6 b = damping_at(c, omega);
                 const M6 weight =
-                    kWeight[g] * wide / panels / kHalfTurn * 0.5 * (b + b.transpose());
+                    kGaussWeights[g] * wide / panels / kHalfTurn * 0.5 * (b + b.transpose());
                 for (std::size_t m = 0; m < count; ++m)
                     out[m] += std::cos(omega * static_cast<double>(m) * h) * weight;
             }

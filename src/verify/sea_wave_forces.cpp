@@ -81,14 +81,14 @@ Vec3 SeaVerifier::convection(const Vec3& x) const {
     };
     const Vec3 here(x.x(), x.y(), z), u = flow(here);
     Vec3 out = Vec3::Zero();
-    constexpr double kStep = 1e-3;
+    constexpr double kDifferenceStep = 1e-3;
     for (int k = 0; k < 3; ++k) {
         Vec3 e = Vec3::Zero();
-        e[k] = kStep;
+        e[k] = kDifferenceStep;
         out +=
             u[k] *
             (8.0 * (flow(here + e) - flow(here - e)) - (flow(here + 2 * e) - flow(here - 2 * e))) /
-            (12.0 * kStep);
+            (12.0 * kDifferenceStep);
     }
     return out;
 }

@@ -8,9 +8,9 @@
 namespace hawser {
 namespace {
 
-constexpr double kFlat = 1.2;  ///< C_N of a stalled plate, divided by sin α.
+constexpr double kStalledCoefficient = 1.2;  ///< C_N of a stalled plate, divided by sin α.
 constexpr double kStallWidth = std::numbers::pi / 18.0;  ///< From full lift to the plate [rad].
-constexpr double kReversed = 0.5;                        ///< Factor of the lift in reversed flow.
+constexpr double kReversedLift = 0.5;                    ///< Factor of the lift in reversed flow.
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 /// Fraction of the maximum revolutions below which a granted power limits the torque as at this
 /// speed. A shaft at rest needs torque but no power.
@@ -24,9 +24,9 @@ double rudder_normal(const RudderDef& rudder, double attack) noexcept {
     double lift = slope;
     if (a > 0.5 * std::numbers::pi) {
         a = std::numbers::pi - a;
-        lift *= kReversed;
+        lift *= kReversedLift;
     }
-    const double flat = std::min(kFlat, lift);
+    const double flat = std::min(kStalledCoefficient, lift);
     const double x = std::clamp((a - rudder.stall) / kStallWidth, 0.0, 1.0);
     return (lift + (flat - lift) * x * x * (3.0 - 2.0 * x)) * std::sin(attack);
 }

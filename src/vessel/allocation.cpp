@@ -12,8 +12,8 @@
 namespace hawser::vessel {
 namespace {
 
-constexpr double kMeet = 1e6;        ///< q for X and Y.
-constexpr double kMeetMoment = 4e6;  ///< q for N.
+constexpr double kForceErrorWeight = 1e6;  ///< q for X and Y.
+constexpr double kMeetMoment = 4e6;        ///< q for N.
 constexpr double kKeepSector =
     0.95;  ///< Relative cost below which a thruster leaves its present sector.
 constexpr double kNoForce =
@@ -109,7 +109,7 @@ void Allocation::add_limits(std::size_t i, double available, std::int32_t sector
 /// Set the cost function. The variables are forces divided by `force_`.
 void Allocation::set_cost(const Vec3& tau, int variables) noexcept {
     const Vec3 target(tau[0] / force_, tau[1] / force_, tau[2] / moment_);
-    const Vec3 weight(kMeet, kMeet, kMeetMoment);
+    const Vec3 weight(kForceErrorWeight, kForceErrorWeight, kMeetMoment);
     auto& h = program_.hessian();
     auto& g = program_.gradient();
     for (int i = 0; i < variables; ++i) {
@@ -147,7 +147,7 @@ double Allocation::program(const Vec3& tau, const double* available,
     }
     // Add the constant |S τ|², so that costs can be compared.
     const Vec3 target(tau[0] / force_, tau[1] / force_, tau[2] / moment_);
-    const double constant = kMeet * (target[0] * target[0] + target[1] * target[1]) +
+    const double constant = kForceErrorWeight * (target[0] * target[0] + target[1] * target[1]) +
                             kMeetMoment * target[2] * target[2];
     return x.dot(h.topLeftCorner(variables_, variables_) * x) + 2.0 * program_.gradient().dot(x) +
            constant;
@@ -198,7 +198,7 @@ void Allocation::thrust_at_fixed_angles(const Vec3& tau, const ThrusterNow* now,
     const int count = static_cast<int>(thrusters_.size());
     program_.begin(count);
     const Vec3 target(tau[0] / force_, tau[1] / force_, tau[2] / moment_);
-    const Vec3 weight(kMeet, kMeet, kMeetMoment);
+    const Vec3 weight(kForceErrorWeight, kForceErrorWeight, kMeetMoment);
     auto& h = program_.hessian();
     auto& g = program_.gradient();
     for (int i = 0; i < count; ++i) {

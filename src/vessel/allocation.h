@@ -96,7 +96,7 @@ class Allocation {
     std::vector<std::int32_t> first_;  ///< First variable of each thruster.
     std::vector<double> forces_;
     std::vector<std::int32_t> trial_sectors_;
-    Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, QuadraticProgram::kMaximum> effect_;
+    Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, QuadraticProgram::kMaxVariables> effect_;
     QuadraticProgram program_;
     double force_ = 1.0, moment_ = 1.0;  ///< Scales.
     int variables_ = 0;

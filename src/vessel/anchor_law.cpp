@@ -13,7 +13,7 @@
 namespace hawser {
 namespace {
 
-constexpr double kKip = 4448.2216152605;  ///< [N].
+constexpr double kNewtonPerKip = 4448.2216152605;  ///< [N].
 constexpr double kAnchorGravity = 9.80665;
 
 constexpr const char* kAnchorSoilNames[] = {"none", "soft_clay", "medium_clay", "sand"};
@@ -27,12 +27,12 @@ struct NavyLine {
     double clay = 0.0, clay_power = 0.0, sand = 0.0, sand_power = 0.0;
 };
 /// Table in the order of AnchorType, from stevpris on. Source: NCEL Techdata Sheet 83-08R.
-constexpr NavyLine kNavy[] = {{189.0, 0.92, 210.0, 0.94}, {189.0, 0.92, 210.0, 0.94},
-                              {32.0, 0.92, 250.0, 0.80},  {87.0, 0.92, 126.0, 0.80},
-                              {210.0, 0.94, 270.0, 0.94}, {210.0, 0.94, 250.0, 0.94},
-                              {250.0, 0.92, 0.0, 0.0},    {139.0, 0.92, 165.0, 0.80},
-                              {46.0, 0.92, 70.0, 0.80},   {24.0, 0.92, 0.0, 0.0}};
-static_assert(std::size(kNavy) + 2 == std::size(kAnchorTypeNames));
+constexpr NavyLine kNavyTable[] = {{189.0, 0.92, 210.0, 0.94}, {189.0, 0.92, 210.0, 0.94},
+                                   {32.0, 0.92, 250.0, 0.80},  {87.0, 0.92, 126.0, 0.80},
+                                   {210.0, 0.94, 270.0, 0.94}, {210.0, 0.94, 250.0, 0.94},
+                                   {250.0, 0.92, 0.0, 0.0},    {139.0, 0.92, 165.0, 0.80},
+                                   {46.0, 0.92, 70.0, 0.80},   {24.0, 0.92, 0.0, 0.0}};
+static_assert(std::size(kNavyTable) + 2 == std::size(kAnchorTypeNames));
 
 double vryhof_uhc(AnchorSoil soil, double mass) noexcept {
     constexpr double kFactor[] = {0.0, 509.96, 701.49, 904.21}, kPower[] = {0.0, 0.93, 0.93, 0.92};
@@ -49,13 +49,13 @@ double anchor_uhc(AnchorType type, AnchorSoil soil, double mass) noexcept {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     if (type == AnchorType::given || soil == AnchorSoil::none) return kNone;
     if (type == AnchorType::stevpris_mk6) return vryhof_uhc(soil, mass);
-    const NavyLine& line = kNavy[static_cast<std::size_t>(type) - 2];
+    const NavyLine& line = kNavyTable[static_cast<std::size_t>(type) - 2];
     if (soil == AnchorSoil::medium_clay) return kNone;
     const bool sand = soil == AnchorSoil::sand;
     const double at_ten = sand ? line.sand : line.clay;
     if (!(at_ten > 0.0)) return kNone;
-    const double weight = mass * kAnchorGravity / (10.0 * kKip);
-    return kKip * at_ten * std::pow(weight, sand ? line.sand_power : line.clay_power);
+    const double weight = mass * kAnchorGravity / (10.0 * kNewtonPerKip);
+    return kNewtonPerKip * at_ten * std::pow(weight, sand ? line.sand_power : line.clay_power);
 }
 
 double anchor_uplift(double angle) noexcept {

@@ -11,7 +11,7 @@
 namespace hawser::vessel {
 namespace {
 
-constexpr double kRests = 5.0;  ///< Time at rest after which dragging restarts from zero [s].
+constexpr double kMinRestTime = 5.0;  ///< Time at rest after which dragging restarts from zero [s].
 constexpr std::int32_t kMaxSteps = 1'000'000;
 constexpr double kAtBound = 1e-9;  ///< Relative distance of a sliding row's force to its bound.
 
@@ -165,7 +165,7 @@ void AnchorSystem::follow_drag(Prestep& now) noexcept {
         if (slides) drag_ += moved_;
         if (slides && dragging_ == 0) now.tell(EventKind::render, def_.body, tension_);
         still_steps_ = slides ? 0 : std::min(still_steps_ + 1, kMaxSteps);
-        dragging_ = slides || (dragging_ != 0 && still_steps_ * now.step < kRests) ? 1 : 0;
+        dragging_ = slides || (dragging_ != 0 && still_steps_ * now.step < kMinRestTime) ? 1 : 0;
         return;
     }
     dragging_ = 0;

@@ -68,7 +68,7 @@ class AnchorSystem final : public System {
     double drag_, previous_drag_ = 0.0, scraped_ = 0.0;
     std::int32_t set_, begun_ = 0, dragging_ = 0, on_ground_ = 0;
     std::int32_t still_steps_ =
-        0;  ///< Number of steps since the anchor last slid, limited to the steps of kRests.
+        0;  ///< Number of steps since the anchor last slid, limited to the steps of kMinRestTime.
     double last_[3] = {};      ///< Position of the point in the last step [m].
     double speed_[3] = {};     ///< Velocity of the body in the last step but one [m/s].
     double bound_[3] = {};     ///< Bounds of the sliding rows [N].

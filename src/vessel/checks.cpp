@@ -18,7 +18,7 @@
 namespace hawser::vessel {
 namespace {
 
-constexpr double kLong = 1e4, kStrong = 1e15, kHeavy = 1e18, kFast = 1e3;
+constexpr double kMaxLength = 1e4, kMaxForce = 1e15, kMaxMass = 1e18, kMaxSpeed = 1e3;
 
 /// Check the fields of one definition.
 class VesselFields {
@@ -35,7 +35,7 @@ class VesselFields {
                  number(value) + "; give a number from " + number(least) + " to " + number(most));
     }
     void point(const std::string& field, const Vec3& p) const {
-        if (!p.allFinite() || p.norm() > kLong) fail(field, "give a point within 10 km");
+        if (!p.allFinite() || p.norm() > kMaxLength) fail(field, "give a point within 10 km");
     }
     [[noreturn]] void fail(const std::string& field, const std::string& why) const {
         throw DefError("vessel '" + name_ + "': " + field + ": " + why);
@@ -54,7 +54,7 @@ void check_matrices(const VesselFields& f, const World& world, const VesselDef& 
          {std::pair<const char*, const Matrix6*>{"added_mass", &def.added_mass},
           {"damping", &def.damping},
           {"restoring", &def.restoring}})
-        if (!matrix->allFinite() || matrix->cwiseAbs().maxCoeff() > kHeavy)
+        if (!matrix->allFinite() || matrix->cwiseAbs().maxCoeff() > kMaxMass)
             f.fail(field, "give finite numbers up to 1e18");
     const auto least = [](const Matrix6& m) {
         return base::symmetric_eigenvalues(Matrix6(0.5 * (m + m.transpose()))).minCoeff();
@@ -73,9 +73,9 @@ void check_matrices(const VesselFields& f, const World& world, const VesselDef& 
 
 void check_polynomial(const VesselFields& f, const HullPolynomial& p) {
     if (p.terms.empty()) return;
-    f.positive("polynomial/length", p.length, kLong);
+    f.positive("polynomial/length", p.length, kMaxLength);
     if (p.scale == HullScale::speed) f.positive("polynomial/area", p.area, 1e8);
-    f.from("polynomial/speed", p.speed, 0.0, kFast);
+    f.from("polynomial/speed", p.speed, 0.0, kMaxSpeed);
     f.from("polynomial/most_turn", p.most_turn, 0.1, 100.0);
     for (std::size_t i = 0; i < p.terms.size(); ++i) {
         const HullTerm& t = p.terms[i];
@@ -99,8 +99,8 @@ void check_polynomial(const VesselFields& f, const HullPolynomial& p) {
 void check_current(const VesselFields& f, const VesselDef& def) {
     const CurrentLoad& c = def.current;
     if (c.points.empty()) return;
-    f.positive("current/length", c.length, kLong);
-    f.positive("current/draught", c.draught, kLong);
+    f.positive("current/length", c.length, kMaxLength);
+    f.positive("current/draught", c.draught, kMaxLength);
     if (c.points.size() < 2) f.fail("current/points", "give two points or more");
     for (std::size_t i = 0; i < c.points.size(); ++i) {
         const CurrentPoint& p = c.points[i];
@@ -118,22 +118,22 @@ void check_current(const VesselFields& f, const VesselDef& def) {
 void check_hull(const VesselFields& f, const VesselDef& def) {
     const HullResistance& r = def.resistance;
     for (std::size_t i = 0; i < r.curve.size(); ++i) {
-        f.from(at("resistance/curve", i, "speed"), r.curve[i].speed, 0.0, kFast);
-        f.from(at("resistance/curve", i, "resistance"), r.curve[i].resistance, 0.0, kStrong);
+        f.from(at("resistance/curve", i, "speed"), r.curve[i].speed, 0.0, kMaxSpeed);
+        f.from(at("resistance/curve", i, "resistance"), r.curve[i].resistance, 0.0, kMaxForce);
         if (i > 0 && !(r.curve[i].speed > r.curve[i - 1].speed))
             f.fail(at("resistance/curve", i, "speed"), "speeds have to ascend");
     }
     if (!r.curve.empty() && r.curve.front().speed != 0.0)
         f.fail("resistance/curve", "give the first point at speed 0");
     if (r.curve.size() == 1) f.fail("resistance/curve", "give two points or more");
-    f.from("resistance/linear", r.linear, 0.0, kStrong);
-    f.from("resistance/quadratic", r.quadratic, 0.0, kStrong);
-    f.positive("resistance/blend", r.blend, kFast);
+    f.from("resistance/linear", r.linear, 0.0, kMaxForce);
+    f.from("resistance/quadratic", r.quadratic, 0.0, kMaxForce);
+    f.positive("resistance/blend", r.blend, kMaxSpeed);
     const CrossFlow& c = def.cross_flow;
-    f.from("cross_flow/length", c.length, 0.0, kLong);
+    f.from("cross_flow/length", c.length, 0.0, kMaxLength);
     if (c.length > 0.0) {
-        f.positive("cross_flow/beam", c.beam, kLong);
-        f.positive("cross_flow/draught", c.draught, kLong);
+        f.positive("cross_flow/beam", c.beam, kMaxLength);
+        f.positive("cross_flow/draught", c.draught, kMaxLength);
         f.from("cross_flow/drag", c.drag, 0.0, 10.0);
         f.from("cross_flow/strips", c.strips, 1.0, 1000.0);
     }
@@ -143,9 +143,9 @@ void check_hull(const VesselFields& f, const VesselDef& def) {
     if (w.ship == WindShip::none) return;
     f.from("wind/frontal_area", w.frontal_area, 0.0, 1e6);
     f.positive("wind/lateral_area", w.lateral_area, 1e6);
-    f.positive("wind/length", w.length, kLong);
-    f.from("wind/centre", w.centre, -kLong, kLong);
-    f.from("wind/height", w.height, 0.0, kLong);
+    f.positive("wind/length", w.length, kMaxLength);
+    f.from("wind/centre", w.centre, -kMaxLength, kMaxLength);
+    f.from("wind/height", w.height, 0.0, kMaxLength);
     f.positive("wind/density", w.density, 1e3);
 }
 
@@ -157,7 +157,7 @@ void check_stern(const VesselFields& f, const VesselDef& def) {
     const MmgStern& m = def.mmg;
     f.from("mmg/diameter", m.diameter, 0.0, 100.0);
     if (m.diameter > 0.0) {
-        f.positive("mmg/length", m.length, kLong);
+        f.positive("mmg/length", m.length, kMaxLength);
         f.positive("mmg/rudder_area", m.rudder_area, 1e5);
         f.from("mmg/height_share", m.height_share, 0.0, 1.0);
         f.from("mmg/wake", m.wake, 0.0, 0.9);
@@ -169,7 +169,7 @@ void check_stern(const VesselFields& f, const VesselDef& def) {
     const SonNomotoStern& s = def.son_nomoto;
     f.from("son_nomoto/diameter", s.diameter, 0.0, 100.0);
     if (s.diameter > 0.0) {
-        f.positive("son_nomoto/length", s.length, kLong);
+        f.positive("son_nomoto/length", s.length, kMaxLength);
         f.positive("son_nomoto/rudder_area", s.rudder_area, 1e5);
         f.positive("son_nomoto/aspect", s.aspect, 100.0);
         finite("son_nomoto", {s.k0, s.k1, s.thrust_deduction, s.wake, s.wake_turn, s.propeller_x,
@@ -193,7 +193,7 @@ void check_propulsor(const VesselFields& f, const PropulsorDef& p, std::size_t i
     f.point(field("point"), p.point);
     f.from(field("ramp"), p.ramp, 0.0, 1e4);
     f.from(field("astern"), p.astern, 0.0, 1.0);
-    f.from(field("lost_at"), p.lost_at, 0.0, kFast);
+    f.from(field("lost_at"), p.lost_at, 0.0, kMaxSpeed);
     f.positive(field("turn_rate"), p.turn_rate, 100.0);
     f.from(field("most_angle"), p.most_angle, 0.0, 3.15);
     f.from(field("propeller/diameter"), p.propeller.diameter, 0.0, 100.0);
@@ -204,7 +204,7 @@ void check_propulsor(const VesselFields& f, const PropulsorDef& p, std::size_t i
     if (p.kind == PropulsorKind::cycloidal && p.propeller.diameter > 0.0)
         f.fail(field("propeller"), "a cycloidal propeller is ideal; give thrust");
     if (!(p.propeller.diameter > 0.0)) {
-        f.positive(field("thrust"), p.thrust, kStrong);
+        f.positive(field("thrust"), p.thrust, kMaxForce);
         if (p.controllable) f.fail(field("controllable"), "an ideal propulsor has no pitch");
         return;
     }
@@ -214,10 +214,10 @@ void check_propulsor(const VesselFields& f, const PropulsorDef& p, std::size_t i
     f.from(field("propeller/blades"), p.propeller.blades, 2.0, 10.0);
     f.from(field("wake"), p.wake, 0.0, 0.9);
     f.from(field("thrust_deduction"), p.thrust_deduction, 0.0, 0.9);
-    f.from(field("shaft_inertia"), p.shaft_inertia, 0.0, kHeavy);
+    f.from(field("shaft_inertia"), p.shaft_inertia, 0.0, kMaxMass);
     f.positive(field("response"), p.response, 1e4);
-    f.from(field("most_torque"), p.most_torque, 0.0, kStrong);
-    f.from(field("most_power"), p.most_power, 0.0, kStrong);
+    f.from(field("most_torque"), p.most_torque, 0.0, kMaxForce);
+    f.from(field("most_power"), p.most_power, 0.0, kMaxForce);
     f.from(field("pitch_time"), p.pitch_time, 0.0, 1e4);
     if ((p.most_torque > 0.0 || p.most_power > 0.0) && !(p.shaft_inertia > 0.0))
         f.fail(field("shaft_inertia"), "limits of torque and power need the inertia of the shaft");
@@ -285,7 +285,7 @@ void check_vessel(const World& world, const VesselDef& def) {
     if (const VesselDef* other = find_vessel(world, def.body); other != nullptr)
         f.fail("body", "it is the body of the vessel '" + other->name + "' already");
     f.point("origin", def.origin);
-    f.from("draught", def.draught, 0.0, kLong);
+    f.from("draught", def.draught, 0.0, kMaxLength);
     f.positive("density", def.density, 1e5);
     check_matrices(f, world, def);
     check_hull(f, def);

@@ -14,8 +14,8 @@ constexpr double kSmallDemand = 0.01;   ///< Fraction below which no failure is 
 /// Shortfall, as a fraction of the capacity, that stops an integral. It exceeds kSmallThrust: an
 /// azimuth that keeps its angle for a small thrust must not stop the integral, or the offset would
 /// remain.
-constexpr double kShort = 1.5 * kSmallThrust;
-constexpr double kBack = 0.8;             ///< Offset over the alarm that arms it again.
+constexpr double kMaxShortfall = 1.5 * kSmallThrust;
+constexpr double kAlarmHysteresis = 0.8;  ///< Offset over the alarm that arms it again.
 constexpr double kRudderSpeed = 1.5;      ///< Least speed at which a rudder steers [m/s].
 constexpr double kMeanTime = 20.0;        ///< Time constant of the demand for failures [s].
 constexpr double kSpeedRate = 0.05;       ///< Rate of the speed control [1/s].
@@ -175,7 +175,8 @@ void Control::integrate(const Vec3& tau, double h) noexcept {
     Vec3 adding = error_;
     for (int i = 0; i < 3; ++i) {
         const double lacking = tau[i] - allocated_[i];
-        if (std::abs(lacking) > kShort * largest_[i] && -adding[i] * lacking > 0.0) adding[i] = 0.0;
+        if (std::abs(lacking) > kMaxShortfall * largest_[i] && -adding[i] * lacking > 0.0)
+            adding[i] = 0.0;
     }
     if (m == ControlMode::heading) {
         sum_[2] += h * adding[2];
@@ -326,7 +327,7 @@ void Control::analyse_failure(Prestep& now, double h) noexcept {
         now.tell(EventKind::failure_critical, def_.body, worst_);
         critical_ = 1;
     }
-    if (worst_ < kBack * alarm || !holding) critical_ = 0;
+    if (worst_ < kAlarmHysteresis * alarm || !holding) critical_ = 0;
 }
 
 void Control::report(Prestep& now) noexcept {
@@ -343,7 +344,7 @@ void Control::report(Prestep& now) noexcept {
     const VesselControl& c = def_.control;
     const double over =
         std::max(distance / c.position_alarm, std::abs(offsets_[2]) / c.heading_alarm);
-    if (arrived_ == 0 && over < kBack) arrived_ = 1;
+    if (arrived_ == 0 && over < kAlarmHysteresis) arrived_ = 1;
     if (arrived_ == 1 && over > 1.0) {
         now.tell(EventKind::position_lost, def_.body, distance);
         arrived_ = 0;

@@ -85,9 +85,9 @@ void check_control(const World& world, const VesselDef& def) {
     control_range(def, "heading_alarm", c.heading_alarm, 1e-4, 3.2);
     control_range(def, "consequence_alarm", c.consequence_alarm, 1e-4, 1.0);
     control_range(def, "azimuth_cost", c.azimuth_cost, 1e-3, 1e3);
-    if (2 * def.propulsors.size() > static_cast<std::size_t>(QuadraticProgram::kMaximum))
+    if (2 * def.propulsors.size() > static_cast<std::size_t>(QuadraticProgram::kMaxVariables))
         throw DefError("vessel '" + def.name + "': propulsors: with control at most " +
-                       std::to_string(QuadraticProgram::kMaximum / 2));
+                       std::to_string(QuadraticProgram::kMaxVariables / 2));
     check_lists(def);
     check_names_of_signals(def);
     for (std::size_t i = 0; i < c.lines.size(); ++i)

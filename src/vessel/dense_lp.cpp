@@ -8,9 +8,9 @@
 namespace hawser::vessel {
 namespace {
 
-constexpr double kOptimal = 1e-11;  ///< Reduced cost that counts as 0.
-constexpr double kPivot = 1e-10;    ///< Smallest pivot.
-constexpr int kMaxPivots = 5000, kStalled = 60;
+constexpr double kOptimalityTolerance = 1e-11;  ///< Reduced cost that counts as 0.
+constexpr double kMinPivot = 1e-10;             ///< Smallest pivot.
+constexpr int kMaxPivots = 5000, kMaxStalledPivots = 60;
 
 }  // namespace
 
@@ -27,7 +27,7 @@ DenseLp::DenseLp(Eigen::Index variables, Eigen::Index equalities, Eigen::Index l
 
 Eigen::Index DenseLp::entering_column(const Eigen::VectorXd& reduced, bool first) const noexcept {
     Eigen::Index best = -1;
-    double most = kOptimal;
+    double most = kOptimalityTolerance;
     for (Eigen::Index j = 0; j < reduced.size(); ++j)
         if (reduced[j] > most) {
             best = j;
@@ -45,8 +45,8 @@ Eigen::Index DenseLp::leaving_row(Eigen::Index column, bool first) const noexcep
     for (Eigen::Index i = 0; i < rows_.rows(); ++i) {
         const double pivot = rows_(i, column);
         const auto at = static_cast<std::size_t>(i);
-        if (basis_[at] >= rows_.cols() && std::abs(pivot) > kPivot) return i;
-        if (!(pivot > kPivot)) continue;
+        if (basis_[at] >= rows_.cols() && std::abs(pivot) > kMinPivot) return i;
+        if (!(pivot > kMinPivot)) continue;
         const double ratio = std::max(right_[i], 0.0) / pivot;
         const bool tie = best >= 0 && ratio == least;
         const bool lower = tie && basis_[at] < basis_[static_cast<std::size_t>(best)];
@@ -68,7 +68,7 @@ bool DenseLp::solve() {
     double value = 0.0;
     int stalled = 0;
     for (int pivots = 0; pivots < kMaxPivots; ++pivots) {
-        const bool first = stalled > kStalled;
+        const bool first = stalled > kMaxStalledPivots;
         const Eigen::Index column = entering_column(reduced, first);
         if (column < 0) {
             value_ = value;

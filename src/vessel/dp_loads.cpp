@@ -162,13 +162,13 @@ double dp_ventilation(const DpShip& ship, const DpThruster& thruster, const DpCo
 }
 
 DpRudderForce dp_rudder_force(const DpThruster& thruster, double angle) noexcept {
-    constexpr double kProfiles[] = {1.1, 1.35, 1.1, 1.4, 1.65, 1.9, 1.21};
-    static_assert(sizeof kProfiles / sizeof kProfiles[0] == kDpRudderProfiles);
-    constexpr double kMaxAngle = 30.0, kNozzle = 1.15;
+    constexpr double kProfileFactors[] = {1.1, 1.35, 1.1, 1.4, 1.65, 1.9, 1.21};
+    static_assert(sizeof kProfileFactors / sizeof kProfileFactors[0] == kDpRudderProfiles);
+    constexpr double kMaxAngle = 30.0, kNozzleFactor = 1.15;
     const double degrees = std::clamp(angle * 180.0 / kDpPi, -kMaxAngle, kMaxAngle);
-    double slope = 0.0126 * kProfiles[static_cast<std::size_t>(thruster.rudder.profile)] *
+    double slope = 0.0126 * kProfileFactors[static_cast<std::size_t>(thruster.rudder.profile)] *
                    thruster.rudder.area / (thruster.diameter * thruster.diameter);
-    if (thruster.propeller == DpPropeller::ducted) slope *= kNozzle;
+    if (thruster.propeller == DpPropeller::ducted) slope *= kNozzleFactor;
     return {1.0 - 0.02 * slope * degrees * degrees, slope * degrees};
 }
 

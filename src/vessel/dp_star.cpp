@@ -10,10 +10,10 @@ namespace hawser {
 namespace {
 
 constexpr double kStarPi = std::numbers::pi, kTurn = 2.0 * std::numbers::pi;
-constexpr double kMiscellaneous = 0.9;  ///< β_misc.
+constexpr double kMiscellaneousFactor = 0.9;  ///< β_misc.
 /// Angle between vertices in the dip of a skeg [rad].
 constexpr double kDipArc = std::numbers::pi / 180;
-constexpr double kWidest = std::numbers::pi;  ///< Maximum width of a fan [rad].
+constexpr double kMaxFanWidth = std::numbers::pi;  ///< Maximum width of a fan [rad].
 
 /// Return the equivalent angle in 0 … 2π.
 double positive_angle(double a) noexcept {
@@ -176,7 +176,7 @@ void cut_fans(const std::vector<Force2>& chain, std::vector<Fan>& out) {
                 const Force2 a = last - before, b = p - last;
                 concave = cross(a, b) < -1e-9 * a.norm() * b.norm();
             }
-            if (concave || turned + step > kWidest) {
+            if (concave || turned + step > kMaxFanWidth) {
                 out.push_back(fan);
                 fan.vertices = {last};
                 turned = 0.0;
@@ -267,13 +267,13 @@ double utilisation_factor(const Fan& fan, const Force2& f) noexcept {
     const auto& v = fan.vertices;
     const double size = f.norm();
     if (size == 0.0) return 0.0;
-    constexpr double kAside = 1e-9;
-    if (v.size() == 1 ||
-        (v.size() == 2 && std::abs(cross(v[0], v[1])) <= kAside * v[0].norm() * v[1].norm())) {
+    constexpr double kParallelTolerance = 1e-9;
+    if (v.size() == 1 || (v.size() == 2 && std::abs(cross(v[0], v[1])) <=
+                                               kParallelTolerance * v[0].norm() * v[1].norm())) {
         double best = kNone;
         for (const Force2& p : v)
             if (p.norm() > 0.0 && p.dot(f) > 0.0 &&
-                std::abs(cross(p, f)) <= kAside * p.norm() * size)
+                std::abs(cross(p, f)) <= kParallelTolerance * p.norm() * size)
                 best = std::min(best, size / p.norm());
         return best;
     }
@@ -283,7 +283,7 @@ double utilisation_factor(const Fan& fan, const Force2& f) noexcept {
         const double area = cross(a, b);
         if (!(area > 0.0)) continue;
         const double wa = cross(f, b) / area, wb = cross(a, f) / area;
-        const double slack = kAside * size / std::max(a.norm(), b.norm());
+        const double slack = kParallelTolerance * size / std::max(a.norm(), b.norm());
         if (wa >= -slack && wb >= -slack)
             best = std::min(best, std::max(wa, 0.0) + std::max(wb, 0.0));
     }
@@ -309,7 +309,7 @@ Star capacity_star(const DpShip& ship, std::size_t thruster, const DpCondition& 
             if (name == t.name) out.board = static_cast<int>(b);
     if (!is_intact(failed, thruster)) return out;
     const auto capacity = [&](bool astern) {
-        return kMiscellaneous * dp_nominal_thrust(t, astern) *
+        return kMiscellaneousFactor * dp_nominal_thrust(t, astern) *
                dp_ventilation(ship, t, at, from, astern);
     };
     const double ahead = capacity(false);

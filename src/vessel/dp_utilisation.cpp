@@ -12,7 +12,7 @@ namespace hawser::vessel {
 namespace {
 
 constexpr double kNoUtilisation = std::numeric_limits<double>::infinity();
-constexpr double kExact = 1e-7;  ///< Relative gap at which the search ends.
+constexpr double kMaxGap = 1e-7;  ///< Relative gap at which the search ends.
 
 /// Fans that each thruster may use.
 using Node = std::vector<std::pair<std::size_t, std::size_t>>;
@@ -101,7 +101,7 @@ class Search {
             bool met = true;
             for (std::size_t b = 0; b < boards_.size(); ++b) {
                 const int board = static_cast<int>(b);
-                if (power(board, out.fractions) <= boards_[b] * (1.0 + kExact)) continue;
+                if (power(board, out.fractions) <= boards_[b] * (1.0 + kMaxGap)) continue;
                 cuts_.push_back(tangent(board, out.fractions));
                 met = false;
             }
@@ -151,7 +151,7 @@ class Search {
         Relaxed r;
         if (!solve_relaxation(node, r)) return;
         const double bound = 1.0 / r.scale;
-        if (bound >= best_.value * (1.0 - kExact)) return;
+        if (bound >= best_.value * (1.0 - kMaxGap)) return;
         std::vector<double> fractions(stars_.size(), 0.0);
         double most = 0.0;
         std::size_t branch = stars_.size();
@@ -171,7 +171,7 @@ class Search {
                 most, std::pow(power(static_cast<int>(b), fractions) / boards_[b], 2.0 / 3.0));
         const double reached = std::max(bound, bound * most);
         if (reached < best_.value) store_relaxed(r, reached, fractions);
-        if (branch == stars_.size() || reached <= bound * (1.0 + kExact)) return;
+        if (branch == stars_.size() || reached <= bound * (1.0 + kMaxGap)) return;
         const auto [first, last] = node[branch];
         Node left = node, right = node;
         left[branch].second = right[branch].first = first + (last - first) / 2;

@@ -10,33 +10,33 @@ namespace hawser {
 namespace {
 
 /// Curve of Hoerner: pairs of B/(2T) and C_d.
-constexpr double kHoerner[][2] = {
+constexpr double kHoernerCurve[][2] = {
     {0.0109, 1.9661},  {0.1766, 1.9657},  {0.3530, 1.8976},  {0.4519, 1.7872},  {0.4728, 1.5837},
     {0.4929, 1.2786},  {0.4933, 1.2108},  {0.5585, 1.0836},  {0.6464, 0.99863}, {0.8336, 0.87959},
     {0.9880, 0.82842}, {1.3081, 0.75994}, {1.6392, 0.69144}, {1.8600, 0.65708}, {2.3129, 0.63069},
     {2.6000, 0.59619}, {3.0088, 0.58685}, {3.4508, 0.58591}, {3.7379, 0.55988}, {4.0031, 0.55932}};
-constexpr std::size_t kHoernerPoints = sizeof kHoerner / sizeof kHoerner[0];
+constexpr std::size_t kHoernerPoints = sizeof kHoernerCurve / sizeof kHoernerCurve[0];
 
-constexpr std::string_view kLetters = "uvrpfdnbVRDNB";
+constexpr std::string_view kVariableLetters = "uvrpfdnbVRDNB";
 /// Half the width of the blend between ahead and astern motion, over U.
 constexpr double kAsternBlend = 0.1;
 
 }  // namespace
 
 double hoerner_drag(double ratio) noexcept {
-    if (!(ratio > kHoerner[0][0])) return kHoerner[0][1];
+    if (!(ratio > kHoernerCurve[0][0])) return kHoernerCurve[0][1];
     for (std::size_t i = 1; i < kHoernerPoints; ++i) {
-        const double* a = kHoerner[i - 1];
-        const double* b = kHoerner[i];
+        const double* a = kHoernerCurve[i - 1];
+        const double* b = kHoernerCurve[i];
         if (ratio <= b[0]) return a[1] + (b[1] - a[1]) * (ratio - a[0]) / (b[0] - a[0]);
     }
-    return kHoerner[kHoernerPoints - 1][1];
+    return kHoernerCurve[kHoernerPoints - 1][1];
 }
 
 namespace vessel {
 
 int variable_of(char letter) noexcept {
-    const auto at = kLetters.find(letter);
+    const auto at = kVariableLetters.find(letter);
     return at == std::string_view::npos ? -1 : static_cast<int>(at);
 }
 

@@ -30,7 +30,7 @@ enum Variable : std::uint8_t {
     kAbsRevolutions,
     kAbsDrift
 };
-inline constexpr int kVariables = 13;
+inline constexpr int kVariableCount = 13;
 inline constexpr std::size_t kMaxPowers = 8;
 
 /// Return the index of the variable that a letter of a polynomial term denotes; −1 if there is
@@ -54,7 +54,7 @@ class Polynomial {
         bool propulsive =
             false;  ///< True if the term balances the propeller; equal ahead and astern.
     };
-    using Values = std::array<double, kVariables>;
+    using Values = std::array<double, kVariableCount>;
     [[nodiscard]] double value(const Term& term, const Values& at) const noexcept;
     [[nodiscard]] Wrench sum(const Values& at, double ahead, double astern_u) const noexcept;
     [[nodiscard]] Wrench by_speed(const Flow& flow) const noexcept;

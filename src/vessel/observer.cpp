@@ -10,9 +10,9 @@
 namespace hawser::vessel {
 namespace {
 
-constexpr double kCutoff = 1.22;        ///< ω_c over the wave frequency.
+constexpr double kCutoffRatio = 1.22;   ///< ω_c over the wave frequency.
 constexpr double kWaveDamping = 0.1;    ///< Damping ratio of the wave model.
-constexpr double kNotch = 1.0;          ///< Damping ratio of the notch.
+constexpr double kNotchDamping = 1.0;   ///< Damping ratio of the notch.
 constexpr double kVelocityGain = 0.15;  ///< K_4 over M ω_c².
 constexpr double kBiasTime = 60.0;      ///< K_4 over K_3 [s].
 
@@ -39,14 +39,14 @@ void Observer::start(const Planar& measured) noexcept {
 }
 
 void Observer::step(const Planar& measured, const Vec3& force, double h) noexcept {
-    const double w = frequency_, cut = kCutoff * w;
+    const double w = frequency_, cut = kCutoffRatio * w;
     const double heading = measured.planar_position[2];
     Vec3 error = measured.planar_position - low_frequency_.planar_position - swell_rate_;
     error[2] =
         wrapped(measured.planar_position[2] - low_frequency_.planar_position[2] - swell_rate_[2]);
     // Gains of the wave model place a notch at ω_0 (Fossen and Strand).
-    const double k1 = -2.0 * (kNotch - kWaveDamping) * kCutoff;
-    const double k2 = 2.0 * w * (kNotch - kWaveDamping);
+    const double k1 = -2.0 * (kNotchDamping - kWaveDamping) * kCutoffRatio;
+    const double k2 = 2.0 * w * (kNotchDamping - kWaveDamping);
     const Vec3 rate = low_frequency_.motion, error_ship = to_ship(error, heading);
     const Vec3 accelerating = kVelocityGain * cut * cut * error_ship;
     const Vec3 acceleration =

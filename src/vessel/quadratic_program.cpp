@@ -8,8 +8,8 @@
 namespace hawser::vessel {
 namespace {
 
-constexpr double kMet = 1e-10;  ///< Violation that counts as 0.
-constexpr double kDependent =
+constexpr double kMetTolerance = 1e-10;  ///< Violation that counts as 0.
+constexpr double kDependentSquare =
     1e-14;  ///< Squared independent part of a normal below which it depends on the active ones.
 constexpr int kMaxRounds = 400;
 
@@ -31,7 +31,7 @@ double QuadraticProgram::violation(const Constraint& c) const noexcept {
 
 int QuadraticProgram::max_violated() const noexcept {
     int worst = -1;
-    double most = kMet;
+    double most = kMetTolerance;
     for (std::size_t k = 0; k < constraints_.size(); ++k) {
         const double v = violation(constraints_[k]);
         if (v > most) {
@@ -105,7 +105,8 @@ bool QuadraticProgram::add_active(int index) noexcept {
                 least = multipliers_[i] / slopes_[i];
                 blocking = i;
             }
-        const bool independent = square > kDependent * std::max(normal_.squaredNorm(), 1e-300);
+        const bool independent =
+            square > kDependentSquare * std::max(normal_.squaredNorm(), 1e-300);
         const double over = violation(constraints_[static_cast<std::size_t>(index)]);
         const double full = independent ? over / square : std::numeric_limits<double>::infinity();
         const double t = std::min(least, full);

@@ -19,9 +19,10 @@ namespace hawser::vessel {
 /// variables and is stored as such. All memory is of fixed size.
 class QuadraticProgram {
   public:
-    static constexpr int kMaximum = 40;  ///< Variables.
-    using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaximum, 1>;
-    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaximum, kMaximum>;
+    static constexpr int kMaxVariables = 40;  ///< Variables.
+    using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxVariables, 1>;
+    using Matrix =
+        Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxVariables, kMaxVariables>;
 
     /// a x_first + b x_second ≤ bound; second = −1: one variable.
     struct Constraint {
@@ -30,7 +31,7 @@ class QuadraticProgram {
     };
 
     /// Remove all data and set the number of variables.
-    /// @param variables  At most kMaximum.
+    /// @param variables  At most kMaxVariables.
     void begin(int variables);
     /// Reserve memory for constraints. Call before warm steps.
     void reserve(std::size_t constraints) { constraints_.reserve(constraints); }
@@ -56,7 +57,7 @@ class QuadraticProgram {
     Matrix hessian_, factor_, columns_,
         gram_;  ///< L of H, L⁻¹N of active normals, its Gram matrix.
     Vector gradient_, x_, multipliers_, step_, slopes_, normal_;
-    std::array<int, kMaximum> active_{};
+    std::array<int, kMaxVariables> active_{};
     std::vector<Constraint> constraints_;
 };
 

@@ -23,17 +23,18 @@ void set_body(PublishedShip& ship, const MainSizes& sizes, double roll_radius, d
 }
 
 void set_default_stability(PublishedShip& ship, const MainSizes& s, bool roll) {
-    constexpr double kGravity = 9.81, kWaterplane = 0.85, kMetacentre = 0.05, kRatio = 0.2;
+    constexpr double kGravity = 9.81, kWaterplaneCoefficient = 0.85, kMetacentreOverBeam = 0.05,
+                     kHeaveDampingRatio = 0.2;
     Matrix6& g = ship.vessel.restoring;
     Matrix6& d = ship.vessel.damping;
-    const double plane = kWaterplane * s.length * s.beam;
+    const double plane = kWaterplaneCoefficient * s.length * s.beam;
     g(2, 2) = s.density * kGravity * plane;
-    if (roll) g(3, 3) = s.mass * kGravity * kMetacentre * s.beam;
+    if (roll) g(3, 3) = s.mass * kGravity * kMetacentreOverBeam * s.beam;
     g(4, 4) = s.density * kGravity * plane * s.length * s.length / 14.0;
     // Use the rigid-body mass, because added masses of these motions are not published.
-    d(2, 2) = 2.0 * kRatio * std::sqrt(g(2, 2) * s.mass);
-    if (roll) d(3, 3) = 2.0 * kRatio * std::sqrt(g(3, 3) * ship.body.inertia(0, 0));
-    d(4, 4) = 2.0 * kRatio * std::sqrt(g(4, 4) * ship.body.inertia(1, 1));
+    d(2, 2) = 2.0 * kHeaveDampingRatio * std::sqrt(g(2, 2) * s.mass);
+    if (roll) d(3, 3) = 2.0 * kHeaveDampingRatio * std::sqrt(g(3, 3) * ship.body.inertia(0, 0));
+    d(4, 4) = 2.0 * kHeaveDampingRatio * std::sqrt(g(4, 4) * ship.body.inertia(1, 1));
 }
 
 }  // namespace vessel
@@ -49,7 +50,7 @@ struct KvlccSizes {
     MainSizes sizes;
     double volume, centre, diameter, rudder_height, rudder_area, wake, speed, rps;
 };
-constexpr KvlccSizes kKvlcc[] = {
+constexpr KvlccSizes kKvlccScales[] = {
     {"kvlcc2_l7", {7.0, 1.27, 0.46}, 3.27, 0.25, 0.216, 0.345, 0.0539, 0.40, 1.179, 11.8516},
     {"kvlcc2_l3", {2.902, 0.527, 0.189}, 0.235, 0.102, 0.090, 0.144, 0.00928, 0.40, 0.76, 18.1946},
     {"kvlcc2", {320.0, 58.0, 20.8}, 312600.0, 11.2, 9.86, 15.8, 112.5, 0.35, 7.9739, 1.77851}};
@@ -97,7 +98,7 @@ void set_kvlcc_stern(MmgStern& m, const KvlccSizes& k) {
 }  // namespace
 
 PublishedShip kvlcc2(KvlccScale scale) {
-    const KvlccSizes& from = kKvlcc[static_cast<std::size_t>(scale)];
+    const KvlccSizes& from = kKvlccScales[static_cast<std::size_t>(scale)];
     PublishedShip ship;
     VesselDef& v = ship.vessel;
     v.name = from.name;

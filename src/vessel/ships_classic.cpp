@@ -16,7 +16,7 @@ namespace {
 using vessel::MainSizes;
 using enum HullAxis;
 
-constexpr double kDegree = std::numbers::pi / 180.0, kWater = 1025.0;
+constexpr double kDegree = std::numbers::pi / 180.0, kWaterDensity = 1025.0;
 
 std::vector<HullTerm> mariner_terms() {
     std::vector<HullTerm> terms = {
@@ -159,7 +159,7 @@ PublishedShip mariner() {
     v.name = "mariner";
     ship.speed = 7.7175;
     MainSizes sizes{160.93, 23.17, 8.23};
-    const double length = sizes.length, unit = 0.5 * kWater * std::pow(length, 3);
+    const double length = sizes.length, unit = 0.5 * kWaterDensity * std::pow(length, 3);
     const double centre = -0.023 * length;
     sizes.mass = 798e-5 * unit;
     const double yaw = 39.2e-5 * unit * length * length / sizes.mass - centre * centre;
@@ -188,7 +188,7 @@ PublishedShip s175() {
     v.name = "s175";
     ship.speed = 8.37666;
     MainSizes sizes{175.0, 25.4, 8.5};
-    const double length = sizes.length, unit = 0.5 * kWater * std::pow(length, 3);
+    const double length = sizes.length, unit = 0.5 * kWaterDensity * std::pow(length, 3);
     const double square = unit * length * length;
     sizes.mass = 0.00792 * unit;
     vessel::set_body(ship, sizes, std::sqrt(1.76e-5 * square / sizes.mass),
@@ -207,8 +207,8 @@ PublishedShip s175() {
     v.steering = {
         .most_angle = 35.0 * kDegree, .rate = 5.0 * kDegree, .lag = 1.0, .rps = 80.0 / 60.0};
     vessel::set_default_stability(ship, sizes, false);
-    constexpr double kGravity = 9.81, kVolume = 21222.0, kMetacentre = 0.3;
-    v.restoring(3, 3) = kWater * kGravity * kVolume * kMetacentre;
+    constexpr double kGravity = 9.81, kDisplacedVolume = 21222.0, kMetacentricHeight = 0.3;
+    v.restoring(3, 3) = kWaterDensity * kGravity * kDisplacedVolume * kMetacentricHeight;
     return ship;
 }
 
@@ -222,9 +222,9 @@ PublishedShip esso_190k(double depth) {
     v.name = "esso_190k";
     MainSizes sizes{304.8, 47.17, kDraught};
     const double length = sizes.length, z = kDraught / (depth - kDraught);
-    constexpr double kRps = 80.0 / 60.0, kVolume = 220000.0;
-    ship.speed = esso_speed(length, z, kRps);
-    sizes.mass = kWater * kVolume;
+    constexpr double kPropellerSpeed = 80.0 / 60.0, kDisplacedVolume = 220000.0;
+    ship.speed = esso_speed(length, z, kPropellerSpeed);
+    sizes.mass = kWaterDensity * kDisplacedVolume;
     vessel::set_body(ship, sizes, 0.35 * sizes.beam, 0.25 * length);
     v.added_mass(0, 0) = (0.05 + 0.05 * z) * sizes.mass;
     v.added_mass(1, 1) = (1.02 + 0.387 * z) * sizes.mass;
@@ -238,7 +238,7 @@ PublishedShip esso_190k(double depth) {
     v.steering = {.most_angle = 35.0 * kDegree,
                   .rate = 2.33 * kDegree,
                   .lag = 1.0,
-                  .rps = kRps,
+                  .rps = kPropellerSpeed,
                   .shaft_lag = 50.0};
     vessel::set_default_stability(ship, sizes, true);
     return ship;
@@ -250,7 +250,7 @@ PublishedShip osv() {
     v.name = "osv";
     MainSizes sizes{83.0, 18.0, 5.0};
     const double length = sizes.length, beam = sizes.beam;
-    sizes.mass = kWater * length * beam * sizes.draught * 0.65;
+    sizes.mass = kWaterDensity * length * beam * sizes.draught * 0.65;
     vessel::set_body(ship, sizes, 0.35 * beam, 0.25 * length);
     ship.body.position = {-4.5, 0.0, 1.2};
     v.origin = {4.5, 0.0, -1.2};

@@ -26,8 +26,9 @@ namespace hawser::vessel {
 namespace {
 
 constexpr double kRightAngle = 0.5 * std::numbers::pi;
-constexpr double kHeavier = 1.15;  ///< Second displacement of the table, relative to the first.
-constexpr int kSamples = 180;      ///< Number of samples of the residual area, from 0 to 90°.
+constexpr double kSecondDisplacement =
+    1.15;                          ///< Second displacement of the table, relative to the first.
+constexpr int kAreaSamples = 180;  ///< Number of samples of the residual area, from 0 to 90°.
 
 /// Return the value of a table from 0 to 90° by cubics through four neighbours.
 template <std::size_t N>
@@ -43,16 +44,16 @@ double interpolate_cubic(const std::array<double, N>& y, double heel) {
 
 StabilityCurve::StabilityCurve(const StabilityDef& def, const HullMesh& mesh, double density)
     : def_(def), has_mesh_(!mesh.triangles.empty()), half_breadth_(1e4) {
-    for (int k = 0; k < kAngles; ++k) {
-        const double heel = kRightAngle * k / (kAngles - 1);
+    for (int k = 0; k < kHeelAngles; ++k) {
+        const double heel = kRightAngle * k / (kHeelAngles - 1);
         const auto i = static_cast<std::size_t>(k);
         light_[i] =
             has_mesh_ ? righting_lever(mesh, def_.mass, density, heel) : def_.gm * std::sin(heel);
-        heavy_[i] =
-            has_mesh_ ? righting_lever(mesh, kHeavier * def_.mass, density, heel) : light_[i];
+        heavy_[i] = has_mesh_ ? righting_lever(mesh, kSecondDisplacement * def_.mass, density, heel)
+                              : light_[i];
     }
-    for (int k = 0; k <= kSamples; ++k) {
-        const double heel = kRightAngle * k / kSamples, gz = lever(heel, 0.0);
+    for (int k = 0; k <= kAreaSamples; ++k) {
+        const double heel = kRightAngle * k / kAreaSamples, gz = lever(heel, 0.0);
         if (gz > most_[0]) most_ = {gz, heel};
     }
     while (half_angle_ < most_[1] && lever(half_angle_, 0.0) < 0.5 * most_[0])
@@ -69,7 +70,7 @@ StabilityCurve::StabilityCurve(const StabilityDef& def, const HullMesh& mesh, do
 }
 
 double StabilityCurve::lever(double heel, double added) const noexcept {
-    const double share = added / ((kHeavier - 1.0) * def_.mass);
+    const double share = added / ((kSecondDisplacement - 1.0) * def_.mass);
     const double light = interpolate_cubic(light_, heel);
     const double mesh = light + share * (interpolate_cubic(heavy_, heel) - light);
     // The mesh has its centre of mass at the origin, the added weight at the pin's height.
@@ -78,8 +79,8 @@ double StabilityCurve::lever(double heel, double added) const noexcept {
 }
 
 double StabilityCurve::towline_offset(double alpha) const noexcept {
-    constexpr double kSteepest = 1.5;  // beyond, the wire leaves over the side
-    const double across = std::min(std::abs(alpha), kSteepest);
+    constexpr double kMaxTowAngle = 1.5;  // beyond, the wire leaves over the side
+    const double across = std::min(std::abs(alpha), kMaxTowAngle);
     const double y =
         std::abs(def_.pin.y()) + std::max(def_.pin.x() - def_.stern_x, 0.0) * std::tan(across);
     return std::min(y, std::max(half_breadth_, std::abs(def_.pin.y())));
@@ -91,11 +92,11 @@ double StabilityCurve::free_stern(double added) const noexcept {
 
 StabilityCurve::Residual StabilityCurve::residual(double wire, double added) const noexcept {
     const double last = std::isnan(def_.flooding) ? kRightAngle : def_.flooding;
-    const double step = kRightAngle / kSamples;
+    const double step = kRightAngle / kAreaSamples;
     Residual out{std::numeric_limits<double>::quiet_NaN(), 0.0,
                  -std::numeric_limits<double>::infinity()};
     double before = -wire, first = out.first;
-    for (int k = 0; k <= kSamples; ++k) {
+    for (int k = 0; k <= kAreaSamples; ++k) {
         const double heel = k * step, over = lever(heel, added) - wire * std::cos(heel);
         out.lever = std::max(out.lever, heel <= last ? over : out.lever);
         const bool upright = std::isnan(first);

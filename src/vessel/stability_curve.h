@@ -23,7 +23,7 @@ class StabilityCurve {
     /// [m]. @param added  [kg].
     [[nodiscard]] double lever(double heel, double added) const noexcept;
     /// Return the largest GZ of the ship alone [m] and its angle [rad].
-    [[nodiscard]] std::array<double, 2> most() const noexcept { return most_; }
+    [[nodiscard]] std::array<double, 2> max_lever() const noexcept { return most_; }
     /// Return y of the towline's point, y₀ + x tan α, limited to the half breadth of the mesh [m].
     [[nodiscard]] double towline_offset(double alpha) const noexcept;
     /// Return the height h of the pin above the line of thrust [m].
@@ -36,8 +36,8 @@ class StabilityCurve {
     [[nodiscard]] const StabilityDef& def() const noexcept { return def_; }
 
   private:
-    static constexpr int kAngles = 61;  ///< From 0 to 90°.
-    using Levers = std::array<double, kAngles>;
+    static constexpr int kHeelAngles = 61;  ///< From 0 to 90°.
+    using Levers = std::array<double, kHeelAngles>;
     struct Residual {
         double first, area, lever;
     };
@@ -46,7 +46,7 @@ class StabilityCurve {
     [[nodiscard]] Residual residual(double lever_of_wire, double added) const noexcept;
 
     StabilityDef def_;
-    Levers light_{}, heavy_{};  ///< GZ of the mesh at the mass and at kHeavier times it.
+    Levers light_{}, heavy_{};  ///< GZ of the mesh at the mass and at kSecondDisplacement times it.
     bool has_mesh_ = false;
     std::array<double, 2> most_{};
     double half_angle_ = 0.0;  ///< Heel with half of the largest GZ [rad].

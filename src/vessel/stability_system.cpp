@@ -32,8 +32,8 @@ Vec3 with_length(const Vec3& direction, double length) noexcept {
 
 StabilitySystem::StabilitySystem(std::shared_ptr<const StabilityCurve> curve)
     : curve_(std::move(curve)) {
-    gz_max_ = curve_->most()[0];
-    gz_max_angle_ = curve_->most()[1];
+    gz_max_ = curve_->max_lever()[0];
+    gz_max_angle_ = curve_->max_lever()[1];
 }
 
 void StabilitySystem::visit_state(StateVisitor& v) {
@@ -164,7 +164,7 @@ void StabilitySystem::update_alarms(Prestep& now) noexcept {
 void StabilitySystem::prestep(Prestep& now, Loads&) noexcept {
     read_wires(now.world);
     read_ship(now.world);
-    if (begun_ == 0 || now.count % kRenew == 0) {
+    if (begun_ == 0 || now.count % kStepsBetweenUpdates == 0) {
         constexpr int kHalvings = 24;  // bisections of the weight, to 1e-7 of it
         permissible_tension_ = curve_->permissible_tension_at(alpha_, beta_, kHalvings);
         const double next = std::max(permissible_tension_ * (1.0 + 1e-6), 1.0);
@@ -175,9 +175,10 @@ void StabilitySystem::prestep(Prestep& now, Loads&) noexcept {
         residual_ = of.residual_lever;
         begun_ = 1;
     }
-    constexpr double kOverloaded = 1e3;  // utilisation if nothing is permissible
-    used_ = permissible_tension_ > 0.0 ? std::min(tension_ / permissible_tension_, kOverloaded)
-                                       : (tension_ > 0.0 ? kOverloaded : 0.0);
+    constexpr double kOverloadedUtilisation = 1e3;  // utilisation if nothing is permissible
+    used_ = permissible_tension_ > 0.0
+                ? std::min(tension_ / permissible_tension_, kOverloadedUtilisation)
+                : (tension_ > 0.0 ? kOverloadedUtilisation : 0.0);
     update_alarms(now);
 }
 

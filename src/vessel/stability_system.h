@@ -2,7 +2,7 @@
 #pragma once
 /// @file stability_system.h
 /// Gauge that reads the wires and the ship in each step (hawser/stability.h). It puts no load on
-/// anything. The permissible tension is renewed every kRenew steps.
+/// anything. The permissible tension is renewed every kStepsBetweenUpdates steps.
 
 #include <hawser/stability.h>
 #include <hawser/system.h>
@@ -18,7 +18,7 @@ namespace hawser::vessel {
 
 class StabilitySystem final : public System {
   public:
-    static constexpr std::int64_t kRenew = 15;
+    static constexpr std::int64_t kStepsBetweenUpdates = 15;
 
     explicit StabilitySystem(std::shared_ptr<const StabilityCurve> curve);
 

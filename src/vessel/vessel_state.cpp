@@ -47,7 +47,7 @@ void VesselSystem::visit_state(StateVisitor& v) {
 void VesselSystem::check_state(const World& world, StateRules& rules) const {
     static_cast<void>(world);
     if (control_ != nullptr) control_->check(rules);
-    constexpr double kSlack = 1.0 + 1e-12;
+    constexpr double kRoundingFactor = 1.0 + 1e-12;
     rules.flag(started_, "whether it has started is no flag");
     rules.flag(steering_limited_, "whether the steering gear is at its limit is no flag");
     for (const double x : last_velocity_)
@@ -61,31 +61,35 @@ void VesselSystem::check_state(const World& world, StateRules& rules) const {
     failure(rudder_failed_last_);
     failure(rps_failed_last_);
     const SteeringDef& steering = def_.steering;
-    rules.range(rudder_, -steering.most_angle * kSlack, steering.most_angle * kSlack,
-                "the rudder angle is out of range");
-    const double most = (steering.most_rps > 0.0 ? steering.most_rps : 2.0 * steering.rps) * kSlack;
+    rules.range(rudder_, -steering.most_angle * kRoundingFactor,
+                steering.most_angle * kRoundingFactor, "the rudder angle is out of range");
+    const double most =
+        (steering.most_rps > 0.0 ? steering.most_rps : 2.0 * steering.rps) * kRoundingFactor;
     rules.range(rps_, -most, most, "the revolutions are out of range");
     for (std::size_t i = 0; i < propulsor_.size(); ++i) {
         const PropulsorState& s = propulsor_[i];
         const PropulsorDef& d = propulsors_[i].def();
         const double angle = d.most_angle > 0.0 ? d.most_angle : 3.2;
-        rules.range(s.level, -kSlack, kSlack, "a propulsor's level is out of range");
-        rules.range(s.rps, -10.0 * d.most_rps * kSlack, 10.0 * d.most_rps * kSlack,
+        rules.range(s.level, -kRoundingFactor, kRoundingFactor,
+                    "a propulsor's level is out of range");
+        rules.range(s.rps, -10.0 * d.most_rps * kRoundingFactor,
+                    10.0 * d.most_rps * kRoundingFactor,
                     "a propulsor's revolutions are out of range");
-        rules.range(s.angle, -angle * kSlack, angle * kSlack,
+        rules.range(s.angle, -angle * kRoundingFactor, angle * kRoundingFactor,
                     "a propulsor's angle is out of range");
-        rules.range(s.pitch, -kSlack, kSlack, "a propulsor's pitch is out of range");
+        rules.range(s.pitch, -kRoundingFactor, kRoundingFactor,
+                    "a propulsor's pitch is out of range");
         rules.flag(s.turning_limited, "whether a propulsor is at its turning rate is no flag");
         rules.flag(s.power_limited, "whether a motor is at its limit is no flag");
         failure(s.failed_last);
         rules.flag(s.pitch_limited, "whether a pitch is at its rate is no flag");
-        rules.range(s.thrust_fraction, 0.0, kSlack,
+        rules.range(s.thrust_fraction, 0.0, kRoundingFactor,
                     "the thrust that a propulsor keeps is out of range");
-        rules.range(s.torque_fraction, 0.0, kSlack,
+        rules.range(s.torque_fraction, 0.0, kRoundingFactor,
                     "the torque that a propulsor keeps is out of range");
     }
     for (std::size_t i = 0; i < rudder_state_.size(); ++i) {
-        const double angle = rudders_[i].def().most_angle * kSlack;
+        const double angle = rudders_[i].def().most_angle * kRoundingFactor;
         rules.range(rudder_state_[i].angle, -angle, angle, "a rudder's angle is out of range");
         rules.flag(rudder_state_[i].is_limited, "whether a rudder is at its rate is no flag");
         failure(rudder_state_[i].failed_last);

@@ -16,28 +16,30 @@ struct WindParameters {
     double cross;       ///< δ.
     double roll;        ///< κ.
 };
-constexpr WindParameters kWind[] = {{"none", 0.0, 0.0, 0.0, 0.0, 0.0},
-                                    {"car_carrier", 0.95, 0.55, 0.60, 0.80, 1.2},
-                                    {"cargo", 0.85, 0.65, 0.55, 0.40, 1.7},
-                                    {"container", 0.90, 0.55, 0.55, 0.40, 1.4},
-                                    {"diving_support", 0.90, 0.60, 0.80, 0.55, 1.7},
-                                    {"drilling", 1.00, 0.85, 0.925, 0.10, 1.7},
-                                    {"ferry", 0.90, 0.45, 0.50, 0.80, 1.1},
-                                    {"fishing", 0.95, 0.70, 0.70, 0.40, 1.1},
-                                    {"gas_tanker", 0.70, 0.60, 0.65, 0.50, 1.1},
-                                    {"offshore_supply", 0.90, 0.55, 0.80, 0.55, 1.2},
-                                    {"research", 0.85, 0.55, 0.65, 0.60, 1.4},
-                                    {"tanker_loaded", 0.70, 0.90, 0.55, 0.40, 3.1},
-                                    {"tanker_ballast", 0.70, 0.75, 0.55, 0.40, 2.2},
-                                    {"tender", 0.85, 0.55, 0.55, 0.65, 1.1}};
-static_assert(sizeof kWind / sizeof kWind[0] == kWindShipCount);
+constexpr WindParameters kWindShips[] = {{"none", 0.0, 0.0, 0.0, 0.0, 0.0},
+                                         {"car_carrier", 0.95, 0.55, 0.60, 0.80, 1.2},
+                                         {"cargo", 0.85, 0.65, 0.55, 0.40, 1.7},
+                                         {"container", 0.90, 0.55, 0.55, 0.40, 1.4},
+                                         {"diving_support", 0.90, 0.60, 0.80, 0.55, 1.7},
+                                         {"drilling", 1.00, 0.85, 0.925, 0.10, 1.7},
+                                         {"ferry", 0.90, 0.45, 0.50, 0.80, 1.1},
+                                         {"fishing", 0.95, 0.70, 0.70, 0.40, 1.1},
+                                         {"gas_tanker", 0.70, 0.60, 0.65, 0.50, 1.1},
+                                         {"offshore_supply", 0.90, 0.55, 0.80, 0.55, 1.2},
+                                         {"research", 0.85, 0.55, 0.65, 0.60, 1.4},
+                                         {"tanker_loaded", 0.70, 0.90, 0.55, 0.40, 3.1},
+                                         {"tanker_ballast", 0.70, 0.75, 0.55, 0.40, 2.2},
+                                         {"tender", 0.85, 0.55, 0.55, 0.65, 1.1}};
+static_assert(sizeof kWindShips / sizeof kWindShips[0] == kWindShipCount);
 
 }  // namespace
 
-const char* to_string(WindShip ship) noexcept { return kWind[static_cast<std::size_t>(ship)].name; }
+const char* to_string(WindShip ship) noexcept {
+    return kWindShips[static_cast<std::size_t>(ship)].name;
+}
 
 WindCoefficients wind_coefficients(const WindLoad& load, double angle) noexcept {
-    const WindParameters& p = kWind[static_cast<std::size_t>(load.ship)];
+    const WindParameters& p = kWindShips[static_cast<std::size_t>(load.ship)];
     if (load.ship == WindShip::none || !(load.lateral_area > 0.0)) return {};
     const double e = std::abs(angle), side = angle < 0.0 ? -1.0 : 1.0;
     const double along = e <= 0.5 * std::numbers::pi ? p.bow : p.stern;

@@ -12,21 +12,22 @@ namespace hawser::wire {
 /// A symmetric band matrix of half width 5: two coordinates per node, bending over three nodes.
 class Band {
   public:
-    static constexpr std::size_t kWide = 6;
+    static constexpr std::size_t kBandWidth = 6;
 
-    explicit Band(std::size_t rows) : rows_(rows), a_(rows * kWide, 0.0) {}
+    explicit Band(std::size_t rows) : rows_(rows), a_(rows * kBandWidth, 0.0) {}
     void clear() { std::fill(a_.begin(), a_.end(), 0.0); }
     /// Return the entry of row i and column j ≤ i.
-    double& at(std::size_t i, std::size_t j) { return a_[i * kWide + (i - j)]; }
+    double& at(std::size_t i, std::size_t j) { return a_[i * kBandWidth + (i - j)]; }
     /// Factor as L D Lᵀ.
     /// @return false if a pivot is not positive.
     bool factor() {
         for (std::size_t i = 0; i < rows_; ++i) {
-            const std::size_t first = i >= kWide - 1 ? i - (kWide - 1) : 0;
+            const std::size_t first = i >= kBandWidth - 1 ? i - (kBandWidth - 1) : 0;
             for (std::size_t j = first; j < i; ++j) {
                 double sum = at(i, j);
-                for (std::size_t k = std::max(first, j >= kWide - 1 ? j - (kWide - 1) : 0); k < j;
-                     ++k)
+                for (std::size_t k =
+                         std::max(first, j >= kBandWidth - 1 ? j - (kBandWidth - 1) : 0);
+                     k < j; ++k)
                     sum -= at(i, k) * at(j, k) * at(k, k);
                 at(i, j) = sum / at(j, j);
             }
@@ -40,11 +41,11 @@ class Band {
     }
     void solve(std::vector<double>& x) {
         for (std::size_t i = 0; i < rows_; ++i)
-            for (std::size_t k = i >= kWide - 1 ? i - (kWide - 1) : 0; k < i; ++k)
+            for (std::size_t k = i >= kBandWidth - 1 ? i - (kBandWidth - 1) : 0; k < i; ++k)
                 x[i] -= at(i, k) * x[k];
         for (std::size_t i = 0; i < rows_; ++i) x[i] /= at(i, i);
         for (std::size_t i = rows_; i-- > 0;)
-            for (std::size_t k = i >= kWide - 1 ? i - (kWide - 1) : 0; k < i; ++k)
+            for (std::size_t k = i >= kBandWidth - 1 ? i - (kBandWidth - 1) : 0; k < i; ++k)
                 x[k] -= at(i, k) * x[i];
     }
 

@@ -17,7 +17,7 @@ namespace wire {
 namespace {
 
 /// Fraction of the wire's length below which lengths count as rounding.
-constexpr double kNothing = 1e-12;
+constexpr double kLengthRounding = 1e-12;
 
 /// The vertical plane through both ends.
 struct Frame {
@@ -31,7 +31,7 @@ struct Frame {
         z = d.dot(up);
         const Vec3 flat = d - z * up;
         x = flat.norm();
-        if (x > kNothing * (length + std::abs(z))) {
+        if (x > kLengthRounding * (length + std::abs(z))) {
             along = flat / x;
         } else {
             x = 0.0;
@@ -55,25 +55,27 @@ double lowest(const Plane& shape, bool free) {
     return least;
 }
 
-struct Solved {
+struct SolvedShape {
     Plane shape;
     bool below = false;  ///< true if an end lies under the seabed
     bool dips = false;   ///< true if another node lies under it because no better shape was found
 };
 
-Solved solve(const CatenaryDef& def, const Chain& chain, const Frame& f) {
-    Solved out;
+SolvedShape solve(const CatenaryDef& def, const Chain& chain, const Frame& f) {
+    SolvedShape out;
     out.shape = def.free ? hang_down(chain) : hang_between(chain, f.x, f.z);
     if (!def.seabed) return out;
     const double size = chain.total_length() + std::abs(f.z) + std::abs(f.bottom);
     const double first = -f.bottom, last = f.z - f.bottom;
     // An end may lie below the bottom by half the length of its element, so that the element is not
     // steep.
-    constexpr double kSunk = 0.5, kDigits = 1e-9;
-    out.below = first < -std::max(kSunk * chain.length.front(), kDigits * size) ||
-                (!def.free && last < -std::max(kSunk * chain.length.back(), kDigits * size));
-    if (def.free && first < -kDigits * size) out.below = true;
-    if (out.below || lowest(out.shape, def.free) >= f.bottom - kNothing * size) return out;
+    constexpr double kMaxSunkFraction = 0.5, kCoordinateRounding = 1e-9;
+    out.below =
+        first < -std::max(kMaxSunkFraction * chain.length.front(), kCoordinateRounding * size) ||
+        (!def.free &&
+         last < -std::max(kMaxSunkFraction * chain.length.back(), kCoordinateRounding * size));
+    if (def.free && first < -kCoordinateRounding * size) out.below = true;
+    if (out.below || lowest(out.shape, def.free) >= f.bottom - kLengthRounding * size) return out;
     auto lies = def.free ? rest_with_free_end(chain, std::max(0.0, first))
                          : rest_between(chain, f.x, first, last, def.seabed->friction);
     if (!lies && !def.free && first < 0.0) lies = touch_once(chain, f.x, -first, last);
@@ -84,7 +86,7 @@ Solved solve(const CatenaryDef& def, const Chain& chain, const Frame& f) {
     if (lies)
         out.shape = std::move(*lies);
     else
-        out.dips = lowest(out.shape, def.free) < f.bottom - kDigits * size;
+        out.dips = lowest(out.shape, def.free) < f.bottom - kCoordinateRounding * size;
     return out;
 }
 
@@ -154,7 +156,7 @@ double allowed(const CatenaryDef& def, const Chain& chain, const Catenary& shape
 /// Repeat the solution with node weights from the wetted fractions of half elements in the last
 /// shape.
 /// @return true if converged; the wet part of a floating wire may alternate.
-bool update_wet_weights(const CatenaryDef& def, Chain& chain, const Frame& f, Solved& solved) {
+bool update_wet_weights(const CatenaryDef& def, Chain& chain, const Frame& f, SolvedShape& solved) {
     constexpr int kIterations = 60;
     for (int k = 0; k < kIterations; ++k) {
         double heaviest = 0.0;
@@ -208,14 +210,14 @@ Catenary catenary(const CatenaryDef& def) {
     if (def.water)
         (void)wire::weigh_nodes(
             chain, wire::wet_halves(chain, wire::straight(def, chain, frame), frame.water));
-    wire::Solved solved = wire::solve(def, chain, frame);
+    wire::SolvedShape solved = wire::solve(def, chain, frame);
     const bool even = !def.water || wire::update_wet_weights(def, chain, frame, solved);
     const std::size_t n = chain.elements();
     Catenary out;
     out.s = chain.s;
     wire::compute_node_positions(def, chain, frame, solved.shape, out);
     if (!solved.below && !wire::stays_slack(def, solved.shape) &&
-        (!even || (solved.dips && def.water) || wire::bends(chain))) {
+        (!even || (solved.dips && def.water) || wire::resists_bending(chain))) {
         wire::Surroundings around{def.free, {}, {}, 0.0};
         if (def.water) around.water = frame.water;
         if (def.seabed) around.bottom = frame.bottom;

@@ -27,7 +27,7 @@ std::unique_ptr<GuideSystem> no_guide(const ChaserDef& def) {
     guide.body = def.body;
     guide.friction = def.friction;
     guide.element_length = def.element;
-    return bare_guide(std::move(guide));
+    return guide_without_wire(std::move(guide));
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ ChaserSystem::ChaserSystem(ChaserDef def)
     : def_(std::move(def)), guide_(no_guide(def_)), close_(def_.closed ? 1.0 : 0.0) {}
 
 void ChaserSystem::visit_state(StateVisitor& v) {
-    for (std::int32_t* x : {&state_, &due_event_, &reached_, &wait_}) v.visit(*x);
+    for (std::int32_t* x : {&state_, &due_event_, &reached_, &steps_until_retry_}) v.visit(*x);
     for (double* x : {&close_, &value_, &state_output_, &wire_output_, &start_distance_,
                       &end_distance_, &arrived_, &angle_, &speed_, &tension_[0], &tension_[1]})
         v.visit(*x);
@@ -50,7 +50,8 @@ void ChaserSystem::check_state(const World& world, StateRules& rules) const {
     rules.require(due_event_ >= 0 && due_event_ <= static_cast<std::int32_t>(Due::let_go),
                   "the chaser has nothing such to report");
     rules.require(reached_ >= 0 && reached_ <= 2, "there is no such end of the wire");
-    rules.require(wait_ >= 0 && wait_ <= kTryAgain, "the wait of the chaser is out of range");
+    rules.require(steps_until_retry_ >= 0 && steps_until_retry_ <= kTryAgain,
+                  "the wait of the chaser is out of range");
     rules.range(arrived_, 0.0, 2.0, "there is no such end of the wire");
     if (!in_state(ChaserState::on)) return;
     // A removed wire is released before the next step.
@@ -94,8 +95,8 @@ PointOnWire ChaserSystem::nearest_wire_point(const World& world) const {
 /// force.
 void ChaserSystem::close_on_wire(NodeEdits& nodes) {
     const World& world = nodes.world;
-    if (wait_ > 0) {
-        --wait_;
+    if (steps_until_retry_ > 0) {
+        --steps_until_retry_;
         return;
     }
     const PointOnWire found = nearest_wire_point(world);
@@ -118,7 +119,7 @@ void ChaserSystem::close_on_wire(NodeEdits& nodes) {
     const double speed = (wire - moves).dot((ends[1] - ends[0]).normalized());
     auto made = engage_guide(nodes, std::move(def), speed);
     if (made == nullptr) {
-        wait_ = kTryAgain;
+        steps_until_retry_ = kTryAgain;
         return miss();
     }
     guide_ = std::move(made);

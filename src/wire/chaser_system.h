@@ -57,8 +57,8 @@ class ChaserSystem final : public System {
     double close_ = 0.0;
     double value_ = 0.0;  ///< Value of the due event.
     std::int32_t state_ = 0, due_event_ = 0;
-    std::int32_t reached_ = 0;  ///< End that was reported.
-    std::int32_t wait_ = 0;     ///< Steps until the next try.
+    std::int32_t reached_ = 0;            ///< End that was reported.
+    std::int32_t steps_until_retry_ = 0;  ///< Steps until the next try.
     // Outputs.
     double state_output_ = 0.0, wire_output_ = 0.0, start_distance_ = 0.0, end_distance_ = 0.0,
            arrived_ = 0.0, angle_ = 0.0;

@@ -45,8 +45,8 @@ InteractionId nearest_element(const World& world, const GuideDef& def) {
     if (!best.valid())
         throw_def_error(def, "no element of its wire is whole and without a drum or guide");
     // An element at another guide would be pulled to this one.
-    constexpr double kSame = 1e-3;
-    if (guided < least - kSame)
+    constexpr double kSamePosition = 1e-3;
+    if (guided < least - kSamePosition)
         throw_def_error(
             def,
             "the wire passes it with an element of another guide; two guides need a node "
@@ -81,12 +81,12 @@ void check_space(const World& world, const GuideDef& def, InteractionId before,
     if (!(def.element_length > 0.0)) return;
     const auto elements = world.wires().elements(def.wire);
     const auto length = [&](InteractionId id) { return world.interaction_def(id).get("length"); };
-    constexpr double kRoom = 2.0, kRounding = 1e-6;
+    constexpr double kMinElementsBeside = 2.0, kRounding = 1e-6;
     // Beside another guide elements are shortened as needed (room.h). A drum creates its own.
-    constexpr double kMinimum = 0.2;
+    constexpr double kMinElementLength = 0.2;
     for (const int way : {-1, 1}) {
         auto at = std::find(elements.begin(), elements.end(), way < 0 ? before : behind);
-        double sum = material[way < 0 ? 0 : 1], needed = kRoom * def.element_length;
+        double sum = material[way < 0 ? 0 : 1], needed = kMinElementsBeside * def.element_length;
         for (;;) {
             if (way < 0 ? at == elements.begin() : at + 1 == elements.end()) {
                 sum = 1e300;  // an end, which stops at the guide
@@ -97,7 +97,7 @@ void check_space(const World& world, const GuideDef& def, InteractionId before,
             sum += length(*at);
             const KindInfo& kind = kind_info(world.interaction_def(*at).kind);
             if (!kind.is(kWoundUp)) continue;
-            if (kind.is(kAtGuide)) needed = std::min(needed, kMinimum);
+            if (kind.is(kAtGuide)) needed = std::min(needed, kMinElementLength);
             break;
         }
         if (sum < needed * (1.0 - kRounding))
@@ -168,10 +168,12 @@ void check_position(const GuideDef& def, const InteractionDef& element, const Ro
     const Vec3 side = (second - first).normalized().cross(axis);
     if (!(side.norm() > 1e-6)) return;  // along the axis
     const double offset = (first - centre).dot(side.normalized());
-    constexpr double kStraight = 0.05, kOther = 0.25, kBeyond = 2.0;  // [rad, 1, 1]
+    constexpr double kMinDrawnAngle = 0.05, kMaxOffsetError = 0.25,
+                     kMaxCheckedDistance = 2.0;  // [rad, 1, 1]
     const double turn = drawn.before.cross(drawn.behind).dot(axis);
-    const bool other = turn < -kStraight || (turn <= kStraight && offset < -kOther * radius);
-    if (turn > kStraight || !other || std::abs(offset) > kBeyond * radius) return;
+    const bool other =
+        turn < -kMinDrawnAngle || (turn <= kMinDrawnAngle && offset < -kMaxOffsetError * radius);
+    if (turn > kMinDrawnAngle || !other || std::abs(offset) > kMaxCheckedDistance * radius) return;
     throw_def_error(def, "radius = " + number(def.radius) +
                              " m: the wire is drawn on the other side of the wheel, " +
                              number(std::abs(offset)) + " m from its centre; give " +

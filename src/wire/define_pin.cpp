@@ -18,7 +18,8 @@ namespace hawser {
 namespace wire {
 
 namespace {
-constexpr double kThere = 1e-3;  ///< Distance from the target at which the pin stands [m].
+constexpr double kTargetTolerance =
+    1e-3;  ///< Distance from the target at which the pin stands [m].
 }
 
 void PinSystem::visit_state(StateVisitor& v) {
@@ -39,9 +40,10 @@ void PinSystem::prestep(Prestep& now, Loads&) noexcept {
     const double way = now.world.coordinate(drive_.motor);
     height_ = 1.0 + way / drive_.length;
     const double left = (up_ - 1.0) * drive_.length - way;
-    const double wanted = std::abs(left) < kThere ? 0.0
-                                                  : std::clamp(0.5 * left / now.step,
-                                                               -drive_.max_speed, drive_.max_speed);
+    const double wanted =
+        std::abs(left) < kTargetTolerance
+            ? 0.0
+            : std::clamp(0.5 * left / now.step, -drive_.max_speed, drive_.max_speed);
     if (wanted != speed_) now.set_input(drive_.speed, wanted);
     speed_ = wanted;
 }
@@ -51,7 +53,7 @@ void PinSystem::prestep(Prestep& now, Loads&) noexcept {
 namespace {
 
 /// Play of a pin beyond the range of its motor, between its stops [m].
-constexpr double kPlay = 0.01;
+constexpr double kStopPlay = 0.01;
 
 [[noreturn]] void throw_def_error(const PinDef& def, const std::string& why) {
     throw DefError("pin '" + def.name + "': " + why);
@@ -123,7 +125,7 @@ BodyId define(World& world, const PinDef& def) {
         slide.axis = world.pose(body).orientation * Vec3::UnitZ();
         slide.coordinate = def.up ? 0.0 : -length;
         // Wire that runs along the pin must not move it beyond its housing.
-        slide.limit = AxisLimit{.min = -length - kPlay, .max = kPlay};
+        slide.limit = AxisLimit{.min = -length - kStopPlay, .max = kStopPlay};
         slide.motor = AxisMotor{.force_min = -def.force, .force_max = def.force};
         const JointIds joint = world.add(slide);
         const ShapeId shape = world.add_shape({.name = def.name + "/post",

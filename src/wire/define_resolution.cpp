@@ -34,16 +34,16 @@ void check_number(const ResolutionDef& def, const char* quantity, double value, 
 /// Return the line types of a wire's stretch elements; empty if no element has a mass. Elements of
 /// equal EA have two line types if their masses per length differ by more than rounding.
 std::vector<wire::WireResolution::Line> line_types_of_wire(const World& world, WireId wire) {
-    struct Sum {
+    struct LineTypeSum {
         double EA, mass, length;
     };
-    std::vector<Sum> sums;
+    std::vector<LineTypeSum> sums;
     for (const InteractionId id : world.wires().elements(wire)) {
         if (!world.alive(id)) continue;
         const InteractionDef& d = world.interaction_def(id);
         if (kind_info(d.kind).is(kWoundUp) || !(d.get("mass") > 0.0)) continue;
         const double EA = d.get("EA"), mass = d.get("mass"), length = d.get("length");
-        const auto same = std::find_if(sums.begin(), sums.end(), [&](const Sum& s) {
+        const auto same = std::find_if(sums.begin(), sums.end(), [&](const LineTypeSum& s) {
             return s.EA == EA &&
                    std::abs(s.mass * length - mass * s.length) <= kSameLine * s.mass * length;
         });
@@ -55,7 +55,7 @@ std::vector<wire::WireResolution::Line> line_types_of_wire(const World& world, W
         }
     }
     std::vector<wire::WireResolution::Line> out;
-    for (const Sum& s : sums) out.push_back({s.EA, s.mass / s.length});
+    for (const LineTypeSum& s : sums) out.push_back({s.EA, s.mass / s.length});
     return out;
 }
 

@@ -36,14 +36,14 @@ struct Corner {
 };
 
 /// The straight part between two corners: its ends and direction.
-struct Straight {
+struct StraightPart {
     Vec3 from, to, along;
     double length;
 };
 
 /// Correct the tangent between two wheels with axes that are not parallel.
 /// @param s  In: approximate line.
-void correct_skew_tangent(const Corner& a, const Corner& b, Straight& s) {
+void correct_skew_tangent(const Corner& a, const Corner& b, StraightPart& s) {
     const auto small = [](const Vec3& v) { return generic::V3{v.x(), v.y(), v.z()}; };
     const generic::V3 axes[2] = {small(a.normal), small(b.normal)};
     if (generic::are_parallel(axes[0], axes[1])) return;
@@ -56,9 +56,9 @@ void correct_skew_tangent(const Corner& a, const Corner& b, Straight& s) {
 }
 
 /// Return the straight part between two corners, by the formulas of model/kinds/routes.h.
-Straight straight_between(const RouteDef& def, const Corner& a, const Corner& b) {
+StraightPart straight_between(const RouteDef& def, const Corner& a, const Corner& b) {
     const Vec3 d = b.centre - a.centre;
-    Straight s{a.centre, b.centre, Vec3::UnitX(), 0.0};
+    StraightPart s{a.centre, b.centre, Vec3::UnitX(), 0.0};
     if (a.radius != 0.0 || b.radius != 0.0) {
         const Vec3 n = a.radius != 0.0 ? a.normal : b.normal;
         const double turn = a.radius != 0.0 && a.normal.dot(b.normal) < 0.0 ? -1.0 : 1.0;
@@ -142,7 +142,7 @@ std::string part_name(const RouteDef& def, const char* what, std::size_t i) {
 
 /// Compute the length of line on each turning point [m], and the angles.
 std::vector<double> contact_arcs(const RouteDef& def, const std::vector<Corner>& corners,
-                                 const std::vector<Straight>& straight,
+                                 const std::vector<StraightPart>& straight,
                                  std::vector<double>& angles) {
     std::vector<double> arcs;
     for (std::size_t i = 0; i < def.places.size(); ++i) {
@@ -159,7 +159,7 @@ std::vector<double> contact_arcs(const RouteDef& def, const std::vector<Corner>&
 /// @param own  Rest length [m].
 /// @param to_end  True if the line ends behind the part.
 InteractionDef line_part(const RouteDef& def, const Corner& a, const Corner& b,
-                         const Straight& straight, double lies, double own, bool to_end) {
+                         const StraightPart& straight, double lies, double own, bool to_end) {
     InteractionDef d;
     d.damping_time[0] = def.damping_time;
     const double to_b = to_end ? b.out : -1.0;
@@ -219,9 +219,9 @@ RouteBodies route_bodies(const World& world, const RouteDef& def) {
 /// mass therefore grows in proportion, up to a thousandth of the lightest body.
 double slide_mass(const RouteDef& def, const RouteBodies& bodies, double lightest,
                   double heaviest) {
-    constexpr double kRatio = 1e4, kMaximum = 1e-3;
+    constexpr double kMaxTensionRatio = 1e4, kMaxSlideMass = 1e-3;
     const std::vector<Corner> corners = route_corners(def, bodies);
-    std::vector<Straight> straight;
+    std::vector<StraightPart> straight;
     for (std::size_t i = 0; i + 1 < corners.size(); ++i)
         straight.push_back(straight_between(def, corners[i], corners[i + 1]));
     std::vector<double> angles;
@@ -230,7 +230,7 @@ double slide_mass(const RouteDef& def, const RouteBodies& bodies, double lightes
     for (std::size_t i = 0; i < def.places.size(); ++i)
         exponent += def.places[i].friction * angles[i];
     const double ratio = std::min(std::exp(exponent), heaviest / lightest);
-    return lightest * std::clamp(kSlideMass * ratio / kRatio, kSlideMass, kMaximum);
+    return lightest * std::clamp(kSlideMass * ratio / kMaxTensionRatio, kSlideMass, kMaxSlideMass);
 }
 
 }  // namespace
@@ -263,7 +263,7 @@ RoutePlan plan_route(const RouteDef& def, const RouteBodies& bodies,
     check(bodies, def);
     std::vector<Corner> corners = route_corners(def, bodies);
     for (std::size_t i = 0; i < slides.size(); ++i) corners[i + 1].slide = slides[i];
-    std::vector<Straight> straight;
+    std::vector<StraightPart> straight;
     for (std::size_t i = 0; i + 1 < corners.size(); ++i)
         straight.push_back(straight_between(def, corners[i], corners[i + 1]));
     RoutePlan out;

@@ -74,9 +74,9 @@ wire::DrumGeometry drum_geometry(const WinchDef& def) {
                                  " m: no wrap of its wire fits between the "
                                  "flanges");
     if (std::isnan(def.flange_radius)) {
-        constexpr int kMaximum = 1000;
+        constexpr int kMaxLayer = 1000;
         const int layer = drum.wire_end(def.stored).layer;
-        if (layer > kMaximum)
+        if (layer > kMaxLayer)
             throw_def_error(def, "stored = " + number(def.stored) + " m: it takes " +
                                      std::to_string(layer) + " layers");
         drum.flange_radius = drum.radius(layer) + 0.5 * drum.wire_diameter;
@@ -161,13 +161,13 @@ double feed_element_length(const World& world, const WinchDef& def) {
 }
 
 /// An input that the system drives: its field, the interaction, its parameter and its name.
-struct Driven {
+struct DrivenInput {
     InputId wire::WinchInputs::* input;
     InteractionId WinchIds::* of;
     const char* param;
     const char* name;
 };
-constexpr Driven kDriven[] = {
+constexpr DrivenInput kDrivenInputs[] = {
     {&wire::WinchInputs::speed, &WinchIds::motor, "speed", "/motor/speed"},
     {&wire::WinchInputs::low, &WinchIds::motor, "force_min", "/motor/force_min"},
     {&wire::WinchInputs::high, &WinchIds::motor, "force_max", "/motor/force_max"},
@@ -178,35 +178,36 @@ constexpr Driven kDriven[] = {
     {&wire::WinchInputs::drum_zero, &WinchIds::line, "drum_zero", "/drum_zero"}};
 
 /// Further inputs of a gypsy.
-constexpr Driven kDrivenOfGypsies[] = {
+constexpr DrivenInput kDrivenOfGypsies[] = {
     {&wire::WinchInputs::grip_speed, &WinchIds::grip, "speed", "/grip/speed"},
     {&wire::WinchInputs::grip_low, &WinchIds::grip, "force_min", "/grip/force_min"},
     {&wire::WinchInputs::grip_high, &WinchIds::grip, "force_max", "/grip/force_max"},
     {&wire::WinchInputs::end, &WinchIds::bitter_end, "force", "/bitter_end/force"}};
 
-std::span<const Driven> of_gypsy(const WinchDef& def) {
-    return is_gypsy(def) ? std::span<const Driven>(kDrivenOfGypsies) : std::span<const Driven>();
+std::span<const DrivenInput> of_gypsy(const WinchDef& def) {
+    return is_gypsy(def) ? std::span<const DrivenInput>(kDrivenOfGypsies)
+                         : std::span<const DrivenInput>();
 }
 
 wire::WinchInputs add_inputs(World& world, const WinchDef& def, const WinchIds& ids) {
     wire::WinchInputs in;
-    const auto add = [&](const Driven& d) {
+    const auto add = [&](const DrivenInput& d) {
         in.*d.input = world.add_input(
             {.name = def.name + d.name, .interaction = ids.*d.of, .param = d.param});
     };
-    for (const Driven& d : kDriven) add(d);
-    for (const Driven& d : of_gypsy(def)) add(d);
+    for (const DrivenInput& d : kDrivenInputs) add(d);
+    for (const DrivenInput& d : of_gypsy(def)) add(d);
     return in;
 }
 
 void check_names(const World& world, const WinchDef& def) {
-    const auto check = [&](const Driven& d) {
+    const auto check = [&](const DrivenInput& d) {
         if (world.find_input(def.name + d.name).valid())
             throw_def_error(def,
                             "there is an input '" + def.name + d.name + "' already; rename one");
     };
-    for (const Driven& d : kDriven) check(d);
-    for (const Driven& d : of_gypsy(def)) check(d);
+    for (const DrivenInput& d : kDrivenInputs) check(d);
+    for (const DrivenInput& d : of_gypsy(def)) check(d);
 }
 
 /// Add the drum, and the chain of a gypsy.

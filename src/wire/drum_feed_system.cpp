@@ -83,9 +83,9 @@ void DrumFeedSystem::before_step(NodeEdits& nodes) noexcept {
     const double there = at_drum_ + line.get("radius") * turned;
     const std::size_t node = node_slot(world);
     const Feed feed{line_, node == 1, def_.element, def_.mass_per_length};
-    if (there > kGrown * def_.element)
+    if (there > kInsertRatio * def_.element)
         (void)insert_feed_node(nodes, feed, there, at_drum_);
-    else if (there < kShrunk * def_.element)
+    else if (there < kRemoveRatio * def_.element)
         (void)feed_in_node(nodes, feed, node, at_drum_);
 }
 

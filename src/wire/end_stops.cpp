@@ -8,7 +8,7 @@
 namespace hawser::wire {
 
 void EndStops::prestep(Prestep& now, Loads& loads) noexcept {
-    constexpr double kMinimum = 0.01, kCreep = 1e-6;  // of the length, [m/s]
+    constexpr double kMinLengthFraction = 0.01, kMaxCreepSpeed = 1e-6;  // of the length, [m/s]
     const World& world = now.world;
     for (const InteractionId id : parts_) {
         if (!world.alive(id) || !world.intact(id)) continue;
@@ -18,11 +18,11 @@ void EndStops::prestep(Prestep& now, Loads& loads) noexcept {
         const double rest =
             whole + radius * (world.pose(slide).position.x() - part.get("drum_zero"));
         const double rate = radius * world.velocity(slide).linear.x();
-        const double least = kMinimum * whole;
+        const double least = kMinLengthFraction * whole;
         if (rate >= 0.0 || std::min(rest, rest + rate * now.step - least) > least) continue;
         // The largest expected tension stretches a part by 1 %.
-        const double tension = std::max(-world.force(id)[0], kMinimum * part.get("EA"));
-        const double damping = tension / kCreep;
+        const double tension = std::max(-world.force(id)[0], kMinLengthFraction * part.get("EA"));
+        const double damping = tension / kMaxCreepSpeed;
         loads.add_damping(slide, Eigen::Matrix<double, 1, 1>(damping));
         const double before = rest - rate * now.step;
         if (std::min(before, before + rate * now.step - least) > least)

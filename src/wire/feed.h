@@ -19,7 +19,7 @@
 namespace hawser::wire {
 
 /// Relative material length at which a node is inserted or removed.
-inline constexpr double kGrown = 1.5, kShrunk = 0.25;
+inline constexpr double kInsertRatio = 1.5, kRemoveRatio = 0.25;
 
 /// Return the slot of the first node in the element.
 /// @param fallback  Slot if neither end is a node.

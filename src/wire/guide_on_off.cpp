@@ -17,7 +17,7 @@ constexpr double kEndFraction = 0.25;  ///< Minimum fraction of the element next
 
 }  // namespace
 
-std::unique_ptr<GuideSystem> bare_guide(GuideDef def) {
+std::unique_ptr<GuideSystem> guide_without_wire(GuideDef def) {
     return std::make_unique<GuideSystem>(std::move(def), Guide{}, InputId{},
                                          std::array<double, 2>{});
 }
@@ -79,7 +79,7 @@ void GuideSystem::release_at_end(NodeEdits& nodes) noexcept {
     }
     tension_.fill(std::max(tension_[0], tension_[1]));  // for its report
     angle_ = speed_ = 0.0;
-    stopped_ = -1;
+    used_up_side_ = -1;
 }
 
 }  // namespace hawser::wire

@@ -12,7 +12,7 @@ namespace hawser::wire {
 
 /// Return a guide without a wire.
 /// @param def  Values that hold for all wires.
-[[nodiscard]] std::unique_ptr<GuideSystem> bare_guide(GuideDef def);
+[[nodiscard]] std::unique_ptr<GuideSystem> guide_without_wire(GuideDef def);
 
 /// Engage def.element with a guide. Its mass is divided between the parts on both sides, except the
 /// mass that nodes keep.

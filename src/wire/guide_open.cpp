@@ -18,17 +18,17 @@
 ///     (   c    )
 /// ```
 /// Let g be the gap at the present poses, ġ its rate. The wire engages at the first pose with g ≤ 0
-/// and −g ≤ h|ġ|, if its axial distance from the guide's point is at most kBeside R. The parts get
-/// the rest length of the element. With elements of length l the path over the wheel is longer than
-/// the wire by about g²/l, which stretches the wire. A wire that has passed under the wheel does
-/// not engage. A node at the wheel is removed first; the parts get the rest length that its
-/// removal subtracts.
+/// and −g ≤ h|ġ|, if its axial distance from the guide's point is at most kMaxAxialRatio R. The
+/// parts get the rest length of the element. With elements of length l the path over the wheel is
+/// longer than the wire by about g²/l, which stretches the wire. A wire that has passed under the
+/// wheel does not engage. A node at the wheel is removed first; the parts get the rest length that
+/// its removal subtracts.
 ///
 /// *Landing.* If a string falls on a pin, the piece within c t of the pin is at rest after the time
 /// t, c = √(T/ρ). Steps with c h longer than an element do not resolve this. The transverse motion
-/// of nodes within c h is therefore damped with the time constant h/kStops for kLanding steps. The
-/// body of the guide receives their momentum. If the steps resolve the landing, no node lies
-/// within c h.
+/// of nodes within c h is therefore damped with the time constant h/kLandingDecay for kLandingSteps
+/// steps. The body of the guide receives their momentum. If the steps resolve the landing, no node
+/// lies within c h.
 #include "wire/guide_on_off.h"
 #include "wire/lift.h"
 
@@ -42,16 +42,17 @@
 namespace hawser::wire {
 namespace {
 
-constexpr double kLetGo = 2e-3;       ///< Amount of the angle at release [rad].
-constexpr double kDeep = 0.1;         ///< Maximum depth over element length [1].
-constexpr double kBeside = 2.0;       ///< Maximum axial offset over the radius [1].
-constexpr double kAtNode = 0.06;      ///< Fraction of an element near its node [1].
-constexpr double kMaxBend = 3.2;      ///< Above π: no bend prevents removal [rad].
-constexpr std::int32_t kLanding = 3;  ///< Steps of landing with damped nodes.
-constexpr double kStops = 3.0;        ///< A step of landing multiplies speeds by exp(−kStops).
+constexpr double kLetGo = 2e-3;            ///< Amount of the angle at release [rad].
+constexpr double kMaxDepthRatio = 0.1;     ///< Maximum depth over element length [1].
+constexpr double kMaxAxialRatio = 2.0;     ///< Maximum axial offset over the radius [1].
+constexpr double kAtNode = 0.06;           ///< Fraction of an element near its node [1].
+constexpr double kMaxBend = 3.2;           ///< Above π: no bend prevents removal [rad].
+constexpr std::int32_t kLandingSteps = 3;  ///< Steps of landing with damped nodes.
+constexpr double kLandingDecay =
+    3.0;  ///< A step of landing multiplies speeds by exp(−kLandingDecay).
 
 /// Position at which a piece of a wire passes a wheel.
-struct Passing {
+struct NearestPoint {
     InteractionId element{};
     double fraction = 0.0;  ///< Position on the element, 0 to 1.
     double gap = 1e300;     ///< Distance from the axis minus the radius of the wheel, outwards [m].
@@ -92,7 +93,7 @@ Piece wire_piece_at(const World& world, InteractionId id) {
 /// Return the point of a wire piece nearest to the axis of the wheel, seen along this axis. The
 /// side of the wheel is that of the piece. If the point is an end of the piece, it is that of the
 /// nearer neighbour.
-Passing passing(const Piece& piece, const Wheel& wheel) {
+NearestPoint nearest_point_of_piece(const Piece& piece, const Wheel& wheel) {
     const Vec3 d = piece.at[1] - piece.at[0], from = piece.at[0] - wheel.centre;
     const auto flat = [&wheel](const Vec3& x) -> Vec3 {
         return x - x.dot(wheel.axis) * wheel.axis;
@@ -116,14 +117,14 @@ Passing passing(const Piece& piece, const Wheel& wheel) {
 
 /// Return the element of a wire with the smallest distance to the wheel, seen along its axis;
 /// invalid if there is none.
-Passing nearest_passing(const World& world, const GuideDef& def, const Wheel& wheel) {
-    Passing best;
+NearestPoint nearest_wire_piece(const World& world, const GuideDef& def, const Wheel& wheel) {
+    NearestPoint best;
     for (const InteractionId id : world.wires().elements(def.wire)) {
         if (!world.alive(id) || !world.intact(id)) continue;
         if (kind_info(world.interaction_def(id).kind).is(kWoundUp)) continue;
-        Passing one = passing(wire_piece_at(world, id), wheel);
+        NearestPoint one = nearest_point_of_piece(wire_piece_at(world, id), wheel);
         one.element = id;
-        if (std::abs(one.axial_offset) > kBeside * std::abs(def.radius)) continue;
+        if (std::abs(one.axial_offset) > kMaxAxialRatio * std::abs(def.radius)) continue;
         const double radius = std::abs(wheel.radius);
         if (!best.element.valid() || std::abs(one.gap + radius) < std::abs(best.gap + radius))
             best = one;
@@ -132,9 +133,9 @@ Passing nearest_passing(const World& world, const GuideDef& def, const Wheel& wh
 }
 
 /// True if the wire has met the wheel in the last step, or lies inside its rim and moves deeper.
-bool wire_met_wheel(const Passing& at, double step) {
+bool wire_met_wheel(const NearestPoint& at, double step) {
     if (!at.element.valid() || at.gap > 0.0 || !(at.rate < 0.0)) return false;
-    return at.gap - step * at.rate > 0.0 || at.gap > -kDeep * at.length;
+    return at.gap - step * at.rate > 0.0 || at.gap > -kMaxDepthRatio * at.length;
 }
 
 /// Return the straight piece that would replace two elements if the node between them were removed.
@@ -144,7 +145,7 @@ Piece without_node(const World& world, InteractionId before, InteractionId behin
 }
 
 /// Return the speed of the wire past the wheel, along the element [m/s].
-double speed_along(const World& world, const Passing& at, const Wheel& wheel) {
+double speed_along(const World& world, const NearestPoint& at, const Wheel& wheel) {
     const Piece piece = wire_piece_at(world, at.element);
     const Vec3 along = (piece.at[1] - piece.at[0]).normalized();
     return ((1.0 - at.fraction) * piece.speed[0] + at.fraction * piece.speed[1] - wheel.speed)
@@ -155,11 +156,11 @@ double speed_along(const World& world, const Passing& at, const Wheel& wheel) {
 
 void GuideSystem::update_lift(NodeEdits& nodes) noexcept {
     const World& world = nodes.world;
-    if (parted_ != 0 || wait_ > 0 || !parts_intact(world)) return;
-    if (!(angle_ < -kLetGo && pressing(world, kLetGo) < 0.0)) return;
+    if (parted_ != 0 || landing_steps_left_ > 0 || !parts_intact(world)) return;
+    if (!(angle_ < -kLetGo && pressing_force(world, kLetGo) < 0.0)) return;
     const double tension = std::max(tension_[0], tension_[1]);
     const InteractionDef element = lifted_element(world, *this, true);
-    parted_ = kLifted;  // it holds nothing of the wire
+    parted_ = kLiftedState;  // it holds nothing of the wire
     InteractionId made{};
     if (!disengage_guide(nodes, *this, element, &made)) {
         parted_ = 0;
@@ -167,17 +168,17 @@ void GuideSystem::update_lift(NodeEdits& nodes) noexcept {
     }
     nodes.tell(EventKind::lift_off, made, tension);
     tension_ = {};
-    angle_ = speed_ = slide_ = hanging_ = bound_ = 0.0;
+    angle_ = speed_ = slide_ = half_element_weight_ = bound_ = 0.0;
     material_ = {};
-    stopped_ = -1;
-    wait_ = 0;
+    used_up_side_ = -1;
+    landing_steps_left_ = 0;
 }
 
 void GuideSystem::return_to_wheel(NodeEdits& nodes) noexcept {
     const World& world = nodes.world;
     if (!world.alive(def_.wire)) return;
     const Wheel wheel = guide_wheel(world, def_);
-    Passing at = nearest_passing(world, def_, wheel);
+    NearestPoint at = nearest_wire_piece(world, def_, wheel);
     if (!wire_met_wheel(at, world.settings().step)) return;
     const double length = world.wires().length(def_.wire);
     const bool first = at.fraction < kAtNode;
@@ -188,11 +189,12 @@ void GuideSystem::return_to_wheel(NodeEdits& nodes) noexcept {
         const BodyId node = world.interaction_def(at.element).body[first ? 0 : 1];
         // A wire that is bent there would be drawn into the wheel.
         if (ends || world.body_def(node).kind != BodyKind::lump) return;
-        const Passing straight = passing(first ? without_node(world, *(here - 1), at.element)
-                                               : without_node(world, at.element, *(here + 1)),
-                                         wheel);
-        if (straight.gap > -kDeep * at.length && nodes.remove_node(node, kMaxBend)) {
-            at = nearest_passing(world, def_, wheel);
+        const NearestPoint straight =
+            nearest_point_of_piece(first ? without_node(world, *(here - 1), at.element)
+                                         : without_node(world, at.element, *(here + 1)),
+                                   wheel);
+        if (straight.gap > -kMaxDepthRatio * at.length && nodes.remove_node(node, kMaxBend)) {
+            at = nearest_wire_piece(world, def_, wheel);
             if (!at.element.valid()) return;
         }
     }
@@ -229,14 +231,15 @@ bool GuideSystem::reengage(NodeEdits& nodes, InteractionId element, double along
     bound_ = 0.0;
     parted_ = 0;
     tension_.fill(std::max(0.0, -tension));
-    wait_ = kLanding;
+    landing_steps_left_ = kLandingSteps;
     nodes.tell(EventKind::lay_on, ids_.before, std::max(0.0, -tension));
     return true;
 }
 
 void GuideSystem::damp_landing(const World& world, Loads& loads) noexcept {
-    if (def_.closed || wait_ <= 0 || parted_ != 0 || !(def_.mass_per_length > 0.0)) return;
-    --wait_;
+    if (def_.closed || landing_steps_left_ <= 0 || parted_ != 0 || !(def_.mass_per_length > 0.0))
+        return;
+    --landing_steps_left_;
     const Wheel wheel = guide_wheel(world, def_);
     const double h = world.settings().step, tension = std::max(tension_[0], tension_[1]);
     const double reach = h * std::sqrt(tension / def_.mass_per_length);
@@ -258,10 +261,10 @@ void GuideSystem::damp_landing(const World& world, Loads& loads) noexcept {
             const BodyDef& body = world.body_def(lump);
             if (way > reach || body.kind != BodyKind::lump) break;
             const double mass = body.mass + (*at == element(side) ? half_mass(side) : 0.0);
-            const Mat3 damping = kStops * mass / h * n * n.transpose();
+            const Mat3 damping = kLandingDecay * mass / h * n * n.transpose();
             loads.add_damping(lump, damping);
             loads.add_force(lump, damping * wheel.speed);
-            lost += (1.0 - std::exp(-kStops)) * mass / h *
+            lost += (1.0 - std::exp(-kLandingDecay)) * mass / h *
                     n.dot(world.velocity(lump).linear - wheel.speed) * n;
             if (side == 0 && at == elements.begin()) break;
             at += side == 0 ? -1 : 1;

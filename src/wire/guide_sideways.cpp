@@ -18,7 +18,7 @@ GuideSystem::Sideways GuideSystem::slide_sideways(NodeEdits& nodes,
     const InteractionDef& before = world.interaction_def(ids_.before);
     const Vec3 axis = world.pose(def_.body).orientation * (before.frame[1] * Vec3::UnitZ());
     const Vec3 centre = world.world_point(def_.body, def_.point);
-    constexpr double kShortest = 1e-3;  // A node on the wheel itself [m].
+    constexpr double kMinPartLength = 1e-3;  // A node on the wheel itself [m].
     Crossing c{};
     Parts parts{};
     for (const std::size_t side : {0U, 1U}) {
@@ -28,7 +28,7 @@ GuideSystem::Sideways GuideSystem::slide_sideways(NodeEdits& nodes,
         const Vec3 to = world.world_point(d.body[node], d.point[node]) - centre;
         c.along[side] = to.dot(axis);
         const double flat = (to - c.along[side] * axis).squaredNorm() - def_.radius * def_.radius;
-        c.across[side] = std::sqrt(std::max(flat, kShortest * kShortest));
+        c.across[side] = std::sqrt(std::max(flat, kMinPartLength * kMinPartLength));
         parts.rest[side] = rest_length(world, id);
         parts.longer[side] = world.violation(id)[0];
     }

@@ -16,11 +16,11 @@ namespace hawser::wire {
 namespace {
 
 /// Slot of the guide in the elements before and behind it.
-constexpr std::size_t kPlace[2] = {1, 0};
+constexpr std::size_t kGuideSlot[2] = {1, 0};
 /// Change of the elements' material per unit of the slide.
-constexpr double kSign[2] = {-1.0, 1.0};
+constexpr double kMaterialSign[2] = {-1.0, 1.0};
 /// Fraction of `element_length`: a shorter straight part is at the guide.
-constexpr double kMinimum = 0.05;
+constexpr double kMinStraightFraction = 0.05;
 constexpr std::int32_t kMaxWait = 1000;  ///< Steps.
 
 }  // namespace
@@ -31,12 +31,12 @@ GuideSystem::GuideSystem(GuideDef def, const Guide& ids, InputId stop,
 
 void GuideSystem::visit_state(StateVisitor& v) {
     for (double* x : {material_.data(), &material_[1], &slide_, &angle_, &speed_, &bound_,
-                      &hanging_, tension_.data(), &tension_[1]})
+                      &half_element_weight_, tension_.data(), &tension_[1]})
         v.visit(*x);
     v.visit(parted_);
-    v.visit(stopped_);
+    v.visit(used_up_side_);
     if (def_.closed) return;
-    v.visit(wait_);
+    v.visit(landing_steps_left_);
     visit_geometry(v);
 }
 
@@ -61,13 +61,14 @@ void GuideSystem::check_state(const World& world, StateRules& rules) const {
     rules.range(slide_, -1e15, 1e15, "the slide of the guide is out of range");
     rules.range(angle_, -kMaxAngle, kMaxAngle, "the angle at the guide is out of range");
     rules.range(bound_, 0.0, kUnbounded, "the friction of the guide is out of range");
-    rules.require(parted_ >= 0 && parted_ <= (def_.closed ? kReportedOff : kLifted),
+    rules.require(parted_ >= 0 && parted_ <= (def_.closed ? kReportedOff : kLiftedState),
                   "the guide has an invalid condition");
     if (!def_.closed) {
-        rules.require(wait_ >= 0 && wait_ <= kMaxWait, "the wait of the guide is out of range");
+        rules.require(landing_steps_left_ >= 0 && landing_steps_left_ <= kMaxWait,
+                      "the wait of the guide is out of range");
         check_position(world, rules);
     }
-    rules.require(stopped_ >= -1 && stopped_ <= 1, "there is no such side of the guide");
+    rules.require(used_up_side_ >= -1 && used_up_side_ <= 1, "there is no such side of the guide");
 }
 
 void GuideSystem::check_position(const World& world, StateRules& rules) const {
@@ -75,7 +76,7 @@ void GuideSystem::check_position(const World& world, StateRules& rules) const {
     const auto lies = [&](std::size_t side) {
         if (!world.alive(element(side))) return false;
         const InteractionDef& d = world.interaction_def(element(side));
-        return kind_info(d.kind).is(kAtGuide) && d.body[kPlace[side]] == def_.body &&
+        return kind_info(d.kind).is(kAtGuide) && d.body[kGuideSlot[side]] == def_.body &&
                d.body[2] == ids_.slide;
     };
     rules.require(world.alive(ids_.slide) && def_.slide == ids_.slide &&
@@ -124,7 +125,7 @@ double GuideSystem::carried_mass(InteractionId id) const noexcept {
 /// [m].
 double GuideSystem::straight(const World& world, std::size_t side) const noexcept {
     const InteractionDef& d = world.interaction_def(element(side));
-    const std::size_t node = 1 - kPlace[side];
+    const std::size_t node = 1 - kGuideSlot[side];
     const Pose at = world.pose(def_.body);
     const Vec3 to =
         world.world_point(d.body[node], d.point[node]) - world.world_point(def_.body, def_.point);
@@ -150,19 +151,19 @@ void GuideSystem::sample(const World& world) noexcept {
         tension_ = {};
         return;
     }
-    hanging_ = 0.0;
+    half_element_weight_ = 0.0;
     Vec3 u[2];
     for (std::size_t side = 0; side < 2; ++side) {
-        material_[side] += kSign[side] * ran;
+        material_[side] += kMaterialSign[side] * ran;
         const std::array<Vec3, 2> ends = world.wires().ends(element(side));
         u[side] = (ends[1] - ends[0]).normalized();
         // At the guide the element also carries the weight of half of it, and accelerates it along
         // the wire.
-        const Vec3 weight = weight_at(world, element(side), 1 - kPlace[side], half_mass(side));
-        const double more = kSign[side] * weight.dot(u[side]);
-        hanging_ += more;
-        tension_[side] = std::max(
-            0.0, more - kSign[side] * half_mass(side) * gained - world.force(element(side))[0]);
+        const Vec3 weight = weight_at(world, element(side), 1 - kGuideSlot[side], half_mass(side));
+        const double more = kMaterialSign[side] * weight.dot(u[side]);
+        half_element_weight_ += more;
+        tension_[side] = std::max(0.0, more - kMaterialSign[side] * half_mass(side) * gained -
+                                           world.force(element(side))[0]);
     }
     double angle = std::atan2(u[0].cross(u[1]).norm(), u[0].dot(u[1]));
     if (def_.radius != 0.0) {
@@ -180,13 +181,13 @@ double GuideSystem::half_mass(std::size_t side) const noexcept {
                                      : 0.0;
 }
 
-double GuideSystem::pressing(const World& world, double slack) const noexcept {
+double GuideSystem::pressing_force(const World& world, double slack) const noexcept {
     const Vec3 axis = world.pose(def_.body).orientation * def_.axis.normalized();
     Vec3 along = Vec3::Zero(), weight = Vec3::Zero();
     for (std::size_t side = 0; side < 2; ++side) {
         const std::array<Vec3, 2> ends = world.wires().ends(element(side));
         along += (ends[1] - ends[0]).normalized();
-        weight += weight_at(world, element(side), 1 - kPlace[side], half_mass(side));
+        weight += weight_at(world, element(side), 1 - kGuideSlot[side], half_mass(side));
     }
     const Vec3 outward = (def_.radius > 0.0 ? 1.0 : -1.0) * along.normalized().cross(axis);
     return 0.5 * (tension_[0] + tension_[1]) * (angle_ + slack) - weight.dot(outward);
@@ -198,14 +199,14 @@ void GuideSystem::load_end_masses(const World& world, Loads& loads) const noexce
     double moved = 0.0, pull = 0.0;
     for (std::size_t side = 0; side < 2; ++side) {
         const InteractionId line = element(side);
-        const std::size_t node = 1 - kPlace[side];
+        const std::size_t node = 1 - kGuideSlot[side];
         const double half = half_mass(side);
         const std::array<Vec3, 2> ends = world.wires().ends(line);
         const Vec3 weight = weight_at(world, line, node, half);
-        const Vec3 u = (ends[node] - ends[kPlace[side]]).normalized();
+        const Vec3 u = (ends[node] - ends[kGuideSlot[side]]).normalized();
         load_ends(world, loads, line, node, half, weight,
-                  ends[kPlace[side]] - world.pose(def_.body).position);
-        pull += kSign[side] * weight.dot(u);
+                  ends[kGuideSlot[side]] - world.pose(def_.body).position);
+        pull += kMaterialSign[side] * weight.dot(u);
         moved += half;
     }
     loads.add_force(ids_.slide, {pull, 0.0, 0.0});
@@ -213,7 +214,7 @@ void GuideSystem::load_end_masses(const World& world, Loads& loads) const noexce
 }
 
 bool GuideSystem::is_nearly_used_up(const World& world, std::size_t side) const noexcept {
-    const double least = kMinimum * (def_.element_length > 0.0 ? length_[side] : 1.0) +
+    const double least = kMinStraightFraction * (def_.element_length > 0.0 ? length_[side] : 1.0) +
                          world.settings().step * std::abs(speed_);
     // At an angle below 0 the straight part is longer than the material.
     return std::min(straight(world, side), material_[side]) < least && runs_out(side);
@@ -228,18 +229,19 @@ void GuideSystem::stop(Prestep& now) noexcept {
         bound_ = kUnbounded;
         return;
     }
-    const std::int32_t was = stopped_;
-    if (stopped_ >= 0) {
+    const std::int32_t was = used_up_side_;
+    if (used_up_side_ >= 0) {
         // Against running out of the side before it, which is up the slide, the stop pushes down.
         const double force = now.world.force(ids_.friction)[0];
-        if (force * kSign[static_cast<std::size_t>(stopped_)] < 0.0) stopped_ = -1;
+        if (force * kMaterialSign[static_cast<std::size_t>(used_up_side_)] < 0.0)
+            used_up_side_ = -1;
     }
-    for (std::size_t side = 0; side < 2 && stopped_ < 0 && was < 0; ++side)
-        if (is_nearly_used_up(now.world, side)) stopped_ = static_cast<std::int32_t>(side);
+    for (std::size_t side = 0; side < 2 && used_up_side_ < 0 && was < 0; ++side)
+        if (is_nearly_used_up(now.world, side)) used_up_side_ = static_cast<std::int32_t>(side);
     // The weight at the guide adds to the pressure like the tensions of the elements.
     const double exponent = def_.friction * std::max(0.0, angle_) - std::log(def_.efficiency);
-    const double least = std::tanh(0.5 * exponent) * std::max(0.0, hanging_);
-    const double wanted = stopped_ >= 0 ? kUnbounded : least;
+    const double least = std::tanh(0.5 * exponent) * std::max(0.0, half_element_weight_);
+    const double wanted = used_up_side_ >= 0 ? kUnbounded : least;
     if (wanted != bound_) now.set_input(stop_, wanted);
     bound_ = wanted;
 }
@@ -267,10 +269,10 @@ void GuideSystem::before_step(NodeEdits& nodes) noexcept {
         Feed feed{element(side), side == 1, def_.element_length, def_.mass_per_length};
         // If the next guide or bollard is near, the node is placed as near.
         if (length < def_.element_length) feed.element = std::max(length, there - length);
-        if (out > kGrown * length && there > length)
+        if (out > kInsertRatio * length && there > length)
             (void)insert_feed_node(nodes, feed, there, material_[side]);
-        else if (out < kShrunk * length)
-            (void)feed_in_node(nodes, feed, 1 - kPlace[side], material_[side]);
+        else if (out < kRemoveRatio * length)
+            (void)feed_in_node(nodes, feed, 1 - kGuideSlot[side], material_[side]);
     }
     release_at_end(nodes);
     if (!def_.closed) update_lift(nodes);

@@ -58,14 +58,14 @@ class GuideSystem final : public System {
     [[nodiscard]] bool parted() const noexcept { return parted_ != 0; }
     [[nodiscard]] bool has_run_off() const noexcept { return parted_ >= kRunsOff; }
     /// True if the wire has left a guide without upper roller; it may return.
-    [[nodiscard]] bool lifted() const noexcept { return parted_ == kLifted; }
+    [[nodiscard]] bool lifted() const noexcept { return parted_ == kLiftedState; }
     /// Return the side of the wire that is used up, 0: before the guide, 1: behind it; −1: none.
-    [[nodiscard]] int used_up_side() const noexcept { return stopped_; }
+    [[nodiscard]] int used_up_side() const noexcept { return used_up_side_; }
     /// Return the force by which the wire presses on the wheel, for small angles [N]: its tension
     /// times the angle, plus the weight of the half elements towards the wheel. Negative if the
     /// wheel would have to pull the wire.
     /// @param slack  Angle treated as straight [rad].
-    [[nodiscard]] double pressing(const World& world, double slack) const noexcept;
+    [[nodiscard]] double pressing_force(const World& world, double slack) const noexcept;
 
     [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
     /// Result of slide_sideways().
@@ -131,15 +131,15 @@ class GuideSystem final : public System {
     /// reported.
     std::int32_t parted_ = 0;
     static constexpr std::int32_t kRunsOff = 2, kReportedOff = 3;
-    static constexpr std::int32_t kLifted = 4;  ///< State of an open guide without a wire.
-    std::int32_t wait_ = 0;                     ///< Steps of landing that are left.
-    std::int32_t stopped_ = -1;                 ///< Side that has nothing left to run, −1: none.
+    static constexpr std::int32_t kLiftedState = 4;  ///< State of an open guide without a wire.
+    std::int32_t landing_steps_left_ = 0;            ///< Steps of landing that are left.
+    std::int32_t used_up_side_ = -1;  ///< Side that has nothing left to run, −1: none.
     // Outputs.
     double angle_ = 0.0, speed_ = 0.0;
     std::array<double, 2> tension_{};
     /// Lengths of inserted elements on each side, by room.h [m].
     std::array<double, 2> length_{def_.element_length, def_.element_length};
-    double hanging_ = 0.0;  ///< Weight of the half elements along the wire [N].
+    double half_element_weight_ = 0.0;  ///< Weight of the half elements along the wire [N].
 };
 
 }  // namespace hawser::wire

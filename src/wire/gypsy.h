@@ -75,7 +75,7 @@ class GypsyChain {
 
   private:
     GypsyWheel wheel_;
-    double seat_ = 0.0;  ///< Pocket that it is in, or behind [pockets].
+    double pocket_ = 0.0;  ///< Pocket that it is in, or behind [pockets].
     /// Distance and speed from there [m, m/s], and the change of speed in the last step.
     double pocket_distance_ = 0.0, rate_ = 0.0, gained_ = 0.0;
     double pull_ = 0.0;

@@ -35,9 +35,9 @@ class Hanging {
     }
 
     Plane solve() {
-        v_ = -0.5 * (upper_bound_ + lower_bound_);
+        vertical_pull_ = -0.5 * (upper_bound_ + lower_bound_);
         match_rise(0.0);
-        rebase();
+        measure_from_fold();
         const Plane still = without_pull();
         if (done_) return still;
         return with_pull();
@@ -60,28 +60,28 @@ class Hanging {
 
     /// Count pulls from the element nearest to a fold. There their last digits decide, and counting
     /// from the first element loses digits.
-    void rebase() {
+    void measure_from_fold() {
         const auto nearest = std::min_element(rise_.begin(), rise_.end(), [&](double a, double b) {
-            return std::abs(v_ + a) < std::abs(v_ + b);
+            return std::abs(vertical_pull_ + a) < std::abs(vertical_pull_ + b);
         });
         const double base = *nearest;
         for (double& r : rise_) r -= base;
-        v_ += base;
+        vertical_pull_ += base;
     }
 
     /// Find the vertical pull, counted so, that gives the required rise. The rise grows with it.
     double match_rise(double h) {
         double step = force_;
-        double low = v_ - step, high = v_ + step;
+        double low = vertical_pull_ - step, high = vertical_pull_ + step;
         for (; sum_elements(h, low).z > z_; step *= 4.0) low -= step;
         for (step = force_; sum_elements(h, high).z < z_; step *= 4.0) high += step;
-        v_ = growing_root(
+        vertical_pull_ = growing_root(
             [&](double v) {
                 const Sums s = sum_elements(h, v);
                 return Growing{s.z - z_, s.z_v};
             },
-            low, high, v_, rounding_, false);
-        return v_;
+            low, high, vertical_pull_, rounding_, false);
+        return vertical_pull_;
     }
 
     /// Return the shape without horizontal pull: all elements are vertical, and slack ones lean as
@@ -134,9 +134,9 @@ class Hanging {
     double x_, z_, rounding_, compliance_;
     std::vector<double> rise_;  ///< Σ w up to each element, from a base element [N].
     double lower_bound_ = 0.0,
-           upper_bound_ = 0.0;  ///< Bounds of the sum from the first element [N].
-    double force_ = 0.0;        ///< Scale of its pulls [N].
-    double v_ = 0.0;            ///< Last vertical pull found, the start of the next search.
+           upper_bound_ = 0.0;    ///< Bounds of the sum from the first element [N].
+    double force_ = 0.0;          ///< Scale of its pulls [N].
+    double vertical_pull_ = 0.0;  ///< Last vertical pull found, the start of the next search.
     bool done_ = false;
 };
 

@@ -13,9 +13,9 @@ namespace {
 
 /// An element that rises by `rise_to_bottom` and pulls by h along the bottom: its horizontal reach
 /// and its tension.
-struct Rising {
+struct RisingElement {
     double x = 0.0, tension = 0.0;
-    Rising(double length, double compliance, double h, double sunk) : tension(h) {
+    RisingElement(double length, double compliance, double h, double sunk) : tension(h) {
         double last = -1.0;
         for (int i = 0; i < 50 && tension != last; ++i) {
             last = tension;
@@ -27,9 +27,9 @@ struct Rising {
 };
 
 /// Two lifted parts and the part on the bottom between them.
-class Laid {
+class LyingChain {
   public:
-    Laid(const Chain& chain, double x, double first, double last, double friction)
+    LyingChain(const Chain& chain, double x, double first, double last, double friction)
         : chain_(chain),
           mirrored_(reversed(chain)),
           n_(chain.elements()),
@@ -61,7 +61,7 @@ class Laid {
         return e == 0 ? first_end_depth_ : e + 1 == n_ ? last_end_depth_ : 0.0;
     }
     /// Return element e on the bottom, under the horizontal force h.
-    [[nodiscard]] Rising lying_element(std::size_t e, double h) const {
+    [[nodiscard]] RisingElement lying_element(std::size_t e, double h) const {
         return {chain_.length[e], chain_.compliance[e], h, rise_to_bottom(e)};
     }
     /// Append the chord and tension of an element that lies on the ground.
@@ -70,7 +70,7 @@ class Laid {
         out.chord.emplace_back(chord + up * Vec3::UnitZ());
         out.tension.push_back(tension);
     }
-    void note_laid(Plane& out, std::size_t first, std::size_t last) const {
+    void record_lying_part(Plane& out, std::size_t first, std::size_t last) const {
         // An end within rounding of the bottom is on it.
         const double digits = 1e-9 * chain_.total_length();
         out.laid_first = first == 0 && first_end_depth_ > digits ? 1 : first;
@@ -101,7 +101,7 @@ class Laid {
         std::vector<double> tension;
         last_lifted_.write_dropped(lean_b, chord, tension);
         append_mirrored(out, chord, tension);
-        note_laid(out, first, end);
+        record_lying_part(out, first, end);
         return out;
     }
 
@@ -186,10 +186,10 @@ class Laid {
         first_lifted_.write(h, va, out.chord, out.tension);
         last_lifted_.write(h, vb, chord, tension);
         const std::size_t first = out.chord.size(), end = n_ - chord.size();
-        note_laid(out, first, end);
+        record_lying_part(out, first, end);
         const auto lies = bottom_tensions(h, first, chord.size(), va, vb);
         for (std::size_t e = first; e < end; ++e) {
-            const Rising r = lying_element(e, lies[e - first]);
+            const RisingElement r = lying_element(e, lies[e - first]);
             append_lying_element(out, e, Vec3(r.x, 0.0, 0.0), r.tension);
         }
         append_mirrored(out, chord, tension);
@@ -215,7 +215,7 @@ bool floats(const Chain& chain) {
 std::optional<Plane> rest_between(const Chain& chain, double x, double first, double last,
                                   double friction) {
     if (floats(chain)) return {};
-    return Laid(chain, x, first, last, friction).solve();
+    return LyingChain(chain, x, first, last, friction).solve();
 }
 
 std::optional<Plane> rest_with_free_end(const Chain& chain, double first) {

@@ -11,7 +11,7 @@ namespace hawser::wire {
 Lifted::Sums Lifted::sum_elements(double h, double v) const {
     Sums out;
     for (std::size_t e = 0; e < chain_.elements(); ++e) {
-        const double up = v + fall_[e];
+        const double up = v + pull_change_[e];
         if (!(up > 0.0)) break;
         const Pulled p = stretched_element(chain_.length[e], chain_.compliance[e], h, up);
         out.z += p.z;
@@ -58,7 +58,7 @@ void Lifted::write_dropped(double lean, std::vector<Vec3>& chord,
 void Lifted::write(double h, double v, std::vector<Vec3>& chord,
                    std::vector<double>& tension) const {
     for (std::size_t e = 0; e < chain_.elements(); ++e) {
-        const double up = v + fall_[e];
+        const double up = v + pull_change_[e];
         if (!(up > 0.0)) break;
         const Pulled p = stretched_element(chain_.length[e], chain_.compliance[e], h, up);
         chord.emplace_back(p.x, 0.0, -p.z);
@@ -105,10 +105,10 @@ void Lifted::drop() {
 void Lifted::count_from_below() {
     double sum = 0.0;
     for (std::size_t e = 0; e < chain_.elements(); ++e) {
-        fall_.push_back(sum -= chain_.weight[e]);
+        pull_change_.push_back(sum -= chain_.weight[e]);
         if (e == drop_.hanging && height_ > 0.0) base_ = -sum;
     }
-    for (double& f : fall_) f += base_;
+    for (double& f : pull_change_) f += base_;
     v_ = drop_.v - base_;
 }
 

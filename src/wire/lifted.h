@@ -28,7 +28,7 @@ class Lifted {
     }
 
     /// State without horizontal pull: the hanging elements and the slack ones below.
-    struct Drop {
+    struct VerticalPart {
         std::size_t hanging = 0;
         double v = 0.0;           ///< Vertical pull at the end [N].
         double rise = 0.0;        ///< Height of the lowest hanging node over the bottom [m].
@@ -36,7 +36,7 @@ class Lifted {
         double slack = 0.0;       ///< Length of the slack elements [m].
         double lean = 0.0;        ///< Horizontal distance that they cover [m].
     };
-    [[nodiscard]] const Drop& dropped() const { return drop_; }
+    [[nodiscard]] const VerticalPart& dropped() const { return drop_; }
     /// Return the number of elements off the bottom, without horizontal pull.
     [[nodiscard]] std::size_t elements_off_bottom() const { return drop_.hanging + drop_.leaning; }
 
@@ -59,7 +59,7 @@ class Lifted {
     /// to it [N].
     [[nodiscard]] double base() const { return base_; }
     /// Return the vertical pull of element e for a pull v of the end [N].
-    [[nodiscard]] double pull_at(std::size_t e, double v) const { return v + fall_[e]; }
+    [[nodiscard]] double pull_at(std::size_t e, double v) const { return v + pull_change_[e]; }
     /// Write the shape without horizontal pull: hanging elements, and slack elements inclined by
     /// `lean`.
     void write_dropped(double lean, std::vector<Vec3>& chord, std::vector<double>& tension) const;
@@ -77,10 +77,10 @@ class Lifted {
     const Chain& chain_;
     std::size_t max_lifted_;
     double height_, rounding_;
-    Drop drop_;
-    double base_ = 0.0;         ///< Vertical pull at the end from which others are counted [N].
-    std::vector<double> fall_;  ///< Change of the pull from the end to each element [N].
-    double v_ = 0.0;            ///< Last pull found, from base_ [N].
+    VerticalPart drop_;
+    double base_ = 0.0;  ///< Vertical pull at the end from which others are counted [N].
+    std::vector<double> pull_change_;  ///< Change of the pull from the end to each element [N].
+    double v_ = 0.0;                   ///< Last pull found, from base_ [N].
 };
 
 }  // namespace hawser::wire

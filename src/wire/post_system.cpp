@@ -17,14 +17,14 @@
 namespace hawser::wire {
 namespace {
 
-constexpr double kStrain = 1e-5;  ///< ε of post_system.h.
+constexpr double kDefaultStrain = 1e-5;  ///< ε of post_system.h.
 /// Fraction of an element at its end: the node lies on the bollard.
 constexpr double kNearEnd = 0.06;
-constexpr double kTouches = 2e-3;    ///< Gap at which a contact bears [m].
-constexpr double kBentOnPost = 3.2;  ///< Bend limit: a node on a bollard is removed at any bend.
+constexpr double kContactGap = 2e-3;  ///< Gap at which a contact bears [m].
+constexpr double kBentOnPost = 3.2;   ///< Bend limit: a node on a bollard is removed at any bend.
 /// Consecutive samples with contact after which a wire engages.
-constexpr std::int32_t kSteady = 3;
-constexpr std::int32_t kWait = 15;  ///< Steps.
+constexpr std::int32_t kSteadySamples = 3;
+constexpr std::int32_t kStepsBetweenTries = 15;  ///< Steps.
 /// Return the element before or behind another element; invalid if there is none, or if a drum or
 /// guide loads it.
 InteractionId neighbour(const World& world, WireId wire, InteractionId element, bool behind) {
@@ -67,13 +67,13 @@ PostSystem::PostSystem(PostDef def, const PostPosition& place)
         guide.efficiency = def_.efficiency;
         guide.inertia = def_.inertia;
         guide.element_length = def_.element_length;
-        guides_.push_back(bare_guide(std::move(guide)));
+        guides_.push_back(guide_without_wire(std::move(guide)));
     }
 }
 
 void PostSystem::visit_state(StateVisitor& v) {
     v.visit(std::span<std::int32_t>(occupied_));
-    for (std::int32_t* x : {&wait_, &steady_}) v.visit(*x);
+    for (std::int32_t* x : {&steps_until_next_, &contact_samples_}) v.visit(*x);
     for (double* x : {&engaged_count_, &disengaged_count_, &held_count_, &angle_, &slide_,
                       &tension_[0], &tension_[1]})
         v.visit(*x);
@@ -89,8 +89,9 @@ void PostSystem::visit_state(StateVisitor& v) {
 void PostSystem::check_state(const World& world, StateRules& rules) const {
     for (const std::int32_t on : occupied_)
         rules.flag(on, "the flag of an engaged wire of the bollard is invalid");
-    rules.require(wait_ >= 0 && wait_ <= kWait, "the wait of the post is out of range");
-    rules.require(steady_ >= 0 && steady_ <= kSteady,
+    rules.require(steps_until_next_ >= 0 && steps_until_next_ <= kStepsBetweenTries,
+                  "the wait of the post is out of range");
+    rules.require(contact_samples_ >= 0 && contact_samples_ <= kSteadySamples,
                   "the counter of checks of the bollard is out of range");
     for (std::size_t k = 0; k < occupied_.size(); ++k) {
         if (occupied_[k] != 1) continue;
@@ -136,13 +137,13 @@ bool PostSystem::carries(WireId wire) const noexcept {
 /// Engage wires that touch the bollard.
 void PostSystem::engage_wires(NodeEdits& nodes) {
     const World& world = nodes.world;
-    if (wait_ > 0) {
-        --wait_;
+    if (steps_until_next_ > 0) {
+        --steps_until_next_;
         return;
     }
     if (std::find(occupied_.begin(), occupied_.end(), 0) == occupied_.end()) return;
-    const std::int32_t steady = std::min(steady_ + 1, kSteady);
-    steady_ = 0;
+    const std::int32_t steady = std::min(contact_samples_ + 1, kSteadySamples);
+    contact_samples_ = 0;
     world.pressing(def_.shape, pressing_);
     for (const ShapeId other : pressing_) {
         Touch touch;
@@ -151,13 +152,13 @@ void PostSystem::engage_wires(NodeEdits& nodes) {
         const double gap =
             std::abs(touch.radius) - position_.radius - world.shape_def(other).radius;
         // A wire across the end of the bollard lies on the end, not beside it.
-        if (touch.across_end || gap > kTouches || touch.strain > kStrain) continue;
+        if (touch.across_end || gap > kContactGap || touch.strain > kDefaultStrain) continue;
         const auto slot = std::find(occupied_.begin(), occupied_.end(), 0);
         if (carries(touch.wire) || slot == occupied_.end()) continue;
-        steady_ = steady;
-        if (steady < kSteady) continue;
+        contact_samples_ = steady;
+        if (steady < kSteadySamples) continue;
         if (!engage_wire(nodes, static_cast<std::size_t>(slot - occupied_.begin()), touch))
-            wait_ = kWait;
+            steps_until_next_ = kStepsBetweenTries;
     }
 }
 
@@ -229,7 +230,7 @@ bool PostSystem::disengage(NodeEdits& nodes, std::size_t slot, bool reached_end)
         return false;
     }
     disengaged_count_ += 1.0;
-    wait_ = kWait;
+    steps_until_next_ = kStepsBetweenTries;
     return true;
 }
 
@@ -257,7 +258,7 @@ void PostSystem::before_step(NodeEdits& nodes) noexcept {
     } catch (const std::bad_alloc&) {
         nodes.out_of_memory();
     } catch (const std::exception&) {
-        steady_ = 0;  // out of memory: contacts are sampled again in the next step
+        contact_samples_ = 0;  // out of memory: contacts are sampled again in the next step
     }
     report_signals();
 }

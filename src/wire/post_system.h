@@ -86,8 +86,8 @@ class PostSystem final : public System, public PassedPost {
     // State.
     std::vector<std::unique_ptr<GuideSystem>> guides_;  ///< By slot.
     std::vector<std::int32_t> occupied_;                ///< 1: a wire lies in the slot.
-    std::int32_t wait_ = 0;                             ///< Steps until the next wire may engage.
-    std::int32_t steady_ = 0;  ///< Consecutive samples in which a wire has touched it.
+    std::int32_t steps_until_next_ = 0;                 ///< Steps until the next wire may engage.
+    std::int32_t contact_samples_ = 0;  ///< Consecutive samples in which a wire has touched it.
     double engaged_count_ = 0.0, disengaged_count_ = 0.0, slid_length_ = 0.0;
     // Outputs.
     double held_count_ = 0.0, angle_ = 0.0, slide_ = 0.0, along_ = 0.0, tension_[2] = {};

@@ -10,17 +10,18 @@
 namespace hawser::wire {
 namespace {
 
-constexpr double kPulls = -2e-3;  ///< Angle below which a wire would pull at its bollard [rad].
+constexpr double kMinAngle = -2e-3;  ///< Angle below which a wire would pull at its bollard [rad].
 /// Relative tolerance of the radius: a wire that just touches turns by almost 0 and not backwards.
-constexpr double kInside = 1e-9;
+constexpr double kRadiusTolerance = 1e-9;
 
-/// Closest points of two lines: fraction along a–b, and distance along the axis from its centre
+/// Nearest points of two lines: fraction along a–b, and distance along the axis from its centre
 /// [m].
-struct Closest {
+struct NearestPoints {
     double fraction, along;
     Vec3 separation;  ///< Vector from the axis to a–b, perpendicular to the axis.
 };
-Closest closest(const Vec3& a, const Vec3& b, const Vec3& centre, const Vec3& axis) noexcept {
+NearestPoints nearest_to_axis(const Vec3& a, const Vec3& b, const Vec3& centre,
+                              const Vec3& axis) noexcept {
     const Vec3 d = b - a;
     const Vec3 from = a - centre;
     const Vec3 d_across = d - d.dot(axis) * axis, from_across = from - from.dot(axis) * axis;
@@ -44,8 +45,8 @@ PostSystem::Separation PostSystem::separation(const World& world,
                                               const std::array<Vec3, 2>& line) const {
     const Pose pose = world.pose(position_.body);
     const Vec3 axis = pose.orientation * position_.axis;
-    const Closest near =
-        closest(line[0], line[1], pose.position + pose.orientation * position_.centre, axis);
+    const NearestPoints near = nearest_to_axis(
+        line[0], line[1], pose.position + pose.orientation * position_.centre, axis);
     const double beyond = std::max(0.0, std::abs(near.along) - position_.half_length);
     return {std::hypot(near.separation.norm(), beyond) - position_.radius, near.fraction};
 }
@@ -87,7 +88,7 @@ void PostSystem::complete_touch(const World& world, double half, Touch& out) con
     const Vec3 centre = pose.position + pose.orientation * position_.centre;
     const Vec3 a = world.world_point(d.body[0], d.point[0]),
                b = world.world_point(d.body[1], d.point[1]);
-    const Closest near = closest(a, b, centre, axis);
+    const NearestPoints near = nearest_to_axis(a, b, centre, axis);
     const Vec3 along = (b - a).normalized();
     const double separation = near.separation.norm();
     out.fraction = near.fraction;
@@ -96,7 +97,7 @@ void PostSystem::complete_touch(const World& world, double half, Touch& out) con
     out.across_end =
         std::abs(near.along) > position_.half_length && separation < 0.5 * position_.radius;
     const double touching = position_.radius + half;
-    out.radius = way * std::max(touching, separation * (1.0 - kInside));
+    out.radius = way * std::max(touching, separation * (1.0 - kRadiusTolerance));
     const Twist twist = world.velocity(position_.body);
     const Vec3 surface = twist.linear + twist.angular.cross(centre + near.along * axis +
                                                             near.separation - pose.position);
@@ -119,8 +120,9 @@ bool PostSystem::must_disengage(const World& world, const GuideSystem& guide, bo
     const InteractionDef& behind = world.interaction_def(guide.ids().behind);
     const Vec3 a = world.world_point(before.body[0], before.point[0]);
     const Vec3 b = world.world_point(behind.body[1], behind.point[1]);
-    const Closest near = closest(a, b, pose.position + pose.orientation * position_.centre,
-                                 pose.orientation * position_.axis);
+    const NearestPoints near =
+        nearest_to_axis(a, b, pose.position + pose.orientation * position_.centre,
+                        pose.orientation * position_.axis);
     past = past || std::abs(near.along) > position_.half_length + position_.radius;
     if (position_.carrier != position_.body) {
         const Vec3 lies = world.world_point(position_.carrier, guide.def().point);
@@ -128,7 +130,7 @@ bool PostSystem::must_disengage(const World& world, const GuideSystem& guide, bo
         past =
             past || std::abs(from.dot(pose.orientation * position_.axis)) > position_.half_length;
     }
-    return past || (guide.angle() < kPulls && guide.pressing(world, -kPulls) < 0.0);
+    return past || (guide.angle() < kMinAngle && guide.pressing_force(world, -kMinAngle) < 0.0);
 }
 
 }  // namespace hawser::wire

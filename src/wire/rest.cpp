@@ -20,7 +20,7 @@ class Balance {
           surroundings_(around),
           n_(chain.elements()),
           moving_(around.free ? n_ : n_ - 1),
-          half_(2 * (n_ + 1)),
+          half_elements_(2 * (n_ + 1)),
           friction_(n_ + 1, 0.0),
           band_(2 * moving_) {
         x_.resize(2 * (n_ + 1), 0.0);
@@ -47,13 +47,13 @@ class Balance {
         double strain = 0.0;
         for (std::size_t e = 0; e < n_; ++e)
             strain = std::max(strain, weight() * chain_.compliance[e] / chain_.length[e]);
-        for (soften_ = std::max(1.0, kSoft / std::max(strain, 1e-300)); soften_ > 1.0;
+        for (soften_ = std::max(1.0, kInitialStrain / std::max(strain, 1e-300)); soften_ > 1.0;
              soften_ = std::max(1.0, soften_ / 30.0)) {
             update_half_forms();
             (void)minimise(1e-3 * weight());
         }
         soften_ = 1.0;
-        for (int outer = 0; outer < kOuter; ++outer) {
+        for (int outer = 0; outer < kMaxSofteningSteps; ++outer) {
             const double change = update_half_forms() + update_bottom_friction();
             if (!minimise(tolerance)) return false;
             if (outer > 0 && change <= tolerance) return true;
@@ -91,8 +91,8 @@ class Balance {
     }
 
   private:
-    static constexpr double kSoft = 1e-2;  ///< Initial strain under the whole weight.
-    static constexpr int kOuter = 40, kInner = 400;
+    static constexpr double kInitialStrain = 1e-2;  ///< Initial strain under the whole weight.
+    static constexpr int kMaxSofteningSteps = 40, kMaxNewtonSteps = 400;
 
     [[nodiscard]] double weight() const {
         double sum = 0.0;
@@ -118,7 +118,7 @@ class Balance {
                 HalfForm form =
                     half_element_form(z, 0.5 * (z + x_[2 * other + 1]), chain_.diameter[e]);
                 form.lift = 0.5 * chain_.buoyancy[e];
-                HalfForm& now = half_[2 * i + k];
+                HalfForm& now = half_elements_[2 * i + k];
                 const double depth = *surroundings_.water - z;
                 change = std::max(
                     change, std::abs(form.lift * wet_fraction(depth + form.below, form.spread) -
@@ -157,7 +157,7 @@ class Balance {
             const double z = x[2 * i + 1];
             sum += air_weight(i) * z - friction_[i] * x[2 * i];
             for (std::size_t k = 0; surroundings_.water && k < 2; ++k) {
-                const HalfForm& h = half_[2 * i + k];
+                const HalfForm& h = half_elements_[2 * i + k];
                 const double t = (*surroundings_.water - z + h.below) / h.spread;
                 sum += h.lift * h.spread * (t <= 0.0 ? 0.0 : t >= 1.0 ? t - 0.5 : 0.5 * t * t);
             }
@@ -189,24 +189,24 @@ class Balance {
             g[2 * i] -= friction_[i];
             g[2 * i + 1] += air_weight(i);
             for (std::size_t k = 0; surroundings_.water && k < 2; ++k) {
-                const HalfForm& h = half_[2 * i + k];
+                const HalfForm& h = half_elements_[2 * i + k];
                 g[2 * i + 1] -= h.lift * wet_fraction(*surroundings_.water - z + h.below, h.spread);
             }
             if (i == n_ || !(chain_.bend[i] > 0.0)) continue;
-            const Bent b = bending_at(i);
+            const BendingTerm b = bending_at(i);
             for (std::size_t k = 0; k < 6; ++k)
                 g[2 * i - 2 + k] += chain_.bend[i] * b.sine * b.slope[k];
         }
     }
 
     /// Bend angle of a node, with gradient and second derivatives by the six coordinates.
-    struct Bent {
+    struct BendingTerm {
         double sine, cosine;
         std::array<double, 6> slope;
         std::array<double, 3> first, last;  ///< ∇²θ of both elements: xx, xz, zz.
     };
-    [[nodiscard]] Bent bending_at(std::size_t i) const {
-        Bent out{};
+    [[nodiscard]] BendingTerm bending_at(std::size_t i) const {
+        BendingTerm out{};
         const double ax = x_[2 * i] - x_[2 * i - 2], az = x_[2 * i + 1] - x_[2 * i - 1];
         const double bx = x_[2 * i + 2] - x_[2 * i], bz = x_[2 * i + 3] - x_[2 * i + 1];
         const double a = ax * ax + az * az, b = bx * bx + bz * bz, size = std::sqrt(a * b);
@@ -251,14 +251,14 @@ class Balance {
             const double z = x_[2 * i + 1];
             double stiff = shift;
             for (std::size_t k = 0; surroundings_.water && k < 2; ++k) {
-                const HalfForm& h = half_[2 * i + k];
+                const HalfForm& h = half_elements_[2 * i + k];
                 const double t = (*surroundings_.water - z + h.below) / h.spread;
                 if (t > 0.0 && t < 1.0) stiff += h.lift / h.spread;
             }
             add(2 * i, 2 * i, shift);
             add(2 * i + 1, 2 * i + 1, stiff);
             if (i == n_ || !(chain_.bend[i] > 0.0)) continue;
-            const Bent b = bending_at(i);
+            const BendingTerm b = bending_at(i);
             const double k = chain_.bend[i];
             for (std::size_t p = 0; p < 6; ++p)
                 for (std::size_t q = 0; q <= p; ++q)
@@ -287,7 +287,7 @@ class Balance {
         double now = energy(x_), force = largest_residual(g), shift = 0.0;
         double stiffest = 0.0;
         for (const double c : chain_.compliance) stiffest = std::max(stiffest, 1.0 / (soften_ * c));
-        for (int k = 0; k < kInner && force > tolerance; ++k) {
+        for (int k = 0; k < kMaxNewtonSteps && force > tolerance; ++k) {
             for (;;) {
                 second_derivatives(shift);
                 for (std::size_t c = 2; c < 2 * moving_ + 2; ++c) {
@@ -341,8 +341,9 @@ class Balance {
     const Chain& chain_;
     Surroundings surroundings_;
     std::size_t n_, moving_;
-    std::vector<double> x_;       ///< x, z of all nodes [m].
-    std::vector<HalfForm> half_;  ///< Two per node: towards the first end, and towards the last.
+    std::vector<double> x_;  ///< x, z of all nodes [m].
+    std::vector<HalfForm>
+        half_elements_;  ///< Two per node: towards the first end, and towards the last.
     std::vector<double> friction_, friction_demand_;  ///< Along x at the nodes [N].
     double soften_ = 1.0;                             ///< Factor of compliances.
     Band band_;

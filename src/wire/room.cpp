@@ -14,9 +14,11 @@ namespace {
 
 /// Free length in elements above which no element is shortened.
 constexpr double kTwoElements = 1.9;
-constexpr double kReach = 0.2;    ///< Distance in elements within which a wire passes a bollard.
-constexpr double kKeeps = 0.25;   ///< The same distance if the node between already exists.
-constexpr double kMinimum = 0.2;  ///< Smallest length along the wire [m].
+constexpr double kPassingDistance =
+    0.2;  ///< Distance in elements within which a wire passes a bollard.
+constexpr double kKeepingDistance =
+    0.25;  ///< The same distance if the node between already exists.
+constexpr double kMinElementLength = 0.2;  ///< Smallest length along the wire [m].
 
 /// Return true if a guide belongs to the bollard.
 bool is_guide_of_post(const GuideDef& guide, std::string_view post) noexcept {
@@ -41,7 +43,7 @@ void each_element(const World& world, const GuideDef& guide, InteractionId line,
     }
 }
 
-bool is_wound(const World& world, InteractionId id) {
+bool is_at_drum(const World& world, InteractionId id) {
     return kind_info(world.interaction_def(id).kind).is(kWoundUp);
 }
 
@@ -52,7 +54,7 @@ double distance_to_guide(const World& world, const GuideDef& guide, InteractionI
     each_element(world, guide, line, side, [&](const auto& ends, double sum, InteractionId id) {
         sum += (ends[1] - ends[0]).norm();
         if (sum >= enough) return false;
-        if (id == line || !is_wound(world, id)) return true;
+        if (id == line || !is_at_drum(world, id)) return true;
         // A drum makes elements of its own length and has room for two.
         if (kind_info(world.interaction_def(id).kind).is(kAtGuide)) way = sum;
         return false;
@@ -76,9 +78,9 @@ double distance_to_post(const World& world, const GuideDef& guide, InteractionId
                 gap = near.gap;
                 along = sum + near.fraction * (ends[1] - ends[0]).norm();
             }
-            return sum < enough && (id == line || !is_wound(world, id));
+            return sum < enough && (id == line || !is_at_drum(world, id));
         });
-        if (along > kMinimum) way = std::min(way, along);
+        if (along > kMinElementLength) way = std::min(way, along);
     }
     return way;
 }
@@ -88,11 +90,12 @@ double distance_to_post(const World& world, const GuideDef& guide, InteractionId
 double element_length_at_guide(const World& world, const GuideDef& def, InteractionId line,
                                std::size_t side, double straight) {
     const double usual = def.element_length, enough = kTwoElements * usual;
-    const double reach = usual * (straight < kShrunk * usual ? kKeeps : kReach);
+    const double reach =
+        usual * (straight < kRemoveRatio * usual ? kKeepingDistance : kPassingDistance);
     const double way = std::min(distance_to_guide(world, def, line, side, enough),
                                 distance_to_post(world, def, line, side, enough, reach));
     if (way >= enough) return usual;
-    return std::max(std::min(usual, 0.5 * way), std::min(usual, 0.5 * kMinimum));
+    return std::max(std::min(usual, 0.5 * way), std::min(usual, 0.5 * kMinElementLength));
 }
 
 }  // namespace hawser::wire

@@ -14,13 +14,14 @@
 namespace hawser::wire {
 namespace {
 
-constexpr double kLink = 1.0;            ///< Link of a chain stopper [m].
-constexpr double kGives = 1e-3;          ///< Deflection of a chain stopper at its rated load [m].
-constexpr double kStraight = 0.05;       ///< Angle below which a node is not needed [rad].
-constexpr std::int32_t kPatience = 300;  ///< Steps after which it is removed at any angle.
+constexpr double kMasslessLinkLength = 1.0;  ///< Link of a chain stopper [m].
+constexpr double kRatedDeflection = 1e-3;  ///< Deflection of a chain stopper at its rated load [m].
+constexpr double kMaxStraightAngle = 0.05;   ///< Angle below which a node is not needed [rad].
+constexpr std::int32_t kMaxIdleSteps = 300;  ///< Steps after which it is removed at any angle.
 /// Hauled length after which a chain stopper uses another node [m].
-constexpr double kRenew = 3.0;
-constexpr std::int32_t kTry = 15;  ///< Steps between tries to take an idle node away.
+constexpr double kMinHaulForNewNode = 3.0;
+constexpr std::int32_t kStepsBetweenRemovals =
+    15;  ///< Steps between tries to take an idle node away.
 
 /// Return true if another stopper holds the node.
 bool held_by_other_stopper(const World& world, const StopperSystem& by, BodyId lump) noexcept {
@@ -162,8 +163,8 @@ void StopperSystem::close_on_wire(NodeEdits& nodes) noexcept {
 /// Remove nodes that are no longer needed. A node at which the wire remains bent is removed after a
 /// time limit.
 void StopperSystem::remove_idle_nodes(NodeEdits& nodes) noexcept {
-    if (++idle_steps_ % kTry != 0) return;
-    const double bend = idle_steps_ > kPatience ? std::numbers::pi : kStraight;
+    if (++idle_steps_ % kStepsBetweenRemovals != 0) return;
+    const double bend = idle_steps_ > kMaxIdleSteps ? std::numbers::pi : kMaxStraightAngle;
     for (BodyId& id : idle_nodes_)
         if (id.valid() && id != node_ && (!nodes.world.alive(id) || nodes.remove_node(id, bend)))
             id = {};
@@ -187,8 +188,9 @@ void StopperSystem::make_joint(Prestep& now) noexcept {
     def.body = {def_.body, node_};
     if (def_.pitch > 0.0) {
         def.kind = InteractionKind::Stretch;
-        def.point[0] = place - kLink * def_.outboard.normalized();
-        def.set("length", kLink).set("EA", def_.rated_load * kLink / kGives);
+        def.point[0] = place - kMasslessLinkLength * def_.outboard.normalized();
+        def.set("length", kMasslessLinkLength)
+            .set("EA", def_.rated_load * kMasslessLinkLength / kRatedDeflection);
     } else {
         def.kind = InteractionKind::Ball;
         def.point[0] = place;
@@ -228,8 +230,8 @@ void StopperSystem::update_hold(Prestep& now) noexcept {
     // The pawl falls. The same node is held, farther in, until another one is much nearer.
     hauled_length_ += in;
     std::copy_n(place.data(), 3, closing_position_);
-    after_ = static_cast<std::int32_t>(hauled_length_ < kRenew ? StopperState::closing
-                                                               : StopperState::open);
+    after_ = static_cast<std::int32_t>(hauled_length_ < kMinHaulForNewNode ? StopperState::closing
+                                                                           : StopperState::open);
     set_state(StopperState::opening);
 }
 

@@ -31,7 +31,7 @@ WetHalves wet_halves(const Chain& chain, const Plane& shape, double water) {
     return out;
 }
 
-bool bends(const Chain& chain) noexcept {
+bool resists_bending(const Chain& chain) noexcept {
     return std::any_of(chain.bend.begin(), chain.bend.end(), [](double k) { return k > 0.0; });
 }
 

@@ -24,7 +24,7 @@ struct HalfForm {
 [[nodiscard]] WetHalves wet_halves(const Chain& chain, const Plane& shape, double water);
 
 /// True if a node resists bending.
-[[nodiscard]] bool bends(const Chain& chain) noexcept;
+[[nodiscard]] bool resists_bending(const Chain& chain) noexcept;
 
 /// Return the bending forces on the nodes [N].
 [[nodiscard]] std::vector<Vec3> bending_forces(const Chain& chain, const std::vector<Vec3>& nodes);

@@ -17,8 +17,8 @@
 namespace hawser {
 
 double drum_mass(const WinchDef& def) noexcept {
-    constexpr double kLeft = 1e-4;  // of the inertia
-    return def.overload_limit > 0.0 ? kLeft * def.inertia : def.inertia;
+    constexpr double kMinInertiaFraction = 1e-4;  // of the inertia
+    return def.overload_limit > 0.0 ? kMinInertiaFraction * def.inertia : def.inertia;
 }
 
 }  // namespace hawser
@@ -115,10 +115,10 @@ void WinchSystem::follow_heave(const Prestep& now) noexcept {
         a.paid = paid;
         a.compensates_heave = 1;
     }
-    constexpr double kReturn = 1.0;  // [s]
+    constexpr double kReturnTime = 1.0;  // [s]
     a.error = def_.heave_falls * (height - a.height) - (paid - a.paid);
     const double most = def_.heave_speed, change = def_.heave_acceleration * now.step;
-    const double wanted = std::clamp(rises + a.error / kReturn, -most, most);
+    const double wanted = std::clamp(rises + a.error / kReturnTime, -most, most);
     a.speed = std::clamp(wanted, a.speed - change, a.speed + change);
     a.paid += speed_ * now.step;
 }
@@ -134,15 +134,17 @@ void WinchSystem::follow_aids(Prestep& now) noexcept {
     a.rate = radius_ * leaving_;
     a.peak = std::max(a.peak, pull_);
     // The drive is ready two steps before the limit, so that the drum starts without a peak.
-    constexpr double kReady = 0.95;
+    constexpr double kReadyFraction = 0.95;
     const double soon = pull_ + 2.0 * std::max(pull_ - a.pull, 0.0);
     a.pull = pull_;
     const double most = max_tension();
-    const bool near = soon >= kReady * most;
+    const bool near = soon >= kReadyFraction * most;
     a.balances_inertia =
-        near || (a.balances_inertia != 0 && a.rate > kStands && most < kUnbounded) ? 1 : 0;
-    const bool pays_out_protection = a.balances_inertia != 0 && a.rate > kStands &&
-                                     (mode() != WinchMode::speed || speed_ < a.rate - kStands);
+        near || (a.balances_inertia != 0 && a.rate > kMaxStandingSpeed && most < kUnbounded) ? 1
+                                                                                             : 0;
+    const bool pays_out_protection =
+        a.balances_inertia != 0 && a.rate > kMaxStandingSpeed &&
+        (mode() != WinchMode::speed || speed_ < a.rate - kMaxStandingSpeed);
     if (pays_out_protection) a.lost_length += std::max(radius_ * turned_, 0.0);
     if (pays_out_protection && a.pays_out_protection == 0)
         now.tell(EventKind::render, ids_.drum, pull_);

@@ -41,18 +41,18 @@ void WinchSystem::weigh_element(const World& world, Loads& loads) const noexcept
 
 void WinchSystem::before_step(NodeEdits& nodes) noexcept {
     const World& world = nodes.world;
-    crowded_ = false;
+    insertion_failed_ = false;
     if (!makes_nodes() || parted_ != 0 || !world.intact(ids_.line)) return;
     const double angle = world.pose(paying_out_body()).position.x();
     const double there = at_drum_ + radius_ * (angle - angle_);
     const std::size_t node = node_slot(world);
     // Ahead: the wire begins at the drum.
     const Feed feed{ids_.line, node == 1, def_.element, def_.mass_per_length};
-    if (there > kGrown * def_.element) {
+    if (there > kInsertRatio * def_.element) {
         const bool put = insert_feed_node(nodes, feed, there, at_drum_);
         // Each step retries; only the first failure is reported.
-        crowded_ = !put && at_drum_ <= kGrown * def_.element;
-    } else if (there < kShrunk * def_.element) {
+        insertion_failed_ = !put && at_drum_ <= kInsertRatio * def_.element;
+    } else if (there < kRemoveRatio * def_.element) {
         (void)feed_in_node(nodes, feed, node, at_drum_);
     }
 }

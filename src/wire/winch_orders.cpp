@@ -14,10 +14,10 @@
 namespace hawser {
 
 std::span<const char* const> winch_modes() noexcept {
-    static constexpr const char* kModes[] = {"speed", "tension", "render", "brake",
-                                             "free",  "release", "heave"};
-    static_assert(static_cast<int>(WinchMode::heave) + 1 == std::size(kModes));
-    return kModes;
+    static constexpr const char* kModeNames[] = {"speed", "tension", "render", "brake",
+                                                 "free",  "release", "heave"};
+    static_assert(static_cast<int>(WinchMode::heave) + 1 == std::size(kModeNames));
+    return kModeNames;
 }
 
 }  // namespace hawser
@@ -73,7 +73,7 @@ void WinchSystem::order_motor(MotorOrders& out) noexcept {
     }
     if (clutch_ < 0.5 || parted_ != 0) out.low = out.high = out.speed = 0.0;
     // The remaining wire jams at the fairlead for any order of the motor: it can only move out.
-    if (jams_ && parted_ == 0) out.high = kUnbounded;
+    if (is_at_min_length_ && parted_ == 0) out.high = kUnbounded;
 }
 
 WinchSystem::MotorOrders WinchSystem::orders() noexcept {
@@ -92,12 +92,13 @@ WinchSystem::MotorOrders WinchSystem::orders() noexcept {
         out.back = 0.0;
     }
     const double speed = radius_ * omega_;
-    WinchState state = speed > kStands    ? WinchState::paying
-                       : speed < -kStands ? WinchState::hauling
-                                          : WinchState::standing;
+    WinchState state = speed > kMaxStandingSpeed    ? WinchState::paying
+                       : speed < -kMaxStandingSpeed ? WinchState::hauling
+                                                    : WinchState::standing;
     const bool asks_out = m == WinchMode::speed && speed_ > 0.0;
-    const bool asks_in = (m == WinchMode::speed && speed_ < 0.0) ||
-                         ((m == WinchMode::tension || m == WinchMode::render) && speed <= kStands);
+    const bool asks_in =
+        (m == WinchMode::speed && speed_ < 0.0) ||
+        ((m == WinchMode::tension || m == WinchMode::render) && speed <= kMaxStandingSpeed);
     if (asks_out && wraps_ <= def_.dead_wraps) state = WinchState::last_wraps;
     if (asks_in && is_hauled_in()) state = WinchState::full;
     if (slipping_ != 0) state = WinchState::slipping;

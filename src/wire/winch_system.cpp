@@ -187,9 +187,9 @@ void WinchSystem::sample(const Prestep& now) noexcept {
         return rest - radius_ * turned < least ||
                (makes_nodes() && at_drum_ - radius_ * turned <= 0.0);
     };
-    jams_ = jams(0.0);
-    began_to_jam_ = jams_ && !jams(turned_) && parted_ == 0;
-    hauled_in_ = jams_ || rest < least + 2.0 * now.step * radius_ * std::abs(leaving_);
+    is_at_min_length_ = jams(0.0);
+    began_to_jam_ = is_at_min_length_ && !jams(turned_) && parted_ == 0;
+    hauled_in_ = is_at_min_length_ || rest < least + 2.0 * now.step * radius_ * std::abs(leaving_);
 }
 
 /// Record the slip of a brake whose torque is at its bound while the drum turns against this
@@ -199,8 +199,9 @@ void WinchSystem::count_slip(Prestep& now) noexcept {
     const double most = torque < 0.0 ? last_inputs_.hold : last_inputs_.hold * last_inputs_.back;
     const double turned = wheel_ ? omega_ * now.step : turned_;
     const bool held = empty_ != 0 && !wheel_;  // by the fastening, not the brake
-    const bool slips =
-        !held && most > 0.0 && std::abs(torque) >= most * (1.0 - kNear) && torque * turned < 0.0;
+    const bool slips = !held && most > 0.0 &&
+                       std::abs(torque) >= most * (1.0 - kAtBoundTolerance) &&
+                       torque * turned < 0.0;
     if (slips) {
         slip_ += radius_ * std::abs(turned);
         heat_ += std::abs(torque * turned);
@@ -213,10 +214,10 @@ void WinchSystem::count_slip(Prestep& now) noexcept {
 /// Record that a motor in mode `render` pays out at its largest holding torque. In other modes the
 /// upper bound of the torque is above 0.
 void WinchSystem::count_rendering(Prestep& now) noexcept {
-    const bool gives = mode() == WinchMode::render && last_inputs_.high <= 0.0 &&
-                       last_inputs_.low < 0.0 &&
-                       now.world.force(ids_.motor)[0] <= last_inputs_.low * (1.0 - kNear) &&
-                       radius_ * omega_ > kStands;
+    const bool gives =
+        mode() == WinchMode::render && last_inputs_.high <= 0.0 && last_inputs_.low < 0.0 &&
+        now.world.force(ids_.motor)[0] <= last_inputs_.low * (1.0 - kAtBoundTolerance) &&
+        radius_ * omega_ > kMaxStandingSpeed;
     if (gives && rendering_ == 0) now.tell(EventKind::render, ids_.drum, pull_);
     rendering_ = gives ? 1 : 0;
 }
@@ -246,8 +247,8 @@ void WinchSystem::check_fastening(Prestep& now) noexcept {
     if (parted_ != 0) return;
     // A drum stopped by its fastening springs back slightly. It counts as empty until it has
     // hauled.
-    constexpr double kHauled = 0.25;  // wraps
-    const bool none = stored_ <= 0.0 || (empty_ != 0 && wraps_ < kHauled);
+    constexpr double kMinHauledWraps = 0.25;  // wraps
+    const bool none = stored_ <= 0.0 || (empty_ != 0 && wraps_ < kMinHauledWraps);
     if (none && empty_ == 0) now.tell(EventKind::drum_empty, ids_.drum, pull_);
     empty_ = none ? 1 : 0;
     const double there = wheel_ ? std::abs(now.world.force(ids_.bitter_end)[0]) / radius_
@@ -309,7 +310,7 @@ void WinchSystem::prestep(Prestep& now, Loads& loads) noexcept {
     count_release(now);
     if (has_aids()) follow_aids(now);
     apply_orders(now, orders());
-    if (crowded_) now.tell(EventKind::no_node, ids_.drum, at_drum_);
+    if (insertion_failed_) now.tell(EventKind::no_node, ids_.drum, at_drum_);
     if (began_to_jam_) now.tell(EventKind::hauled_in, ids_.drum, pull_);
     add_line_inertia(now, loads);
     weigh_element(now.world, loads);

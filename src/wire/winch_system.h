@@ -170,11 +170,11 @@ class WinchSystem final : public System {
     // Values of the step that begins.
     /// Turn of the wire [rad]; speed of the drum; speed of the wire [rad/s].
     double turned_ = 0.0, omega_ = 0.0, leaving_ = 0.0;
-    bool crowded_ = false;  ///< True if a node could not be inserted for the first time.
+    bool insertion_failed_ = false;  ///< True if a node could not be inserted for the first time.
     /// True if the element at the drum is or will soon be at its least length.
     bool hauled_in_ = false;
-    bool jams_ = false;          ///< True if it is at its least length.
-    bool began_to_jam_ = false;  ///< True if it reached its least length in the last step.
+    bool is_at_min_length_ = false;  ///< True if it is at its least length.
+    bool began_to_jam_ = false;      ///< True if it reached its least length in the last step.
 };
 
 }  // namespace hawser::wire

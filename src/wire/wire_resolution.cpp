@@ -12,11 +12,11 @@
 namespace hawser::wire {
 namespace {
 
-constexpr double kLevel = 1.5;   ///< Ratio of lengths per coarsening level.
-constexpr double kSlack = 1e-9;  ///< Relative tolerance of lengths for rounding.
+constexpr double kLevelRatio = 1.5;        ///< Ratio of lengths per coarsening level.
+constexpr double kLengthTolerance = 1e-9;  ///< Relative tolerance of lengths for rounding.
 /// Angle between elements up to which a node may be removed [rad]. The chord that replaces both
 /// elements is shorter by angle²/8, a fraction of 3e-4.
-constexpr double kFlat = 0.05;
+constexpr double kMaxRemovalAngle = 0.05;
 
 }  // namespace
 
@@ -37,7 +37,7 @@ WireResolution::WireResolution(const ResolutionDef& def, std::vector<Line> lines
 void WireResolution::visit_state(StateVisitor& v) {
     v.visit(reported_);
     v.visit(memory_);
-    for (std::int32_t* x : {&known_nodes_, &crowded_node_}) v.visit(*x);
+    for (std::int32_t* x : {&known_nodes_, &limited_node_}) v.visit(*x);
     v.visit(sampled_);
     for (double* x : {&tension_, &nodes_, &shortest_, &longest_, &material_, &inserted_, &removed_})
         v.visit(*x);
@@ -49,7 +49,7 @@ void WireResolution::check_state(const World& world, StateRules& rules) const {
     rules.flag(reported_, "whether a limit was reported is no flag");
     rules.require(known_nodes_ >= 0 && static_cast<std::size_t>(known_nodes_) <= max_nodes_,
                   "more nodes are known than there may be");
-    rules.require(crowded_node_ >= -1, "there is no such node");
+    rules.require(limited_node_ >= -1, "there is no such node");
     rules.require(sampled_ >= -1, "its last check has no step");
     for (std::size_t k = 2; k < memory_.size(); k += 3)
         rules.require(memory_[k] >= -kMaxSampleCount && memory_[k] <= kMaxSampleCount,
@@ -77,7 +77,7 @@ void WireResolution::bound_elements(const World& world) {
         }
         return false;
     };
-    scale_ = std::pow(kLevel, world.solver().coarsening());
+    scale_ = std::pow(kLevelRatio, world.solver().coarsening());
     for (std::size_t i = 0; i < elements_.size(); ++i) {
         Element& e = elements_[i];
         const double curvature = std::max({at_[i].curvature, at_[i + 1].curvature, 1e-30});
@@ -131,10 +131,10 @@ void WireResolution::save_idle_counts() noexcept {
 /// both sides, and the united element must keep its bounds.
 bool WireResolution::may_remove(std::size_t node) const noexcept {
     const Element &a = elements_[node - 1], &b = elements_[node];
-    if (!a.plain || !b.plain || at_[node].angle > kFlat) return false;
+    if (!a.plain || !b.plain || at_[node].angle > kMaxRemovalAngle) return false;
     if (a.mass_per_length != b.mass_per_length) return false;  // a boundary of two line types
     const double both = a.length + b.length;
-    return both <= def_.max_length * scale_ * (1.0 + kSlack) &&
+    return both <= def_.max_length * scale_ * (1.0 + kLengthTolerance) &&
            both * def_.hysteresis <= std::min(a.removal_bound, b.removal_bound);
 }
 
@@ -151,19 +151,19 @@ void WireResolution::count_idle_samples() noexcept {
 /// Insert a node in the element whose length exceeds its bound by the largest ratio.
 bool WireResolution::refine(NodeEdits& nodes) noexcept {
     std::size_t worst = elements_.size();
-    double most = 1.0 + kSlack;
+    double most = 1.0 + kLengthTolerance;
     for (std::size_t i = 0; i < elements_.size(); ++i) {
         const Element& e = elements_[i];
-        if (!e.plain || e.length < 2.0 * def_.min_length * (1.0 - kSlack)) continue;
+        if (!e.plain || e.length < 2.0 * def_.min_length * (1.0 - kLengthTolerance)) continue;
         const double least = std::min(e.bound, def_.max_length * scale_);
         if (e.length <= most * least) continue;
         most = e.length / std::max(least, 1e-9);
         worst = i;
     }
-    crowded_node_ = -1;
+    limited_node_ = -1;
     if (worst == elements_.size()) return false;
     if (at_.size() >= static_cast<std::size_t>(def_.max_nodes)) {
-        crowded_node_ = at_[worst].id.index;
+        limited_node_ = at_[worst].id.index;
         return false;
     }
     if (!nodes.insert_node(elements_[worst].id, 0.5).valid()) return false;
@@ -185,7 +185,7 @@ bool WireResolution::coarsen(NodeEdits& nodes) noexcept {
         least = k;
     }
     if (least == 0) return false;
-    if (!nodes.remove_node(at_[least].id, kFlat)) {
+    if (!nodes.remove_node(at_[least].id, kMaxRemovalAngle)) {
         at_[least].idle = -patience_samples_;  // let other nodes go first
         return false;
     }
@@ -242,13 +242,13 @@ void WireResolution::before_step(NodeEdits& nodes) noexcept {
 
 void WireResolution::prestep(Prestep& now, Loads& loads) noexcept {
     static_cast<void>(loads);
-    if (crowded_node_ >= 0 && reported_ == 0) {
+    if (limited_node_ >= 0 && reported_ == 0) {
         const auto bodies = now.world.bodies();
         const auto at = std::find_if(bodies.begin(), bodies.end(),
-                                     [&](BodyId id) { return id.index == crowded_node_; });
+                                     [&](BodyId id) { return id.index == limited_node_; });
         if (at != bodies.end()) now.tell(EventKind::node_limit, *at, nodes_);
     }
-    reported_ = crowded_node_ >= 0 ? 1 : 0;
+    reported_ = limited_node_ >= 0 ? 1 : 0;
 }
 
 }  // namespace hawser::wire

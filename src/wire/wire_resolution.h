@@ -96,7 +96,7 @@ class WireResolution final : public System {
     std::int32_t known_nodes_ = 0;
     std::int64_t sampled_ = -1;       ///< Step of the last sample.
     double tension_ = -1.0;           ///< Averaged [N]; negative: unknown.
-    std::int32_t crowded_node_ = -1;  ///< Index of a node where more nodes are needed than allowed.
+    std::int32_t limited_node_ = -1;  ///< Index of a node where more nodes are needed than allowed.
     std::int32_t reported_ = 0;
     double nodes_ = 0.0, shortest_ = 0.0, longest_ = 0.0, material_ = 0.0;
     double inserted_ = 0.0, removed_ = 0.0;

@@ -287,7 +287,7 @@ void WorldImpl::copy_from(const WorldImpl& other) {
         for (const std::int32_t id : *list)
             to.model.interactions.set_anchor(id, to.model.interactions.anchor[at(id)]);
     for (const std::int32_t id : to.model.interactions.winches)
-        to.model.interactions.follow_length(id, to.model.bodies, to.model.def.step);
+        to.model.interactions.update_length_at_drum(id, to.model.bodies, to.model.def.step);
     // Ghost bodies and duplicated rows differ with the coupling.
     if (from.model.interactions.count() != to.model.interactions.count())
         split::follow_cuts(to.model);

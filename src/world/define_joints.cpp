@@ -108,10 +108,10 @@ void add_axis(Parts& parts, const InteractionDef& frame, const std::string& name
 
 namespace {
 
-constexpr AxisKinds kAbout{InteractionKind::HingeRange, InteractionKind::HingeMotor,
-                           InteractionKind::HingeFriction};
-constexpr AxisKinds kAlong{InteractionKind::SlideRange, InteractionKind::SlideMotor,
-                           InteractionKind::SlideFriction};
+constexpr AxisKinds kHingeKinds{InteractionKind::HingeRange, InteractionKind::HingeMotor,
+                                InteractionKind::HingeFriction};
+constexpr AxisKinds kSliderKinds{InteractionKind::SlideRange, InteractionKind::SlideMotor,
+                                 InteractionKind::SlideFriction};
 
 /// A joint of two bodies and its position in the world.
 class Joint {
@@ -203,11 +203,11 @@ InteractionId add_joint(World& world, const InteractionDef& def) {
 }  // namespace world
 
 JointIds define(World& world, const HingeDef& def) {
-    return world::add_driven(world, InteractionKind::Hinge, world::kAbout, def);
+    return world::add_driven(world, InteractionKind::Hinge, world::kHingeKinds, def);
 }
 
 JointIds define(World& world, const PrismaticDef& def) {
-    return world::add_driven(world, InteractionKind::Prismatic, world::kAlong, def);
+    return world::add_driven(world, InteractionKind::Prismatic, world::kSliderKinds, def);
 }
 
 CylindricalIds define(World& world, const CylindricalDef& def) {
@@ -221,8 +221,8 @@ CylindricalIds define(World& world, const CylindricalDef& def) {
         world::add_axis(parts, joint.out, world::part_name(def.name, name), kinds, p.limit, p.motor,
                         p.friction, to);
     };
-    add(def.along, "along", world::kAlong, ids.along);
-    add(def.about, "about", world::kAbout, ids.about);
+    add(def.along, "along", world::kSliderKinds, ids.along);
+    add(def.about, "about", world::kHingeKinds, ids.about);
     parts.add_to(world);
     return ids;
 }

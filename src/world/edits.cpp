@@ -63,7 +63,7 @@ BodyId World::add_body(const BodyDef& def) {
     base::reserve_more(c.model.regroup.by_hand, 1);
     base::reserve_more(c.model.cuts.group, 1);
     c.model.bodies.reserve_more();
-    const std::int32_t place = next_index(c.model.bodies.place_for(def.kind), body_count());
+    const std::int32_t place = next_index(c.model.bodies.vacant_slot_for(def.kind), body_count());
     std::int32_t group = -1;
     reserve_name_for(m.body_names, def.name, place, "body",
                      [&] { group = m.number_of_group(def.group); });
@@ -73,7 +73,7 @@ BodyId World::add_body(const BodyDef& def) {
     store_at(m.body_defs, place, std::move(kept));
     store_at(c.model.regroup.by_hand, place, std::int32_t{group});
     store_at(c.model.cuts.group, place, std::int32_t{group});
-    edit::settle_body(c, place);
+    edit::register_added_body(c, place);
     const BodyId id = c.model.bodies.id(place);
     insert_id(m.body_ids, id);
     if (m.listener != nullptr) m.listener->added(def);
@@ -93,7 +93,7 @@ InteractionId World::add_interaction(const InteractionDef& def) {
     all.reserve_more(d.kind);
     base::reserve_more(m.interaction_ids, 1);
     edit::reserve_edit(c);
-    const std::int32_t place = next_index(all.place_for(d.kind), interaction_count());
+    const std::int32_t place = next_index(all.vacant_slot_for(d.kind), interaction_count());
     claim_name(m.interaction_names, d.name, place, "interaction");
     // No call below throws.
     const InteractionId id = m.store_interaction(std::move(d));
@@ -107,7 +107,7 @@ InteractionId WorldImpl::store_interaction(InteractionDef&& whole) noexcept {
     const std::int32_t place = all.add(std::move(whole), ctx.model.bodies, ctx.model.def.step);
     if (at(place) < ctx.model.cuts.coupling.size())
         ctx.model.cuts.coupling[at(place)] = ctx.model.def.coupling;
-    edit::settle_interaction(ctx, place);
+    edit::register_added_interaction(ctx, place);
     const InteractionId id = all.id(place);
     insert_id(interaction_ids, id);
     return id;
@@ -128,7 +128,7 @@ ShapeId World::add_shape(const ShapeDef& def) {
     // No call below throws.
     store_at(m.shape_defs, place, std::move(kept));
     edit::begin_shape_edit(m.ctx);
-    edit::settle_shape(m.ctx, place);
+    edit::register_added_shape(m.ctx, place);
     const auto id = m.ctx.model.collider.slots.id<ShapeId>(place);
     insert_id(m.shape_ids, id);
     if (m.listener != nullptr) m.listener->added(def);
@@ -201,7 +201,7 @@ namespace {
 /// Append a removed object to a list as long as there is capacity, for calls that undo their own
 /// additions.
 template <class Id>
-void note(std::vector<Id>& list, Id id) noexcept {
+void append_if_capacity(std::vector<Id>& list, Id id) noexcept {
     if (list.size() < list.capacity()) list.push_back(id);
 }
 
@@ -235,7 +235,7 @@ void WorldImpl::remove(BodyId id) noexcept {
     ctx.model.regroup.by_hand[at(id.index)] = ctx.model.cuts.group[at(id.index)] = -1;
     edit::remove_body(ctx, id.index);
     erase_id(body_ids, id);
-    note(removed.bodies, id);
+    append_if_capacity(removed.bodies, id);
 }
 
 void WorldImpl::remove(InteractionId id) noexcept {
@@ -245,7 +245,7 @@ void WorldImpl::remove(InteractionId id) noexcept {
     world::release(interaction_names, ctx.model.interactions.def[at(id.index)].name);
     edit::remove_interaction(ctx, id.index);
     erase_id(interaction_ids, id);
-    note(removed.interactions, id);
+    append_if_capacity(removed.interactions, id);
 }
 
 void WorldImpl::remove(ShapeId id) noexcept {
@@ -254,7 +254,7 @@ void WorldImpl::remove(ShapeId id) noexcept {
     shape_defs[at(id.index)] = {};
     edit::remove_shape(ctx, id.index);
     erase_id(shape_ids, id);
-    note(removed.shapes, id);
+    append_if_capacity(removed.shapes, id);
 }
 
 /// Remove an input. The value that it set remains.
@@ -274,7 +274,7 @@ void WorldImpl::remove(InputId id) noexcept {
     def = {};
     input_values[at(id.index)] = 0.0;
     input_slots.vacate(id.index);
-    note(removed.inputs, id);
+    append_if_capacity(removed.inputs, id);
     const auto same = [&](const InputDef& other) { return other.interaction == driven; };
     if (!driven.valid() || std::any_of(inputs.begin(), inputs.end(), same)) return;
     edit::begin_edit(ctx);  // the interaction may take part in the end-of-step iteration now

@@ -21,8 +21,8 @@ namespace {
 class Digest {
   public:
     void bytes(const void* data, std::size_t size) {
-        if (size > kRoom - used_) flush();
-        if (size > kRoom) {
+        if (size > kBufferSize - used_) flush();
+        if (size > kBufferSize) {
             hash_ = base::checksum(data, size, hash_);
         } else if (size > 0) {
             std::memcpy(buffer_ + used_, data, size);
@@ -48,14 +48,14 @@ class Digest {
     }
 
   private:
-    static constexpr std::size_t kRoom = 4096;
+    static constexpr std::size_t kBufferSize = 4096;
     void flush() {
         hash_ = base::checksum(buffer_, used_, hash_);
         used_ = 0;
     }
     std::uint64_t hash_ = base::kFnvStart;
     std::size_t used_ = 0;
-    unsigned char buffer_[kRoom];
+    unsigned char buffer_[kBufferSize];
 };
 
 void add(const MaterialDef& m, Digest& to) {

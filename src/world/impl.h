@@ -101,7 +101,7 @@ struct WorldImpl final : private world::InputAccess {
     // helpers of insert_node() and remove_node().
     [[nodiscard]] world::Wire* wire_with(InteractionId element) noexcept;
     void update_wire_of(InteractionId element);
-    void follow_definitions(const edit::NodeSurroundings& place) noexcept;
+    void update_definitions_near(const edit::NodeSurroundings& place) noexcept;
     void follow_inputs(std::int32_t element) noexcept;
     void add_capsule(ShapeId segment, BodyId first, BodyId second, const Vec3& point) noexcept;
     void move_segment(ShapeId segment, std::size_t side, BodyId to) noexcept;
@@ -119,7 +119,7 @@ struct WorldImpl final : private world::InputAccess {
                                                                        std::size_t node,
                                                                        double s) const noexcept;
     void replace_bend_neighbour(BodyId lump, BodyId from, BodyId to, const Vec3& point) noexcept;
-    void drop_folded(std::int32_t bend) noexcept;
+    void remove_folded_bend(std::int32_t bend) noexcept;
     [[nodiscard]] world::Wire& wire_on_guide(InteractionId before, InteractionId behind,
                                              const InteractionDef& element);
     void check_one_line_type(BodyId node, const edit::NodeSurroundings& place) const;
@@ -138,7 +138,7 @@ struct WorldImpl final : private world::InputAccess {
     }
     void split_wire_at_node(const edit::NodeSurroundings& place, BodyId end) noexcept;
     void divide_load(BodyId from, BodyId to, double share) noexcept;
-    void follow_definition(BodyId lump) noexcept;
+    void update_definition(BodyId lump) noexcept;
     void reverse_chain(std::span<const std::int32_t> chain) noexcept;
     [[nodiscard]] world::FreeEnd free_end(BodyId lump) const;
     [[nodiscard]] world::FreeEnd free_end(WireId id, int end) const;

@@ -59,14 +59,14 @@ Followed followed_target(const World& world, const InputDef& def) {
     return {};
 }
 
-constexpr std::pair<const char*, const char*> kRanges[] = {{"min", "max"},
-                                                           {"force_min", "force_max"}};
+constexpr std::pair<const char*, const char*> kRangeParams[] = {{"min", "max"},
+                                                                {"force_min", "force_max"}};
 
 /// Reject a value that would set a minimum above its maximum, as add_interaction() does.
 void check_pair(const World& world, const InputDef& def, double value) {
     if (!def.interaction.valid()) return;
     const InteractionDef& d = world.interaction_def(def.interaction);
-    for (const auto& [low, high] : kRanges) {
+    for (const auto& [low, high] : kRangeParams) {
         if (def.param != low && def.param != high) continue;
         const char* const other = def.param == low ? high : low;
         const double there = d.get(other);
@@ -202,7 +202,7 @@ bool WorldImpl::leaves_empty_range(std::int32_t input) const noexcept {
     const InputDef& def = inputs[at(input)];
     if (!def.interaction.valid()) return false;
     const InteractionDef& d = ctx.model.interactions.def[at(def.interaction.index)];
-    for (const auto& [low, high] : kRanges)
+    for (const auto& [low, high] : kRangeParams)
         if ((def.param == low || def.param == high) && d.get(low) > d.get(high)) return true;
     return false;
 }

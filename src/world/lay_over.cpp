@@ -158,13 +158,13 @@ void WorldImpl::replace_bend_neighbour(BodyId lump, BodyId from, BodyId to,
     const std::size_t slot = edit::end_of(ctx, bend, 0) == from.index ? 0 : 2;
     in.def[at(bend)].point[slot] = point;
     in.rewire(bend, slot, to, ctx.model.bodies);
-    drop_folded(bend);
+    remove_folded_bend(bend);
 }
 
 /// Remove a bend between two turning points of one body. An interaction can have each body only
 /// once. The effect of a bend between a bollard and a drum of one ship is negligible. Capacity has
 /// been reserved (reserve_removal()).
-void WorldImpl::drop_folded(std::int32_t bend) noexcept {
+void WorldImpl::remove_folded_bend(std::int32_t bend) noexcept {
     if (bend >= 0 && edit::end_of(ctx, bend, 0) == edit::end_of(ctx, bend, 2))
         remove(ctx.model.interactions.id(bend));
 }
@@ -203,7 +203,8 @@ InteractionId WorldWires::disengage(InteractionId before, InteractionId behind,
     const double half = std::isnan(element.get("mass")) ? 0.0 : 0.5 * element.get("mass");
     const BodyId ends[2] = {a.body[0], b.body[1]};
     const double had[2] = {world_->body_def(ends[0]).mass, world_->body_def(ends[1]).mass};
-    const world::AtWheel wheel = world::at_wheel(m.ctx, {before.index, behind.index}, 2.0 * half);
+    const world::WireAtWheel wheel =
+        world::read_wire_at_wheel(m.ctx, {before.index, behind.index}, 2.0 * half);
     const auto weigh = [&](double more) {
         for (const std::size_t k : {0U, 1U})
             if (half > 0.0 && is_free_node(ends[k])) set_mass(ends[k], had[k] + more);

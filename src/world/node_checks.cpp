@@ -18,7 +18,7 @@ void WorldImpl::check_node(InteractionId element, double share, double mass) con
     const world::Where where("interaction", in.def[e].name);
     if (!kind_info(in.def[e].kind).is(kWireElement) || in.parted[e] != 0)
         world::throw_def_error(where, "only elements of wires that are whole have nodes");
-    if (systems.refuses_nodes(element))
+    if (systems.only_systems_edit_nodes(element))
         world::throw_def_error(where,
                                "its winch inserts nodes there; choose an element farther away");
     if (!(share > 0.0 && share < 1.0))
@@ -46,13 +46,14 @@ void WorldImpl::check_node(InteractionId element, double share, double mass) con
 /// replace both. Edits change rest lengths, so masses per length may differ slightly.
 /// @throws DefError.
 void WorldImpl::check_one_line_type(BodyId node, const edit::NodeSurroundings& place) const {
-    constexpr double kSame = 0.1;
+    constexpr double kSameMassTolerance = 0.1;
     const model::Interactions& in = ctx.model.interactions;
     const InteractionDef &a = in.def[at(place.first)], &b = in.def[at(place.second)];
     for (const std::int32_t id : {place.first, place.second})
-        if (edit::is_wound(ctx, id)) return;  // has the line type of the other one
+        if (edit::is_at_drum(ctx, id)) return;  // has the line type of the other one
     const double x = a.get("mass") * b.get("length"), y = b.get("mass") * a.get("length");
-    if (a.get("EA") == b.get("EA") && std::abs(x - y) <= kSame * std::max(x, y)) return;
+    if (a.get("EA") == b.get("EA") && std::abs(x - y) <= kSameMassTolerance * std::max(x, y))
+        return;
     world::throw_def_error(
         world::Where("body", body_defs[at(node.index)].name),
         "two line types meet at this node; remove nodes on either side of it instead");
@@ -68,11 +69,11 @@ std::int32_t WorldImpl::check_node_removable(BodyId node, edit::NodeSurroundings
         !edit::complete_surroundings(ctx, place))
         world::throw_def_error(where,
                                "it is no node between two elements of a wire, and nothing else");
-    const bool second = edit::is_wound(ctx, place.second);
-    if (second && edit::is_wound(ctx, place.first))
+    const bool second = edit::is_at_drum(ctx, place.second);
+    if (second && edit::is_at_drum(ctx, place.first))
         world::throw_def_error(where, "drums pay out both of its elements");
     for (const std::int32_t id : {place.first, place.second}) {
-        if (edit::is_wound(ctx, id)
+        if (edit::is_at_drum(ctx, id)
                 ? (ctx.model.interactions.flags[at(id)] & model::kFromLength) != 0
                 : edit::mass_of_element(ctx, id) > 0.0 && edit::is_of_material(ctx, id))
             continue;
@@ -85,9 +86,9 @@ std::int32_t WorldImpl::check_node_removable(BodyId node, edit::NodeSurroundings
         own += 0.5 * edit::mass_of_element(ctx, id);
     // The mass that a node kept between two drums or guides is removed with it. Elements may have
     // been ten times as long, on either side.
-    constexpr double kKept = 10.0 * 2.0 * edit::kKeptMass;
-    const bool drum = second || edit::is_wound(ctx, place.first);
-    const double more = drum ? kKept : 1e-6;  // otherwise rounding
+    constexpr double kMaxKeptMass = 10.0 * 2.0 * edit::kKeptMass;
+    const bool drum = second || edit::is_at_drum(ctx, place.first);
+    const double more = drum ? kMaxKeptMass : 1e-6;  // otherwise rounding
     if (body_defs[at(node.index)].mass > (1.0 + more) * own)
         world::throw_def_error(
             where, "it has " + world::number(body_defs[at(node.index)].mass - own) +
@@ -95,7 +96,7 @@ std::int32_t WorldImpl::check_node_removable(BodyId node, edit::NodeSurroundings
     if (!(bend >= 0.0))
         world::throw_def_error(where, "bend must be an angle, not " + world::number(bend));
     const std::int32_t stays = second ? place.second : place.first;
-    if (systems.refuses_nodes(ctx.model.interactions.id(stays)))
+    if (systems.only_systems_edit_nodes(ctx.model.interactions.id(stays)))
         world::throw_def_error(where,
                                "its winch removes it when it hauls; choose one farther away");
     check_not_needed(node, ctx.model.interactions.id(stays));

@@ -36,7 +36,7 @@ InteractionDef other_element(const model::Interactions& in, std::int32_t element
     const double length = (first ? share : 1.0 - share) * in.rest_length[at(element)];
     out.set("length", length);
     for (const char* same : {"EA", "tension_only", "breaking_load"}) out.set(same, def.get(same));
-    // The next node gets its half of the mass in settle_node(); until then it has none.
+    // The next node gets its half of the mass in finish_node_insertion(); until then it has none.
     constexpr double kNone = 1e-3;
     if (wound) out.set("mass", kNone * mass);
     // A fraction of critical damping. For a drum's element use that of the wire beyond.

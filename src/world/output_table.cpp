@@ -10,7 +10,7 @@
 namespace hawser {
 namespace {
 
-constexpr OutputComponent kPose[] = {
+constexpr OutputComponent kPoseComponents[] = {
     {"x", "m", "Position of the point, world frame; of a scalar body its coordinate."},
     {"y", "m", "Position of the point, world frame."},
     {"z", "m", "Position of the point, world frame."},
@@ -21,38 +21,39 @@ constexpr OutputComponent kPose[] = {
     {"qx", "1", "Orientation as a quaternion."},
     {"qy", "1", "Orientation as a quaternion."},
     {"qz", "1", "Orientation as a quaternion."}};
-constexpr OutputComponent kVelocity[] = {
+constexpr OutputComponent kVelocityComponents[] = {
     {"x", "m/s", "Velocity of the point; of a scalar body its rate."},
     {"y", "m/s", "Velocity of the point."},
     {"z", "m/s", "Velocity of the point."},
     {"turn_x", "rad/s", "Angular velocity."},
     {"turn_y", "rad/s", "Angular velocity."},
     {"turn_z", "rad/s", "Angular velocity; of a ship on an even keel its rate of turn."}};
-constexpr OutputComponent kCoordinate[] = {
+constexpr OutputComponent kCoordinateComponents[] = {
     {"value", "m or rad", "Angle or way of a joint, position of a scalar body."}};
-constexpr OutputComponent kSpeed[] = {{"value", "m/s or rad/s", "Rate of the coordinate."}};
+constexpr OutputComponent kSpeedComponents[] = {
+    {"value", "m/s or rad/s", "Rate of the coordinate."}};
 constexpr OutputComponent kMotorForce[] = {
     {"value", "N or N m", "Positive where the motor pushes the coordinate up."}};
-constexpr OutputComponent kForce[] = {
+constexpr OutputComponent kForceComponents[] = {
     {"row_0", "N or N m", "Force of the first row in the last step."},
     {"row_1", "N or N m", "Of the second row."},
     {"row_2", "N or N m", "Of the third row."},
     {"row_3", "N or N m", "Of the fourth row."},
     {"row_4", "N or N m", "Of the fifth row."},
     {"row_5", "N or N m", "Of the sixth row."}};
-static_assert(std::size(kForce) == kMaxInteractionRows);
-constexpr OutputComponent kTension[] = {
+static_assert(std::size(kForceComponents) == kMaxInteractionRows);
+constexpr OutputComponent kTensionComponents[] = {
     {"first", "N",
      "Of the first element, negative where it pushes; the force of a joint's points."},
     {"last", "N", "Of the last element."},
     {"largest", "N", "Of the element with most."}};
-constexpr OutputComponent kDrum[] = {
+constexpr OutputComponent kDrumComponents[] = {
     {"paid_out", "m",
      "Line paid out since the start, by the winch's account where the cable has a winch; of "
      "another drum since it was at 0. Negative: hauled in."},
     {"length", "m", "Line between the drum and the next node, without tension."}};
-constexpr OutputComponent kDistance[] = {{"value", "m", "From point to point."}};
-constexpr OutputComponent kStatistic[] = {
+constexpr OutputComponent kDistanceComponents[] = {{"value", "m", "From point to point."}};
+constexpr OutputComponent kStatisticComponents[] = {
     {"residual", "1", "Relative residual of momentum in the last step."},
     {"row_residual", "m/s or rad/s", "Largest residual of a row in the last step."},
     {"violation", "m", "Largest violation of a joint."},
@@ -72,34 +73,34 @@ constexpr OutputComponent kStatistic[] = {
     {"gravity", "J", "Potential energy of weights. Computing it needs a pass over the scene."},
     {"elastic", "J", "Energy of springs and lines. Computing it needs a pass over the scene."},
     {"mechanical", "J", "Kinetic, gravity and elastic. Computing it needs a pass over the scene."}};
-constexpr OutputComponent kSignal[] = {{"value", "", "In the unit of the signal."}};
-static_assert(std::size(kStatistic) == world::kMechanical + 1);
-static_assert(std::size(kPose) == world::kQuaternion + 4);
+constexpr OutputComponent kSignalComponents[] = {{"value", "", "In the unit of the signal."}};
+static_assert(std::size(kStatisticComponents) == world::kMechanical + 1);
+static_assert(std::size(kPoseComponents) == world::kQuaternion + 4);
 
 constexpr OutputKindInfo kKinds[] = {
-    {OutputKind::pose, "pose", OutputTarget::body, kPose,
+    {OutputKind::pose, "pose", OutputTarget::body, kPoseComponents,
      "Position of a point of a body and rotation of the body: about x, then y, then z of the world "
      "by roll, pitch and yaw."},
-    {OutputKind::velocity, "velocity", OutputTarget::body, kVelocity,
+    {OutputKind::velocity, "velocity", OutputTarget::body, kVelocityComponents,
      "How fast a point of a body moves and the body turns, half a step before the state."},
-    {OutputKind::coordinate, "coordinate", OutputTarget::interaction, kCoordinate,
+    {OutputKind::coordinate, "coordinate", OutputTarget::interaction, kCoordinateComponents,
      "Angle or displacement of a joint, or of its limit, motor or friction; position of a scalar "
      "body."},
-    {OutputKind::speed, "speed", OutputTarget::interaction, kSpeed,
+    {OutputKind::speed, "speed", OutputTarget::interaction, kSpeedComponents,
      "Rate of a coordinate, half a step before the state."},
     {OutputKind::motor_force, "motor_force", OutputTarget::interaction, kMotorForce,
      "Force or torque of a motor in the last step."},
-    {OutputKind::force, "force", OutputTarget::interaction, kForce,
+    {OutputKind::force, "force", OutputTarget::interaction, kForceComponents,
      "Force of one row of an interaction in the last step."},
-    {OutputKind::tension, "tension", OutputTarget::line, kTension,
+    {OutputKind::tension, "tension", OutputTarget::line, kTensionComponents,
      "Tension of a line in the last step: of one element or the largest of several."},
-    {OutputKind::drum, "drum", OutputTarget::interaction, kDrum,
+    {OutputKind::drum, "drum", OutputTarget::interaction, kDrumComponents,
      "Line that a drum has paid out, by its winch_stretch."},
-    {OutputKind::distance, "distance", OutputTarget::two_bodies, kDistance,
+    {OutputKind::distance, "distance", OutputTarget::two_bodies, kDistanceComponents,
      "Between a point of one body and a point of another."},
-    {OutputKind::statistic, "statistic", OutputTarget::world, kStatistic,
+    {OutputKind::statistic, "statistic", OutputTarget::world, kStatisticComponents,
      "Of the whole world: how well it is solved, its energies, its times."},
-    {OutputKind::signal, "signal", OutputTarget::system, kSignal,
+    {OutputKind::signal, "signal", OutputTarget::system, kSignalComponents,
      "A number of a system that a program adds to a world."}};
 static_assert(std::size(kKinds) == kOutputKindCount);
 

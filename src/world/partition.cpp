@@ -103,9 +103,9 @@ bool follow_separators(const assembly::PartGraph& g, std::span<const std::int64_
         if (joins && graph.edge(e).size() > graph::Follower::kMaxMembers) return false;
         if (between && !joins) changed.push_back(-1 - e);
     }
-    constexpr std::int64_t kFew = 20;  // one in this many
+    constexpr std::int64_t kMinSeparatorRatio = 20;  // one in this many
     const auto came = std::count_if(changed.begin(), changed.end(), [](auto e) { return e >= 0; });
-    if (kFew * came > graph.edges()) return false;
+    if (kMinSeparatorRatio * came > graph.edges()) return false;
     for (const std::int32_t e : changed)
         if (e >= 0) follower.change(e, graph.edge(e));
     for (const std::int32_t e : changed)

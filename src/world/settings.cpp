@@ -10,10 +10,10 @@ namespace {
 
 constexpr double kMostElements = 1e9;
 
-constexpr std::array kForms = {"auto", "saddle", "condensed"};
-constexpr std::array kMethods = {"newton", "pivoting", "split", "pgs", "convex"};
-constexpr std::array kCouplings = {"exact", "kinematic", "compliant", "deadline"};
-constexpr std::array kPredictors = {"hold", "forces", "clique"};
+constexpr std::array kFormNames = {"auto", "saddle", "condensed"};
+constexpr std::array kMethodNames = {"newton", "pivoting", "split", "pgs", "convex"};
+constexpr std::array kCouplingNames = {"exact", "kinematic", "compliant", "deadline"};
+constexpr std::array kPredictorNames = {"hold", "forces", "clique"};
 constexpr std::array kOnDiverged = {"stop", "warn"};
 
 /// Return a table entry that reads and writes one member, which is a number, a bool or an
@@ -55,7 +55,7 @@ constexpr auto kSettings = std::to_array<SettingInfo>({
     of<&WorldDef::form>({.name = "form",
                          .type = SettingType::word,
                          .what = "a form",
-                         .words = kForms,
+                         .words = kFormNames,
                          .doc = "Form of the step's equations that is factored."}),
     of<&WorldDef::geometric_stiffness>(
         {.name = "geometric_stiffness",
@@ -81,14 +81,14 @@ constexpr auto kSettings = std::to_array<SettingInfo>({
     of<&WorldDef::nonsmooth>({.name = "nonsmooth",
                               .type = SettingType::word,
                               .what = "a method",
-                              .words = kMethods,
+                              .words = kMethodNames,
                               .identity = true,
                               .doc = "How contacts with friction are solved; all but newton are "
                                      "there for comparison."}),
     of<&WorldDef::coupling>({.name = "coupling",
                              .type = SettingType::word,
                              .what = "a coupling",
-                             .words = kCouplings,
+                             .words = kCouplingNames,
                              .doc = "How interactions between groups of bodies couple them; "
                                     "kinematic and compliant are the splits of the paper, for "
                                     "comparison; deadline: exact, compliant where a budget needs "
@@ -96,7 +96,7 @@ constexpr auto kSettings = std::to_array<SettingInfo>({
     of<&WorldDef::predictor>({.name = "predictor",
                               .type = SettingType::word,
                               .what = "a predictor",
-                              .words = kPredictors,
+                              .words = kPredictorNames,
                               .identity = true,
                               .doc = "Velocity that each side of a cut assumes for the other side: "
                                      "the last velocity, a velocity from the last forces, or the "

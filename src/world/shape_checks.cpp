@@ -11,7 +11,7 @@
 namespace hawser::world {
 namespace {
 
-constexpr double kLongest = 1e6;                ///< [m].
+constexpr double kMaxShapeSize = 1e6;           ///< [m].
 constexpr std::size_t kMostNodes = 1U << 24;    ///< Nodes of a heightfield.
 constexpr std::size_t kMaxVertices = 1U << 22;  ///< Vertices of a mesh, and its triangles.
 constexpr std::size_t kMostHull = 4096;         ///< Vertices of a hull.
@@ -27,7 +27,7 @@ void check_within(const Where& where, const char* field, double value, double lo
 }
 
 void length(const Where& where, const char* field, double value) {
-    if (!(value > 0.0 && value <= kLongest))
+    if (!(value > 0.0 && value <= kMaxShapeSize))
         throw_shape_error(where, std::string(field) + " = " + number(value) +
                                      " m; it must be above 0 and at most 1e6 m");
 }
@@ -35,7 +35,7 @@ void length(const Where& where, const char* field, double value) {
 void points(const Where& where, const std::vector<Vec3>& vertices) {
     for (std::size_t i = 0; i < vertices.size(); ++i)
         for (int k = 0; k < 3; ++k)
-            if (!(std::abs(vertices[i][k]) <= kLongest))
+            if (!(std::abs(vertices[i][k]) <= kMaxShapeSize))
                 throw_shape_error(where,
                                   "vertex " + std::to_string(i) + " is not finite or beyond 1e6 m");
 }
@@ -61,7 +61,7 @@ void check_heightfield(const Where& where, const ShapeDef& d) {
                                      " nodes");
     for (const double c : d.cell) length(where, "cell", c);
     for (const double z : d.heights)
-        if (!(std::abs(z) <= kLongest))
+        if (!(std::abs(z) <= kMaxShapeSize))
             throw_shape_error(where, "a height is not finite or beyond 1e6 m");
 }
 
@@ -166,7 +166,7 @@ void check(const ShapeDef& def, const model::Bodies& bodies, int count, int mate
     const Where where("shape", def.name);
     check_bodies(where, def, bodies, count);
     for (int k = 0; k < 3; ++k)
-        if (!(std::abs(def.position[k]) <= kLongest))
+        if (!(std::abs(def.position[k]) <= kMaxShapeSize))
             throw_shape_error(where, "position is not finite or beyond 1e6 m");
     const double norm = def.orientation.norm();
     if (!(norm > 0.5 && norm < 2.0))

@@ -263,7 +263,8 @@ void WorldImpl::restore_saved_bytes(World& self, std::span<const std::byte> byte
             m.ctx.model.interactions.set_anchor(
                 id, m.ctx.model.interactions.anchor[static_cast<std::size_t>(id)]);
     for (const std::int32_t id : m.ctx.model.interactions.winches)
-        m.ctx.model.interactions.follow_length(id, m.ctx.model.bodies, m.ctx.model.def.step);
+        m.ctx.model.interactions.update_length_at_drum(id, m.ctx.model.bodies,
+                                                       m.ctx.model.def.step);
     of_systems.keep();
 }
 

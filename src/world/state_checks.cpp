@@ -15,12 +15,13 @@ namespace hawser::world {
 namespace {
 
 /// Far beyond any scene; below it no product of a few of them overflows [m, m/s].
-constexpr double kFar = 1e15;
+constexpr double kMaxPosition = 1e15;
 /// Limit of forces, impulses, energies [N, N s, J].
-constexpr double kHuge = 1e40;
+constexpr double kMaxForce = 1e40;
 /// Largest number of steps that a double represents exactly.
 constexpr std::int64_t kMaxSteps = std::int64_t{1} << 53;
-constexpr double kUnit = 1e-6;  ///< Tolerance of quaternion norms and entries of rotations.
+constexpr double kUnitTolerance =
+    1e-6;  ///< Tolerance of quaternion norms and entries of rotations.
 /// Largest number of steps at rest, see step/sleep.cpp.
 constexpr std::int32_t kMaxQuiet = 1'000'000'000;
 
@@ -39,7 +40,7 @@ void check_numbers(std::span<const double> array, const char* what, double most)
                 entry(i));
 }
 
-void check_number(double value, const char* what, double most = kHuge) {
+void check_number(double value, const char* what, double most = kMaxForce) {
     check_numbers(std::span(&value, 1), what, most);
 }
 
@@ -59,23 +60,23 @@ bool unit(const double* q, double off) {
 bool rotation_matches(const double* r, const double* q) {
     const Mat3 m = Quat(q[0], q[1], q[2], q[3]).toRotationMatrix();
     for (int i = 0; i < 9; ++i)
-        if (!(std::abs(r[i] - m(i / 3, i % 3)) <= kUnit)) return false;
+        if (!(std::abs(r[i] - m(i / 3, i % 3)) <= kUnitTolerance)) return false;
     return true;
 }
 
 void check_bodies(const context::StepContext& ctx, const SavedState& s) {
-    check_numbers(s.model.bodies.x, "a position", kFar);
-    check_numbers(s.model.bodies.v, "a velocity", kFar);
-    check_numbers(s.model.bodies.v_start, "a predicted velocity", kFar);
-    check_numbers(s.model.bodies.v_fixed, "a prescribed velocity", kFar);
-    check_numbers(s.model.bodies.spin_change, "a change of spin", kFar);
+    check_numbers(s.model.bodies.x, "a position", kMaxPosition);
+    check_numbers(s.model.bodies.v, "a velocity", kMaxPosition);
+    check_numbers(s.model.bodies.v_start, "a predicted velocity", kMaxPosition);
+    check_numbers(s.model.bodies.v_fixed, "a prescribed velocity", kMaxPosition);
+    check_numbers(s.model.bodies.spin_change, "a change of spin", kMaxPosition);
     check_numbers(s.model.bodies.force, "an applied force", 1e300);  // the limit of the setters
-    check_numbers(s.state.analysed_x, "an analysed position", kFar);
+    check_numbers(s.state.analysed_x, "an analysed position", kMaxPosition);
     check_numbers(s.state.analysed_r, "an analysed rotation", 2.0);
     check_flags(s.model.bodies.asleep, "sleep");
     for (std::size_t b = 0; b < at(ctx.model.bodies.count()); ++b) {
         const double* q = &s.model.bodies.q[4 * b];
-        if (!unit(q, kUnit)) throw_state_error("an orientation is no rotation" + entry(b));
+        if (!unit(q, kUnitTolerance)) throw_state_error("an orientation is no rotation" + entry(b));
         // Also for nodes, because ghost bodies of cut lines copy theirs.
         if (!rotation_matches(&s.model.bodies.r[9 * b], q))
             throw_state_error("a rotation is not that of the orientation" + entry(b));
@@ -88,13 +89,14 @@ void check_bodies(const context::StepContext& ctx, const SavedState& s) {
 }
 
 void check_interactions(const context::StepContext& ctx, const SavedState& s) {
-    check_numbers(s.model.interactions.lambda, "an impulse", kHuge);
-    check_numbers(s.model.interactions.force, "a force", kHuge);
-    check_numbers(s.model.interactions.anchor, "an anchor of friction, or turns of a line", kFar);
+    check_numbers(s.model.interactions.lambda, "an impulse", kMaxForce);
+    check_numbers(s.model.interactions.force, "a force", kMaxForce);
+    check_numbers(s.model.interactions.anchor, "an anchor of friction, or turns of a line",
+                  kMaxPosition);
     for (const std::int32_t id : ctx.model.interactions.spans)
         if (const double turns = s.model.interactions.anchor[at(id)]; turns != std::round(turns))
             throw_state_error("turns of a line on its wheel are no whole number");
-    check_numbers(s.model.wires.energy_allowance, "the energy allowance of a wire", kHuge);
+    check_numbers(s.model.wires.energy_allowance, "the energy allowance of a wire", kMaxForce);
     for (std::size_t k = 0; k < s.model.wires.energy_allowance.size(); ++k)
         if (s.model.wires.energy_allowance[k] < 0.0 || s.model.wires.flag_steps[k] < 0 ||
             s.model.wires.flag_steps[k] > context::max_flag_steps(ctx.model.def.step) ||
@@ -136,13 +138,13 @@ void check_contacts(const context::StepContext& ctx, const SavedState& s) {
             throw_state_error("a contact is of shapes that there are not" + entry(i));
         if (i > 0 && i != s.model.collider.awake && is_sorted_after(kept[i - 1], k))
             throw_state_error("contacts are not in their order" + entry(i));
-        check_numbers(k.at, "the position of a contact", kFar);
+        check_numbers(k.at, "the position of a contact", kMaxPosition);
         const assembly::ContactMemory& m = memory[i];
         check_numbers(m.fraction, "the fraction of a contact between the nodes of its wire", 2.0);
-        check_numbers(m.anchor[0], "the anchor of a contact", kFar);
-        check_numbers(m.anchor[1], "the anchor of a contact", kFar);
-        check_numbers(m.rolled, "the violation of a contact", kFar);
-        check_numbers(m.lambda, "the impulse of a contact", kHuge);
+        check_numbers(m.anchor[0], "the anchor of a contact", kMaxPosition);
+        check_numbers(m.anchor[1], "the anchor of a contact", kMaxPosition);
+        check_numbers(m.rolled, "the violation of a contact", kMaxPosition);
+        check_numbers(m.lambda, "the impulse of a contact", kMaxForce);
         const bool nothing =
             std::equal(&m.body[0][0], &m.body[0][0] + 4, &assembly::kNoMemory.body[0][0]);
         const bool known = fits_shape(m.body[0], shapes[at(k.shape[0])]) &&
@@ -162,10 +164,10 @@ void check_resistances(const SavedState& s) {
         if (m.renewed != 0 && m.renewed != 1)
             throw_state_error("a resistance has no such flag" + entry(i));
         check_numbers(m.reference, "the reference of a resistance", 2.0);
-        if (m.renewed == 0 && !unit(m.reference, kUnit))
+        if (m.renewed == 0 && !unit(m.reference, kUnitTolerance))
             throw_state_error("the reference of a resistance is no rotation" + entry(i));
-        check_numbers(m.turned, "the turn of a resistance", kFar);
-        check_numbers(m.lambda, "the impulse of a resistance", kHuge);
+        check_numbers(m.turned, "the turn of a resistance", kMaxPosition);
+        check_numbers(m.lambda, "the impulse of a resistance", kMaxForce);
         ++i;
     }
 }
@@ -221,7 +223,7 @@ void check_counts(const context::StepContext& ctx, const SavedState& s) {
     check_numbers(j.mean, "a value of the monitors", 1e300);
     check_numbers(j.work, "a value of the monitors", 1e300);
     check_numbers(j.stretched, "a value of the monitors", 1e300);
-    check_numbers(j.held_rise, "a value of the monitors", 1e300);
+    check_numbers(j.lasting_rise, "a value of the monitors", 1e300);
     check_numbers(j.overlong, "a value of the monitors", 1e300);
     check_numbers(j.wound, "a value of the monitors", 1e300);
     check_numbers(j.beyond, "a value of the monitors", 1e300);

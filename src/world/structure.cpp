@@ -170,12 +170,13 @@ void WorldImpl::move_defined(const Structure& from) {
             throw DefError("structure: compliances or radii do not match its interactions");
         return list[k++];
     };
-    constexpr double kSoftest = 1e30, kLargest = 1e3;
+    constexpr double kMaxCompliance = 1e30, kMaxRadius = 1e3;
     for (const InteractionId id : interaction_ids) {
         for (int r = 0; r < in.rows[at(id.index)]; ++r)
-            in.defined[at(in.row_begin[at(id.index)] + r)] = next(from.compliances, row, kSoftest);
+            in.defined[at(in.row_begin[at(id.index)] + r)] =
+                next(from.compliances, row, kMaxCompliance);
         if (kind_info(in.def[at(id.index)].kind).is(kWoundUp))
-            in.defined_radius[at(id.index)] = next(from.radii, drum, kLargest);
+            in.defined_radius[at(id.index)] = next(from.radii, drum, kMaxRadius);
     }
 }
 

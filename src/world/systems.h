@@ -118,7 +118,7 @@ class Systems final : public context::Actors {
     [[nodiscard]] bool edits_allowed() const noexcept { return editing_; }
     /// Return true if only systems may insert and remove nodes: a system that carries an element
     /// counts its length.
-    [[nodiscard]] bool refuses_nodes(InteractionId element) const noexcept {
+    [[nodiscard]] bool only_systems_edit_nodes(InteractionId element) const noexcept {
         return !editing_ && carried_mass(element) != 0.0;
     }
     /// True if the step was undone because systems requested edits. The caller makes these edits

@@ -12,10 +12,10 @@ namespace hawser {
 
 void WorldSolver::start_trace(std::size_t spans) {
     const world::Using use(impl().use, "start_trace");
-    constexpr std::size_t kMaximum = std::size_t{1} << 28;
-    if (spans > kMaximum)
+    constexpr std::size_t kMaxSpans = std::size_t{1} << 28;
+    if (spans > kMaxSpans)
         throw DefError("start_trace: spans = " + std::to_string(spans) + "; give at most " +
-                       std::to_string(kMaximum));
+                       std::to_string(kMaxSpans));
     context::StepContext& c = impl().ctx;
     std::unique_ptr<runtime::Trace> trace;
     if (spans > 0) trace = std::make_unique<runtime::Trace>(c.pool.threads(), spans);

@@ -20,14 +20,14 @@ class Use {
     /// @return 0: rejected, 1: granted, 2: granted within a call of the same thread.
     int take() noexcept {
         const pthread_t me = this_thread();
-        pthread_t user = kNobody;
+        pthread_t user = kNoThread;
         if (user_.compare_exchange_strong(user, me, std::memory_order_acquire)) {
             changed_ = true;
             return 1;
         }
         return user == me && !stepping_ ? 2 : 0;
     }
-    void leave() noexcept { user_.store(kNobody, std::memory_order_release); }
+    void leave() noexcept { user_.store(kNoThread, std::memory_order_release); }
     /// Mark the start or end of a step, by the thread that uses the world.
     void mark_stepping(bool on) noexcept { stepping_ = on; }
     [[nodiscard]] bool is_used_by_this_thread() const noexcept {
@@ -43,8 +43,8 @@ class Use {
     /// Return the identifier of the calling thread. A thread_local mark is not possible: mold
     /// misplaces read-only data of a program after a one-byte mark, and the program does not start.
     static pthread_t this_thread() noexcept { return ::pthread_self(); }
-    static constexpr pthread_t kNobody = 0;  ///< thread ids of glibc are addresses
-    std::atomic<pthread_t> user_{kNobody};
+    static constexpr pthread_t kNoThread = 0;  ///< thread ids of glibc are addresses
+    std::atomic<pthread_t> user_{kNoThread};
     bool stepping_ = false;  ///< Read and written only by the thread that uses the world.
     bool changed_ = true;
 };

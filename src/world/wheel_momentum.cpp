@@ -12,7 +12,7 @@ namespace hawser::world {
 namespace {
 
 /// Slot of the wheel in the part before it, and in the part behind.
-constexpr std::array<std::size_t, 2> kWheel{1, 0};
+constexpr std::array<std::size_t, 2> kWheelSlot{1, 0};
 
 /// Return the direction of a part from the first end of the wire to the last.
 Vec3 direction(const context::StepContext& ctx, std::int32_t part) noexcept {
@@ -21,25 +21,25 @@ Vec3 direction(const context::StepContext& ctx, std::int32_t part) noexcept {
 
 }  // namespace
 
-AtWheel at_wheel(const context::StepContext& ctx, std::array<std::int32_t, 2> part,
-                 double mass) noexcept {
+WireAtWheel read_wire_at_wheel(const context::StepContext& ctx, std::array<std::int32_t, 2> part,
+                               double mass) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     const model::Bodies& b = ctx.model.bodies;
     const double rest[2] = {in.rest_length[at(part[0])], in.rest_length[at(part[1])]};
     const auto slide = at(b.dof_begin[at(edit::end_of(ctx, part[0], 2))]);
-    AtWheel out;
+    WireAtWheel out;
     for (const std::size_t end : {0U, 1U}) {
         const double other = rest[1 - end] / std::max(rest[0] + rest[1], 1e-300);
         out.mass[end] = 0.5 * mass * std::clamp(other, 0.0, 1.0);
         const Vec3 u = direction(ctx, part[end]);
-        out.speed[end] = edit::speed_of(ctx, part[end], kWheel[end], b.v) + b.v[slide] * u;
+        out.speed[end] = edit::speed_of(ctx, part[end], kWheelSlot[end], b.v) + b.v[slide] * u;
         out.ahead[end] =
-            edit::speed_of(ctx, part[end], kWheel[end], b.v_start) + b.v_start[slide] * u;
+            edit::speed_of(ctx, part[end], kWheelSlot[end], b.v_start) + b.v_start[slide] * u;
     }
     return out;
 }
 
-void divide_momentum(context::StepContext& ctx, std::int32_t lump, const AtWheel& wheel,
+void divide_momentum(context::StepContext& ctx, std::int32_t lump, const WireAtWheel& wheel,
                      std::size_t end) noexcept {
     model::Bodies& b = ctx.model.bodies;
     const auto dof = at(b.dof_begin[at(lump)]);
@@ -62,12 +62,12 @@ void apply_lateral_impulse(context::StepContext& ctx, std::array<std::int32_t, 2
     const double first = in.rest_length[at(part[0])];
     const double share = first / std::max(first + in.rest_length[at(part[1])], 1e-300);
     const Vec3 u = (edit::point_of(ctx, part[1], 1) - edit::point_of(ctx, part[0], 0)).normalized();
-    const Vec3 relative =
-        (1.0 - share) * speed[0] + share * speed[1] - edit::speed_of(ctx, part[0], kWheel[0], b.v);
+    const Vec3 relative = (1.0 - share) * speed[0] + share * speed[1] -
+                          edit::speed_of(ctx, part[0], kWheelSlot[0], b.v);
     const Vec3 impulse = mass * (relative - relative.dot(u) * u);
     const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> r(&b.r[9 * at(body)]);
     const Eigen::Map<const Vec3> centre(&b.x[3 * at(body)]);
-    const Vec3 arm = edit::point_of(ctx, part[0], kWheel[0]) - centre;
+    const Vec3 arm = edit::point_of(ctx, part[0], kWheelSlot[0]) - centre;
     const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> inverse(
         &b.inv_inertia[9 * at(body)]);
     const Vec3 turn = r * (inverse * (r.transpose() * arm.cross(impulse)));

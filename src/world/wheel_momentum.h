@@ -30,18 +30,19 @@ namespace hawser::world {
 
 /// Mass at a wheel that goes to each end of the wire there [kg]. Speeds are those of the last step,
 /// and those predicted for the next one [m/s].
-struct AtWheel {
+struct WireAtWheel {
     std::array<double, 2> mass{};
     std::array<Vec3, 2> speed{Vec3::Zero(), Vec3::Zero()}, ahead{Vec3::Zero(), Vec3::Zero()};
 };
 
 /// Read the mass and motion of the wire at the wheel between two parts. @param mass  Mass of both
 /// parts [kg].
-[[nodiscard]] AtWheel at_wheel(const context::StepContext& ctx, std::array<std::int32_t, 2> part,
-                               double mass) noexcept;
+[[nodiscard]] WireAtWheel read_wire_at_wheel(const context::StepContext& ctx,
+                                             std::array<std::int32_t, 2> part,
+                                             double mass) noexcept;
 /// Set the velocity of a node that has received the mass for an end, and record the change of
 /// energy as edited.
-void divide_momentum(context::StepContext& ctx, std::int32_t lump, const AtWheel& wheel,
+void divide_momentum(context::StepContext& ctx, std::int32_t lump, const WireAtWheel& wheel,
                      std::size_t end) noexcept;
 
 /// Apply to the body of a guide the impulse of the half element that its wheel now carries.

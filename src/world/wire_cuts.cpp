@@ -24,11 +24,11 @@ namespace {
 
 /// Fraction of an element at its node within which a cut is at the node, so that no tiny element
 /// remains.
-constexpr double kNear = 1e-3;
+constexpr double kNodeFraction = 1e-3;
 
 /// Ratio to the next element below which a cut element at an end is joined with it. The light node
 /// between them would move faster than a step resolves.
-constexpr double kShort = 0.25;
+constexpr double kMinLengthRatio = 0.25;
 
 /// Return the first unused name for a piece, such as "tow/2" if the wire tow or one of its pieces
 /// is cut.
@@ -54,14 +54,15 @@ class SecondPiece {
         for (auto* list : {&wire.elements, &wire.bends}) list->reserve(whole.elements.size() + 2);
         wire.bends.reserve(whole.bends.size() + 2);
         wire.shapes.reserve(whole.shapes.size() + 2);
-        constexpr std::size_t kComing = 4;
-        on_second_piece_.assign(at(bodies) + kComing, 0);
+        constexpr std::size_t kMaxAddedBodies = 4;
+        on_second_piece_.assign(at(bodies) + kMaxAddedBodies, 0);
     }
     /// Move the objects behind a cut to the second piece.
     /// @param second  First element of the piece.
     /// @param end  Its first node.
-    void take(world::Wire& whole, InteractionId second, BodyId end, const model::Interactions& in,
-              const collide::Collider& collider) noexcept {
+    void move_behind_cut(world::Wire& whole, InteractionId second, BodyId end,
+                         const model::Interactions& in,
+                         const collide::Collider& collider) noexcept {
         const auto k = std::find(whole.elements.begin(), whole.elements.end(), second) -
                        whole.elements.begin();
         wire.elements.assign(whole.elements.begin() + k, whole.elements.end());
@@ -120,7 +121,7 @@ void WorldImpl::divide_load(BodyId from, BodyId to, double share) noexcept {
         for (int i = 0; i < 3; ++i) add_up_force(id, i);
 }
 
-void WorldImpl::follow_definition(BodyId lump) noexcept {
+void WorldImpl::update_definition(BodyId lump) noexcept {
     body_defs[at(lump.index)].mass = ctx.model.bodies.mass[at(lump.index)];
     body_defs[at(lump.index)].linear_damping = edit::damping_of(ctx, lump.index);
 }
@@ -140,8 +141,8 @@ void WorldImpl::split_wire_at_node(const edit::NodeSurroundings& place, BodyId e
     edit::move_end(ctx, place.second, 0, end.index);
     if (place.bend[2] >= 0) in.rewire(place.bend[2], 0, end, ctx.model.bodies);
     for (const BodyId lump : {node, end}) {
-        edit::follow_node(ctx, lump.index);
-        follow_definition(lump);
+        edit::update_elements_of_node(ctx, lump.index);
+        update_definition(lump);
     }
 }
 
@@ -158,7 +159,7 @@ void WorldImpl::join_short_end(World& world, InteractionId end, std::size_t side
     edit::NodeSurroundings place{.node = in.def[at(end.index)].body[1 - side].index};
     if (!edit::is_free_node(ctx, place.node) || !edit::complete_surroundings(ctx, place)) return;
     const std::int32_t next = side == 0 ? place.second : place.first;
-    if (in.rest_length[at(end.index)] >= kShort * in.rest_length[at(next)]) return;
+    if (in.rest_length[at(end.index)] >= kMinLengthRatio * in.rest_length[at(next)]) return;
     try {
         const SilencedListener silenced(*this);
         (void)world.wires().remove_node(ctx.model.bodies.id(place.node), std::numbers::pi);
@@ -180,7 +181,7 @@ bool WorldImpl::is_carried(const world::Wire& wire, std::size_t element) const n
 std::pair<InteractionId, double> WorldImpl::cut_outside_carried(const world::Wire& wire,
                                                                 std::size_t node,
                                                                 double s) const noexcept {
-    constexpr double kBeyond = 0.25;
+    constexpr double kFractionBeyond = 0.25;
     const model::Interactions& in = ctx.model.interactions;
     std::size_t first = node, last = node;  // range of carried elements
     while (first > 0 && is_carried(wire, first - 1)) --first;
@@ -194,10 +195,10 @@ std::pair<InteractionId, double> WorldImpl::cut_outside_carried(const world::Wir
         end += length;
     }
     const bool before = first > 0 && (last == wire.elements.size() || s - begin < end - s);
-    if (before) return {wire.elements[first - 1], 1.0 - kBeyond};
+    if (before) return {wire.elements[first - 1], 1.0 - kFractionBeyond};
     // If all are carried, the node is returned and its check reports the reason.
     if (last == wire.elements.size()) return {wire.elements[std::min(node, last - 1)], 0.0};
-    return {wire.elements[last], kBeyond};
+    return {wire.elements[last], kFractionBeyond};
 }
 
 WireId WorldWires::cut(WireId id, double s) {
@@ -224,7 +225,8 @@ WireId WorldWires::cut(WireId id, double s) {
     const bool accepts_node = world_->alive(element) && world_->intact(element) &&
                               edit::mass_of_element(impl().ctx, element.index) > 0.0 &&
                               edit::is_of_material(impl().ctx, element.index);
-    if (accepts_node && share > kNear && share < 1.0 - kNear) return cut(element, share);
+    if (accepts_node && share > kNodeFraction && share < 1.0 - kNodeFraction)
+        return cut(element, share);
     if (wire.elements.size() == 1)
         world::throw_def_error(where,
                                "it is one element without mass of its own, in which no node can be "
@@ -313,7 +315,7 @@ WireId WorldWires::cut(InteractionId element, double share) {
     WireId out{};
     if (second) {
         world::Wire* wire = m.wire_with(in.id(place.first));
-        second->take(*wire, in.id(place.second), end, in, c.model.collider);
+        second->move_behind_cut(*wire, in.id(place.second), end, in, c.model.collider);
         std::erase_if(wire->bends, [&](InteractionId id) { return !world_->alive(id); });
         out = m.put_wire(second->wire, vacant);
     }

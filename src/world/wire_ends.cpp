@@ -24,7 +24,7 @@ world::FreeEnd WorldImpl::free_end(BodyId lump) const {
     const edit::NodeLinks links = edit::adjacent_elements(ctx, lump.index);
     const std::string where = world::label("body", body_defs[at(lump.index)].name);
     if (!edit::is_free_node(ctx, lump.index) || (links.before < 0) == (links.after < 0) ||
-        !links.plain)
+        !links.has_only_bends)
         world::throw_def_error(
             where,
             "it is no free end of a wire: a lump that one whole element holds and "
@@ -46,7 +46,7 @@ world::FreeEnd WorldImpl::free_end(WireId id, int end) const {
                                           world::label("body", body_defs[at(node.index)].name) +
                                           "; detach() it first");
     const edit::NodeLinks links = edit::adjacent_elements(ctx, node.index);
-    if ((links.before >= 0 && links.after >= 0) || !links.plain)
+    if ((links.before >= 0 && links.after >= 0) || !links.has_only_bends)
         world::throw_def_error(where, name + " is taken; detach() it first");
     if (links.before < 0 && links.after < 0)
         world::throw_def_error(where, "the element at this end has parted or gone");

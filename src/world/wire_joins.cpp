@@ -25,24 +25,25 @@ void check(const JoinDef& def) {
             throw_def_error(where, std::string(what) + " = " + number(value) + "; give " +
                                        number(least) + " to " + number(most));
     };
-    constexpr double kFar = 1e6, kHeavy = 1e12, kPull = 1e15, kSmall = 1e-3;
+    constexpr double kMaxReach = 1e6, kMaxMass = 1e12, kMaxEA = 1e15, kMinPositive = 1e-3;
     if (static_cast<std::uint8_t>(def.gear) > static_cast<std::uint8_t>(Gear::pelican_hook))
         throw_def_error(where, "there is no such gear");
     const bool plate = def.gear == Gear::triplate;
-    check("mass", def.mass, plate ? kSmall : 0.0, kHeavy);
-    check("reach", def.reach, 0.0, kFar);
+    check("mass", def.mass, plate ? kMinPositive : 0.0, kMaxMass);
+    check("reach", def.reach, 0.0, kMaxReach);
     if (def.gear == Gear::splice) return;
-    check("length", def.length, kSmall, kFar);
-    if (plate) check("radius", def.radius, kSmall, kFar);
-    if (!std::isnan(def.EA)) check("EA", def.EA, kSmall, kPull);
-    if (!std::isnan(def.breaking_load)) check("breaking_load", def.breaking_load, kSmall, kPull);
+    check("length", def.length, kMinPositive, kMaxReach);
+    if (plate) check("radius", def.radius, kMinPositive, kMaxReach);
+    if (!std::isnan(def.EA)) check("EA", def.EA, kMinPositive, kMaxEA);
+    if (!std::isnan(def.breaking_load))
+        check("breaking_load", def.breaking_load, kMinPositive, kMaxEA);
 }
 
 }  // namespace world
 
 Vec3 triplate_hole(const JoinDef& def, int k) noexcept {
-    constexpr double kThird = 2.0943951023931953;  // 2π/3
-    return def.radius * Vec3(std::cos(kThird * k), std::sin(kThird * k), 0.0);
+    constexpr double kThirdOfTurn = 2.0943951023931953;  // 2π/3
+    return def.radius * Vec3(std::cos(kThirdOfTurn * k), std::sin(kThirdOfTurn * k), 0.0);
 }
 
 namespace {
@@ -151,8 +152,8 @@ void WorldImpl::add_gear_mass(BodyId lump, double mass) noexcept {
     if (!(mass > 0.0)) return;
     const double had = edit::energy_of_body(ctx, lump.index);
     ctx.model.bodies.mass[at(lump.index)] += mass;
-    follow_definition(lump);
-    edit::follow_node(ctx, lump.index);
+    update_definition(lump);
+    edit::update_elements_of_node(ctx, lump.index);
     ctx.state.ledger.edited.given += edit::energy_of_body(ctx, lump.index) - had;
 }
 
@@ -229,8 +230,8 @@ Joint WorldImpl::add_joining_plate(World& world, BodyId a, BodyId b, const JoinD
     plate.mass = def.mass;
     const double disc = 0.25 * def.mass * def.radius * def.radius;
     plate.inertia = Vec3(disc, disc, 2.0 * disc).asDiagonal();
-    constexpr double kThick = 0.05;
-    plate.half_size = def.radius * Vec3(1.0, 1.0, kThick);
+    constexpr double kThicknessOverRadius = 0.05;
+    plate.half_size = def.radius * Vec3(1.0, 1.0, kThicknessOverRadius);
     plate.group = world.body_def(a).group;
     base::reserve_more(gear, 2);
     world::Wire made;

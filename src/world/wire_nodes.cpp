@@ -34,8 +34,8 @@ void reserve_node(world::Wire& wire) {
 /// Insert a node into the lists of a wire. Capacity has been reserved.
 /// @param made  The node and the objects added with it.
 /// @param first  True if the new element comes before the existing one.
-void put_node(world::Wire& wire, InteractionId element, const world::Wire& made,
-              bool first) noexcept {
+void insert_into_lists(world::Wire& wire, InteractionId element, const world::Wire& made,
+                       bool first) noexcept {
     const auto k = find_in(wire.elements, element);
     wire.nodes.insert(wire.nodes.begin() + k + 1, made.lumps[0]);
     wire.elements.insert(wire.elements.begin() + k + (first ? 0 : 1), made.elements[0]);
@@ -62,7 +62,7 @@ WireId WorldWiresView::of(InteractionId element) const noexcept {
 
 /// Update definitions after an edit of masses and drags, and the forces of nodes that depend on
 /// mass. Also update the inputs of an element at a drum.
-void WorldImpl::follow_definitions(const edit::NodeSurroundings& place) noexcept {
+void WorldImpl::update_definitions_near(const edit::NodeSurroundings& place) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     for (const std::int32_t id : {place.first, place.second}) {
         for (std::size_t slot = 0; id >= 0 && slot < 2; ++slot) {
@@ -94,7 +94,7 @@ double WorldImpl::bend_stiffness_near(const edit::NodeSurroundings& place,
                                       const world::Wire* wire) const noexcept {
     const model::Interactions& in = ctx.model.interactions;
     const auto same_line = [&](std::int32_t id) {
-        return id < 0 || edit::is_wound(ctx, id) || edit::is_wound(ctx, place.first) ||
+        return id < 0 || edit::is_at_drum(ctx, id) || edit::is_at_drum(ctx, place.first) ||
                in.def[at(id)].get("EA") == in.def[at(place.first)].get("EA");
     };
     const bool first = place.bend[0] >= 0 && (same_line(place.before[0]) || place.bend[2] < 0);
@@ -110,7 +110,7 @@ BodyId WorldWires::insert_node(InteractionId element, double share, double mass)
     model::Interactions& in = m.ctx.model.interactions;
     m.check_node(element, share, mass);
     edit::NodeSurroundings place{.first = element.index};
-    const bool wound = edit::is_wound(m.ctx, element.index);
+    const bool wound = edit::is_at_drum(m.ctx, element.index);
     // True if the new element comes first, because the one at a drum stays there.
     const bool first = wound && edit::drum_side(m.ctx, element.index) == 1;
     const double whole = wound ? mass : edit::mass_of_element(m.ctx, element.index);
@@ -124,7 +124,7 @@ BodyId WorldWires::insert_node(InteractionId element, double share, double mass)
     if (wire != nullptr) reserve_node(*wire);
 
     const WorldImpl::Mark before = m.mark(a, b);
-    const edit::NodeLedger was = edit::begin_node_edit(m.ctx, place);
+    const edit::NodeEnergies was = edit::begin_node_edit(m.ctx, place);
     world::Wire& made = m.wires.coming;
     made.begin({}, true);
     reserve_node(made);
@@ -153,11 +153,11 @@ BodyId WorldWires::insert_node(InteractionId element, double share, double mass)
     place.first = first ? made.elements[0].index : element.index;
     place.second = first ? element.index : made.elements[0].index;
     place.bend[1] = made.bends.empty() ? -1 : made.bends[0].index;
-    edit::settle_node(m.ctx, place, element.index, share, whole);
+    edit::finish_node_insertion(m.ctx, place, element.index, share, whole);
     edit::end_node_edit(m.ctx, place, was);
-    m.follow_definitions(place);
+    m.update_definitions_near(place);
     if (segment.valid()) m.move_segment(segment, 1, made.lumps[0]);
-    if (wire != nullptr) put_node(*wire, element, made, first);
+    if (wire != nullptr) insert_into_lists(*wire, element, made, first);
     if (m.listener != nullptr) m.listener->node_inserted(element, share, mass);
     return made.lumps[0];
 }
@@ -177,23 +177,23 @@ bool WorldWires::remove_node(BodyId node, double bend) {
     m.reserve_removal();
     const ShapeId near = m.segment_between(a.index, node.index),
                   far = m.segment_between(node.index, b.index);
-    const edit::NodeLedger was = edit::begin_node_edit(m.ctx, place);
-    const bool goes = edit::is_wound(m.ctx, stays) ? edit::release_drum_node(m.ctx, place, bend)
-                                                   : edit::release_node(m.ctx, place, bend);
+    const edit::NodeEnergies was = edit::begin_node_edit(m.ctx, place);
+    const bool goes = edit::is_at_drum(m.ctx, stays) ? edit::release_drum_node(m.ctx, place, bend)
+                                                     : edit::release_node(m.ctx, place, bend);
     if (!goes) {
         attempt.fail();
         return false;
     }
     if (near.valid() && far.valid()) m.join_segments(near, far);
     if (place.bend[1] >= 0) m.remove(in.id(place.bend[1]));
-    m.drop_folded(place.bend[0]);
-    m.drop_folded(place.bend[2]);
+    m.remove_folded_bend(place.bend[0]);
+    m.remove_folded_bend(place.bend[2]);
     m.remove(gone);
     m.remove(node);
     place.first = stays;
     place.second = place.node = place.bend[1] = -1;
     edit::end_node_edit(m.ctx, place, was);
-    m.follow_definitions(place);
+    m.update_definitions_near(place);
     if (world::Wire* wire = m.wire_with(kept)) {
         wire->elements.erase(wire->elements.begin() + find_in(wire->elements, gone));
         wire->nodes.erase(wire->nodes.begin() + find_in(wire->nodes, node));

@@ -135,8 +135,8 @@ Joint WorldImpl::splice(World& world, BodyId a, BodyId b) {
     remove(b);
     body_defs[at(a.index)].force += load;
     for (int i = 0; i < 3; ++i) add_up_force(a, i);
-    follow_definition(a);
-    edit::follow_node(ctx, a.index);
+    update_definition(a);
+    edit::update_elements_of_node(ctx, a.index);
     if (bend.valid()) edit::set_bend(ctx, bend.index, ea, eb);
     ctx.state.ledger.edited = edited + edit::splice_energy(ctx, a.index, -1, ea, eb) - had;
     context::push_event(ctx, EventKind::join, ea, separation);

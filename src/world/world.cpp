@@ -65,7 +65,8 @@ void WorldSolver::degrade_next_step(const Degradation& degradation) noexcept {
     impl().ctx.state.imposed = degradation;
     // Clamped to 0, because bytes may not come from a step.
     impl().ctx.state.imposed.iterations = std::max(0, degradation.iterations);
-    impl().ctx.state.imposed.wires = std::clamp(degradation.wires, 0, budget::Coarsening::kMaximum);
+    impl().ctx.state.imposed.wires =
+        std::clamp(degradation.wires, 0, budget::Coarsening::kMaxLevel);
     if (impl().listener != nullptr) impl().listener->degraded(degradation);
 }
 
@@ -153,7 +154,7 @@ void World::set_pose(BodyId id, const Pose& pose) {
     for (int i = 0; i < 3; ++i) s.x[3 * b + at(i)] = pose.position[i];
     if (s.kind[b] == BodyKind::scalar)
         for (const std::int32_t w : impl_->ctx.model.interactions.winches)
-            impl_->ctx.model.interactions.follow_length(w, s, impl_->ctx.model.def.step);
+            impl_->ctx.model.interactions.update_length_at_drum(w, s, impl_->ctx.model.def.step);
     if (impl_->listener != nullptr) impl_->listener->set_pose(id, pose);
     if (s.kind[b] == BodyKind::lump || s.kind[b] == BodyKind::scalar) return;
     const Quat q = pose.orientation.normalized();

@@ -103,7 +103,7 @@ void draw(const Recording& r) {
           draw::plot_space(r, series, r.frame_count() - 1, {})})
         if (drawing) (void)draw::to_svg(*drawing);
     const auto frames = exporting::choose_frames(r, 2, -1e300, 1e300);
-    if (!frames.empty()) (void)exporting::lay_out(r, frames);
+    if (!frames.empty()) (void)exporting::compute_layout(r, frames);
 }
 
 void forge_recordings(const std::filesystem::path& file, int inputs) {

@@ -32,7 +32,7 @@ TEST(AndersonAcceleration, EndsAfterAsManyIterationsAsUnknowns) {
     std::mt19937_64 random(test::first_seed(7));
     const int trials = test::by_tier(20, 100, 1000);
     std::normal_distribution<double> normal;
-    for (int n = 1; n <= Anderson::kDepth; ++n)
+    for (int n = 1; n <= Anderson::kHistoryDepth; ++n)
         for (int trial = 0; trial < trials; ++trial) {
             Eigen::MatrixXd a = Eigen::MatrixXd::Zero(n, n);
             Eigen::VectorXd b(n);

@@ -20,7 +20,7 @@ TEST(Coarsening, NeedsWiresThatCanBeCoarser) {
     EXPECT_TRUE(c.has_priority());
     EXPECT_EQ(level_after(c, 1, 2.0), 1) << "what is known of times goes on";
     EXPECT_TRUE(c.has_priority()) << "it has its time to act";
-    (void)level_after(c, Coarsening::kAct, 0.9);
+    (void)level_after(c, Coarsening::kObservedSteps, 0.9);
     EXPECT_EQ(c.level(), 1);
     EXPECT_FALSE(c.has_priority()) << "other things may be left out";
 }
@@ -28,11 +28,11 @@ TEST(Coarsening, NeedsWiresThatCanBeCoarser) {
 TEST(Coarsening, RisesWhereStepsStayTooLong) {
     Coarsening c;
     c.possible = true;
-    EXPECT_EQ(level_after(c, Rate::kSettled - 1, 1.3), 0);
+    EXPECT_EQ(level_after(c, Rate::kSettledSamples - 1, 1.3), 0);
     EXPECT_EQ(level_after(c, 1, 1.3), 1);
-    EXPECT_EQ(level_after(c, Coarsening::kAct - 1, 1.3), 1);
+    EXPECT_EQ(level_after(c, Coarsening::kObservedSteps - 1, 1.3), 1);
     EXPECT_EQ(level_after(c, 1, 1.3), 2) << "nothing has changed";
-    EXPECT_EQ(level_after(c, 1000, 1.3), Coarsening::kMaximum);
+    EXPECT_EQ(level_after(c, 1000, 1.3), Coarsening::kMaxLevel);
 }
 
 TEST(Coarsening, WaitsWhileItActs) {
@@ -46,10 +46,10 @@ TEST(Coarsening, WaitsWhileItActs) {
 TEST(Coarsening, FallsWhereThereIsRoom) {
     Coarsening c;
     c.possible = true;
-    EXPECT_EQ(level_after(c, 16 + Coarsening::kAct, 1.5), 2);
+    EXPECT_EQ(level_after(c, 16 + Coarsening::kObservedSteps, 1.5), 2);
     EXPECT_EQ(level_after(c, 1000, 0.7), 2) << "a level down might take 1.05";
     EXPECT_EQ(level_after(c, 40, 0.5), 1);
-    EXPECT_EQ(level_after(c, Coarsening::kStay - 45, 0.5), 1) << "it stays for a while";
+    EXPECT_EQ(level_after(c, Coarsening::kMinStepsAtLevel - 45, 0.5), 1) << "it stays for a while";
     EXPECT_EQ(level_after(c, 50, 0.5), 0);
 }
 

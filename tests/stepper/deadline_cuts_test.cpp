@@ -179,9 +179,9 @@ TEST(DeadlineCuts, AreNotTakenWhereTheySaveNothing) {
     EXPECT_EQ(levels.choose(d, load, 0.8, 0), 3U);  // the first that fits
     levels.set({{0, 1000.0}, {1, 1100.0}, {3, 700.0}, {7, 500.0}});
     EXPECT_EQ(levels.choose(d, load, 0.1, 0), 7U);  // none fits: the cheapest
-    // Return to exact after it has fitted with a margin of a tenth for kStay steps.
+    // Return to exact after it has fitted with a margin of a tenth for kMinStepsAtLevel steps.
     const budget::Load cut{1e-9, 500.0};
-    for (int i = 0; i + 1 < budget::CutLevels::kStay; ++i)
+    for (int i = 0; i + 1 < budget::CutLevels::kMinStepsAtLevel; ++i)
         EXPECT_EQ(levels.choose(d, cut, 1.2, 7), 7U);
     EXPECT_EQ(levels.choose(d, cut, 1.2, 7), 0U);
 }
@@ -205,7 +205,7 @@ TEST(DeadlineCuts, AreTakenBackWhenALoadThatCameWithThemGoes) {
     EXPECT_EQ(asked, 1U) << "1.7 is within 1.8, 2.0 is not";
     for (int i = 0; i < 300; ++i) step(1000.0);
     EXPECT_EQ(asked, 1U);
-    for (int i = 0; i < budget::CutLevels::kStay + 2; ++i) step(0.0);
+    for (int i = 0; i < budget::CutLevels::kMinStepsAtLevel + 2; ++i) step(0.0);
     EXPECT_EQ(asked, 0U);
 }
 

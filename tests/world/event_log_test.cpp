@@ -21,7 +21,7 @@ TEST(EventLog, SlackAndTautPushNothingElseOut) {
         log.push(event(i, i % 2 == 0 ? EventKind::slack : EventKind::taut, i % 2 == 0 ? 0 : i));
     log.push(event(3e5, EventKind::line_break, 3e5));
     const auto events = log.take();
-    EXPECT_EQ(events.size(), 2 * context::EventLog::kFrequent + 3);
+    EXPECT_EQ(events.size(), 2 * context::EventLog::kFrequentCapacity + 3);
     EXPECT_EQ(events.front().kind, EventKind::line_break);
     EXPECT_EQ(events[1].kind, EventKind::saturation);
     EXPECT_EQ(events.back().time, 3e5);

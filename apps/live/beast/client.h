@@ -77,7 +77,7 @@ class Client : public std::enable_shared_from_this<Client> {
     void send_scene(const std::string& scene) {
         send(std::make_shared<const std::string>("{\"role\":" + role_text(*role_) + "," + scene));
     }
-    void show(const Frame& frame) {
+    void send_newest_frame(const Frame& frame) {
         if (!has_role() || closing_) return;
         if (frame_) floor_.frames_skipped_.fetch_add(1, std::memory_order_relaxed);
         frame_ = frame;
@@ -194,7 +194,7 @@ class Client : public std::enable_shared_from_this<Client> {
         if (floor_.state_) send(floor_.state_);
         if (floor_.exercise_) send(floor_.exercise_);
         if (floor_.faults_ && role->control) send(floor_.faults_);
-        if (floor_.newest_) show(floor_.newest_);
+        if (floor_.newest_) send_newest_frame(floor_.newest_);
     }
 
     /// Disconnect the client because the server is full. This is no fault, and the client may try

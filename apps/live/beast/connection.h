@@ -130,10 +130,10 @@ class Connection : public std::enable_shared_from_this<Connection> {
     /// Return text from an unknown client for the log: shortened, without control characters of
     /// terminals.
     static std::string shown(std::string_view text) {
-        constexpr std::size_t kShown = 60;
+        constexpr std::size_t kMaxShownBytes = 60;
         std::string out = "\"";
-        for (const char c : text.substr(0, kShown)) out += c >= ' ' && c <= '~' ? c : '?';
-        return out + (text.size() > kShown ? "…\"" : "\"");
+        for (const char c : text.substr(0, kMaxShownBytes)) out += c >= ' ' && c <= '~' ? c : '?';
+        return out + (text.size() > kMaxShownBytes ? "…\"" : "\"");
     }
 
     template <class Body>

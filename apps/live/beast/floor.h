@@ -65,9 +65,9 @@ class Floor {
     /// Write one line to the log. If too many lines follow each other, only count them.
     void log(const std::string& line) {
         constexpr int kMaxLines = 20;
-        constexpr double kWhile = 10.0;  // Interval for counting lines [s].
+        constexpr double kLogInterval = 10.0;  // Interval for counting lines [s].
         const double now = clock_now();
-        if (now - log_since_ > kWhile) {
+        if (now - log_since_ > kLogInterval) {
             if (lines_omitted_ > 0 && options_.log)
                 options_.log("and " + std::to_string(lines_omitted_) + " more refusals");
             log_since_ = now;

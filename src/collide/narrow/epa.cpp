@@ -7,7 +7,7 @@
 namespace hawser::collide::narrow {
 namespace {
 
-constexpr int kVertices = 192, kFaces = 2 * kVertices;
+constexpr int kMaxVertices = 192, kMaxFaces = 2 * kMaxVertices;
 
 /// Polytope inside the difference b − a. Faces are counter-clockwise seen from outside.
 struct Polytope {
@@ -18,11 +18,11 @@ struct Polytope {
         double d;  ///< Distance of the plane from the origin along n.
     };
     int vertices = 0, faces = 0;
-    V3 w[kVertices];
-    Face face[kFaces * 2];
+    V3 w[kMaxVertices];
+    Face face[kMaxFaces * 2];
 
     bool add_face(int i, int j, int k) {
-        if (faces == kFaces * 2) return false;
+        if (faces == kMaxFaces * 2) return false;
         const V3 n = cross(w[j] - w[i], w[k] - w[i]);
         const double length = norm(n);
         if (!(length > 0.0)) return false;
@@ -54,10 +54,10 @@ struct Polytope {
 };
 
 bool Polytope::expand(const V3& p, int start, double tolerance) {
-    if (vertices == kVertices) return false;
-    if (faces > kFaces) return false;
+    if (vertices == kMaxVertices) return false;
+    if (faces > kMaxFaces) return false;
     // A directed edge belongs to the rim of the patch if its reverse is not in the patch.
-    std::int16_t edge[3 * kFaces][2];
+    std::int16_t edge[3 * kMaxFaces][2];
     int edges = 0;
     const auto toggle = [&](std::int16_t i, std::int16_t j) {
         for (int k = 0; k < edges; ++k)

@@ -53,12 +53,12 @@ V3 nearest(Simplex& s) {
     if (in.count == 1) return in.w[0];
     if (in.count == 2) return nearest_on_segment(in.w[0], in.w[1], s);
     if (in.count == 3) return nearest_on_triangle(in.w[0], in.w[1], in.w[2], s);
-    static constexpr int kTetrahedron[4][4] = {
+    static constexpr int kTetrahedronFaces[4][4] = {
         {0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 3, 2, 0}};
     bool outside[4], any = false;
     double weights = 0.0;
     for (int i = 0; i < 4; ++i) {
-        const auto& f = kTetrahedron[i];
+        const auto& f = kTetrahedronFaces[i];
         const V3& a = in.w[f[0]];
         const V3 n = cross(in.w[f[1]] - a, in.w[f[2]] - a);
         const double origin = -dot(n, a), other = dot(n, in.w[f[3]] - a);
@@ -73,7 +73,7 @@ V3 nearest(Simplex& s) {
     V3 best{0, 0, 0};
     for (int i = 0; i < 4; ++i) {
         if (any && !outside[i]) continue;
-        const auto& f = kTetrahedron[i];
+        const auto& f = kTetrahedronFaces[i];
         Simplex t;
         const V3 p = nearest_on_triangle(in.w[f[0]], in.w[f[1]], in.w[f[2]], t);
         if (first || dot(p, p) < dot(best, best)) best = p, s = t, first = false;

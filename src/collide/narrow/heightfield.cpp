@@ -22,7 +22,7 @@ namespace {
 
 constexpr long kMaxNodes = 16'777'216;
 /// Depth of the box of the ground below the lowest node [m].
-constexpr double kBelow = 100.0;
+constexpr double kDepthBelowGround = 100.0;
 
 struct Ground {
     const ShapeData& data;
@@ -43,15 +43,17 @@ int fan_around_corner(const SurfaceTriangle& t, int corner, V3* out);
 
 /// Return a triangle of cell (i, j) with the third corners of its neighbours.
 SurfaceTriangle triangle_of(const Ground& g, int i, int j, bool upper) {
-    static constexpr int kCorner[2][3][2] = {{{0, 0}, {0, 1}, {1, 1}}, {{0, 0}, {1, 1}, {1, 0}}};
-    static constexpr int kBeyond[2][3][2] = {{{-1, 0}, {1, 2}, {1, 0}}, {{0, 1}, {2, 1}, {0, -1}}};
-    const auto& corner = kCorner[upper];
+    static constexpr int kTriangleCorners[2][3][2] = {{{0, 0}, {0, 1}, {1, 1}},
+                                                      {{0, 0}, {1, 1}, {1, 0}}};
+    static constexpr int kOppositeCorners[2][3][2] = {{{-1, 0}, {1, 2}, {1, 0}},
+                                                      {{0, 1}, {2, 1}, {0, -1}}};
+    const auto& corner = kTriangleCorners[upper];
     SurfaceTriangle out{};
     out.triangle = make_triangle(g.node(i + corner[0][0], j + corner[0][1]),
                                  g.node(i + corner[1][0], j + corner[1][1]),
                                  g.node(i + corner[2][0], j + corner[2][1]));
     for (int k = 0; k < 3; ++k) {
-        const int p = i + kBeyond[upper][k][0], q = j + kBeyond[upper][k][1];
+        const int p = i + kOppositeCorners[upper][k][0], q = j + kOppositeCorners[upper][k][1];
         out.has_neighbour[k] = g.has(p, q);
         if (g.has(p, q)) out.opposite[k] = g.node(p, q);
     }
@@ -68,9 +70,10 @@ int fan_around_corner(const SurfaceTriangle& t, int corner, V3* out) {
     const int node = t.index / 2, upper = t.index % 2;
     const int i = node / g.data.columns + (corner == 0 ? 0 : (corner == 1 ? upper : 1));
     const int j = node % g.data.columns + (corner == 0 ? 0 : (corner == 1 ? 1 : 1 - upper));
-    static constexpr int kAround[6][2] = {{0, 1}, {1, 1}, {1, 0}, {0, -1}, {-1, -1}, {-1, 0}};
+    static constexpr int kAdjacentNodes[6][2] = {{0, 1},  {1, 1},   {1, 0},
+                                                 {0, -1}, {-1, -1}, {-1, 0}};
     int count = 0;
-    for (const auto& d : kAround)
+    for (const auto& d : kAdjacentNodes)
         if (g.has(i + d[0], j + d[1])) out[count++] = g.node(i + d[0], j + d[1]);
     return count;
 }
@@ -134,7 +137,7 @@ void make_heightfield(const ShapeDef& def, ShapeData& out) {
     out.high[2] = *high;
     out.low[0] = -out.high[0];
     out.low[1] = -out.high[1];
-    out.low[2] = *low - kBelow;
+    out.low[2] = *low - kDepthBelowGround;
 }
 
 HAWSER_PAIR(convex_heightfield) {

@@ -10,23 +10,23 @@ namespace {
 
 /// A point closer to an edge than this fraction of the size counts as on it. Rounding and the noise
 /// of a body at rest are far smaller.
-constexpr double kSnap = 1e-6;
+constexpr double kSnapDistance = 1e-6;
 /// Gaps that differ by less than this fraction of the size count as equal.
-constexpr double kSame = 1e-7;
+constexpr double kGapTie = 1e-7;
 /// A point is added if its gap is smaller than those at the corners by more than this fraction of
 /// the size.
-constexpr double kDeeper = 1e-8;
+constexpr double kMinDeeperGap = 1e-8;
 /// Parts with a smaller tilt count as exactly parallel; n is accurate to 1e-8 or better.
-constexpr double kFlat = 1e-6;
+constexpr double kMaxParallelTilt = 1e-6;
 
 /// Return the point of smallest gap in the overlap of the faces of both cores that are
 /// perpendicular to n.
 Point deepest_point(const Convex& a, const Convex& b, const V3& n, double separation, double size) {
     Poly pa, pb;
-    facing_polygon(a, n, kFlat, pa);
-    facing_polygon(b, -n, kFlat, pb);
+    facing_polygon(a, n, kMaxParallelTilt, pa);
+    facing_polygon(b, -n, kMaxParallelTilt, pb);
     Points found;
-    overlap(pa, pb, n, separation, kSnap * size, found);
+    overlap(pa, pb, n, separation, kSnapDistance * size, found);
     const std::uint32_t name = feature(3, pa.vertex[0], pb.vertex[0]);
     const Point* best = nullptr;
     for (int i = 0; i < found.count; ++i)
@@ -71,7 +71,7 @@ void write(const Point& p, const double* origin, ManifoldPoint& out) {
 }  // namespace
 
 void reduce(Points& points, double size, bool row) {
-    const double length_tie = kSame * size, tie = length_tie * size;
+    const double length_tie = kGapTie * size, tie = length_tie * size;
     const V3 n = points.p[0].normal;
     const int deep = largest(points, length_tie, [](const Point& p) { return -p.gap; });
     V3 centre{0, 0, 0};
@@ -128,13 +128,14 @@ void add_points(const Convex& a, const Convex& b, const V3& n, double separation
     if (separation - rounding >= margin) return;
     const double size = a.size + b.size + rounding;
     Poly pa, pb;
-    facing_polygon(a, n, kTilt, pa);
-    facing_polygon(b, -n, kTilt, pb);
+    facing_polygon(a, n, kMaxManifoldTilt, pa);
+    facing_polygon(b, -n, kMaxManifoldTilt, pb);
     const int first = out.count;
-    overlap(pa, pb, n, separation, kSnap * size, out);
+    overlap(pa, pb, n, separation, kSnapDistance * size, out);
     double least = separation + 1.0 + size;
     for (int i = first; i < out.count; ++i) least = std::fmin(least, out.p[i].gap);
-    if (least > separation + kDeeper * size) out.add(deepest_point(a, b, n, separation, size));
+    if (least > separation + kMinDeeperGap * size)
+        out.add(deepest_point(a, b, n, separation, size));
     int kept = first;
     for (int i = first; i < out.count; ++i) {
         Point p = out.p[i];

@@ -6,7 +6,8 @@
 /// Project the facing parts of both cores (polygon, segment or point) along the normal. The corners
 /// of their overlap, lifted back onto both parts, are the contact points. On the overlap of two
 /// flat parts the gap is linear, so that its minimum is at a corner. If the smallest gap of the
-/// cores is elsewhere (a rim, a vertex of a part with a tilt above `kTilt`), its point is added.
+/// cores is elsewhere (a rim, a vertex of a part with a tilt above `kMaxManifoldTilt`), its point
+/// is added.
 ///
 /// At most four points are kept:
 /// 1. the point furthest from their middle;
@@ -23,7 +24,7 @@
 namespace hawser::collide::narrow {
 
 /// Faces and edges tilted by up to 11.5 degrees take part in a manifold.
-inline constexpr double kTilt = 0.2;
+inline constexpr double kMaxManifoldTilt = 0.2;
 
 /// Add the contact points of two cores at the unit normal `n`, along which their separation has its
 /// maximum `separation`. Only points with a gap (minus roundings) below `margin` are added.

@@ -16,7 +16,7 @@ namespace hawser::collide::narrow {
 namespace {
 
 constexpr std::size_t kMaxTriangles = 1'048'576;
-constexpr int kLeaf = 4, kMaxDepth = 64;
+constexpr int kLeafTriangles = 4, kMaxDepth = 64;
 
 struct TreeBuilder {
     ShapeData& mesh;
@@ -38,7 +38,7 @@ struct TreeBuilder {
                     node.high[k] = std::max(node.high[k], x);
                 }
             }
-        if (count > kLeaf) {
+        if (count > kLeafTriangles) {
             int k = 0;
             for (int j = 1; j < 3; ++j)
                 if (high[j] - low[j] > high[k] - low[k]) k = j;
@@ -110,13 +110,13 @@ void find_neighbours(ShapeData& mesh) {
 }
 
 /// Context for the contact of a triangle, relative to the centre of the shape.
-struct Seen {
+struct VisitedEdge {
     const ShapeData& mesh;
     V3 centre;
 };
 
 int mesh_ring(const SurfaceTriangle& t, int corner, V3* out) {
-    const Seen& seen = *static_cast<const Seen*>(t.surface);
+    const VisitedEdge& seen = *static_cast<const VisitedEdge*>(t.surface);
     const int v = seen.mesh.triangles[3 * t.index + corner];
     int count = 0;
     for (int i = seen.mesh.ring_first[v]; i < seen.mesh.ring_first[v + 1] && count < kMaxRing; ++i)
@@ -124,7 +124,7 @@ int mesh_ring(const SurfaceTriangle& t, int corner, V3* out) {
     return count;
 }
 
-SurfaceTriangle triangle_of(const Seen& seen, int t) {
+SurfaceTriangle triangle_of(const VisitedEdge& seen, int t) {
     const ShapeData& mesh = seen.mesh;
     const auto place = [&](int v) { return mesh.vertices[v] - seen.centre; };
     const std::int32_t* v = &mesh.triangles[3 * t];
@@ -179,7 +179,7 @@ HAWSER_PAIR(convex_mesh) {
     // Use coordinates relative to the centre of the shape, so that a large mesh loses no digits.
     const Convex shape = make_convex(a, local, local.x);
     const V3 centre = generic::load3(local.x);
-    const Seen seen{mesh, centre};
+    const VisitedEdge seen{mesh, centre};
     Points points;
     Point nearest{};
     int stack[kMaxDepth], depth = 0;

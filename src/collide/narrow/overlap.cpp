@@ -7,30 +7,30 @@
 namespace hawser::collide::narrow {
 namespace {
 
-struct Flat {
+struct Point2 {
     double x, y;
 };
 
 /// Projection of a part along the normal, counter-clockwise, with its height over the projection
 /// plane.
-struct Shadow {
+struct ProjectedPolygon {
     int count;
-    Flat p[kMaxPoly];
+    Point2 p[kMaxPoly];
     std::uint16_t vertex[kMaxPoly], edge[kMaxPoly];
     V3 base, normal;  ///< Plane of a polygon.
 };
 
 struct View {
     V3 n, u, v, centre;
-    Flat project_to_view(const V3& p) const { return {dot(p - centre, u), dot(p - centre, v)}; }
+    Point2 project_to_view(const V3& p) const { return {dot(p - centre, u), dot(p - centre, v)}; }
     /// Return the point over q on the plane of a polygon.
-    V3 lift_to_polygon(const Flat& q, const Shadow& s) const {
+    V3 point_over_polygon(const Point2& q, const ProjectedPolygon& s) const {
         const V3 foot = centre + q.x * u + q.y * v;
         return foot + (dot(s.normal, s.base - foot) / dot(s.normal, n)) * n;
     }
 };
 
-void project(const View& view, const Poly& poly, Shadow& out) {
+void project(const View& view, const Poly& poly, ProjectedPolygon& out) {
     out.count = poly.count;
     for (int i = 0; i < poly.count; ++i) {
         out.p[i] = view.project_to_view(poly.p[i]);
@@ -56,7 +56,7 @@ void project(const View& view, const Poly& poly, Shadow& out) {
 
 /// Corner of a polygon during clipping. Its name is derived from its two edges.
 struct Corner {
-    Flat p;
+    Point2 p;
     std::uint32_t name;
     int next_edge;  ///< Edge to the next corner: edge of a if ≥ 0, else −1 − edge of b.
 };
@@ -69,14 +69,16 @@ std::uint32_t crossing_name(int edge, int clip_edge) {
 }
 
 /// Clip a polygon: keep the part left of the line from p to q.
-int clip(const Corner* in, int count, const Flat& p, const Flat& q, int clip_edge, double snap,
+int clip(const Corner* in, int count, const Point2& p, const Point2& q, int clip_edge, double snap,
          Corner* out) {
     const double dx = q.x - p.x, dy = q.y - p.y, length = std::hypot(dx, dy);
     if (!(length > 0.0)) {
         std::copy(in, in + count, out);
         return count;
     }
-    const auto side = [&](const Flat& c) { return (dx * (c.y - p.y) - dy * (c.x - p.x)) / length; };
+    const auto side = [&](const Point2& c) {
+        return (dx * (c.y - p.y) - dy * (c.x - p.x)) / length;
+    };
     int kept = 0;
     for (int i = 0; i < count; ++i) {
         const Corner& from = in[i];
@@ -86,7 +88,7 @@ int clip(const Corner* in, int count, const Flat& p, const Flat& q, int clip_edg
         if (inside) out[kept++] = from;
         if (inside == next_inside) continue;
         const double t = clamp(d / (d - e), 0.0, 1.0);
-        const Flat at{from.p.x + t * (to.p.x - from.p.x), from.p.y + t * (to.p.y - from.p.y)};
+        const Point2 at{from.p.x + t * (to.p.x - from.p.x), from.p.y + t * (to.p.y - from.p.y)};
         if (inside) {
             if (d <= snap) {
                 out[kept - 1].next_edge = -1 - clip_edge;
@@ -104,8 +106,8 @@ void add_point(const V3& on0, const V3& on1, const V3& n, std::uint32_t name, Po
     out.add({on0, on1, n, dot(on1 - on0, n), name});
 }
 
-void intersect_polygons(const View& view, const Shadow& a, const Shadow& b, double snap,
-                        Points& out) {
+void intersect_polygons(const View& view, const ProjectedPolygon& a, const ProjectedPolygon& b,
+                        double snap, Points& out) {
     Corner buffer[2][2 * kMaxPoly];
     Corner *now = buffer[0], *next = buffer[1];
     int count = a.count;
@@ -116,23 +118,23 @@ void intersect_polygons(const View& view, const Shadow& a, const Shadow& b, doub
         std::swap(now, next);
     }
     for (int i = 0; i < count; ++i)
-        add_point(view.lift_to_polygon(now[i].p, a), view.lift_to_polygon(now[i].p, b), view.n,
-                  now[i].name, out);
+        add_point(view.point_over_polygon(now[i].p, a), view.point_over_polygon(now[i].p, b),
+                  view.n, now[i].name, out);
 }
 
 /// Add the contacts of the part of segment s that projects onto the polygon. @param first  True if
 /// the segment belongs to shape 0.
-void segment_polygon(const View& view, const Poly& s, const Shadow& polygon, bool first,
+void segment_polygon(const View& view, const Poly& s, const ProjectedPolygon& polygon, bool first,
                      double snap, Points& out) {
-    const Flat p = view.project_to_view(s.p[0]), q = view.project_to_view(s.p[1]);
+    const Point2 p = view.project_to_view(s.p[0]), q = view.project_to_view(s.p[1]);
     const unsigned own = first ? 0U : 1U;
     // Two cuts at one corner of the polygon differ only by rounding; the first edge applies.
     const double same = snap / norm(s.p[1] - s.p[0]);
     double t[2] = {0.0, 1.0};
     std::uint32_t name[2] = {feature(own, s.vertex[0], 0), feature(own, s.vertex[1], 0)};
     for (int i = 0; i < polygon.count; ++i) {
-        const Flat& k = polygon.p[i];
-        const Flat& l = polygon.p[i + 1 == polygon.count ? 0 : i + 1];
+        const Point2& k = polygon.p[i];
+        const Point2& l = polygon.p[i + 1 == polygon.count ? 0 : i + 1];
         const double dx = l.x - k.x, dy = l.y - k.y, length = std::hypot(dx, dy);
         if (!(length > 0.0)) continue;
         const double d = (dx * (p.y - k.y) - dy * (p.x - k.x)) / length;
@@ -150,16 +152,16 @@ void segment_polygon(const View& view, const Poly& s, const Shadow& polygon, boo
     if (t[0] > t[1] + same) return;
     for (int end = 0; end < 2; ++end) {
         const V3 on = s.p[0] + t[end] * (s.p[1] - s.p[0]);
-        const V3 other = view.lift_to_polygon(view.project_to_view(on), polygon);
+        const V3 other = view.point_over_polygon(view.project_to_view(on), polygon);
         add_point(first ? on : other, first ? other : on, view.n, name[end], out);
         if (t[1] - t[0] <= same) return;
     }
 }
 
 void segments(const View& view, const Poly& a, const Poly& b, double snap, Points& out) {
-    const Flat p = view.project_to_view(a.p[0]), p1 = view.project_to_view(a.p[1]);
-    const Flat q = view.project_to_view(b.p[0]), q1 = view.project_to_view(b.p[1]);
-    const Flat d{p1.x - p.x, p1.y - p.y}, e{q1.x - q.x, q1.y - q.y}, w{q.x - p.x, q.y - p.y};
+    const Point2 p = view.project_to_view(a.p[0]), p1 = view.project_to_view(a.p[1]);
+    const Point2 q = view.project_to_view(b.p[0]), q1 = view.project_to_view(b.p[1]);
+    const Point2 d{p1.x - p.x, p1.y - p.y}, e{q1.x - q.x, q1.y - q.y}, w{q.x - p.x, q.y - p.y};
     const double dd = d.x * d.x + d.y * d.y, ee = e.x * e.x + e.y * e.y;
     const double turn = d.x * e.y - d.y * e.x;
     if (!(dd > 0.0) || !(ee > 0.0)) return;
@@ -201,7 +203,7 @@ void overlap(const Poly& a, const Poly& b, const V3& n, double separation, doubl
     View view{n, any_perpendicular(n), {}, a.p[0]};
     view.v = cross(n, view.u);
     if (a.count == 2 && b.count == 2) return segments(view, a, b, snap, out);
-    Shadow shadow[2];
+    ProjectedPolygon shadow[2];
     if (a.count > 2) project(view, a, shadow[0]);
     if (b.count > 2) project(view, b, shadow[1]);
     if (a.count == 2) return segment_polygon(view, a, shadow[1], true, snap, out);

@@ -39,7 +39,7 @@ HAWSER_PAIR(convex_plane) {
     const double least = dot(n, lowest);
     if (!(least < margin)) return;
     Poly face;
-    facing_polygon(s, -n, kTilt, face);
+    facing_polygon(s, -n, kMaxManifoldTilt, face);
     Points points;
     bool has_lowest = false;
     for (int i = 0; i < face.count; ++i) {

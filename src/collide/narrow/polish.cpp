@@ -7,7 +7,7 @@ namespace hawser::collide::narrow {
 namespace {
 
 /// Normals of faces and directions of edges that may be exact where the guess is approximate.
-struct Nearby {
+struct NearbyFeatures {
     int faces = 0, edges = 0;
     V3 face[8], edge[16];
     void add_face(const V3& n) {
@@ -19,11 +19,11 @@ struct Nearby {
 };
 
 /// Accuracy required of a guess [rad]; GJK and EPA are far more accurate.
-constexpr double kNear = 0.05;
+constexpr double kGuessAccuracy = 0.05;
 
 /// Collect the faces of `s` with normals near n, and the edges nearly perpendicular to n.
-void collect_nearby(const Convex& s, const V3& n, Nearby& out) {
-    const double near_cos = 1.0 - 0.5 * kNear * kNear;
+void collect_nearby(const Convex& s, const V3& n, NearbyFeatures& out) {
+    const double near_cos = 1.0 - 0.5 * kGuessAccuracy * kGuessAccuracy;
     switch (s.kind) {
         case ShapeKind::box:
         case ShapeKind::cylinder:
@@ -31,7 +31,7 @@ void collect_nearby(const Convex& s, const V3& n, Nearby& out) {
             for (int k = s.kind == ShapeKind::box ? 0 : 2; k < 3; ++k) {
                 const V3 e = axis(s.r, k);
                 const double x = dot(e, n);
-                if (std::fabs(x) < kNear) out.add_edge(e);
+                if (std::fabs(x) < kGuessAccuracy) out.add_edge(e);
                 if (std::fabs(x) > near_cos && s.kind != ShapeKind::capsule)
                     out.add_face(x > 0.0 ? e : -e);
             }
@@ -39,14 +39,14 @@ void collect_nearby(const Convex& s, const V3& n, Nearby& out) {
         case ShapeKind::hull: {
             const V3 m = tmul(s.r, n), p = tmul(s.r, support(s, n) - s.c);
             const ShapeData& hull = *s.data;
-            const double level = dot(p, m) - kNear * s.size;
+            const double level = dot(p, m) - kGuessAccuracy * s.size;
             for (const HullFace& f : hull.faces)
                 if (dot(f.normal, m) > near_cos) out.add_face(s.r * f.normal);
             for (const HullEdge& e : hull.edges) {
                 const V3 &v = hull.vertices[e.vertex[0]], &w = hull.vertices[e.vertex[1]];
                 if (dot(v, m) < level || dot(w, m) < level) continue;
                 const V3 d = normalized(w - v);
-                if (std::fabs(dot(d, m)) < kNear) out.add_edge(s.r * d);
+                if (std::fabs(dot(d, m)) < kGuessAccuracy) out.add_edge(s.r * d);
             }
             break;
         }
@@ -55,7 +55,7 @@ void collect_nearby(const Convex& s, const V3& n, Nearby& out) {
             if (std::fabs(x) > near_cos) out.add_face(x > 0.0 ? s.face : -s.face);
             for (int k = 0; k < 3; ++k) {
                 const V3 e = normalized(s.corner[(k + 1) % 3] - s.corner[k]);
-                if (std::fabs(dot(e, n)) < kNear) out.add_edge(e);
+                if (std::fabs(dot(e, n)) < kGuessAccuracy) out.add_edge(e);
             }
             break;
         }
@@ -79,7 +79,7 @@ bool maximum_around_edge(const Convex& a, const Convex& b, const V3& e, const V3
     };
     // Other maxima may be near: shrink the bracket until it contains one.
     double low = 0.0, high = 0.0, at_low = 0.0, at_high = 0.0;
-    for (double reach = 2.0 * kNear; at_low <= 0.0 || at_high >= 0.0; reach *= 0.1) {
+    for (double reach = 2.0 * kGuessAccuracy; at_low <= 0.0 || at_high >= 0.0; reach *= 0.1) {
         if (reach < 1e-7) return false;
         low = -reach;
         high = reach;
@@ -140,7 +140,7 @@ V3 newton_maximum(const Convex& a, const Convex& b, V3 n) {
         if (!(det > 0.0) || !(h[0] > 0.0)) return n;  // no maximum here
         const double gu = dot(g, u), gv = dot(g, v);
         const double x = (h[2] * gu - h[1] * gv) / det, y = (h[0] * gv - h[1] * gu) / det;
-        if (!(x * x + y * y < 4.0 * kNear * kNear)) return n;
+        if (!(x * x + y * y < 4.0 * kGuessAccuracy * kGuessAccuracy)) return n;
         n = normalized(n + x * u + y * v);
         if (x * x + y * y < 1e-30) return n;
     }
@@ -165,7 +165,7 @@ Separation polish(const Convex& a, const Convex& b, const V3& guess, double most
     };
     // An exact normal at the upper bound ends the search; an iterated one may still be 1e-6 off.
     const double enough = most - 1e-13 * size;
-    Nearby of_a, of_b;
+    NearbyFeatures of_a, of_b;
     collect_nearby(a, guess, of_a);
     collect_nearby(b, -guess, of_b);
     for (int i = 0; i < of_a.faces; ++i) propose(of_a.face[i]);

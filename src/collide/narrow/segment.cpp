@@ -6,7 +6,7 @@
 namespace hawser::collide::narrow {
 namespace {
 
-constexpr double kTouching = 1e-10;  ///< Tolerance of touching, relative to the size.
+constexpr double kTouchTolerance = 1e-10;  ///< Tolerance of touching, relative to the size.
 
 bool over(const Convex& t, const V3& p) {
     for (int k = 0; k < 3; ++k)
@@ -67,7 +67,7 @@ bool segment_triangle(const Segment& a, const Convex& t, Separation& out) {
             out = {distance > 0.0 ? (1.0 / distance) * d : t.face, distance};
         }
     }
-    return best > kTouching * size;
+    return best > kTouchTolerance * size;
 }
 
 bool segment_cylinder(const Segment& a, const Convex& cylinder, Separation& out) {
@@ -90,7 +90,7 @@ bool segment_cylinder(const Segment& a, const Convex& cylinder, Separation& out)
         by = distance_to_cylinder(c + t * d, d, cylinder.radius, cylinder.half_length, rate);
     }
     const double distance = norm(by);
-    if (!(distance > kTouching * (a.half + cylinder.size))) return false;
+    if (!(distance > kTouchTolerance * (a.half + cylinder.size))) return false;
     out = {cylinder.r * ((-1.0 / distance) * by), distance};
     return true;
 }

@@ -10,7 +10,7 @@ namespace {
 
 /// Find the separation of two intersecting cores without volume. Candidates are normals of
 /// triangles and normals to one edge of each core.
-Separation part_flat(const Convex& a, const Convex& b) {
+Separation separate_flat_cores(const Convex& a, const Convex& b) {
     V3 along = b.c - a.c;
     if (!(dot(along, along) > 0.0)) along = {0, 0, 1};
     Separation best{normalized(along), -1e300};
@@ -49,7 +49,7 @@ bool is_flat(const Convex& s) {
 }
 
 /// Find the separation of two intersecting cores, at least one of which has a volume.
-Separation part_solid(const Convex& a, const Convex& b) {
+Separation separate_solid_cores(const Convex& a, const Convex& b) {
     Separation best = polish(a, b, epa(a, b), 0.0);
     // Near the axis of a round body all exits are nearly equally short; also try the radial one.
     for (const Convex* round : {&a, &b}) {
@@ -69,18 +69,19 @@ Separation separate(const Convex& a, const Convex& b, double enough) {
     const bool first_thin = a.kind == ShapeKind::sphere || a.kind == ShapeKind::capsule;
     Separation closed{};
     if (first_thin && b.kind == ShapeKind::mesh)
-        return segment_triangle(segment_of(a), b, closed) ? closed : part_flat(a, b);
+        return segment_triangle(segment_of(a), b, closed) ? closed : separate_flat_cores(a, b);
     if (first_thin && b.kind == ShapeKind::cylinder)
         return segment_cylinder(segment_of(a), b, closed) ? closed : separate_from_cylinder(a, b);
     const GjkResult apart = gjk(a, b, enough);
     if (apart.separated && apart.distance > enough) return {apart.n, apart.distance};
-    if (!apart.separated && is_flat(a) && is_flat(b)) return part_flat(a, b);
-    if (!apart.separated) return part_solid(a, b);
+    if (!apart.separated && is_flat(a) && is_flat(b)) return separate_flat_cores(a, b);
+    if (!apart.separated) return separate_solid_cores(a, b);
     const Separation best = polish(a, b, apart.n, apart.distance);
     // If GJK could not distinguish separation from contact, its normal is inaccurate.
     const double size = a.size + b.size;
     if (best.s > apart.distance - 1e-6 * size || apart.distance > 1e-3 * size) return best;
-    const Separation other = is_flat(a) && is_flat(b) ? part_flat(a, b) : part_solid(a, b);
+    const Separation other =
+        is_flat(a) && is_flat(b) ? separate_flat_cores(a, b) : separate_solid_cores(a, b);
     return other.s > best.s ? other : best;
 }
 

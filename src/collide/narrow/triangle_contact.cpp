@@ -10,9 +10,9 @@
 namespace hawser::collide::narrow {
 namespace {
 
-constexpr double kLean = 1e-6;       ///< A neighbour that rises by less counts as flat [rad].
-constexpr double kGroup = 0.99;      ///< Minimum cosine between normals of one group.
-constexpr double kSamePoint = 1e-6;  ///< Tolerance of equal points, relative to the size.
+constexpr double kMaxFlatAngle = 1e-6;    ///< A neighbour that rises by less counts as flat [rad].
+constexpr double kMinGroupCosine = 0.99;  ///< Minimum cosine between normals of one group.
+constexpr double kSamePoint = 1e-6;       ///< Tolerance of equal points, relative to the size.
 /// Minimum additional depth of an added point, relative to the size.
 constexpr double kDeeperFace = 1e-8;
 
@@ -25,7 +25,7 @@ bool is_admissible_normal(const SurfaceTriangle& t, const V3& m) {
     const V3& v = part.p[0];
     const auto rises = [&](const V3& w) {
         const V3 d = w - v;
-        return dot(m, d) > kLean * norm(d);
+        return dot(m, d) > kMaxFlatAngle * norm(d);
     };
     if (part.count == 2) {
         const int k = part.edge[0];
@@ -56,11 +56,11 @@ bool over_triangle(const Convex& t, const V3& p, double snap) {
 void add_points_along_normal(const Convex& shape, const SurfaceTriangle& t, const V3& n,
                              double margin, Points& out) {
     Poly below, face;
-    facing_polygon(t.triangle, n, kTilt, face);
+    facing_polygon(t.triangle, n, kMaxManifoldTilt, face);
     const double snap = kSamePoint * (shape.size + t.triangle.size);
     // If no flat part touches, accept a facing part with a larger tilt: an edge deep across a
     // ridge.
-    for (const double tilt : {kTilt, 0.5}) {
+    for (const double tilt : {kMaxManifoldTilt, 0.5}) {
         facing_polygon(shape, -n, tilt, below);
         Points found;
         if (below.count == 1) {
@@ -147,7 +147,7 @@ void touch_triangle(const Convex& shape, const SurfaceTriangle& t, double margin
         bool known = false;
         for (int k = 0; k < out.count && !known; ++k) {
             const V3 d = out.p[k].on1 - p.on1;
-            known = dot(d, d) < same * same && dot(out.p[k].normal, p.normal) > kGroup;
+            known = dot(d, d) < same * same && dot(out.p[k].normal, p.normal) > kMinGroupCosine;
         }
         if (!known) out.add(p);
     }
@@ -161,7 +161,8 @@ int group(const Points& points, int* of) {
     int groups = 0, first[kMaxPoints];
     for (int i = 0; i < points.count; ++i) {
         int g = 0;
-        while (g < groups && dot(points.p[first[g]].normal, points.p[i].normal) < kGroup) ++g;
+        while (g < groups && dot(points.p[first[g]].normal, points.p[i].normal) < kMinGroupCosine)
+            ++g;
         if (g == groups) first[groups++] = i;
         of[i] = g;
     }

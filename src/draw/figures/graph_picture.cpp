@@ -14,8 +14,9 @@
 namespace hawser::draw {
 namespace {
 
-constexpr Color kTwo{70, 82, 100, 255}, kThree{178, 205, 232, 255}, kTouch{230, 159, 0, 255};
-constexpr Color kCutColor{214, 20, 40, 255}, kLoose{150, 156, 164, 255};
+constexpr Color kTwoBodyColor{70, 82, 100, 255}, kHyperedgeColor{178, 205, 232, 255},
+    kContactColor{230, 159, 0, 255};
+constexpr Color kCutColor{214, 20, 40, 255}, kNoPartColor{150, 156, 164, 255};
 constexpr double kInsetSize = 176;
 
 /// Rectangle of the world, projected along an axis.
@@ -73,11 +74,14 @@ void draw_disc(Drawing& d, Point at, double r, Color fill, Color stroke, double 
 }
 
 Color edge_color(const InteractionGraph& g, const GraphEdge& e, bool parts) {
-    if (!parts) return e.kind == "contact" ? kTouch : e.nodes.size() > 2 ? kThree : kTwo;
+    if (!parts)
+        return e.kind == "contact"  ? kContactColor
+               : e.nodes.size() > 2 ? kHyperedgeColor
+                                    : kTwoBodyColor;
     if (e.cut) return kCutColor;
     for (const std::int32_t n : e.nodes)
         if (g.nodes[at(n)].part >= 0) return part_color(g.nodes[at(n)].part).with_alpha(150);
-    return kLoose;
+    return kNoPartColor;
 }
 
 void draw_edges(Drawing& d, const InteractionGraph& g, const Scope& s, bool parts, double scale) {
@@ -97,9 +101,9 @@ void draw_edges(Drawing& d, const InteractionGraph& g, const Scope& s, bool part
             const double width = scale * (pass == 2 ? 2.6 : wide ? 4.2 : 1.1);
             for (const Vec3& p : e.fixed) {
                 const Point q = s.to_page(p);
-                d.line(at_nodes.front(), q, kLoose.with_alpha(170), 0.8 * scale);
+                d.line(at_nodes.front(), q, kNoPartColor.with_alpha(170), 0.8 * scale);
                 const double r = 2.2 * scale;
-                d.box({q.x - r, q.y - r, 2 * r, 2 * r}, kWhite, kLoose, 1.0);
+                d.box({q.x - r, q.y - r, 2 * r, 2 * r}, kWhite, kNoPartColor, 1.0);
             }
             if (at_nodes.size() > 1)
                 d.add(Path{.points = at_nodes,
@@ -114,7 +118,8 @@ void draw_nodes(Drawing& d, const InteractionGraph& g, const Scope& s, bool part
             const bool small = n.kind == BodyKind::lump && !n.separator;
             if (small == large || !s.is_visible(n.position)) continue;
             Color fill = kInk;
-            if (parts) fill = n.separator ? kWhite : n.part >= 0 ? part_color(n.part) : kLoose;
+            if (parts)
+                fill = n.separator ? kWhite : n.part >= 0 ? part_color(n.part) : kNoPartColor;
             const double r = radius(n, scale);
             if (parts && n.separator)
                 draw_disc(d, s.to_page(n.position), std::max(r, 3.2 * scale), fill, kInk, 1.8);
@@ -246,10 +251,10 @@ Drawing draw_graph(const InteractionGraph& graph, const GraphPicture& picture) {
         swatches.push_back({"separator", kWhite});
     } else {
         swatches = {{"body", kInk},
-                    {"between two bodies", kTwo, true},
-                    {"between three", kThree, true},
-                    {"contact", kTouch, true},
-                    {"to what is fixed", kLoose, true}};
+                    {"between two bodies", kTwoBodyColor, true},
+                    {"between three", kHyperedgeColor, true},
+                    {"contact", kContactColor, true},
+                    {"to what is fixed", kNoPartColor, true}};
     }
     draw_swatches(d, {square.x, square.bottom() + kInsetSize + 42}, square.width, swatches);
     return d;

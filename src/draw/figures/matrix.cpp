@@ -15,16 +15,16 @@ namespace {
 enum class Cell : std::uint8_t { empty, fill, coupling, rows, body };
 using Palette = std::array<Color, 5>;
 
-constexpr Palette kPlain{{{255, 255, 255, 0},
-                          {250, 178, 130, 255},
-                          {28, 40, 66, 255},
-                          {28, 40, 66, 255},
-                          {28, 40, 66, 255}}};
-constexpr Palette kShaded{{{255, 255, 255, 0},
-                           {250, 178, 130, 255},
-                           {28, 40, 66, 255},
-                           {213, 94, 0, 255},
-                           {0, 114, 178, 255}}};
+constexpr Palette kPlainPalette{{{255, 255, 255, 0},
+                                 {250, 178, 130, 255},
+                                 {28, 40, 66, 255},
+                                 {28, 40, 66, 255},
+                                 {28, 40, 66, 255}}};
+constexpr Palette kShadedPalette{{{255, 255, 255, 0},
+                                  {250, 178, 130, 255},
+                                  {28, 40, 66, 255},
+                                  {213, 94, 0, 255},
+                                  {0, 114, 178, 255}}};
 
 constexpr Color color(const Palette& palette, Cell cell) {
     return palette[at(static_cast<int>(cell))];
@@ -120,18 +120,18 @@ Drawing draw_matrix(const BlockGraph& graph, std::span<const std::int32_t> order
         }
     }
     if (!graph.part.empty()) frame_parts(drawing, square, graph, order, offset);
-    cells.draw(drawing, square, picture.fill ? kPlain : kShaded);
+    cells.draw(drawing, square, picture.fill ? kPlainPalette : kShadedPalette);
     drawing.box(square, kNoColor, kSoft);
     const Point legend{square.x, square.bottom() + 28};
     if (picture.fill)
         draw_swatches(drawing, legend, square.width,
-                      {{"matrix K", color(kPlain, Cell::body)},
-                       {"fill of its factor", color(kPlain, Cell::fill)}});
+                      {{"matrix K", color(kPlainPalette, Cell::body)},
+                       {"fill of its factor", color(kPlainPalette, Cell::fill)}});
     else
         draw_swatches(drawing, legend, square.width,
-                      {{"bodies: mass", color(kShaded, Cell::body)},
-                       {"interactions: rows", color(kShaded, Cell::rows)},
-                       {"Jacobian and stiffness", color(kShaded, Cell::coupling)}});
+                      {{"bodies: mass", color(kShadedPalette, Cell::body)},
+                       {"interactions: rows", color(kShadedPalette, Cell::rows)},
+                       {"Jacobian and stiffness", color(kShadedPalette, Cell::coupling)}});
     return drawing;
 }
 

@@ -61,17 +61,17 @@ Drawing make_panel(double width, double height, const std::string& title,
 Box panel_square() { return {kPageMargin, 108, kFigureSquare, kFigureSquare}; }
 
 void draw_swatches(Drawing& drawing, Point at, double width, const std::vector<Swatch>& swatches) {
-    constexpr double kSize = 13.0;
+    constexpr double kTextSize = 13.0;
     Point p = at;
     for (const Swatch& s : swatches) {
         const double mark = s.line ? 22 : 12;
-        const double wide = mark + 7 + text_width(s.name, kSize);
+        const double wide = mark + 7 + text_width(s.name, kTextSize);
         if (p.x > at.x && p.x + wide > at.x + width) p = {at.x, p.y + 19};
         if (s.line)
             drawing.line({p.x, p.y - 4.5}, {p.x + mark, p.y - 4.5}, s.color, 3.0, s.dash);
         else
             drawing.box({p.x, p.y - 10.5, 12, 12}, s.color, kSoft.with_alpha(120), 0.6);
-        drawing.text({p.x + mark + 7, p.y}, s.name, kSize);
+        drawing.text({p.x + mark + 7, p.y}, s.name, kTextSize);
         p.x += wide + 20;
     }
 }

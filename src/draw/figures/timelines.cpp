@@ -13,20 +13,23 @@ namespace hawser::draw {
 
 Drawing draw_timelines(const std::vector<NamedTimeline>& timelines, const std::string& title,
                        const std::vector<std::string>& notes) {
-    constexpr double kWide = 3 * kFigureWidth + 36, kLeft = 150, kRight = 40, kTop = 124;
-    constexpr double kCaption = 30, kLine = 34, kSeparation = 16;
-    double height = kTop, until = 0.0;
+    constexpr double kPictureWidth = 3 * kFigureWidth + 36, kLeftMargin = 150, kRightMargin = 40,
+                     kTopMargin = 124;
+    constexpr double kCaptionHeight = 30, kThreadHeight = 34, kTimelineSeparation = 16;
+    double height = kTopMargin, until = 0.0;
     std::vector<Timeline> all;
     for (const NamedTimeline& t : timelines) {
-        height += kCaption + kSeparation + (t.note.empty() ? kLine * t.timeline.threads : 0.0);
+        height += kCaptionHeight + kTimelineSeparation +
+                  (t.note.empty() ? kThreadHeight * t.timeline.threads : 0.0);
         if (!t.note.empty()) continue;
         until = std::max(until, t.timeline.seconds);
         all.push_back(t.timeline);
     }
-    Drawing d = make_panel(kWide, height + 56, title, notes);
-    draw_work_legend(d, {kLeft, 92, kWide - kLeft - kRight, 14}, all);
+    Drawing d = make_panel(kPictureWidth, height + 56, title, notes);
+    draw_work_legend(d, {kLeftMargin, 92, kPictureWidth - kLeftMargin - kRightMargin, 14}, all);
     const record::Unit unit = record::readable_unit(until, "s");
-    const Axes axes{.frame = {kLeft, kTop, kWide - kLeft - kRight, height - kTop},
+    const Axes axes{.frame = {kLeftMargin, kTopMargin, kPictureWidth - kLeftMargin - kRightMargin,
+                              height - kTopMargin},
                     .x = {0.0, until > 0.0 ? until * unit.factor : 1.0}};
     const std::vector<double> marks = ticks(axes.x, 12);
     const double distance = marks.size() > 1 ? marks[1] - marks[0] : 1.0;
@@ -37,20 +40,20 @@ Drawing draw_timelines(const std::vector<NamedTimeline>& timelines, const std::s
     }
     d.text({axes.frame.x + 0.5 * axes.frame.width, axes.frame.bottom() + 40},
            fmt::format("time in the step [{}]", unit.name), 14, Anchor::middle, kSoft);
-    double y = kTop;
+    double y = kTopMargin;
     for (const NamedTimeline& t : timelines) {
-        d.text({kLeft, y + 21}, t.name, 16, Anchor::start, kInk, true);
+        d.text({kLeftMargin, y + 21}, t.name, 16, Anchor::start, kInk, true);
         // A viewer of the SVG may only have a wider font, such as DejaVu.
-        const double x = kLeft + 1.3 * text_width(t.name, 16, true) + 14;
+        const double x = kLeftMargin + 1.3 * text_width(t.name, 16, true) + 14;
         d.text({x, y + 21}, t.note.empty() ? describe(t.timeline) : t.note, 14, Anchor::start,
                kSoft);
-        y += kCaption;
+        y += kCaptionHeight;
         if (t.note.empty()) {
-            const double high = kLine * t.timeline.threads;
-            draw_timeline(d, {kLeft, y, axes.frame.width, high + 8}, t.timeline, until);
+            const double high = kThreadHeight * t.timeline.threads;
+            draw_timeline(d, {kLeftMargin, y, axes.frame.width, high + 8}, t.timeline, until);
             y += high;
         }
-        y += kSeparation;
+        y += kTimelineSeparation;
     }
     return d;
 }

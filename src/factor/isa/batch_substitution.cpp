@@ -25,7 +25,7 @@ HAWSER_INLINE void prefetch_panel(const double* panel, const BatchStep& step) {
     for (long i = 0; i < size; i += 64 / static_cast<long>(sizeof(double)))
         __builtin_prefetch(p + i);
 }
-constexpr int kAhead = 2;  // steps
+constexpr int kPrefetchSteps = 2;  // steps
 
 // Steps of rigid_steps.h. Values that pass from one pivot to the next stay in registers, and the
 // six entries of x of each lane are adjacent. Six vectors of two registers fit on AVX2. Six vectors
@@ -34,13 +34,14 @@ inline constexpr bool kRigidInRegisters = kPartLanes >= 4;
 
 /// Load x of the bodies of a batch step, one body per lane; 0 in a lane without a body.
 HAWSER_INLINE void load_rigid(const double* x, const std::int32_t* index, V8 (&v)[kLanes]) {
-    for (int l = 0; l < kLanes; ++l) v[l] = index[l] < 0 ? V8{} : load_first(x + index[l], kRigid);
+    for (int l = 0; l < kLanes; ++l)
+        v[l] = index[l] < 0 ? V8{} : load_first(x + index[l], kRigidPivots);
     transpose(v);
 }
 HAWSER_INLINE void store_rigid(double* x, const std::int32_t* index, V8 (&v)[kLanes]) {
     transpose(v);
     for (int l = 0; l < kLanes; ++l)
-        if (index[l] >= 0) store_first<kRigid>(x + index[l], v[l]);
+        if (index[l] >= 0) store_first<kRigidPivots>(x + index[l], v[l]);
 }
 
 /// Perform one step of forward_batch(), for rigid bodies.
@@ -50,18 +51,19 @@ inline void forward_rigid(const FactorView& view, const BatchStep& step, const S
     V8 y[kLanes];
     load_rigid(x, view.slot_index + 8 * step.slot, y);
     if (shift.before > 0)
-        for (int k = 0; k < kRigid; ++k) y[k] += load(carried + 8 * k);
+        for (int k = 0; k < kRigidPivots; ++k) y[k] += load(carried + 8 * k);
 #pragma GCC unroll 6
-    for (int k = 0; k < kRigid; ++k) {
+    for (int k = 0; k < kRigidPivots; ++k) {
         store(view.slot_y + 8 * (step.slot + k), y[k]);
-        for (int j = k + 1; j < kRigid; ++j) y[j] -= load(panel + j * kRigidStride + 8 * k) * y[k];
+        for (int j = k + 1; j < kRigidPivots; ++j)
+            y[j] -= load(panel + j * kRigidStride + 8 * k) * y[k];
     }
-    const double* row = panel + kRigid * kRigidStride;
+    const double* row = panel + kRigidPivots * kRigidStride;
     for (int i = 0; i < step.q; i += kTile, row += kTile * kRigidStride) {
         const int from = shift.earlier_tile(i / kTile);
         for (int a = 0; a < kTile; ++a) {
             V8 v = from >= 0 ? load(carried + 8 * (kTile * from + a)) : V8{};
-            for (int k = 0; k < kRigid; ++k) v -= load(row + a * kRigidStride + 8 * k) * y[k];
+            for (int k = 0; k < kRigidPivots; ++k) v -= load(row + a * kRigidStride + 8 * k) * y[k];
             store(next + 8 * (i + a), v);
         }
     }
@@ -72,26 +74,26 @@ inline void forward_rigid(const FactorView& view, const BatchStep& step, const S
 inline void backward_rigid(const FactorView& view, const BatchStep& step, const double* panel,
                            double* behind, double* x) {
     V8 z[kLanes] = {};
-    for (int k = 0; k < kRigid; ++k)
+    for (int k = 0; k < kRigidPivots; ++k)
         z[k] =
             load(view.slot_y + 8 * (step.slot + k)) * load(view.slot_pivot + 8 * (step.slot + k));
     auto take_row = [&](int i) {
         const V8 b = load(behind + 8 * i);
-        const double* row = panel + (kRigid + i) * kRigidStride;
-        for (int k = 0; k < kRigid; ++k) z[k] -= load(row + 8 * k) * b;
+        const double* row = panel + (kRigidPivots + i) * kRigidStride;
+        for (int k = 0; k < kRigidPivots; ++k) z[k] -= load(row + 8 * k) * b;
     };
     // Process last the body that the previous step solved, if nothing else hides the wait.
     // Otherwise use the order of other steps.
     if constexpr (kManyRegisters) {
-        for (int i = kRigid; i < step.q; ++i) take_row(i);
-        for (int i = 0; i < kRigid; ++i) take_row(i);
+        for (int i = kRigidPivots; i < step.q; ++i) take_row(i);
+        for (int i = 0; i < kRigidPivots; ++i) take_row(i);
     } else {
         for (int i = 0; i < step.q; ++i) take_row(i);
     }
 #pragma GCC unroll 6
-    for (int i = kRigid - 1; i > 0; --i)
+    for (int i = kRigidPivots - 1; i > 0; --i)
         for (int j = 0; j < i; ++j) z[j] -= load(panel + i * kRigidStride + 8 * j) * z[i];
-    for (int k = 0; k < kRigid; ++k) store(behind + 8 * k, z[k]);
+    for (int k = 0; k < kRigidPivots; ++k) store(behind + 8 * k, z[k]);
     store_rigid(x, view.slot_index + 8 * step.slot, z);
 }
 
@@ -106,8 +108,8 @@ void forward_batch(const FactorView& view, const Batch& batch, std::int32_t begi
     Shift shift = shift_before(view, batch, begin);
     for (std::int32_t k = begin; k < end; ++k) {
         const BatchStep& step = view.batch_steps[k];
-        if (view.distant && k + kAhead < end)
-            prefetch_panel(view.panel, view.batch_steps[k + kAhead]);
+        if (view.distant && k + kPrefetchSteps < end)
+            prefetch_panel(view.panel, view.batch_steps[k + kPrefetchSteps]);
         if (kRigidInRegisters && is_rigid(view, batch, k)) {
             forward_rigid(view, step, shift, x, carried, next);
             std::swap(carried, next);
@@ -166,10 +168,10 @@ void backward_batch(const FactorView& view, const Batch& batch, double* x,
     double* z = behind + 8 * q;
     for (std::int32_t k = batch.step_end; k-- > batch.step_begin;) {
         const BatchStep& step = view.batch_steps[k];
-        if (view.distant && k - kAhead >= batch.step_begin)
-            prefetch_panel(halves, view.batch_steps[k - kAhead]);
+        if (view.distant && k - kPrefetchSteps >= batch.step_begin)
+            prefetch_panel(halves, view.batch_steps[k - kPrefetchSteps]);
         const double* panel = halves + step.panel;
-        if (kRigidInRegisters && batch.window == kRigid && is_rigid(view, batch, k)) {
+        if (kRigidInRegisters && batch.window == kRigidPivots && is_rigid(view, batch, k)) {
             backward_rigid(view, step, panel, behind, x);
             continue;
         }

@@ -3,9 +3,10 @@
 /// factor/unsymmetric.h).
 ///
 /// Column strides are multiples of eight doubles (base/simd.h). Rows past p + q stay zero, so
-/// no loop has a remainder smaller than a register. Blocks of kBlock pivot columns are factored one
-/// column at a time. A register-blocked product then updates the columns behind kDepth pivots. Each
-/// entry receives its pivots in order, so its bits depend neither on kBlock nor on kDepth.
+/// no loop has a remainder smaller than a register. Blocks of kPivotBlock pivot columns are
+/// factored one column at a time. A register-blocked product then updates the columns behind
+/// kUnscaledColumns pivots. Each entry receives its pivots in order, so its bits depend neither on
+/// kPivotBlock nor on kUnscaledColumns.
 ///
 /// An unsymmetric front has two *sides* of one shape: side 0 holds the lower half, side 1 the
 /// upper half transposed. With unscaled columns W₀ = L D and W₁ = (D U)ᵀ the Schur complement is
@@ -29,8 +30,8 @@ using factor::FactorView;
 using factor::Front;
 using factor::Run;
 
-constexpr int kBlock = 8;  // pivot columns with their triangle in registers
-using factor::kDepth;      // pivot columns factored before the rest is updated
+constexpr int kPivotBlock = 8;   // pivot columns with their triangle in registers
+using factor::kUnscaledColumns;  // pivot columns factored before the rest is updated
 /// Registers of rows, and columns, that a product updates at once: the most accumulators that fit.
 struct Tile {
     int parts, columns;
@@ -157,8 +158,8 @@ template <int kCols, bool kFirst>
 inline void update_columns(double* c, long ldc, const double* l, const double* w, long ld,
                            int depth, int from, int rows) {
     int i = from;
-    constexpr int kAll = kPartLanes * kAtOnce.parts;
-    for (; i + kAll <= rows; i += kAll)
+    constexpr int kRowsAtOnce = kPartLanes * kAtOnce.parts;
+    for (; i + kRowsAtOnce <= rows; i += kRowsAtOnce)
         update_rows<kCols, kAtOnce.parts, kFirst>(c + i, ldc, l + i, w, ld, depth);
     for (; i < rows; i += kRowStep)
         update_rows<kCols, kStepParts, kFirst>(c + i, ldc, l + i, w, ld, depth);
@@ -230,13 +231,13 @@ inline void update_behind_pivots(const Front& front, double* panel, double* upda
                             front.q, round_up_to_step(front.q));
 }
 
-/// Factor the pivot columns [d0, d1), at most kDepth. Each block is written once, because it first
-/// receives the updates of all blocks before it.
+/// Factor the pivot columns [d0, d1), at most kUnscaledColumns. Each block is written once, because
+/// it first receives the updates of all blocks before it.
 template <int kSides>
 inline int factor_deep(const Trapezoid<kSides> t, int d0, int d1) {
     int wrong = 0;
-    for (int k0 = d0; k0 < d1; k0 += kBlock) {
-        const int k1 = k0 + kBlock < d1 ? k0 + kBlock : d1;
+    for (int k0 = d0; k0 < d1; k0 += kPivotBlock) {
+        const int k1 = k0 + kPivotBlock < d1 ? k0 + kPivotBlock : d1;
         Trapezoid<kSides> block = t;
         for (int s = 0; s < kSides; ++s) {
             if (k0 > d0)
@@ -261,15 +262,15 @@ inline int factor_front(const FactorView& view, const Front& front, double* scra
     double* update[kSides] = {view.update(front.update)};
     if constexpr (kSides == 2) {
         t.panel[1] = view.upper + front.panel;
-        t.w[1] = scratch + kDepth * t.ld;
+        t.w[1] = scratch + kUnscaledColumns * t.ld;
         t.wrong = view.wrong + front.offset;
         update[1] = view.upper_update(front.update);
     }
     int wrong = 0;
     extend_add<true, 0>(view, front, t.panel[0], update[0]);
     if constexpr (kSides == 2) extend_add<true, 1>(view, front, t.panel[1], update[1]);
-    for (int d0 = 0; d0 < front.p; d0 += kDepth) {
-        const int d1 = d0 + kDepth < front.p ? d0 + kDepth : front.p;
+    for (int d0 = 0; d0 < front.p; d0 += kUnscaledColumns) {
+        const int d1 = d0 + kUnscaledColumns < front.p ? d0 + kUnscaledColumns : front.p;
         wrong += factor_deep(t, d0, d1);
         for (int s = 0; s < kSides; ++s)
             update_behind_pivots(front, t.panel[s], update[s], t.w[t.other(s)], d0, d1);

@@ -27,10 +27,10 @@ inline constexpr bool kManyRegisters = true;
 inline constexpr bool kManyRegisters = false;
 #endif
 
-inline constexpr int kRigid = 6;                           ///< Pivots of a step.
-inline constexpr int kRigidTiles = kRigid / kTile;         ///< Rows of tiles of a body.
-inline constexpr long kRigidStride = kLanes * kRigid;      ///< Doubles of a row of the panel.
-inline constexpr long kTileSize = kLanes * kTile * kTile;  ///< Doubles.
+inline constexpr int kRigidPivots = 6;                       ///< Pivots of a step.
+inline constexpr int kRigidTiles = kRigidPivots / kTile;     ///< Rows of tiles of a body.
+inline constexpr long kRigidStride = kLanes * kRigidPivots;  ///< Doubles of a row of the panel.
+inline constexpr long kTileSize = kLanes * kTile * kTile;    ///< Doubles.
 
 /// Return the offset of tile (i, j), i ≥ j, of a window.
 HAWSER_INLINE long tile_at(int i, int j) {
@@ -47,7 +47,7 @@ struct RigidStep {
 };
 
 /// Lower triangle of the block of a body.
-using RigidBlock = V8[kRigid][kRigid];
+using RigidBlock = V8[kRigidPivots][kRigidPivots];
 
 HAWSER_INLINE RigidStep rigid_step(const factor::FactorView& view, std::int32_t k, double* w) {
     const factor::BatchStep& step = view.batch_steps[k];
@@ -57,19 +57,19 @@ HAWSER_INLINE RigidStep rigid_step(const factor::FactorView& view, std::int32_t 
 
 /// Add the block of the matrix to the registers a.
 HAWSER_INLINE void add_block(const RigidStep& m, RigidBlock& a) {
-    for (int i = 0; i < kRigid; ++i)
+    for (int i = 0; i < kRigidPivots; ++i)
         for (int j = 0; j <= i; ++j) a[i][j] += load(m.panel + i * kRigidStride + kLanes * j);
 }
 
 /// Load the updates of earlier steps for the body's block into the registers a.
 HAWSER_INLINE void load_block(const double* window, RigidBlock& a) {
-    for (int i = 0; i < kRigid; ++i)
+    for (int i = 0; i < kRigidPivots; ++i)
         for (int j = 0; j <= i; ++j)
             a[i][j] = load(window + tile_at(i / kTile, j / kTile) +
                            kLanes * (kTile * (i % kTile) + j % kTile));
 }
 HAWSER_INLINE void store_block(const RigidBlock& a, double* window) {
-    for (int i = 0; i < kRigid; ++i)
+    for (int i = 0; i < kRigidPivots; ++i)
         for (int j = 0; j <= i; ++j)
             store(
                 window + tile_at(i / kTile, j / kTile) + kLanes * (kTile * (i % kTile) + j % kTile),
@@ -78,34 +78,34 @@ HAWSER_INLINE void store_block(const RigidBlock& a, double* window) {
 
 /// Eliminate pivot j of the block.
 HAWSER_INLINE void eliminate(const RigidStep& m, int j, RigidBlock& a, V8& bad) {
-    V8 d = a[j][j], l[kRigid];
+    V8 d = a[j][j], l[kRigidPivots];
     bad += fix_pivot<false>(d, m.sign[j]);
     const V8 inverse = reciprocal(d);
     store(m.pivot + kLanes * j, inverse);
-    for (int i = j + 1; i < kRigid; ++i) {
+    for (int i = j + 1; i < kRigidPivots; ++i) {
         l[i] = a[i][j] * inverse;
         store(m.panel + i * kRigidStride + kLanes * j, l[i]);
     }
-    for (int k = j + 1; k < kRigid; ++k)
-        for (int i = k; i < kRigid; ++i) a[i][k] -= l[k] * a[i][j];
+    for (int k = j + 1; k < kRigidPivots; ++k)
+        for (int i = k; i < kRigidPivots; ++i) a[i][k] -= l[k] * a[i][j];
 }
 
 /// Solve three rows of the panel below the block.
 /// @param left  Two tiles with the updates of earlier steps; null: none.
 HAWSER_INLINE void solve_rows(const RigidStep& m, int tile, const double* left) {
-    double* row = m.panel + (kRigid + kTile * tile) * kRigidStride;
-    double* w = m.w + (kRigid + kTile * tile) * kRigidStride;
-    V8 x[kTile][kRigid];
+    double* row = m.panel + (kRigidPivots + kTile * tile) * kRigidStride;
+    double* w = m.w + (kRigidPivots + kTile * tile) * kRigidStride;
+    V8 x[kTile][kRigidPivots];
     for (int r = 0; r < kTile; ++r)
-        for (int j = 0; j < kRigid; ++j) x[r][j] = load(row + r * kRigidStride + kLanes * j);
+        for (int j = 0; j < kRigidPivots; ++j) x[r][j] = load(row + r * kRigidStride + kLanes * j);
     if (left != nullptr)
         for (int r = 0; r < kTile; ++r)
-            for (int j = 0; j < kRigid; ++j)
+            for (int j = 0; j < kRigidPivots; ++j)
                 x[r][j] += load(left + kTileSize * (j / kTile) + kLanes * (kTile * r + j % kTile));
 #pragma GCC unroll 6
-    for (int k = 0; k < kRigid; ++k) {
+    for (int k = 0; k < kRigidPivots; ++k) {
 #pragma GCC unroll 6
-        for (int j = k + 1; j < kRigid; ++j) {
+        for (int j = k + 1; j < kRigidPivots; ++j) {
             const V8 l = keep(load(m.panel + j * kRigidStride + kLanes * k));
             for (int r = 0; r < kTile; ++r) x[r][j] -= l * x[r][k];
         }
@@ -127,10 +127,10 @@ HAWSER_INLINE void rigid_tile(const RigidStep& m, const Shift& shift, int i, int
     for (int a = 0; a < kTile; ++a)
         for (int b = 0; b < kTile; ++b)
             acc[a][b] = old == nullptr ? V8{} : load(old + kLanes * (kTile * a + b));
-    const double* l = m.panel + (kRigid + kTile * i) * kRigidStride;
-    const double* w = m.w + (kRigid + kTile * j) * kRigidStride;
+    const double* l = m.panel + (kRigidPivots + kTile * i) * kRigidStride;
+    const double* w = m.w + (kRigidPivots + kTile * j) * kRigidStride;
 #pragma GCC unroll 6
-    for (int k = 0; k < kRigid; ++k) {
+    for (int k = 0; k < kRigidPivots; ++k) {
         V8 left[kTile], right[kTile];
         for (int a = 0; a < kTile; ++a) left[a] = keep(load(l + a * kRigidStride + kLanes * k));
         for (int b = 0; b < kTile; ++b) right[b] = keep(load(w + b * kRigidStride + kLanes * k));
@@ -181,7 +181,7 @@ HAWSER_INLINE void body_tiles(const RigidStep& m, const Shift& shift, const doub
 /// Return true if batch step k eliminates a rigid body without rows.
 HAWSER_INLINE bool is_rigid(const factor::FactorView& view, const factor::Batch& batch,
                             std::int32_t k) {
-    return batch.body == kRigid && view.batch_steps[k].p == kRigid;
+    return batch.body == kRigidPivots && view.batch_steps[k].p == kRigidPivots;
 }
 
 /// Eliminate the pivots of the first of several consecutive rigid steps, whose window is in memory.
@@ -194,7 +194,7 @@ inline void begin_rigid(const RigidStep& m, const Shift& shift, const double* wi
             for (V8& v : row) v = V8{};
     add_block(m, a);
 #pragma GCC unroll 6
-    for (int j = 0; j < kRigid; ++j) eliminate(m, j, a, bad);
+    for (int j = 0; j < kRigidPivots; ++j) eliminate(m, j, a, bad);
 }
 
 /// Finish a step whose pivots are eliminated: its rows, the window behind it, and the pivots of the
@@ -214,7 +214,7 @@ inline void finish_rigid(const RigidStep& m, const RigidStep* following, const S
     } else {
         add_block(*following, a);
 #pragma GCC unroll 6
-        for (int j = 0; j < kRigid; ++j) {
+        for (int j = 0; j < kRigidPivots; ++j) {
             eliminate(*following, j, a, bad);
             if (others.tiles_left()) others.compute_tile();
         }

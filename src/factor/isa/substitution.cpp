@@ -21,9 +21,9 @@ using factor::FactorView;
 using factor::Front;
 using factor::Run;
 
-constexpr int kBlock = 8;
+constexpr int kPivotBlock = 8;
 // Distances of prefetches: in panels [bytes], in tables [fronts].
-constexpr long kAhead = 8192;
+constexpr long kPrefetchDistance = 8192;
 constexpr std::int32_t kFrontsAhead = 6;
 
 /// Load a vector of a panel and prefetch the vector `kBytes` further on; 0: no prefetch. Panels
@@ -43,19 +43,21 @@ HAWSER_INLINE V8 load_ahead(const double* p) {
 /// present front.
 template <bool kUp>
 HAWSER_INLINE void prefetch_front(const FactorView& view, const Front& front, const double* x) {
-    constexpr int kLine = 64;
+    constexpr int kCacheLine = 64;
     const char* const further =
         reinterpret_cast<const char*>(kUp ? &front + kFrontsAhead : &front - kFrontsAhead);
-    for (int i = 0; i < static_cast<int>(sizeof(Front)); i += kLine)
+    for (int i = 0; i < static_cast<int>(sizeof(Front)); i += kCacheLine)
         __builtin_prefetch(further + i);
     __builtin_prefetch(x + front.offset);
     if constexpr (kUp) {
-        constexpr int kStep = kLine / sizeof(double);
-        for (int i = 0; i < front.q; i += kStep) __builtin_prefetch(view.carry + front.rows + i);
+        constexpr int kPrefetchStride = kCacheLine / sizeof(double);
+        for (int i = 0; i < front.q; i += kPrefetchStride)
+            __builtin_prefetch(view.carry + front.rows + i);
         __builtin_prefetch(view.runs + front.run_begin);
     } else {
-        constexpr int kStep = kLine / sizeof(*view.rows);
-        for (int i = 0; i < front.q; i += kStep) __builtin_prefetch(view.rows + front.rows + i);
+        constexpr int kPrefetchStride = kCacheLine / sizeof(*view.rows);
+        for (int i = 0; i < front.q; i += kPrefetchStride)
+            __builtin_prefetch(view.rows + front.rows + i);
         __builtin_prefetch(view.pivot + front.offset);
     }
 }
@@ -101,10 +103,10 @@ HAWSER_INLINE void backward_block(const double* panel, long ld, int k, int from,
                                   double* z) {
     V8 acc[N];
     const double* column = panel + k * ld;
-    constexpr int kGroup = 8 / kParts;  // columns with sums that fit in registers
+    constexpr int kColumnGroup = 8 / kParts;  // columns with sums that fit in registers
 #pragma GCC unroll 8
-    for (int first = 0; first < N; first += kGroup) {
-        const int last = first + kGroup < N ? first + kGroup : N;
+    for (int first = 0; first < N; first += kColumnGroup) {
+        const int last = first + kColumnGroup < N ? first + kColumnGroup : N;
         for (int c = first; c < last; ++c) acc[c] = V8{};
         for (int i = from; i < ld; i += 8) {
             const V8 v = load(y + i);
@@ -137,8 +139,8 @@ void forward(const FactorView& view, std::int32_t begin, std::int32_t end, doubl
         double* y = scratch;
         gather_forward(view, front, x, y);
         int k = 0;
-        for (; p - k > kBlock; k += kBlock)
-            forward_block<kBlock, kBytes>(panel, front.ld, k, y, [&](int i, const V8& v) {
+        for (; p - k > kPivotBlock; k += kPivotBlock)
+            forward_block<kPivotBlock, kBytes>(panel, front.ld, k, y, [&](int i, const V8& v) {
                 store(i == k ? xf + i : y + i, v);
             });
         double* carry = view.carry + front.rows - p;
@@ -177,11 +179,11 @@ void backward(const FactorView& view, std::int32_t begin, std::int32_t end, doub
             if (k > 0)
                 for (int c = 0; c < N; ++c) y[k + c] = z[c];
         });
-        for (k -= kBlock; k >= 0; k -= kBlock) {
+        for (k -= kPivotBlock; k >= 0; k -= kPivotBlock) {
             double z[8];
-            for (int c = 0; c < kBlock; ++c) z[c] = xf[k + c] * inverse[k + c];
-            backward_block<kBlock, kBytes>(panel, ld, k, k + kBlock, y, z);
-            for (int c = 0; c < kBlock; ++c) xf[k + c] = y[k + c] = z[c];
+            for (int c = 0; c < kPivotBlock; ++c) z[c] = xf[k + c] * inverse[k + c];
+            backward_block<kPivotBlock, kBytes>(panel, ld, k, k + kPivotBlock, y, z);
+            for (int c = 0; c < kPivotBlock; ++c) xf[k + c] = y[k + c] = z[c];
         }
     }
 }
@@ -192,13 +194,13 @@ void backward(const FactorView& view, std::int32_t begin, std::int32_t end, doub
 // to this file alone, so that g++ inlines them.
 void forward_fronts(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
                     double* scratch) noexcept {
-    view.distant ? forward<kAhead>(view, begin, end, x, scratch)
+    view.distant ? forward<kPrefetchDistance>(view, begin, end, x, scratch)
                  : forward<0>(view, begin, end, x, scratch);
 }
 
 void backward_fronts(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
                      double* scratch) noexcept {
-    view.distant ? backward<-kAhead>(view, begin, end, x, scratch)
+    view.distant ? backward<-kPrefetchDistance>(view, begin, end, x, scratch)
                  : backward<0>(view, begin, end, x, scratch);
 }
 

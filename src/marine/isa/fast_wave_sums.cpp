@@ -158,7 +158,7 @@ struct GroupPowers {
 /// @tparam Degree  Degree of the polynomial; above kHighestDegree: each component by 2^x, not over
 /// the middle.
 template <int Degree>
-HAWSER_FAST Floats falling(const marine::FastTable& table, int i, float depth) {
+HAWSER_FAST Floats decay_factor(const marine::FastTable& table, int i, float depth) {
     if constexpr (Degree > kHighestDegree)
         return fast_power(floats_at(table.row(marine::kFastDecay) + i) * depth);
     const Floats x = floats_at(table.row(marine::kFastOffset) + i) * depth;
@@ -202,7 +202,7 @@ HAWSER_FAST void add_group(const marine::FastTable& table, int group, const floa
                             __attribute__((always_inline)) { return floats_at(table.row(r) + i); };
         const Floats c = floats_at(circle + i), f = floats_at(circle + table.padded + i);
         const Floats s = f * fast_series(kFastSine, f * f);
-        Floats up = falling<Degree>(table, i, depth);
+        Floats up = decay_factor<Degree>(table, i, depth);
         if constexpr (Degree <= kHighestDegree) up *= middle;
         Floats level = up, steep = up;
         if constexpr (Bottom) {
@@ -275,7 +275,7 @@ HAWSER_FAST void add_pressure(const marine::FastTable& table, int group, const f
 #pragma GCC unroll 4
         for (int p = 0; p < marine::kWavePoints; ++p) {
             const Floats c = floats_at(circle + 2 * p * table.padded + i);
-            Floats level = falling<Degree>(table, i, depth[p]);
+            Floats level = decay_factor<Degree>(table, i, depth[p]);
             if constexpr (Bottom) {
                 if constexpr (Degree <= kHighestDegree) level *= middle.of[p][group];
                 level += floats_at(table.row(marine::kFastBottom) + i) / level;

@@ -16,7 +16,7 @@ typedef double Sides __attribute__((vector_size(8 * kSides), aligned(8), may_ali
 #define HAWSER_HULL __attribute__((always_inline)) inline
 
 /// Number of entries of a corner: x, y, z, depth, pressure.
-constexpr int kEntries = 5;
+constexpr int kCornerEntries = 5;
 
 struct Corner {
     Sides x, y, z, depth, pressure;
@@ -69,12 +69,12 @@ int wet(const double* corners, const std::int32_t* triangles, int count, int* cu
         double* sums) noexcept {
     // Gather the wet triangles first, by entry of a corner, then triangle. Reading a vector
     // directly after its parts were written would stall.
-    alignas(64) double gathered[3 * kEntries][marine::kHullBlock];
+    alignas(64) double gathered[3 * kCornerEntries][marine::kHullBlock];
     int whole = 0, cuts = 0;
     for (int t = 0; t < count; ++t) {
-        const double* const corner[] = {corners + kEntries * triangles[3 * t],
-                                        corners + kEntries * triangles[3 * t + 1],
-                                        corners + kEntries * triangles[3 * t + 2]};
+        const double* const corner[] = {corners + kCornerEntries * triangles[3 * t],
+                                        corners + kCornerEntries * triangles[3 * t + 1],
+                                        corners + kCornerEntries * triangles[3 * t + 2]};
         const int under = static_cast<int>(corner[0][3] > 0.0) +
                           static_cast<int>(corner[1][3] > 0.0) +
                           static_cast<int>(corner[2][3] > 0.0);
@@ -86,11 +86,12 @@ int wet(const double* corners, const std::int32_t* triangles, int count, int* cu
 #pragma GCC unroll 3
         for (int c = 0; c < 3; ++c)
 #pragma GCC unroll 5
-            for (int e = 0; e < kEntries; ++e) gathered[kEntries * c + e][whole] = corner[c][e];
+            for (int e = 0; e < kCornerEntries; ++e)
+                gathered[kCornerEntries * c + e][whole] = corner[c][e];
         ++whole;
     }
     for (; whole % kSides != 0; ++whole)  // pad with triangles of no area
-        for (int e = 0; e < 3 * kEntries; ++e) gathered[e][whole] = 0.0;
+        for (int e = 0; e < 3 * kCornerEntries; ++e) gathered[e][whole] = 0.0;
     Sides all[marine::kHullSums]{};
     for (int t = 0; t < whole; t += kSides) {
         const auto at = [&](int e) __attribute__((always_inline)) {

@@ -25,7 +25,7 @@ __attribute__((always_inline)) inline double total_of(Lanes v) {
 using marine::kMemoryBlock;
 
 /// Number of blocks of a tile: six motions and their pairs fit into the first-level cache.
-constexpr std::int64_t kTile = 16;
+constexpr std::int64_t kTileBlocks = 16;
 
 /// Compute the memory sums of all pairs of six motions. Each sample of a motion is loaded once for
 /// all its pairs.
@@ -80,7 +80,7 @@ void memory_sums(const double* k, const double* v, std::int64_t count, std::int6
     std::int64_t at = newest;
     for (std::int64_t done = 0; done < all;) {
         const std::int64_t to_end = (count - at + kMemoryBlock - 1) / kMemoryBlock;
-        std::int64_t blocks = all - done < kTile ? all - done : kTile;
+        std::int64_t blocks = all - done < kTileBlocks ? all - done : kTileBlocks;
         if (to_end < blocks) blocks = to_end;
         some_pairs(k + done * pair_count * kMemoryBlock, v + at, marine::memory_stride(count),
                    blocks, pairs, pair_count, out);

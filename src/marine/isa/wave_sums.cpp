@@ -66,9 +66,9 @@ HAWSER_WAVES Wide series(const double (&c)[N], Wide x) {
 /// Evaluate the polynomial of every second coefficient in x².
 template <int First, int N>
 HAWSER_WAVES Wide every_second(const double (&c)[N], Wide square) {
-    constexpr int kLast = N - 1 - (N - 1 - First) % 2;
-    Wide y = wide(c[kLast]);
-    for (int i = kLast - 2; i >= First; i -= 2) y = y * square + c[i];
+    constexpr int kLastCoefficient = N - 1 - (N - 1 - First) % 2;
+    Wide y = wide(c[kLastCoefficient]);
+    for (int i = kLastCoefficient - 2; i >= First; i -= 2) y = y * square + c[i];
     return y;
 }
 
@@ -93,7 +93,7 @@ HAWSER_WAVES void powers(Wide x, Wide& up, Wide& down) {
 }
 
 /// Number of components that share bounds of depth, for any length of vectors.
-constexpr int kGroup = 8;
+constexpr int kDepthGroup = 8;
 
 template <int N>
 void surface(const double* table, int padded, const double* phase, const double* x, const double* y,
@@ -127,11 +127,11 @@ void sums(const double* table, int padded, const double* circle, const double* z
     for (int p = 0; p < N; ++p) {
         const double* const from = circle + 2 * p * padded;
         Wide ux{}, uy{}, uz{}, ax{}, ay{}, az{}, all{};
-        for (int g = 0; g < padded; g += kGroup) {
+        for (int g = 0; g < padded; g += kDepthGroup) {
             if (!(z[p] > nothing[g])) continue;
             const bool no_bottom = z[p] > deep[g];
 #pragma GCC unroll 4
-            for (int i = g; i < g + kGroup; i += kWide) {
+            for (int i = g; i < g + kDepthGroup; i += kWide) {
                 const Wide h = at(from + i), f = at(from + padded + i), w = at(rate + i);
                 const Wide c = 1.0 - h * h, s = h * series(kCosine, f * f);
                 Wide lc, ls, sc, ss;
@@ -175,11 +175,11 @@ void pressure(const double* table, int padded, const double* circle, const doubl
     for (int p = 0; p < N; ++p) {
         const double* const from = circle + 2 * p * padded;
         Wide all{};
-        for (int g = 0; g < padded; g += kGroup) {
+        for (int g = 0; g < padded; g += kDepthGroup) {
             if (!(z[p] > nothing[g])) continue;
             const bool no_bottom = z[p] > deep[g];
 #pragma GCC unroll 4
-            for (int i = g; i < g + kGroup; i += kWide) {
+            for (int i = g; i < g + kDepthGroup; i += kWide) {
                 const Wide h = at(from + i);
                 Wide level;
                 if (no_bottom) {

@@ -29,8 +29,8 @@
 /// frame; the z axis is the wheel's axis. The route turns about +z at a wheel with R > 0, and about
 /// −z at a wheel with R < 0. If a line winds on round its wheel, or a wheel turns under its line, φ
 /// exceeds half a turn. Poses determine φ modulo whole turns. The turns are counted from step to
-/// step and are part of the state, like the anchor of friction (Interactions::follow_turns()).
-/// Initial turns are part of l_j.
+/// step and are part of the state, like the anchor of friction
+/// (Interactions::update_whole_turns()). Initial turns are part of l_j.
 ///
 /// Limits: φ changes by less than half a turn in a step. The component of a span along an axis
 /// counts in its length but not in the tangent. Axes must be almost perpendicular to the span. If
@@ -91,7 +91,7 @@ inline V3 tangent_direction(const V3& d, const V3& n, double separation) {
 }
 
 /// True if the inclination of the tangent is within the limit kSteepest.
-inline bool keeps_apart(const V3& d, const V3& n, double separation) {
+inline bool tangent_is_defined(const V3& d, const V3& n, double separation) {
     const V3 flat = d - dot(d, n) * n;
     return separation * separation <= kSteepest * kSteepest * dot(flat, flat);
 }
@@ -122,7 +122,7 @@ inline SpanShape span_shape(const SpanEnd (&e)[2], const BodyRef* b) {
         double s[2] = {e[0].radius, s1};
         V3 about[2] = {n, n}, out_of[2] = {across, across};
         if (s[0] != 0.0 && s[1] != 0.0 && !are_parallel(axis[0], axis[1]) &&
-            keeps_apart(d, n, s1 - s[0])) {
+            tangent_is_defined(d, n, s1 - s[0])) {
             about[1] = axis[1];
             s[1] = e[1].radius;
             const V3 nearly = d + (s1 - s[0]) * across;

@@ -13,7 +13,7 @@ namespace hawser::report::start {
 namespace {
 
 /// Range of plausible densities, from foamed plastic with much air around it to platinum [kg/m³].
-constexpr double kLightest = 1.0, kDensest = 25'000.0;
+constexpr double kMinDensity = 1.0, kMaxDensity = 25'000.0;
 /// Range of plausible densities of a line [kg/m³]. Largest: a chain has 28,000 (22 kg/m for each
 /// cm² of its bar, whose diameter is its nominal size). Least: floating hose of foam has 300; below
 /// 100 a mass in t/m is likely.
@@ -59,8 +59,8 @@ void check_density(const World& world, BodyId id, double shapes, Findings& out) 
     const double most = std::max(box, shapes),
                  least = box > 0.0 && shapes > 0.0 ? std::min(box, shapes) : most;
     if (!(most > 0.0)) return;
-    const bool dense = def.mass / most > kDensest;
-    if (!dense && def.mass / least >= kLightest) return;
+    const bool dense = def.mass / most > kMaxDensity;
+    if (!dense && def.mass / least >= kMinDensity) return;
     const double volume = dense ? most : least, density = def.mass / volume;
     out.add(false, FindingKind::density, {record::body_label(world, id)}, density,
             fmt::format("{} has an implausible density of {:.3g} kg/m³ ({:.6g} kg in {:.3g} m³): "

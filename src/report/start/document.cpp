@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 
 /// Range of EA over the square of the diameter. Nylon rope has 1.2e8 to 1e9, polyester 1e10, wire
 /// 4e10, chain 1e11 N/m², a bar of steel 1.65e11. A confusion of kN and N leaves this range by far.
-constexpr double kSoftest = 1.1e8, kStiffest = 5e12;
+constexpr double kMinSpecificEA = 1.1e8, kMaxSpecificEA = 5e12;
 
 double number_in(const Json& object, const char* key) {
     const auto at = object.find(key);
@@ -27,7 +27,7 @@ void check_line_type(const std::string& name, const Json& line, Findings& out) {
     const double EA = number_in(line, "EA"), d = number_in(line, "diameter");
     if (!(EA > 0.0 && d > 0.0)) return;
     const double ratio = EA / (d * d);
-    if (ratio >= kSoftest && ratio <= kStiffest) return;
+    if (ratio >= kMinSpecificEA && ratio <= kMaxSpecificEA) return;
     out.add(
         false, FindingKind::stiffness, {name}, ratio,
         fmt::format("the line type {} has EA = {} at a diameter of {}, EA/d^2 = {:.2g} N/m^2: "

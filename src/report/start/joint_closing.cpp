@@ -38,9 +38,9 @@ void JointRows::move(World& world) {
 }
 
 void JointRows::close(World& world) {
-    constexpr int kRounds = 60;
+    constexpr int kMaxClosingIterations = 60;
     small_ = 1e-3;
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kMaxClosingIterations; ++round) {
         if (!update(world)) break;
         const double before = open();
         std::vector<Pose> poses;
@@ -49,7 +49,7 @@ void JointRows::close(World& world) {
         if (!update(world)) break;
         const double now = open();
         if (now < before) {
-            small_ = std::max(kSmall, 0.1 * small_);
+            small_ = std::max(kSmallEigenvalue, 0.1 * small_);
             if (before - now < 1e-10 * before || now < 1e-24) break;
             continue;
         }
@@ -57,7 +57,7 @@ void JointRows::close(World& world) {
         small_ *= 10.0;
         if (small_ > 1e6) break;
     }
-    small_ = kSmall;
+    small_ = kSmallEigenvalue;
     (void)update(world);
 }
 

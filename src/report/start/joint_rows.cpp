@@ -15,7 +15,7 @@ namespace hawser::report::start {
 namespace {
 
 /// Compliance below this fraction of a row's mobility over a step has no effect.
-constexpr double kFelt = 1e-4;
+constexpr double kMinComplianceRatio = 1e-4;
 
 std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
@@ -63,7 +63,7 @@ JointRows::JointRows(const World& world) {
         const RowsView view = world.solver().rows(id);
         Joint joint{.id = id, .row_begin = static_cast<std::int32_t>(rows_)};
         for (std::size_t r = 0; r < index(view.rows); ++r) {
-            const double felt = kFelt * mobility(world, def, view, r);
+            const double felt = kMinComplianceRatio * mobility(world, def, view, r);
             const double soft = view.velocity[r] ? velocity_row_sigma(view.compliance[r], h)
                                                  : row_sigma(view.compliance[r], 1.0, h);
             if (!(felt > 0.0) || soft > felt) continue;
@@ -239,10 +239,10 @@ Eigen::MatrixXd JointRows::repetition_kernel(std::span<const std::int32_t> rows)
     });
     const Eigen::MatrixXd gram = g * g.transpose();
     const auto eigen = base::symmetric_eigen(gram);
-    constexpr double kSame =
+    constexpr double kEqualEigenvalue =
         1e-10;  // Limit of the squares of singular values: rows equal to 1e-5 count as equal.
     Eigen::Index count = 0;
-    while (count < eigen.values.size() && eigen.values[count] < kSame) ++count;
+    while (count < eigen.values.size() && eigen.values[count] < kEqualEigenvalue) ++count;
     return eigen.vectors.leftCols(count);
 }
 

@@ -82,11 +82,11 @@ class JointRows {
     BlockPattern pattern_;
     BlockFactor factor_;
     std::vector<double> values_, violations_, speeds_, rates_, scale_, first_scale_;
-    double small_ = kSmall;  ///< Ratio of S to the diagonal of W.
+    double small_ = kSmallEigenvalue;  ///< Ratio of S to the diagonal of W.
 
     /// Rows whose difference is below this count as equal. In a chain of n links between two fixed
     /// points the smallest difference is about 1/n².
-    static constexpr double kSmall = 1e-9;
+    static constexpr double kSmallEigenvalue = 1e-9;
 };
 
 }  // namespace hawser::report::start

@@ -19,11 +19,11 @@ namespace {
 /// Tolerated gap, relative to the reach of the joint; for an angle [rad]. Coordinates have six
 /// decimals, and their errors add up along chains. A gap of this size closes in two steps without
 /// visible effect.
-constexpr double kOpen = 1e-4, kTurned = 1e-3;
+constexpr double kMaxStartGap = 1e-4, kMaxStartAngle = 1e-3;
 
 /// Tolerated speed that a joint removes in the first step: the effect of gravity in a hundredth of
 /// a second [m/s].
-constexpr double kTearing = 0.1;
+constexpr double kMaxStartSpeed = 0.1;
 
 bool is_angle(const KindInfo& kind, int row) { return kind.row_units[row] == 'r'; }
 
@@ -53,8 +53,8 @@ void check_gaps(const World& world, const JointRows& rows, Findings& out) {
         if (joint.motor) continue;
         const std::string name = record::interaction_label(world, joint.id);
         const Worst gap = worst_value(world, joint, rows.violations());
-        if (gap.length > kOpen * comparison_length(joint) || gap.angle > kTurned) {
-            const bool open = gap.length > kOpen * comparison_length(joint);
+        if (gap.length > kMaxStartGap * comparison_length(joint) || gap.angle > kMaxStartAngle) {
+            const bool open = gap.length > kMaxStartGap * comparison_length(joint);
             const auto first = static_cast<std::size_t>(joint.row_begin);
             const bool is_rod = kind_info(world.interaction_def(joint.id).kind).is(kAlongLine);
             out.add(false, FindingKind::gap, {name}, open ? gap.length : gap.angle,
@@ -71,7 +71,7 @@ void check_gaps(const World& world, const JointRows& rows, Findings& out) {
         }
         const Worst speed = worst_value(world, joint, rows.rates());
         const double turning = speed.angle * comparison_length(joint);
-        if (std::max(speed.length, turning) > kTearing)
+        if (std::max(speed.length, turning) > kMaxStartSpeed)
             out.add(false, FindingKind::speed, {name}, std::max(speed.length, turning),
                     fmt::format(
                         "{} starts with inconsistent speeds, which separate it at {}; the first "
@@ -231,8 +231,8 @@ void check_motor_ranges(const World& world, Findings& out) {
             const double time =
                 speed == 0.0 ? HUGE_VAL : ((speed > 0.0 ? r.max : r.min) - q) / speed;
             // An hour is longer than any motion towards an end that is meant.
-            constexpr double kLong = 3600.0;
-            if (most < kUnlimited || !(time >= 0.0 && time < kLong)) continue;
+            constexpr double kMaxTimeToEnd = 3600.0;
+            if (most < kUnlimited || !(time >= 0.0 && time < kMaxTimeToEnd)) continue;
             out.add(
                 false, FindingKind::motor,
                 {record::interaction_label(world, m), record::interaction_label(world, r.id)}, time,

@@ -11,23 +11,23 @@ namespace hawser::report::start {
 namespace {
 
 /// Strain beyond which wires, chains and most ropes break, used if no breaking load is specified.
-constexpr double kStrain = 0.05;
+constexpr double kDefaultBreakingStrain = 0.05;
 
 /// Breaking load from which a line counts as unbreakable [N].
-constexpr double kUnbreakable = 1e29;
+constexpr double kUnbreakableLoad = 1e29;
 
 struct Tightest {
     double tension = 0.0, most = 1.0;
-    bool strain = false;  ///< True if `most` is derived from kStrain.
+    bool strain = false;  ///< True if `most` is derived from kDefaultBreakingStrain.
     InteractionId at{};
 };
 
-void take(const World& world, InteractionId id, Tightest& worst) {
+void keep_tightest(const World& world, InteractionId id, Tightest& worst) {
     const InteractionDef& def = world.interaction_def(id);
     if (!kind_info(def.kind).is(kWireElement)) return;
     const double breaking = def.get("breaking_load");
-    const bool strain = !(breaking > 0.0) || breaking >= kUnbreakable;
-    const double most = strain ? kStrain * def.get("EA") : breaking;
+    const bool strain = !(breaking > 0.0) || breaking >= kUnbreakableLoad;
+    const double most = strain ? kDefaultBreakingStrain * def.get("EA") : breaking;
     const double tension = start_tension(world, id);
     if (tension > most && tension * worst.most >= worst.tension * most)
         worst = {tension, most, strain, id};
@@ -44,7 +44,7 @@ void report(const World& world, const std::string& name, const std::string& what
             record::with_unit(worst.tension, "N"), where,
             worst.strain
                 ? fmt::format("stretched by {:.2g} %, which no wire or chain survives",
-                              100.0 * kStrain * ratio)
+                              100.0 * kDefaultBreakingStrain * ratio)
                 : fmt::format("{:.3g} times its breaking load of {}: it breaks in the first step",
                               ratio, record::with_unit(worst.most, "N"))));
 }
@@ -64,7 +64,7 @@ void check_tensions(const record::SceneInfo& scene, const World& world, Findings
         Tightest worst;
         for (const InteractionId id : cable.elements) {
             of_cable[static_cast<std::size_t>(id.index)] = true;
-            take(world, id, worst);
+            keep_tightest(world, id, worst);
         }
         if (worst.at.valid())
             report(world, cable.name, "the cable " + record::name_in_quotes(cable.name), worst,
@@ -73,7 +73,7 @@ void check_tensions(const record::SceneInfo& scene, const World& world, Findings
     for (const InteractionId id : world.interactions()) {
         if (of_cable[static_cast<std::size_t>(id.index)]) continue;
         Tightest worst;
-        take(world, id, worst);
+        keep_tightest(world, id, worst);
         if (worst.at.valid())
             report(world, record::interaction_label(world, id),
                    record::interaction_in_words(world, id), worst, out);

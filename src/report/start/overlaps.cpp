@@ -16,12 +16,12 @@ namespace hawser::report::start {
 namespace {
 
 /// Depth relative to the narrower shape, above which shapes overlap at the start.
-constexpr double kInside = 0.05;
+constexpr double kMaxStartDepth = 0.05;
 
 /// Largest plausible force at a contact at rest. A body on soft ground, or below others, compresses
 /// its contact by the weights over the stiffness; a line on a roller by its tension. The limit is
 /// this multiple of the lighter body's weight at a point, and twice the tension.
-constexpr double kWeights = 4.0;
+constexpr double kMaxContactWeights = 4.0;
 
 /// Tolerated depth of a wire in a roller, in wire diameters. A wire placed by straight lines cuts
 /// into its rollers. Contact moves it out on the shortest way, which is the right side up to the
@@ -95,7 +95,7 @@ class Overlaps {
     }
 
     void run(Findings& out) {
-        for (const ContactView& contact : world_.overlaps()) take(contact);
+        for (const ContactView& contact : world_.overlaps()) add_contact(contact);
         std::vector<std::pair<std::pair<Owner, Owner>, Pair>> worst(pairs_.begin(), pairs_.end());
         std::stable_sort(worst.begin(), worst.end(), [](const auto& a, const auto& b) {
             return a.second.depth / a.second.width > b.second.depth / b.second.width;
@@ -147,24 +147,25 @@ class Overlaps {
             pull = std::max(pull, pull_[static_cast<std::size_t>(body.index)]);
         }
         // A line that reverses its direction presses with twice its tension.
-        return mass > 0.0 ? kWeights * mass * world_.settings().gravity.norm() + 2.0 * pull
-                          : HUGE_VAL;
+        return mass > 0.0
+                   ? kMaxContactWeights * mass * world_.settings().gravity.norm() + 2.0 * pull
+                   : HUGE_VAL;
     }
 
-    void take(const ContactView& contact) {
+    void add_contact(const ContactView& contact) {
         const double depth = -contact.gap;
         double width[2];
         for (int s = 0; s < 2; ++s) width[s] = this->width(contact.shape[s], contact.normal);
         const double narrower = std::min(width[0], width[1]);
         if (!(narrower > 0.0)) return;
-        if (depth <= std::min(world_.settings().contact_margin, kInside * narrower)) return;
+        if (depth <= std::min(world_.settings().contact_margin, kMaxStartDepth * narrower)) return;
         const double pressed =
             std::min(plausible_force(contact.shape[0]), plausible_force(contact.shape[1]));
         if (std::isfinite(pressed) && contact.force.norm() <= pressed) return;
-        take(contact, depth, narrower, std::max(width[0], width[1]));
+        add_contact(contact, depth, narrower, std::max(width[0], width[1]));
     }
 
-    void take(const ContactView& contact, double depth, double narrower, double wider) {
+    void add_contact(const ContactView& contact, double depth, double narrower, double wider) {
         const bool wires[2] = {is_wire(contact.shape[0]), is_wire(contact.shape[1])};
         // Half of this width is too deep. It is the width of the narrower shape; for a wire against
         // another shape it depends on the other one.

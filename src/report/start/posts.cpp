@@ -22,7 +22,7 @@ std::vector<std::string> post_names(const std::string& text) {
 
 /// True if the nodes of the cable have contact shapes but its elements have no mass
 /// (`consistent_mass`), so that it cannot engage bollards.
-bool touches_alone(const World& world, const record::CableInfo& cable) {
+bool has_shapes_without_mass(const World& world, const record::CableInfo& cable) {
     for (const InteractionId id : cable.elements) {
         const InteractionDef& def = world.interaction_def(id);
         if (!kind_info(def.kind).is(kWireElement) || kind_info(def.kind).is(kWoundUp)) continue;
@@ -50,16 +50,16 @@ double separation(const World& world, const ShapeDef& post, const record::CableI
 }  // namespace
 
 void check_posts(const record::SceneInfo& scene, const World& world, Findings& out) {
-    constexpr double kBeside = 0.1;  // fraction of the cable's length
+    constexpr double kMaxDistanceFraction = 0.1;  // fraction of the cable's length
     const std::vector<std::string> names = post_names(scene.text);
     if (names.empty()) return;
     for (const record::CableInfo& cable : scene.cables) {
-        if (cable.elements.empty() || !touches_alone(world, cable)) continue;
+        if (cable.elements.empty() || !has_shapes_without_mass(world, cable)) continue;
         for (const ShapeId id : world.shapes()) {
             const ShapeDef& post = world.shape_def(id);
             if (std::find(names.begin(), names.end(), post.name) == names.end()) continue;
             const double near = separation(world, post, cable);
-            if (!(near <= kBeside * cable.length)) continue;
+            if (!(near <= kMaxDistanceFraction * cable.length)) continue;
             out.add(
                 false, FindingKind::post, {post.name, cable.name}, near,
                 fmt::format("the bollard {} never engages the cable {}, which touches it node by "

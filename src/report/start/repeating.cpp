@@ -14,7 +14,7 @@ namespace {
 
 /// Fraction of a repetition, as a unit vector over its rows, below which a row does not belong to
 /// it. In a loop of a million rows each has a thousandth.
-constexpr double kPart = 1e-3;
+constexpr double kMinRowPart = 1e-3;
 
 /// Largest number of joint rows that are compared one by one, which takes some tenths of a second.
 constexpr std::size_t kMaxDense = 500;
@@ -76,7 +76,7 @@ class GroupFinder {
                 part[r] = std::max(part[r], std::abs(rest[r]) / rows_.scale(r));
         }
         for (std::size_t r = 0; r < part.size(); ++r)
-            if (part[r] > kPart) repeating_.push_back(static_cast<std::int32_t>(r));
+            if (part[r] > kMinRowPart) repeating_.push_back(static_cast<std::int32_t>(r));
     }
 
     /// Unite joints with repeating rows that share a moving body.
@@ -118,7 +118,7 @@ class GroupFinder {
                 const auto row = static_cast<std::size_t>(a);
                 repetitions_[joint_of(rows[row])] += shared(a, a);  // The trace is the rank.
                 for (Eigen::Index b = 0; b < a; ++b)
-                    if (std::abs(shared(a, b)) > kPart)
+                    if (std::abs(shared(a, b)) > kMinRowPart)
                         fine.unite_sets(joint_of(rows[row]),
                                         joint_of(rows[static_cast<std::size_t>(b)]));
             }

@@ -17,10 +17,10 @@ namespace {
 /// Tolerance of a remaining violation: a fraction of a joint's reach; for an angle [rad]; for a
 /// speed a fraction of the largest required speed. A larger violation is a contradiction; steps
 /// tolerate smaller ones.
-constexpr double kApart = 1e-3, kAngleApart = 1e-3, kSpeedApart = 1e-3;
+constexpr double kGapTolerance = 1e-3, kAngleTolerance = 1e-3, kSpeedTolerance = 1e-3;
 
 /// Speed that counts as zero: round-off of other speeds [m/s or rad/s].
-constexpr double kStill = 1e-6;
+constexpr double kZeroSpeed = 1e-6;
 
 /// Force limit from which a motor counts as unlimited [N or N m].
 constexpr double kUnlimited = 1e29;
@@ -72,8 +72,8 @@ class Search {
     }
     [[nodiscard]] bool is_separated(std::size_t row, double g) const {
         return std::abs(g) > (is_angle(row)
-                                  ? kAngleApart
-                                  : kApart * comparison_length(joint(joint_of_row_[row])));
+                                  ? kAngleTolerance
+                                  : kGapTolerance * comparison_length(joint(joint_of_row_[row])));
     }
 
     [[nodiscard]] std::vector<std::string> names_of(const Group& group) const {
@@ -100,8 +100,8 @@ class Search {
         if (!apart) return;
         for (const std::int32_t j : group.joints) contradicts_[static_cast<std::size_t>(j)] = true;
         const std::vector<std::string> names = names_of(group);
-        const std::string open = length > kApart * 0.1 ? record::with_unit(length, "m")
-                                                       : fmt::format("{:.3g} rad", angle);
+        const std::string open = length > kGapTolerance * 0.1 ? record::with_unit(length, "m")
+                                                              : fmt::format("{:.3g} rad", angle);
         out_.add(
             true, FindingKind::contradiction, names, std::max(length, angle),
             names.size() == 1
@@ -131,7 +131,7 @@ class Search {
         const std::vector<std::string> names = names_of(group);
         const bool known = std::any_of(group.joints.begin(), group.joints.end(),
                                        [&](std::int32_t j) { return contradicts_[index(j)]; });
-        if (speed > std::max(kStill, kSpeedApart * asked))
+        if (speed > std::max(kZeroSpeed, kSpeedTolerance * asked))
             report_motion(group, names, in_quotes(names), speed, unit, drives);
         else if (!known)
             report_repetition(group, names, in_quotes(names), drives);

@@ -19,10 +19,10 @@ namespace {
 std::size_t index_of(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Diagonal value that removes the force of a row, for a line that would push.
-constexpr double kSlack = 1e30;
+constexpr double kSlackDiagonal = 1e30;
 
 /// Fraction of G M⁻¹ Gᵀ that regularises redundant rigid rows.
-constexpr double kFloor = 1e-9;
+constexpr double kRegularisation = 1e-9;
 
 /// Solves M a + Gᵀ y = f, G a − (ε/h²) y = −g/h². y is the pull of each row after a step from rest.
 class Statics {
@@ -54,8 +54,8 @@ class Statics {
         for (std::size_t n = 0; n < bodies_.size(); ++n) write_body(n);
         std::int32_t edge = 0;
         for (std::int32_t i = 0; i < count(); ++i) edge = write_rows(i, edge);
-        constexpr int kRounds = 4;  // Iterations in which lines that push are released.
-        for (int round = 0; round < kRounds; ++round) {
+        constexpr int kReleaseIterations = 4;  // Iterations in which lines that push are released.
+        for (int round = 0; round < kReleaseIterations; ++round) {
             if (factor_.factor(values_) != Status::ok) return false;
             x_ = rhs_;
             if (factor_.solve(x_) != Status::ok) return false;
@@ -147,8 +147,8 @@ class Statics {
         for (std::size_t r = 0; r < rows; ++r) {
             const double soft =
                 view.velocity[r] ? view.compliance[r] / h_ : view.compliance[r] / (h_ * h_);
-            double s = std::max(soft, kFloor * mobile[r]);
-            if (idle || !(mobile[r] > 0.0)) s = kSlack;
+            double s = std::max(soft, kRegularisation * mobile[r]);
+            if (idle || !(mobile[r] > 0.0)) s = kSlackDiagonal;
             own[r * rows + r] = -s;
             if (elastic) rhs_[row_begin(i) + r] = -view.violation[r] / (h_ * h_);
         }
@@ -161,7 +161,7 @@ class Statics {
     }
 
     void release(std::int32_t i) {
-        values_[index_of64(factor_.value_begin(row_node(i)))] = -kSlack;
+        values_[index_of64(factor_.value_begin(row_node(i)))] = -kSlackDiagonal;
         rhs_[row_begin(i)] = 0.0;
     }
 

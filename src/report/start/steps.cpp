@@ -19,7 +19,7 @@ namespace {
 
 /// Limits of under-resolved motion. First: h √(T/ρ)/l, for the transverse vibration of single
 /// elements. Second: h² f r/I, for the rotation of a body about a joint.
-constexpr double kWire = 2.0, kSwing = 1.5;
+constexpr double kMaxWireVibration = 2.0, kMaxJointVibration = 1.5;
 
 /// Return the largest r·(r×)ᵀI⁻¹(r×)/r²: the angular response of the body to a force at this arm
 /// [1/(kg m)].
@@ -69,7 +69,8 @@ void report_vibration(const World& world, std::vector<std::string> about, const 
                     what, record::with_unit(worst.force, "N"),
                     record::name_in_quotes(record::interaction_label(world, worst.joint)),
                     record::name_in_quotes(record::body_label(world, worst.body)),
-                    6.283 / std::sqrt(worst.s), worst.s, 1e3 * h * std::sqrt(kSwing / worst.s)));
+                    6.283 / std::sqrt(worst.s), worst.s,
+                    1e3 * h * std::sqrt(kMaxJointVibration / worst.s)));
 }
 
 /// Check joints that are in no cable. Connected joints are reported once.
@@ -161,16 +162,16 @@ void check_wire(const World& world, const record::CableInfo& cable, const StartF
         worst = ratio;
         tension = pull;
     }
-    if (worst < kWire) return;
+    if (worst < kMaxWireVibration) return;
     out.add(false, FindingKind::wire_step, {cable.name}, worst,
             fmt::format("the cable {} sways faster than the step: under {} a wave passes {:.3g} "
                         "elements in a step (h √(T/ρ)/l), where less than {:.2g} are followed; "
                         "that sway is damped, which steps of {:.2g} ms or {:.0f} elements would "
                         "follow",
                         record::name_in_quotes(cable.name), record::with_unit(tension, "N"), worst,
-                        kWire, 1e3 * h * kWire / worst,
+                        kMaxWireVibration, 1e3 * h * kMaxWireVibration / worst,
                         std::max(1.0, std::floor(static_cast<double>(cable.elements.size()) *
-                                                 kWire / worst))));
+                                                 kMaxWireVibration / worst))));
 }
 
 }  // namespace
@@ -198,7 +199,7 @@ void check_steps(const record::SceneInfo& scene, const World& world, Findings& o
             if (here.s > worst.s) worst = here;
         }
         if (lumps) check_wire(world, cable, forces, pull_at_ends(world, cable, cables_at), out);
-        if (worst.s > kSwing)
+        if (worst.s > kMaxJointVibration)
             report_vibration(world, {cable.name}, "the cable " + record::name_in_quotes(cable.name),
                              worst, out);
     }
@@ -206,7 +207,7 @@ void check_steps(const record::SceneInfo& scene, const World& world, Findings& o
     for (const InteractionId id : world.interactions()) {
         if (of_cable[static_cast<std::size_t>(id.index)]) continue;
         const Fastest here = fastest_at(world, forces, id);
-        if (here.s > kSwing) others.push_back(here);
+        if (here.s > kMaxJointVibration) others.push_back(here);
     }
     check_other_joints(world, others, out);
 }
