@@ -16,7 +16,8 @@ namespace {
 
 using generic::V3;
 
-/// Return the end of a line at the half step before the poses, as elastic_energy_of_element() does.
+/// Return the position of an end of a line half a step before the current poses [m]. The body is
+/// moved and rotated back with its velocity.
 V3 end_at_half_step(const context::StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
     const model::Bodies& b = ctx.model.bodies;
     const auto body = at(ctx.model.interactions.body[kMaxInteractionBodies * at(id) + slot]);
@@ -35,7 +36,8 @@ V3 end_at_half_step(const context::StepContext& ctx, std::int32_t id, std::size_
     return x + arm + (2.0 / (1.0 + dot(turn, turn))) * (c + cross(turn, c));
 }
 
-/// Return ½ (l − l₀)²/ε of a line by its true length.
+/// Return the elastic energy ½ (l − l₀)²/ε of a line half a step before the current poses [J], with
+/// the distance l of its ends.
 double energy_of_line(const context::StepContext& ctx, std::int32_t id) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     const auto row = at(in.row_begin[at(id)]);

@@ -30,11 +30,11 @@ struct StepContext;
 
 namespace hawser::edit {
 
-/// Prepare for a change of the set of bodies, interactions or shapes. reserve_edit() reserves
-/// capacity for one more note. @throws std::bad_alloc.
+/// Prepare the context for a change of the set of bodies, interactions or shapes. reserve_edit()
+/// allocates all memory that begin_edit() needs to record one change. @throws std::bad_alloc.
 void reserve_edit(context::StepContext& ctx);
 void begin_edit(context::StepContext& ctx) noexcept;
-/// Prepare for a change of shapes alone.
+/// Prepare the context for a change of the set of shapes alone.
 void begin_shape_edit(context::StepContext& ctx) noexcept;
 
 /// Return the kinetic and gravity energy of a body half a step before its pose [J].
@@ -43,26 +43,28 @@ void begin_shape_edit(context::StepContext& ctx) noexcept;
 [[nodiscard]] double energy_of_interaction(const context::StepContext& ctx,
                                            std::int32_t id) noexcept;
 
-/// Return the excess of the kinetic energy of two end nodes over that of an element that moves as a
-/// straight piece [J]. If the element breaks, the nodes move independently.
+/// Return the kinetic energy that an element adds if it breaks [J]: with half of its mass at each
+/// end node, minus its energy as a straight bar. After the break the nodes move independently.
 [[nodiscard]] double piece_energy(const context::StepContext& ctx, std::int32_t id) noexcept;
-/// Return the elastic energy of an element of a wire, and the reduction of the kinetic energy of
-/// its nodes by its mass.
+/// Return the energies of a wire element [J]: minus piece_energy() as kinetic energy, and its
+/// elastic energy.
 [[nodiscard]] inline context::Edited energy_of_element(const context::StepContext& ctx,
                                                        std::int32_t id) noexcept {
     return {-piece_energy(ctx, id), energy_of_interaction(ctx, id)};
 }
 
-/// Update all data after an added body or interaction has been written into the model.
+/// Update the solver's data after a body has been written into the model. The next functions do
+/// this for an interaction and a shape.
 void register_added_body(context::StepContext& ctx, std::int32_t body) noexcept;
 void register_added_interaction(context::StepContext& ctx, std::int32_t id) noexcept;
 void register_added_shape(context::StepContext& ctx, std::int32_t shape) noexcept;
 
-/// Remove an object. A body must have no interactions and no shapes.
+/// Remove a body without interactions and shapes. The next functions remove an interaction and a
+/// shape.
 void remove_body(context::StepContext& ctx, std::int32_t body) noexcept;
 void remove_interaction(context::StepContext& ctx, std::int32_t id) noexcept;
 void remove_shape(context::StepContext& ctx, std::int32_t shape) noexcept;
-/// Delete the contacts of a shape in the last step. reserve_edit() has reserved the capacity.
+/// Delete the contacts of a shape that are stored from the last step. Call reserve_edit() before.
 void forget_contacts(context::StepContext& ctx, std::int32_t shape) noexcept;
 
 }  // namespace hawser::edit

@@ -56,13 +56,13 @@ struct NodeChain {
 [[nodiscard]] NodeChain nearby_chain(const context::StepContext& ctx,
                                      const NodeSurroundings& place) noexcept;
 
-/// Return a chain of equal material without the node. The piece before the node extends to the next
-/// node.
+/// Return a chain of the same material without its middle node. The element before the node then
+/// extends to the next node.
 [[nodiscard]] NodeChain without_node(const NodeChain& chain) noexcept;
 
-/// Return kinetic and elastic energy [J].
+/// Return the kinetic and elastic energy of a chain of nodes and elements [J].
 [[nodiscard]] double energy_of(const NodeChain& chain) noexcept;
-/// Return the elastic energy [J].
+/// Return the elastic energy of a chain of nodes and elements [J].
 [[nodiscard]] double stretch_energy_of(const NodeChain& chain) noexcept;
 
 struct NodeMomentum {
@@ -73,8 +73,8 @@ struct NodeMomentum {
 /// @param about  Reference point of angular momentum [m].
 [[nodiscard]] NodeMomentum momentum_of(const NodeChain& chain, const Vec3& about) noexcept;
 
-/// Set the rest lengths of the pieces at free nodes so that they keep their forces at the present
-/// poses.
+/// Set the rest lengths of the elements at free nodes so that their forces remain unchanged at the
+/// present poses.
 void fit_lengths(NodeChain& chain) noexcept;
 
 }  // namespace hawser::edit

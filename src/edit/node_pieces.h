@@ -59,7 +59,8 @@ struct NodeLinks {
 /// straight part.
 [[nodiscard]] double length_of(const context::StepContext& ctx, std::int32_t id) noexcept;
 [[nodiscard]] double length_beyond_chord(const context::StepContext& ctx, std::int32_t id) noexcept;
-/// Return the fraction of the straight part that corresponds to a fraction of the whole element.
+/// Convert a position on an element, as a fraction of its whole length, to the fraction of its
+/// straight part. They differ if a part of the element lies on a wheel.
 [[nodiscard]] double straight_fraction(const context::StepContext& ctx, std::int32_t id,
                                        double share) noexcept;
 /// Return the attachment point of an element in the frame of its body [m].
@@ -73,7 +74,7 @@ struct NodeLinks {
 
 /// Return the stretching speed of an element without the material paid out by a drum [m/s].
 [[nodiscard]] double stretching_speed(const context::StepContext& ctx, std::int32_t id) noexcept;
-/// Return the damping time of an element in the step [s].
+/// Return the effective damping time of an element in the step [s], including numerical damping.
 [[nodiscard]] double damping_time_of(const context::StepContext& ctx, std::int32_t id) noexcept;
 /// Return the force of an element by its elastic law and its damper [N], 0 if slack; and the rest
 /// length that gives a force at the present length and speed [m].
@@ -85,8 +86,8 @@ struct NodeLinks {
 /// nodes at the ends of the element (buoyancy), in proportion to mass.
 [[nodiscard]] Vec3 weight_of(const context::StepContext& ctx, std::int32_t id,
                              double mass) noexcept;
-/// Return the distance below the chord of an element at which a node at its fraction σ is in
-/// equilibrium [m].
+/// Return the distance from the chord of an element to the equilibrium position of a node at the
+/// fraction `share` of its length [m].
 [[nodiscard]] Vec3 sag_below_chord(const Vec3& chord, double share, const Vec3& weight,
                                    double tension) noexcept;
 
@@ -95,7 +96,7 @@ struct NodeLinks {
 void set_element(context::StepContext& ctx, std::int32_t id, double rest, double mass,
                  double tension) noexcept;
 
-/// Add mass and drag of a changed element to a node.
+/// Add the mass `more` and the drag of a changed element to a node.
 void add_mass(context::StepContext& ctx, std::int32_t body, double more,
               const Vec3& damping) noexcept;
 [[nodiscard]] Vec3 damping_of(const context::StepContext& ctx, std::int32_t body) noexcept;
@@ -103,11 +104,12 @@ void add_mass(context::StepContext& ctx, std::int32_t body, double more,
 /// True if an interaction resists bending of a wire.
 [[nodiscard]] bool is_bend(const context::StepContext& ctx, std::int32_t id) noexcept;
 
-/// Set the length of a bend, which is half of the lengths of the pieces before and behind its node.
+/// Set the length of a bend interaction to half the sum of the lengths of the elements `one` and
+/// `other` beside its node.
 void set_bend(context::StepContext& ctx, std::int32_t id, std::int32_t one,
               std::int32_t other) noexcept;
 
-/// Update the data of elements near a node that depend on the masses at their ends.
+/// Update the data of the elements near a node that depend on the masses of their end nodes.
 void update_for_masses(context::StepContext& ctx, const NodeSurroundings& place) noexcept;
 
 }  // namespace hawser::edit

@@ -92,15 +92,16 @@ class ReleaseNeighbourhood {
     [[nodiscard]] int size() const noexcept { return size_; }
     [[nodiscard]] const Vec3& origin() const noexcept { return origin_; }
 
-    /// Return δv for the missing rates of lengths alone, and δv for the missing momenta.
+    /// Return the velocity changes that give the elements their required rates of length.
+    /// velocity_corrections() returns the smallest velocity changes that add a given momentum.
     [[nodiscard]] Packed change_of_rates() const { return momentum_factor_.solve(missing_rates_); }
     [[nodiscard]] Packed velocity_corrections(const NodeMomentum& m) const {
         Kept r;
         r << m.linear, m.angular / reach_;
         return min_change(r);
     }
-    /// Return d for the present velocities of the chain, and t* in `far`. Returns 0 if no node
-    /// moves.
+    /// Return the direction d in which the kinetic energy decreases at constant momentum. Set `far`
+    /// to the factor of d at which the energy is least; 0 if no node moves.
     [[nodiscard]] Packed descent_direction(const NodeChain& chain, double& far) const {
         far = 0.0;
         Packed slope(size_);
@@ -174,7 +175,7 @@ class ReleaseNeighbourhood {
     base::SymmetricEigen<kMomentumRows> eigen_;
 };
 
-/// Move the free nodes so that the first moment of mass is preserved.
+/// Move the free nodes so that the centre of mass of the chain stays as it was in `was`.
 void preserve_mass_centre(NodeChain& now, const NodeChain& was) noexcept {
     Vec3 moment = Vec3::Zero();
     double mass = 0.0;
@@ -189,7 +190,7 @@ void preserve_mass_centre(NodeChain& now, const NodeChain& was) noexcept {
         if (now.lump[k].moves) now.lump[k].y += moment / mass;
 }
 
-/// Set velocities that preserve the momenta.
+/// Change the velocities so that the linear and angular momentum equal `had`.
 void preserve_momenta(NodeChain& now, const ReleaseNeighbourhood& patch,
                       const NodeMomentum& had) noexcept {
     if (patch.size() == 0) return;

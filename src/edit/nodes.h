@@ -60,18 +60,20 @@ struct NodeEnergies {
     context::Edited local, edited;
 };
 
-/// Complete the surroundings of an element (`first`) or, if `first` is −1, of a node (`node`).
+/// Find the elements, nodes and bends around an element (`first`) or, if `first` is −1, around a
+/// node (`node`).
 /// @return false in two cases: the node has other interactions, or it is not between two elements
 /// of which the second begins at the end of the first.
 [[nodiscard]] bool complete_surroundings(const context::StepContext& ctx,
                                          NodeSurroundings& place) noexcept;
 
-/// Compute the properties of a node on an element. @param share  σ of e. @param mass  Mass of the
-/// element [kg].
+/// Compute position, velocity, mass and drag of a new node on an element. @param share  Position of
+/// the node as a fraction of the element's length. @param mass  Mass of the element [kg].
 [[nodiscard]] NodeDef node_on(const context::StepContext& ctx, std::int32_t element, double share,
                               double mass) noexcept;
 
-/// Store the energies near a node before an edit.
+/// Return the energies of the bodies and interactions near a node, for end_node_edit() after the
+/// edit.
 [[nodiscard]] NodeEnergies begin_node_edit(const context::StepContext& ctx,
                                            const NodeSurroundings& place) noexcept;
 
@@ -93,7 +95,7 @@ inline constexpr double kKeptMass = 1e-2;
 [[nodiscard]] constexpr bool exceeds_half(double has, double half) noexcept {
     return has > (1.0 + 1e-3) * half;
 }
-/// Apply release_node() if the remaining element is at a drum.
+/// Remove a node as release_node() does, if the element that remains is at a drum.
 [[nodiscard]] bool release_drum_node(context::StepContext& ctx, const NodeSurroundings& place,
                                      double bend) noexcept;
 

@@ -38,7 +38,7 @@ struct NodeFraction {
     double share = 0.0;  ///< Fraction of the mass of the other node [1].
 };
 
-/// Return the fraction of mass and drag of a node that belongs to its second element. @param first
+/// Return the fraction of a node's mass and drag that comes from its second element. @param first
 /// First element; −1: none.
 [[nodiscard]] NodeFraction fraction_of(const context::StepContext& ctx, std::int32_t lump,
                                        std::int32_t first, std::int32_t second) noexcept;
@@ -64,7 +64,7 @@ void reverse_ends(context::StepContext& ctx, std::int32_t id) noexcept;
 void move_end(context::StepContext& ctx, std::int32_t id, std::size_t slot,
               std::int32_t to) noexcept;
 
-/// Update the elements of a node after its mass has changed.
+/// Update the data of a node's elements that depend on its mass. Call after the mass has changed.
 void update_elements_of_node(context::StepContext& ctx, std::int32_t lump) noexcept;
 
 /// Return the chain of elements from `element` on, away from its end `slot`, while the nodes
