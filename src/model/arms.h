@@ -25,8 +25,9 @@ inline constexpr int kArmsDamping = 6, kArmsVibration = 7;
 /// Number and width of the packed rows; buffer size in doubles with slack for vector loads.
 inline constexpr int kArmRows = 3, kArmWidth = 12, kArmBufferSize = kArmRows * kArmWidth + 8;
 
-/// Write row i, twelve wide, to `out`: for both bodies ∓(e_i, r × e_i). Always inline, because it
-/// is also used in code compiled per instruction set (base/small.h).
+/// Write row i of a compact ball joint to `out`: 12 entries, ∓(e_i, r × e_i) for each of the two
+/// bodies. Always inline, because it is also used in code compiled per instruction set
+/// (base/small.h).
 [[gnu::always_inline]] inline void unpack_arm_row(const double* record, int i,
                                                   double* out) noexcept {
     const int next = (i + 1) % 3, last = (i + 2) % 3;
@@ -39,7 +40,8 @@ inline constexpr int kArmRows = 3, kArmWidth = 12, kArmBufferSize = kArmRows * k
     }
 }
 
-/// Write the three rows to `out`, which holds kArmBufferSize doubles; the rest is set to zero.
+/// Write the three rows of a compact ball joint to `out`. The rest of the kArmBufferSize entries is
+/// set to zero.
 [[gnu::always_inline]] inline void unpack_arms(const double* record, double* out) noexcept {
     for (int i = 0; i < kArmRows; ++i) unpack_arm_row(record, i, out + kArmWidth * i);
     for (int k = kArmRows * kArmWidth; k < kArmBufferSize; ++k) out[k] = 0.0;

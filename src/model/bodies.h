@@ -97,7 +97,8 @@ struct Bodies {
     int append(const BodyDef& def);
     /// Remove a body. Its slot keeps a fixed body without mass, interactions or contacts.
     void remove(int body) noexcept;
-    /// Set drag_after and drag_before for the step h [s].
+    /// Compute the factors of drag on the velocities before and after the step, drag_before and
+    /// drag_after. @param h  Step [s].
     void split_drag(double h);
     /// Remove all slots with an index ≥ `kept`, and their bodies.
     void truncate(int kept);

@@ -19,7 +19,8 @@
 
 namespace hawser::model {
 
-/// Return the fraction θ of a damper as a function of z ≥ 0, from ½ to 1.
+/// Return θ, the weight of the velocity after the step in the force of a damper. It increases from
+/// ½ to 1 with z ≥ 0, the damping per step (see the head of this file).
 [[nodiscard]] inline double late_fraction(double z) noexcept {
     if (!(z > 0.0)) return 0.5;
     if (z < 1e-2) return 0.5 + z / 12.0 - z * z * z / 720.0;  // the next term is below 1e-14

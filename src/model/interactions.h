@@ -261,8 +261,8 @@ struct Interactions {
     void refresh(int id, const Bodies& bodies_in, double h) noexcept;
     /// Set the anchor coordinate of a friction or span [m or rad].
     void set_anchor(int id, double coordinate) noexcept;
-    /// Replace the body in a slot. Properties that depend on the kinds of its bodies must stay
-    /// valid. The system must be analysed again.
+    /// Replace the body in a slot of an interaction. Properties of the interaction that depend on
+    /// the kinds of its bodies must stay valid. The system must be analysed again.
     void rewire(int id, std::size_t slot, BodyId to, Bodies& bodies_in) noexcept;
     /// Call f(id, slot) for all interactions that act on a body, in unspecified order. An
     /// interaction that acts on the body twice occurs twice. f may rewire() the slot.
@@ -320,7 +320,8 @@ struct Interactions {
   private:
     static constexpr auto kSlots = static_cast<std::int32_t>(kMaxInteractionBodies);
     void grow(InteractionKind kind);
-    /// Insert an index of `body` in the list of the body's holders, or remove it.
+    /// Insert the entry `place` of the body table into the list of interactions that act on its
+    /// body, or remove it.
     void link(std::size_t place, Bodies& bodies_in) noexcept;
     void unlink(std::size_t place, Bodies& bodies_in) noexcept;
     /// Write all data of an interaction to an existing slot.

@@ -17,7 +17,8 @@ constexpr std::array<KindInfo, kInteractionKindCount> kKinds = {
 #undef HAWSER_X
 };
 
-/// True if the table, the enumeration and the structs of kinds agree.
+/// True if the table of kinds, the enumeration InteractionKind and the structs of kinds have the
+/// same order.
 constexpr bool consistent() {
     bool ok = true;
 #define HAWSER_X(id, text)                                                  \

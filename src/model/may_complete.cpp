@@ -13,7 +13,8 @@ namespace {
 /// notable force. Below 0.1 the iteration gains nothing (docs/theory/compliance.md).
 constexpr double kUnresolved = 0.1;
 
-/// True if a row is rigid, or if its z (damping.h, θ aside) with its damping exceeds kUnresolved.
+/// True if a row is rigid, or if the step does not resolve it: z (damping.h, with its damping)
+/// exceeds kUnresolved.
 bool is_unresolved(const Interactions& in, std::size_t row, double h) noexcept {
     const double e = in.epsilon[row], z = h * (in.tau[row] + 0.25 * h) * in.mobility[row];
     return e == 0.0 || z > kUnresolved * e;

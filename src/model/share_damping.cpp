@@ -21,17 +21,17 @@ struct Shares {
 /// terms of the step τ = h and θ = ¾, for any damper of the line.
 constexpr Shares kRecoilShares{0.25, 0.0};
 
-/// Rise from 0 at z = `from` to `most` for large z.
+/// Return a factor that increases from 0 at z = `from` to `most` for large z.
 double rise(double most, double z, double from) noexcept {
     return z > from ? most * (z - from) / (z + from) : 0.0;
 }
 
-/// Return the minimum damping time of a joint's row in steps (docs/theory/compliance.md).
-/// @param spring  z = h²W/4ε of its vibration.
+/// Return the minimum damping time of a joint's row, in steps (docs/theory/compliance.md).
+/// @param spring  z = h²W/4ε of the vibration of the row.
 ///
-/// Without damping a rigid row that is linearised has the double root −1. In stiff rows errors of
-/// the iteration and singular poses cause large energies. The energy that this damping removes from
-/// resolved motion is proportional to ε.
+/// Without this damping a linearised rigid row has the double root −1, which means undamped
+/// oscillation from step to step. In stiff rows, errors of the iteration and singular poses cause
+/// large energies. The energy that the damping removes from resolved motion is proportional to ε.
 double min_damping(double epsilon, double spring) noexcept {
     constexpr double kMinDampingRigid = 0.5, kMaxDampingStiff = 0.1, kStiffZ = 1e4;
     return epsilon == 0.0 ? kMinDampingRigid : rise(kMaxDampingStiff, spring, kStiffZ);
@@ -49,9 +49,9 @@ double newmark_shift(double spring, double damping) noexcept {
     return std::max(0.0, rise(kMaxShift, spring, kResolvedZ) - damping);
 }
 
-/// Compute Υ and recall. The axial vibration of a wire's nodes is rarely resolved and would never
-/// decay with the trapezoidal rule alone. Such a wire therefore has the damping of at least half a
-/// step.
+/// Compute Υ and the factor of ġ in the right-hand side (recall) of a row. The step rarely resolves
+/// the axial vibration of a wire's nodes, which would not decay with the trapezoidal rule alone.
+/// Rows of wires therefore have a damping time of at least half a step.
 Shares shares_of(const Interactions& in, std::size_t row, bool wire, double h) noexcept {
     const double w = in.mobility[row], e = in.epsilon[row];
     const bool joint = (in.row_flags[row] & kRowJoint) != 0;

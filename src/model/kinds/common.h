@@ -79,7 +79,8 @@ inline constexpr double kStopCompliance = 1e-12;
 
 inline double given(double value, double fallback) { return value == value ? value : fallback; }
 
-/// Set the damping time τ to that of the definition; without a definition, to two steps.
+/// Set the damping time τ of a row to the value of the definition, or to two steps if the
+/// definition has none.
 inline void damping_or_flagged(const InteractionDef& def, double h, int row, RowSpec& out) {
     const double defined = def.damping_time.data()[row];
     out.damping_time = given(defined, 2.0 * h);

@@ -67,7 +67,7 @@ struct HingeFriction {
         hinge_row(d.joint, b, out);
         out.g[0] = turned(out.g[0] - d.anchor);
     }
-    /// Return the equivalent angle in [−π, π].
+    /// Map an angle to the equivalent angle in [−π, π].
     static double turned(double angle) {
         constexpr double kTurn = 6.283185307179586;
         return angle - kTurn * __builtin_round(angle / kTurn);

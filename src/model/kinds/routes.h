@@ -77,9 +77,9 @@ struct SpanShape {
 /// Largest sine of the angle between a tangent and the line of centres.
 inline constexpr double kSteepest = 0.999;
 
-/// Return the direction u of the tangent, which leaves a wheel of signed radius s at s u × n from
-/// its centre. @param d  Vector between the centres. @param n  Axis of the wheels. @param
-/// separation  Second signed radius minus the first one.
+/// Return the direction u of the common tangent of two wheels. It touches a wheel of signed radius
+/// s at the point s u × n from its centre. @param d  Vector between the centres. @param n  Axis of
+/// the wheels. @param separation  Second signed radius minus the first one.
 inline V3 tangent_direction(const V3& d, const V3& n, double separation) {
     const V3 flat = d - dot(d, n) * n;
     const double size = norm(flat), most = kSteepest * size;
@@ -90,7 +90,8 @@ inline V3 tangent_direction(const V3& d, const V3& n, double separation) {
     return (scale * c) * flat - (scale * s) * cross(n, flat);
 }
 
-/// True if the inclination of the tangent is within the limit kSteepest.
+/// True if two wheels have a common tangent, that is, if |separation| is at most kSteepest times
+/// the distance of their centres across the axis.
 inline bool tangent_is_defined(const V3& d, const V3& n, double separation) {
     const V3 flat = d - dot(d, n) * n;
     return separation * separation <= kSteepest * kSteepest * dot(flat, flat);
