@@ -16,8 +16,8 @@ namespace hawser::monitor {
 [[nodiscard]] Finding strain_finding(context::Model& model, const context::State& state,
                                      context::MonitorState& memory) noexcept;
 
-/// Check for elements at slides with a negative length in three consecutive steps: the slide has
-/// taken in more wire than the element had. The element of a drum does not reach this state
+/// Check for elements at slides whose length is negative in three consecutive steps: the slide has
+/// hauled in more wire than the element contained. An element at a drum does not reach this state
 /// (kLeastOfDrumElement). Finding::value is the length [m].
 [[nodiscard]] Finding wound_finding(const context::Model& model, const context::State& state,
                                     context::MonitorState& memory) noexcept;

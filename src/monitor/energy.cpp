@@ -18,7 +18,8 @@
 namespace hawser::monitor {
 namespace {
 
-/// Move carriers with a prescribed velocity back by half a step; their poses are saved to scratch.
+/// Move bodies with a prescribed velocity back by half a step. Their poses are saved in the scratch
+/// buffer `before`.
 void move_carriers_back(context::Model& model, context::Before& before) noexcept {
     model::Bodies& b = model.bodies;
     const double t = -0.5 * model.def.step;

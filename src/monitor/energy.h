@@ -7,7 +7,8 @@
 
 namespace hawser::monitor {
 
-/// Compute the energy half a step before the poses, see hawser::Energy.
+/// Compute the kinetic, potential and elastic energy half a step before the poses; see
+/// hawser::Energy.
 [[nodiscard]] Energy energy(context::StepContext& ctx) noexcept;
 
 }  // namespace hawser::monitor

@@ -10,7 +10,7 @@
 namespace hawser::monitor {
 namespace {
 
-/// Return the unexplained energy of each balance [J].
+/// Return the change of energy that no recorded work explains, for each energy balance [J].
 context::ByAccount<double> unexplained(const context::MonitorPart& p, const context::Works& w,
                                        double given) noexcept {
     const double left = p.kinetic + p.potential + p.elastic - w[context::kForces] -
@@ -37,8 +37,9 @@ void set(context::MonitorState& state, std::size_t i, double now) noexcept {
 /// Time for which rows may store absorbed energy, in an overlap or in an element that tightens [s].
 constexpr double kHeldFor = 1.0;
 
-/// Count the energy that rows returned beyond their recent losses. Rows may store lost energy for a
-/// short time.
+/// Add to `state.given` the energy that rows returned beyond the energy that they absorbed
+/// recently. Rows may store absorbed energy for about kHeldFor.
+/// @param taken  Energy that the rows absorbed in this sample; negative: returned [J].
 void count_returned_energy(double taken, double time, context::MonitorState& state) noexcept {
     state.held = (state.held + std::max(0.0, taken)) * std::exp(-time / kHeldFor);
     const double back = std::min(state.held, std::max(0.0, -taken));

@@ -22,11 +22,12 @@ struct Unexplained {
     double posed = 0.0;  ///< Earlier value of MonitorState::posed [J].
 };
 
-/// Begin the sums with the energy at the start.
+/// Start the energy balances with the energy at the start of the run.
 void begin_energy(const context::MonitorPart& p, const context::Works& works,
                   context::MonitorState& state) noexcept;
 
-/// Update `state` to this sample. @param time  Time since the last sample [s].
+/// Update the energy balances with the energies and works of a sample. @param time  Time since the
+/// last sample [s].
 [[nodiscard]] Unexplained follow_energy(const context::MonitorPart& p, const context::Works& works,
                                         double time, context::MonitorState& state) noexcept;
 

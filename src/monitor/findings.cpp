@@ -20,7 +20,8 @@ std::int32_t owner_of(const context::Model& model, std::int32_t row) noexcept {
     return static_cast<std::int32_t>(std::upper_bound(begin.begin(), end, row) - begin.begin()) - 1;
 }
 
-/// Return the error of a step in its equations and laws.
+/// Return the relative error of a step: the larger of its momentum residual and its residual of the
+/// contact law. It is 0 for other contact methods and for steps that omitted work of the solver.
 double certificate(const context::Model& model, const StepStats& stats) noexcept {
     // Other methods, and steps with a reduced budget, have no certificate.
     if (model.def.nonsmooth != Nonsmooth::newton || stats.degradation.of_solve()) return 0.0;
@@ -36,7 +37,8 @@ Finding finding(double value, Limit by, double time) noexcept {
             .body = {}};
 }
 
-/// Report the violation of a row and its interaction. @param row  −1: none.
+/// Write the interaction of a row and the violation of this row into a finding. @param row  −1:
+/// none.
 void name_row(const context::Model& model, std::int32_t row, Finding& out) noexcept {
     if (row < 0) return;
     out.value = std::fabs(model.interactions.g[at(row)]);
@@ -73,8 +75,8 @@ double lasting(double now, std::array<double, N>& before) noexcept {
     return least;
 }
 
-/// Return the minimum rise of the present interval of 0.1 s and the two intervals before, which
-/// covers 0.2 to 0.3 s.
+/// Return the smallest rise of energy in the present interval of 0.1 s and the two intervals
+/// before. They cover 0.2 to 0.3 s.
 double lasting_rise(double now, double time, context::MonitorState& memory) noexcept {
     constexpr double kRiseInterval = 0.1;
     std::array<double, 3>& least = memory.lasting_rise;

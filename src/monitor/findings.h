@@ -11,10 +11,12 @@
 
 namespace hawser::monitor {
 
-/// Return the works since the start, in the order of WorkBy.
+/// Return the works of forces, drives, drag, friction, contacts and rows since the start, in the
+/// order of WorkBy.
 [[nodiscard]] context::Works works(const context::State& state) noexcept;
 
-/// Check for created and lost energy. @param time  Time since the last sample [s].
+/// Check for mechanical energy that appears or disappears without a recorded work. @param time
+/// Time since the last sample [s].
 [[nodiscard]] Finding energy_finding(const context::Model& model, const context::State& state,
                                      const context::MonitorPart& p, context::MonitorState& memory,
                                      double time) noexcept;

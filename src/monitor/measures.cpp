@@ -42,7 +42,8 @@ void measure_body(const context::Model& model, std::int32_t body, const double* 
     }
 }
 
-/// Sample moving bodies [begin, end).
+/// Add the energies of the moving bodies [begin, end) to a sample, and update its largest rotation
+/// in a step.
 void measure_bodies(const context::Model& model, const View& v, std::int32_t begin,
                     std::int32_t end, const double* after, double half,
                     context::MonitorPart& p) noexcept {
@@ -71,7 +72,7 @@ void measure_rows(const context::State& state, const View& v, std::int32_t begin
     if (row >= 0) p.open_row = row;
 }
 
-/// Sample ranges: a row has a violation outside of its range only.
+/// Find the range with the largest violation. Rows of coordinates inside their range are ignored.
 void measure_ranges(const context::State& state, const View& v, context::MonitorPart& p) noexcept {
     for (std::size_t i = 0; i < state.monitor.ranges.size(); ++i) {
         const std::int32_t row = state.monitor.ranges[i];
@@ -82,7 +83,7 @@ void measure_ranges(const context::State& state, const View& v, context::Monitor
     }
 }
 
-/// Sample the depth of contacts of the step, relative to the thickness of the thinner shape.
+/// Find the contact with the largest depth, relative to the thickness of the thinner shape.
 void measure_contacts(const context::Model& model, const context::State& state,
                       context::MonitorPart& p) noexcept {
     const std::vector<collide::Shape>& shapes = model.collider.shapes();
@@ -96,12 +97,12 @@ void measure_contacts(const context::Model& model, const context::State& state,
     }
 }
 
-/// Return ½ f² ε from the force of the last step.
+/// Return the elastic energy ½ f² ε of a row for its force f in the last step [J].
 double elastic_energy_from_force(const View& v, std::int32_t row) noexcept {
     return 0.5 * v.force_of_row[row] * v.force_of_row[row] * v.epsilon[row];
 }
 
-/// Sample ½ g²/ε half a step before the poses, as in energy().
+/// Add the elastic energies ½ g²/ε of an interaction half a step before the poses to a sample.
 void measure_elastic(context::Model& model, const View& v, std::int32_t id, bool between_points,
                      double half, context::MonitorPart& p) noexcept {
     // For a wire use its true length, as the guard does.
@@ -150,8 +151,8 @@ void measure_elastic(context::Model& model, const View& v, std::int32_t id, bool
     }
 }
 
-/// Subtract the excess of the kinetic energy of two end nodes over that of a straight bar with the
-/// mass of the element (consistent mass).
+/// Correct the kinetic energy of a sample for the mass of an element, which moves as a straight bar
+/// (consistent mass). Its end nodes count half of this mass each.
 void measure_piece(const View& v, std::int32_t id, const double* after,
                    context::MonitorPart& p) noexcept {
     const double before = assembly::pair_energy(v, id, v.v);
@@ -159,7 +160,7 @@ void measure_piece(const View& v, std::int32_t id, const double* after,
     p.at_pose -= 0.5 * (before + assembly::pair_energy(v, id, after));
 }
 
-/// Sample the cable law and the rotation of an element.
+/// Find the largest deviation of an element from the cable law, and its largest rotation in a step.
 void measure_line(const context::Model& model, const View& v, std::int32_t id,
                   context::MonitorPart& p) noexcept {
     if (v.parted[id] || model.system.rests(id)) return;

@@ -20,8 +20,8 @@ enum class SampleTime { pose, half_step };
 void read_spring_gaps(context::Model& model, const context::State& state, double* gaps) noexcept;
 
 /// Return the additional energy of springs due to the position projection [J]. Energies are
-/// evaluated half a step before the poses, extrapolated by the velocities. At that time only half
-/// of the projection counts, but the poses contain all of it. @param before  Result of
+/// evaluated half a step before the poses, extrapolated by the velocities. At that time
+/// only half of the projection counts, but the poses contain all of it. @param before  Result of
 /// read_spring_gaps() before the projection.
 [[nodiscard]] double held_by_closing(context::Model& model, const context::State& state,
                                      const double* before) noexcept;

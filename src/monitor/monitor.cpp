@@ -25,8 +25,8 @@ constexpr std::size_t place(Judge judge) noexcept { return static_cast<std::size
 
 using Findings = std::array<Finding, kJudgeCount>;
 
-/// Set `worst` to the worse of two findings. It gets the larger of both ratios, because momentary
-/// and mean values differ.
+/// Replace `worst` by the finding `f` if `f` is worse. The ratios to both limits become the larger
+/// of both findings, because one compares momentary values and the other mean values.
 void keep_worse(const Finding& f, Finding& worst) noexcept {
     const double wrong = std::max(f.wrong, worst.wrong);
     const double doubtful = std::max(f.doubtful, worst.doubtful);
@@ -35,7 +35,7 @@ void keep_worse(const Finding& f, Finding& worst) noexcept {
     worst.doubtful = doubtful;
 }
 
-/// Run all monitors on a state and advance `state` to it.
+/// Run all monitors on the present state and update the data that they keep between samples.
 Findings run_all(context::StepContext& ctx, context::MonitorState& state) noexcept {
     const context::MonitorPart p = sample(ctx.model, ctx.state, ctx.pool, SampleTime::half_step);
     const double time = ctx.model.def.step * static_cast<double>(ctx.state.step - state.step);
@@ -57,7 +57,7 @@ bool is_good(const Findings& findings) noexcept {
                        [](const Finding& f) { return f.doubtful <= 1.0; });
 }
 
-/// Add findings to a result.
+/// Add the findings of the present state to the result of the run.
 /// @return the grade of these findings.
 Grade add(const Findings& now, Verdict& verdict) noexcept {
     Grade grade = Grade::good;
@@ -85,7 +85,8 @@ Grade add(const Findings& now, Verdict& verdict) noexcept {
     return grade;
 }
 
-/// Run the monitors that check every step, before elements break in it.
+/// Run the monitors of strain and wound length, which check every step before overloaded elements
+/// break.
 Findings check_before_breaking(context::StepContext& ctx, context::MonitorState& state) noexcept {
     Findings out{};
     out[place(Judge::cable)] = strain_finding(ctx.model, ctx.state, state);
@@ -93,7 +94,7 @@ Findings check_before_breaking(context::StepContext& ctx, context::MonitorState&
     return out;
 }
 
-/// Report an event for each monitor that has become suspect.
+/// Send an event for each monitor that was not suspect before and is now.
 /// @param all  True if all monitors were run; otherwise only those of check_before_breaking().
 void report_findings(context::State& state, StepStats& stats, const Findings& now, bool all,
                      context::MonitorState& memory) noexcept {

@@ -8,7 +8,8 @@
 /// drives, friction and contacts. It is computed in three ways.
 /// 1. At the midpoint between poses, where velocities are defined.
 /// 2. At the poses, with the mean of the velocities before and after.
-/// 3. At the midpoint, with the energy of springs from their force. The length of an unresolved
+/// 3. At the midpoint, with the energy of springs from their force. The length of an
+/// unresolved
 ///    spring does not match its force, because its direction turns.
 /// Each has momentary changes if motion is fast; the smallest rise is used.
 ///

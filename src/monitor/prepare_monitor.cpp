@@ -20,7 +20,8 @@ double size_of(const model::Bodies& b, std::int32_t body) noexcept {
     return std::sqrt(2.0 * (s[0] + s[4] + s[8]) / b.mass[at(body)]);
 }
 
-/// Return the inverse of the allowed gap of a joint row. @param size  Size of the smaller body [m].
+/// Return the inverse of the largest tolerated gap of a joint row. @param size  Size of the smaller
+/// body [m]. @param turns  True for a row of an angle.
 double allowance(double size, bool turns) noexcept {
     const double arm = std::isfinite(size) ? 0.5 * size : 0.0;
     return (turns ? arm : 1.0) / (limit::kOpen.doubtful * std::max(1.0, 2.0 * arm));
