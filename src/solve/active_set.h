@@ -14,8 +14,8 @@ namespace hawser::solve {
 /// @return true if another solve is needed.
 [[nodiscard]] bool update_active_set(context::Model& model, context::Work& work, int pass) noexcept;
 
-/// Repeat the solution with contacts as long as bounds do not match their loads. Call after
-/// refinement. Iterations before it were not refined, so a bound that is a small fraction of its
+/// Repeat the solution with contacts until the bounds of friction match its loads. Call after
+/// refinement: iterations before it were not refined, so a bound that is a small fraction of its
 /// load may have the error of their residual.
 [[nodiscard]] Status follow_loads(context::StepContext& ctx) noexcept;
 

@@ -27,8 +27,8 @@ double stiffness_scale(const context::Model& model, std::size_t i) noexcept {
            in.sigma[at(in.row_begin[at(model.system.bounded[i])])];
 }
 
-/// Return W + Σ for the rule by which rows switch. In the convex phase it uses a fraction of W, as
-/// contacts do.
+/// Return the stiffness W + Σ for the rule by which a bounded row becomes active or inactive. In
+/// the convex phase a fraction of W is used, as for contacts.
 double switch_scale(const context::Model& model, const context::Newton& newton,
                     std::size_t i) noexcept {
     const double scale = stiffness_scale(model, i);
@@ -37,7 +37,8 @@ double switch_scale(const context::Model& model, const context::Newton& newton,
                : scale;
 }
 
-/// Return λ and r = c − G v − Σλ. r is 0 for an active row, which has been solved for.
+/// Return λ and the residual r = c − G v − Σλ of a bounded row at the current solution. r is 0 for
+/// an active row.
 context::BoundedRow present_row(const View& v, std::int32_t id) noexcept {
     const std::int32_t row = v.row_begin[id];
     const double lambda = v.lambda[row];
@@ -64,9 +65,9 @@ double choose_end(const context::Model& model, const View& v, std::int32_t id) n
     return v.c[row] - before;
 }
 
-/// Return the end of a range to which an impulse `held` belongs after the range has moved. It is
-/// the end with the sign of the impulse. If both ends have one sign (a winch that pulls with one of
-/// two tensions), it is the nearer end.
+/// Return the end of a changed range to which an inactive row with the impulse `held` belongs. It
+/// is the end with the sign of the impulse. If both ends have one sign (a winch that pulls with one
+/// of two tensions), it is the nearer end.
 double end_of_moved_range(const ImpulseRange& range, double held) noexcept {
     if (held == 0.0) return std::clamp(0.0, range.low, range.high);
     const bool one_sided = range.high < 0.0 || range.low > 0.0;
@@ -79,7 +80,7 @@ context::BoundedRow along(const context::Newton& n, std::size_t i, double t) noe
     return {a.lambda + t * (b.lambda - a.lambda), a.r + t * (b.r - a.r)};
 }
 
-/// Return true for a line under tension that has no replacement law.
+/// True for a line under tension that follows its own law, not a replacement law.
 bool is_taut_line(const View& v, std::int32_t id) noexcept {
     constexpr int kOther = model::kRange | model::kMotor | model::kFriction;
     const double lambda = v.lambda[v.row_begin[id]];
@@ -99,7 +100,8 @@ SwitchRequest request_of(const context::Model& model, const context::Newton& new
                          const ImpulseRange& range) noexcept {
     const std::int32_t id = model.system.bounded[i];
     const bool was_active = v.active[id] != 0.0;
-    // An inactive row first follows its bound. Then the rule decides whether it stays inactive.
+    // An inactive row first follows its bound. Then the rule decides whether it stays
+    // inactive.
     const double lambda = was_active ? p.lambda : end_of_moved_range(range, v.held[id]);
     const double y = lambda + p.r / switch_scale(model, newton, i);
     const double projected = std::clamp(y, range.low, range.high);
@@ -108,8 +110,8 @@ SwitchRequest request_of(const context::Model& model, const context::Newton& new
     const bool across = !was_active && !active && projected != lambda;
     return {was_active, active, across, projected};
 }
-/// Return true for rows that never switch: rows that are broken or replaced, and ranges with equal
-/// ends.
+/// True for rows that never become active or inactive: rows that are broken or replaced, and ranges
+/// with equal ends.
 bool never_switches(const context::Model& model, const View& v, std::int32_t id,
                     const ImpulseRange& range) noexcept {
     return v.parted[id] || model.wires.is_replaced(id) ||
@@ -244,14 +246,15 @@ double bounds_map(const context::Model& model, const context::Newton& newton) no
 
 namespace {
 
-/// Read the impulses of the rows whose bounds depend on their loads. Active rows give 0.
+/// Read the impulses of the rows whose bounds depend on other rows. Active rows get 0.
 void read_dependent_impulses(const context::Model& model, const context::Newton& newton,
                              double* out) noexcept {
     for (const std::int32_t id : newton.loaded)
         *out++ = model.interactions.active[at(id)] == 0.0 ? model.interactions.held[at(id)] : 0.0;
 }
 
-/// Extrapolate bounds that moved with their loads, from the effect of earlier moves.
+/// Extrapolate bounds that change with the impulses on which they depend. The extrapolation uses
+/// the effect of earlier changes in this step.
 void extrapolate_bounds(context::Model& model, context::Work& work) noexcept {
     const View v = context::row_view(model);
     nonsmooth::Anderson& follow = work.newton.follow;

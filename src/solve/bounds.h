@@ -40,9 +40,10 @@ void reserve_bounds(const context::Model& model, context::Newton& newton);
 /// @param time  Time for which bounds of forces act [s]: the step, or 0 in an impact.
 void hold_bounds(context::Model& model, context::Newton& newton, double time) noexcept;
 
-/// Read λ and r at the full step of an iteration.
+/// Read λ and the residual r of all bounded rows at the end of an iteration, for a full step.
 void take_bounds(context::Model& model, context::Newton& newton) noexcept;
-/// Start the next iteration at the fraction t of the way from the last iterate to the solution.
+/// Set the start of the next iteration: the point at the fraction t from the last iterate to the
+/// solution.
 void keep_bounds(context::Newton& newton, double t) noexcept;
 /// Return Σ (W + Σ) (λ − P)² over bounded rows, at the fraction t of the way from the last iterate
 /// to the solution [J].
@@ -69,16 +70,18 @@ inline constexpr std::int32_t kAnyRows = 0x7fffffff;
 std::int32_t switch_bounds(context::Model& model, context::Work& work, double floor,
                            std::int32_t most) noexcept;
 
-/// Set λ of inactive rows to the impulse that acts on the bodies. After a step back to an iterate,
-/// λ of a row that has switched since is out of date.
+/// Set λ of inactive rows to the impulse that acts on the bodies. Call after the solver has
+/// returned to an earlier iterate, because λ of rows that have switched since is out of date.
 void show_held(context::Model& model) noexcept;
 
-/// Count the rows whose status does not match the current λ and v₊, without changes.
+/// Count the rows that should become active or inactive at the current λ and v₊. Nothing is
+/// changed.
 /// @param floor  Impulse below which differences are ignored [N s].
 [[nodiscard]] std::int32_t asking_rows(context::Model& model, context::Work& work,
                                        double floor) noexcept;
 
-/// Return true if asking_rows() with a floor of 0 would return more than 0.
+/// True if any bounded row should become active or inactive, that is, if asking_rows() with a floor
+/// of 0 would return more than 0.
 [[nodiscard]] bool any_row_requests_switch(const context::Model& model,
                                            const context::Newton& newton,
                                            const assembly::View& v) noexcept;

@@ -11,7 +11,8 @@ namespace {
 /// Relative rounding of the impulses whose difference acts at a turning point.
 constexpr double kRounding = 2e-15;
 
-/// Write the speed w of a turning point as a linear function of the impulses before and behind it.
+/// Express the speed w of a turning point as a linear function of the impulses of the parts before
+/// and behind it.
 void write_speed(context::RunPoint& p) noexcept {
     if (p.side == 0) {
         const double scale = 1.0 / (1.0 + p.sigma * p.mass);
@@ -63,9 +64,9 @@ void solve_run(std::size_t n, context::RunPoint* place, context::RunPart* part) 
         part[i].lambda = part[i].right - part[i].upper * part[i + 1].lambda;
 }
 
-/// Compute the speeds w of all turning points from the impulses. The equation of a sliding point
-/// would give w as a small difference of large forces divided by a small mass. The equation of the
-/// part before the point is used instead.
+/// Compute the speeds w of all turning points from the impulses of the parts. For a sliding point
+/// the equation of the part before it is used. The point's own equation would give w as a small
+/// difference of large forces divided by a small mass.
 void find_speeds(std::size_t n, context::RunPoint* place, const context::RunPart* part) noexcept {
     for (std::size_t k = 0; k < n; ++k) {
         context::RunPoint& p = place[k];

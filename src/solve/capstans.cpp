@@ -29,7 +29,8 @@ bool slides(const context::Model& model, const Capstan& c) noexcept {
     return model.interactions.active[at(c.friction)] == 0.0;
 }
 
-/// Return the sign of the force of a sliding capstan. If the force is zero, return the last sign.
+/// Return the sign of the friction force of a sliding turning point. If the force is zero, return
+/// the last sign.
 double side_of(const context::Model& model, Capstan& c) noexcept {
     const double held = model.interactions.held[at(c.friction)];
     if (held != 0.0) c.side = sign_of(held);

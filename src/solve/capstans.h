@@ -49,19 +49,21 @@ inline constexpr double kCapstanRounding = 1e-15;
 /// that have slid are all at their bounds.
 inline constexpr double kCapstanAtBound = 1e-10;
 
-/// Set the directions of sliding at the start of a step from hold_bounds(), without data of the
-/// last step.
+/// Set the sliding direction of each turning point at the start of a step, from the impulses that
+/// hold_bounds() has set.
 void begin_capstans(context::Model& model) noexcept;
 
-/// Set the impulses of sliding capstans without their loads, for a solution that starts from λ = 0.
+/// Set the friction impulses of sliding turning points for a solution that starts from λ = 0, that
+/// is, without the tensions on which they depend.
 void release_capstans(context::Model& model, const context::Newton& newton) noexcept;
 
-/// Set the impulses of sliding capstans from their current loads. Call after each change of λ,
-/// before momentum is balanced.
+/// Set the friction impulses of sliding turning points from the current tensions. Call after each
+/// change of λ, before momentum is balanced.
 void follow_capstans(context::Model& model, const context::Newton& newton,
                      const assembly::View& v) noexcept;
 
-/// Write the coupling terms of the matrix for the current statuses.
+/// Write the terms that couple sliding friction to its tensions into the matrix, for the current
+/// statuses.
 /// @return true if there are any.
 [[nodiscard]] bool couple_capstans(context::Model& model) noexcept;
 

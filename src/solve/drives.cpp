@@ -45,8 +45,8 @@ double impulse_times(const assembly::View& v, std::int32_t id, VelocityWeights w
     return work;
 }
 
-/// Return −λ·(G v of prescribed velocities): the work of bodies with a prescribed velocity on
-/// elastic or rigid rows. The rows transfer it to other bodies or store it.
+/// Return the work of bodies with a prescribed velocity on elastic or rigid rows [J], −λ·(G v of
+/// prescribed velocities). The rows transfer it to other bodies or store it.
 double work_of_carriers(const context::Model& model, const assembly::View& v, std::int32_t id,
                         bool elastic_rows_only) noexcept {
     const model::RowState s = model.interactions.row_state(id, model.bodies);

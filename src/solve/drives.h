@@ -20,16 +20,17 @@ struct DriveWork {
 /// Compute the work of drives. Call before the velocities are overwritten.
 [[nodiscard]] DriveWork drive_work(context::Model& model) noexcept;
 
-/// Return the impulses of drives in the step times the change of their velocities, summed over
-/// drives [J]. Call before the velocities are overwritten.
+/// Return the sum over drives of their impulses times the change of their velocities in the step
+/// [J]. Call before the velocities are overwritten.
 [[nodiscard]] double drive_gain(context::Model& model) noexcept;
 
-/// Return the sum of drive_gain() for springs and lines [J].
-/// @param springs  Interactions.
+/// Return the sum over springs and lines of their impulses times the change of their velocities
+/// [J].
+/// @param springs  Interactions to include.
 [[nodiscard]] double spring_gain(context::Model& model,
                                  std::span<const std::int32_t> springs) noexcept;
 
-/// Return Σ h² ġ²/ε of springs, with prescribed velocities [J].
+/// Return Σ h² ġ²/ε of springs [J], with ġ including prescribed velocities.
 [[nodiscard]] double spring_travel_energy(context::Model& model,
                                           std::span<const std::int32_t> springs) noexcept;
 
@@ -37,7 +38,7 @@ struct DriveWork {
 void move_carriers(context::Model& model) noexcept;
 
 /// Update the stiffness of lines on drums, EA over the length paid out, from the drums'
-/// coordinates. Strain energy that moves onto or off the drum counts as driven.
+/// coordinates. Elastic energy that moves onto or off the drum with the wire counts as driven work.
 void follow_winches(context::Model& model, context::State& state) noexcept;
 
 /// Report motors whose force has reached an end of its range.

@@ -31,7 +31,7 @@ struct Writer {
     }
 };
 
-/// Collect the nodes of the matrix columns of marked blocks.
+/// List the nodes of the matrix columns that contain a marked contact block.
 void collect_columns(const assembly::System& s, const std::vector<std::uint8_t>& marks,
                      std::vector<std::int32_t>& columns) noexcept {
     columns.clear();

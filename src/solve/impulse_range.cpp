@@ -12,8 +12,7 @@
 namespace hawser::solve {
 namespace {
 
-/// Return the sum of the loads that determine the bound of a friction, from the current impulses [N
-/// s].
+/// Return the sum of the impulses on which the bound of a friction depends [N s].
 double load_of(const context::Model& model, std::int32_t id) noexcept {
     const model::Interactions& in = model.interactions;
     if (in.load_begin[at(id)] < 0) return 0.0;

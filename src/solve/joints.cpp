@@ -32,7 +32,7 @@ void mark_record(model::Interactions& in, const context::JointSlot& joint,
     vibration = completed ? -std::fabs(vibration) : std::fabs(vibration);
 }
 
-/// Find the spins of completed joints.
+/// Mark the bodies of joints with end-of-step constraint iterations.
 void find_turning(context::Model& model) noexcept {
     const model::Interactions& in = model.interactions;
     std::fill(model.system.turning.begin(), model.system.turning.end(), std::uint8_t{0});
@@ -155,11 +155,12 @@ void adopt_completed(context::StepContext& ctx) noexcept {
 
 namespace {
 
-/// Weigh the changes of the right-hand sides of compliant joints of a row block.
+/// Return the largest change of a right-hand side among the compliant joints of a row block,
+/// weighted by its effect on the solution.
 ///
 /// A change δc of a redundant row is a force δc/(hΣ), which changes the oscillation number s of the
-/// joint by h · vibration · δc/Σ. At the end s must be right to kVibrationTolerance, or noise would
-/// reject a stiff loop. @return the largest weighted change.
+/// joint by h · vibration · δc/Σ. At the end s must be accurate to kVibrationTolerance, or noise
+/// would reject a stiff loop.
 double weighted_change(const context::Model& model, const View& v, int strip) noexcept {
     constexpr double kMaxRelativeChange = 1e-7,
                      kVibrationTolerance = 0.01;  // the change of step/completion.cpp

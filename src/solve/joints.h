@@ -46,20 +46,22 @@ void begin_completion(context::Model& model) noexcept;
 void choose_completed(context::Model& model, const context::State& state,
                       runtime::Pool& pool) noexcept;
 
-/// Compute c of completed rows of a row block about packed velocities u, see
-/// Kernels::complete_rows.
-/// @return the change.
+/// Linearise the completed rows of a row block about packed velocities u and compute their
+/// right-hand side c, see Kernels::complete_rows.
+/// @return the change of c.
 assembly::Turning complete_block(const context::Model& model, const assembly::View& v, int strip,
                                  const double* u, bool first) noexcept;
 
-/// Compute the equations of completed joints and spins about the current v₊, without applying them.
+/// Linearise completed joints and spins about the current v₊ and compute their new right-hand
+/// sides, without applying them.
 /// @return the change of the right-hand sides.
 context::IterationChange renew_completed(context::StepContext& ctx) noexcept;
 
-/// Apply the equations of renew_completed().
+/// Apply the right-hand sides that renew_completed() has computed.
 void adopt_completed(context::StepContext& ctx) noexcept;
 
-/// Update counters after a successful step.
+/// Store the number of coming steps in which each joint is linearised only once. Call after a
+/// successful step.
 void finish_completion(context::Model& model) noexcept;
 
 }  // namespace hawser::solve

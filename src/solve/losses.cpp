@@ -19,8 +19,8 @@ struct ViolationRates {
     double before[kMaxInteractionRows], after[kMaxInteractionRows];
 };
 
-/// Compute the rates of rows from the Jacobian, including the contribution of bodies with a
-/// prescribed velocity.
+/// Compute the rates ġ of an interaction's rows from the Jacobian, including the contribution of
+/// bodies with a prescribed velocity.
 void rates_by_jacobian(const context::Model& model, const View& v, std::int32_t id,
                        ViolationRates& out) noexcept {
     double buffer[model::kArmBufferSize];
@@ -40,8 +40,9 @@ void rates_by_jacobian(const context::Model& model, const View& v, std::int32_t 
     }
 }
 
-/// Compute the rates of rows from c = Υ(Rġ − 4g/h), R the factor of ġ, and from the row's equation.
-/// This avoids a pass over the Jacobian.
+/// Compute the rates ġ of an interaction's rows without a pass over the Jacobian. The rate before
+/// the step follows from c = Υ(Rġ − 4g/h), where R is the factor of ġ. The rate after the step
+/// follows from the equation of the row.
 void rates_by_rows(const View& v, std::int32_t id, ViolationRates& out) noexcept {
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;
@@ -70,7 +71,7 @@ void rates_between_poses(const context::Model& model, const View& v, std::int32_
     }
 }
 
-/// Return ½ g²/ε of a row if it exerts a force.
+/// Return the elastic energy ½ g²/ε of a row, or 0 if it exerts no force [J].
 /// @param now  Violation at the poses of the step.
 double elastic_energy(const View& v, std::int32_t id, std::int32_t row, double now,
                       double g) noexcept {

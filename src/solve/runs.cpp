@@ -47,8 +47,8 @@ std::int32_t side_of(const context::Model& model, const Capstan& c) noexcept {
     return held > 0.0 || (held == 0.0 && c.side > 0.0) ? 1 : -1;
 }
 
-/// Return gᵀ M⁻¹ g of one body for the part g of a row on it, where M of a scalar body includes the
-/// terms of systems.
+/// Return gᵀ M⁻¹ g, the mobility of one body along the part g of a row. The mass of a scalar body
+/// includes the terms of systems.
 double mobility_of(const model::Bodies& b, const View& v, std::int32_t body, const double* jac) {
     const int dof = v.dof[body];
     if (dof == 1) return jac[0] * jac[0] / v.body_block[assembly::block_offset(v.dof_begin[body])];
@@ -60,8 +60,8 @@ double mobility_of(const model::Bodies& b, const View& v, std::int32_t body, con
     return sum;
 }
 
-/// Read the coefficients of a part of a run for its slides. All other bodies at the part count as
-/// independent.
+/// Read the coefficients of a part of a run, for the slides at its ends. All other bodies at the
+/// part count as independent.
 void read_part(const context::Model& model, const View& v, std::int32_t id, std::int32_t slide_0,
                std::int32_t slide_1, context::RunPart& p, double* entry_0,
                double* entry_1) noexcept {

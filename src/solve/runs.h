@@ -26,14 +26,16 @@ namespace hawser::solve {
 /// @throws std::bad_alloc.
 void reserve_runs(const context::Model& model, context::Newton& newton);
 
-/// Store the statuses of runs in the current solution, before rows are switched.
+/// Store which turning points slide and which parts are taut in the current solution, before rows
+/// are switched.
 void note_runs(context::Model& model) noexcept;
 
-/// Return the largest impulse of the parts of a run [N s].
+/// Return the largest tension impulse in the parts of a run [N s].
 /// @param friction  Friction of one of its turning points.
 [[nodiscard]] double largest_in_run(const context::Model& model, std::int32_t friction) noexcept;
 
-/// Set the statuses of runs after rows have switched. Each run is solved separately for this.
+/// Determine the sliding turning points and taut parts of each run after rows have switched. Each
+/// run is solved as a separate small problem.
 void settle_runs(context::Model& model, context::Newton& newton) noexcept;
 
 }  // namespace hawser::solve

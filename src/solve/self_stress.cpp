@@ -31,7 +31,8 @@ struct MomentumNorms {
     double sum = 0.0, parts = 0.0;  ///< Squares.
 };
 
-/// Write Gᵀλ into the solver's vector, for the impulses λ(row) of some joints.
+/// Write the momentum Gᵀλ of impulses of joints into the solver's vector. @param lambda  Function
+/// (interaction, row) that returns an impulse.
 template <class Lambda>
 MomentumNorms load_joints(const context::Model& model, context::SolveWork& solve, const View& v,
                           Lambda lambda) noexcept {
@@ -58,7 +59,7 @@ MomentumNorms load_joints(const context::Model& model, context::SolveWork& solve
     return size;
 }
 
-/// Solve K [u; −λ'] = [Gᵀλ; 0] in place for u and λ', after load_joints().
+/// Solve K [u; −λ'] = [Gᵀλ; 0] in place for u and the filtered impulses λ', after load_joints().
 void solve_loaded(context::StepContext& ctx, const View& v) noexcept {
     const context::StageTimer timer(ctx, Stage::factor);
     ctx.model.system.numeric.solve(ctx.model.system.symbolic, v.solution, ctx.pool);
@@ -94,9 +95,9 @@ bool is_changed(const View& v, std::int32_t id, Lambda lambda, double* kept) noe
     return less > kMinChangedFraction * kMinChangedFraction * all;
 }
 
-/// Correct the impulses `taken` so that their removal moves no body, Gᵀ `taken` = 0. After one
-/// substitution a residual momentum remains, which the bodies would lose. The filter, applied to
-/// `taken`, returns the part that must not be removed.
+/// Correct the impulses `taken`, which will be removed, so that their removal changes no momentum:
+/// Gᵀ `taken` = 0. After one substitution a residual momentum remains, which the bodies would lose.
+/// The filter, applied to `taken`, returns the part that must not be removed.
 void keep_momentum(context::StepContext& ctx, const View& v) noexcept {
     constexpr double kMaxResidualMomentum = 1e-11;  ///< Relative to the impulses.
     constexpr int kFilterPasses = 2;
@@ -114,9 +115,9 @@ void keep_momentum(context::StepContext& ctx, const View& v) noexcept {
     }
 }
 
-/// Filter the impulses `taken` once and replace them by the removed part. Clear the mark
-/// "redundant" of joints whose removed part is at most the fraction kMinChangedFraction of the
-/// pseudo_random_impulse impulse.
+/// Filter the impulses `taken` once more and replace them by the part that the filter removes.
+/// Clear the mark "redundant" of each joint whose removed part is at most the fraction
+/// kMinChangedFraction of its random impulse.
 /// @return true if any marked joint remains.
 bool filter_again(context::StepContext& ctx, const View& v) noexcept {
     double* lost = ctx.work.joints.taken.data();
@@ -142,16 +143,17 @@ bool filter_again(context::StepContext& ctx, const View& v) noexcept {
     return any;
 }
 
-/// Find the joints in loops that are redundant at the present poses. Random impulses are
-/// pseudo_random_impulse for all joints and filtered in two passes; the second pass filters the
-/// part that the first one removed. A joint is redundant if each pass removes more than the
-/// fraction kMinChangedFraction. Impulses that move no body are removed entirely in each pass. For
-/// soft modes of long chains the first pass removes a fraction because of Σ, and the second pass a
-/// smaller one.
+/// Find the joints in closed loops that are redundant at the present poses.
 ///
-/// Some of many random impulses are almost zero. The loss is therefore compared with at least the
-/// mean impulse. Otherwise one joint in thousands would count as redundant if a thousandth is
-/// removed.
+/// Each joint gets a random impulse, and the impulses are filtered in two passes. The second pass
+/// filters the part that the first one removed. A joint is redundant if each pass removes more than
+/// the fraction kMinChangedFraction. Impulses that move no body are removed entirely in each pass.
+/// For soft modes of long chains the first pass removes a fraction because of Σ, and the second
+/// pass a smaller one.
+///
+/// Some of many random impulses are almost zero. The removed part is therefore compared with at
+/// least the mean impulse. Otherwise one joint in thousands would count as redundant if a
+/// thousandth is removed.
 void probe_loops(context::StepContext& ctx) noexcept {
     const View v = context::view(ctx);
     for (const std::int32_t id : ctx.model.completion.looped) {

@@ -8,7 +8,8 @@
 
 namespace hawser::solve {
 
-/// Filter the impulses of joints. Call after the end-of-step constraint iteration.
+/// Remove impulses of redundant joints that act against each other and move no body. Call after the
+/// end-of-step constraint iteration.
 void take_self_stress(context::StepContext& ctx) noexcept;
 
 }  // namespace hawser::solve

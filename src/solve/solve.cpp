@@ -90,12 +90,13 @@ void add_everywhere(runtime::Pool& pool, const View& v) noexcept {
     });
 }
 
-/// Next step after a correction of v₊ and λ: the right-hand side of another one, or the norms of
-/// the solution.
+/// Next step after a correction of v₊ and λ: the right-hand side of another one, or the
+/// norms of the solution.
 enum class AfterCorrection { solve, measure };
 
-/// Correct v₊ and λ by the solver's vector and update the residuals.
-/// @param first  True if the vector is the solution itself.
+/// Add the solver's vector to v₊ and λ, and update the residuals.
+/// @param first  True if the vector is the solution itself, not a correction.
+/// @param next  Result that is needed afterwards.
 Norms correct(context::Model& model, context::Work& work, runtime::Pool& pool, const View& v,
               bool first, AfterCorrection next) noexcept {
     context::SolveWork& solve = work.solve;

@@ -25,7 +25,8 @@ void continue_with_factor(context::StepContext& ctx) noexcept;
 /// @param measured  True if the residual is in the statistics; otherwise it is measured first.
 [[nodiscard]] Status settle_iterations(context::StepContext& ctx, bool measured) noexcept;
 
-/// Measure the residuals of the current v₊, λ and rows, for solutions found without the matrix.
+/// Measure the residuals of the current v₊ and λ. This is required for solutions found without the
+/// matrix.
 [[nodiscard]] Status measure(context::StepContext& ctx) noexcept;
 
 }  // namespace hawser::solve

@@ -151,13 +151,13 @@ double product(const double* g, const std::array<double, 3>& x) noexcept {
     return g[0] * x[0] + g[1] * x[1] + g[2] * x[2];
 }
 
-/// Return the columns of an element's row at one of its bodies.
+/// Return the Jacobian columns of an element's row for one of its two bodies.
 const double* columns_at(const View& v, std::int32_t id, std::int32_t body) noexcept {
     const std::int32_t first = v.body[kMaxInteractionBodies * id];
     return v.jacobian + v.jac_begin[id] + (first == body ? 0 : v.dof[first]);
 }
 
-/// Set the data of the tridiagonal problem for the chain of elements [begin, end).
+/// Set up the tridiagonal problem for the chain of elements [begin, end) from the current solution.
 void read_chain(context::Model& model, context::Newton& newton, const View& v, std::int32_t begin,
                 std::int32_t end) noexcept {
     context::WireChains& chains = newton.chains;

@@ -25,8 +25,8 @@ namespace hawser::solve {
 /// @throws std::bad_alloc.
 void reserve_wire_bounds(const context::Model& model, context::Newton& newton);
 
-/// Set the statuses of each chain with a row that has switched since the matrix was factored. Call
-/// after switch_bounds().
+/// Determine which elements are taut in each chain with a row that has switched since the matrix
+/// was factored. Call after switch_bounds().
 void settle_wire_bounds(context::Model& model, context::Work& work) noexcept;
 
 }  // namespace hawser::solve

@@ -27,7 +27,8 @@ bool is_fast(const context::Model& model, const context::Before& kept, const Vie
     return v.h * impulse * v.lightness[id] > kResolvedRatio * length;
 }
 
-/// Return Σ ½ m |v₊² − v²| of some nodes.
+/// Return Σ ½ m |v₊² − v²| of the nodes [begin, end): the kinetic energy that they exchange in the
+/// step [J].
 double kinetic_exchange(const context::Model& model, const View& v, std::int32_t begin,
                         std::int32_t end) noexcept {
     double sum = 0.0;

@@ -72,10 +72,12 @@ Line line_of(const View& v, std::int32_t id) noexcept {
     return o;
 }
 
-/// Return the tension by the elastic law, half a step after the current solution [N].
+/// Return the tension of a line by its elastic law, half a step after the poses of the current
+/// solution [N].
 double tension_after(const Line& l) noexcept { return l.stiffness * (norm(l.ahead) - l.rest); }
 
-/// Write K = w (E − uuᵀ) of an element and the additional impulse `past` on slot 0.
+/// Write the replacement law of an element: the stiffness matrix K = w (E − uuᵀ), and the
+/// additional impulse `past` on slot 0.
 void write_line(const View& v, std::int32_t id, double w, const V3& u, const Line& l,
                 const V3& past) noexcept {
     const assembly::GeoSlot& place = v.geo[id];
@@ -100,7 +102,7 @@ void write_line(const View& v, std::int32_t id, double w, const V3& u, const Lin
     }
 }
 
-/// Write the stiffness of an element.
+/// Write the geometric stiffness of an element as its replacement law.
 /// @param pull  Tension to use [N].
 void write_stiff(const View& v, std::int32_t id, const Line& l, double pull, bool back) noexcept {
     const double length = std::max(norm(l.separation), 1e-9);

@@ -19,13 +19,15 @@
 
 namespace hawser::solve {
 
-/// Choose the next replacement laws of the elements of a rejected wire, from the rejected solution.
+/// Choose the replacement laws for the elements of a rejected wire, from the rejected solution.
 void plan_wires(context::Model& model, const context::Before& kept, std::int32_t wire) noexcept;
 
-/// Overwrite the results of evaluate() for rejected wires of one row block.
+/// Overwrite the rows of rejected wires in one row block by their replacement laws. Call after
+/// evaluate_block().
 void replan_wires(context::Model& model, const assembly::View& v, int strip) noexcept;
 
-/// Set multipliers and states of replaced elements, after their losses are counted.
+/// Set multipliers and states of elements with a replacement law, after the losses of their rows
+/// have been counted.
 void settle_wires(context::StepContext& ctx) noexcept;
 
 /// Return the elastic energy of an element at the half step before the current poses [J].

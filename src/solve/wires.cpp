@@ -31,7 +31,7 @@ bool is_element(const context::Model& model, std::int32_t id) {
     return model.bodies.dof(body[0]) == 3 || model.bodies.dof(body[1]) == 3;
 }
 
-/// Return the smallest index joined with i.
+/// Return the smallest index that is connected with index i (union-find).
 std::int32_t root_of(std::vector<std::int32_t>& joined, std::int32_t i) {
     while (joined[at(i)] != i) {
         joined[at(i)] = joined[at(joined[at(i)])];
@@ -40,8 +40,8 @@ std::int32_t root_of(std::vector<std::int32_t>& joined, std::int32_t i) {
     return i;
 }
 
-/// Unite elements with a common node. The result is the first element of its wire for each
-/// interaction; −1: not an element.
+/// Assign elements with common nodes to one wire. The result for each interaction is the first
+/// element of its wire; −1: not an element.
 void join_elements(const context::Model& model, std::int32_t count, context::WireWork& work) {
     const model::Interactions& in = model.interactions;
     std::vector<std::int32_t>& joined = work.joined;

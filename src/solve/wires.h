@@ -12,14 +12,14 @@ namespace hawser::solve {
 /// @throws std::bad_alloc.
 void make_wires(context::Model& model, const context::State& state, context::WireWork& work);
 
-/// Return true if the guard checks this step. It does not with cuts, whose energy crosses the cut,
-/// nor without geometric stiffness, which its measures need.
+/// True if the energy check of wires runs in this step. It is off with cuts, whose energy crosses
+/// the cut, and without geometric stiffness, which its measures need.
 [[nodiscard]] bool on_guard(const context::Model& model) noexcept;
 
 /// Undo the replacement of rows after a rejected step, so that they follow their law again.
 void release_wires(context::Model& model) noexcept;
 
-/// Store results of the current step for later steps: the gains of wires and the ends of recoils.
+/// Store the energy gains of wires and the ends of recoils in the current step, for later steps.
 void remember_gains(context::Model& model) noexcept;
 
 }  // namespace hawser::solve

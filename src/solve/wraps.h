@@ -23,7 +23,8 @@ namespace hawser::solve {
 /// Return the angle of the line at the turning point of a friction with kFollowsAngle [rad].
 [[nodiscard]] double wrap_angle(const context::Model& model, std::int32_t friction) noexcept;
 
-/// Store the angles of spans on their wheels, and count their whole turns after bodies have moved.
+/// Store the angles at which spans touch their wheels, and count whole turns after bodies have
+/// moved.
 void note_wheels(const context::Model& model, context::Work& work) noexcept;
 void follow_wheels(context::Model& model, const context::Work& work) noexcept;
 
