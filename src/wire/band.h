@@ -16,9 +16,9 @@ class Band {
 
     explicit Band(std::size_t rows) : rows_(rows), a_(rows * kBandWidth, 0.0) {}
     void clear() { std::fill(a_.begin(), a_.end(), 0.0); }
-    /// Return the entry of row i and column j ≤ i.
+    /// Return the entry of row i and column j ≤ i of the symmetric band matrix.
     double& at(std::size_t i, std::size_t j) { return a_[i * kBandWidth + (i - j)]; }
-    /// Factor as L D Lᵀ.
+    /// Factor the matrix as L D Lᵀ in place.
     /// @return false if a pivot is not positive.
     bool factor() {
         for (std::size_t i = 0; i < rows_; ++i) {

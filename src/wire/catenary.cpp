@@ -116,7 +116,7 @@ Vec3 tension_between_nodes(const Chain& chain, const std::vector<Vec3>& nodes, s
     return stretch > 0.0 ? Vec3(stretch / chain.compliance[e] / length * d) : Vec3::Zero().eval();
 }
 
-/// Return the largest residual force at a free node [N].
+/// Return the largest difference from equilibrium at a free node [N].
 double residual(const CatenaryDef& def, const Chain& chain, const Frame& f, const Plane& shape,
                 const std::vector<Vec3>& nodes) {
     const std::size_t n = chain.elements();
@@ -169,7 +169,8 @@ bool update_wet_weights(const CatenaryDef& def, Chain& chain, const Frame& f, So
     return false;
 }
 
-/// Return the straight line between the ends as the first guess of the wet part.
+/// Return the straight line between the ends, the first shape from which the wet part of the wire
+/// is estimated.
 Plane straight(const CatenaryDef& def, const Chain& chain, const Frame& f) {
     Plane out;
     for (const double l : chain.length)

@@ -38,8 +38,8 @@ struct Chain {
 struct WetHalves {
     std::vector<double> first, last;
 };
-/// Compute the weights of the nodes: the weights of their half elements, less the buoyancy of the
-/// wetted fractions.
+/// Compute the weights of the nodes: half of the weight of each adjacent element, less the buoyancy
+/// of its submerged fraction.
 /// @return the largest change of a weight [N].
 double weigh_nodes(Chain& chain, const WetHalves& wet);
 /// Return the chain in reversed order, counted from its last end.

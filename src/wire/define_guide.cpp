@@ -74,7 +74,7 @@ Guide find_existing_guide(const World& world, const GuideDef& def) {
     return out;
 }
 
-/// Check that elements on both sides are long enough for nodes to run through.
+/// Check that the elements on both sides of the guide are long enough for nodes to run through it.
 /// @throws DefError
 void check_space(const World& world, const GuideDef& def, InteractionId before,
                  InteractionId behind, const std::array<double, 2>& material) {

@@ -93,7 +93,8 @@ double turned(const Corner& c, const RoutePlace& place, const Vec3& before, cons
     return angle + 2.0 * kPi * place.turns;
 }
 
-/// Return the frame with z along the wheel's axis and x to the point where the line touches it.
+/// Return the frame of a turning point: z along the wheel's axis, x towards the point where the
+/// line touches the wheel.
 Quat frame_at(const Quat& orientation, const Corner& c, const Vec3& touches) {
     const Vec3 z = orientation.conjugate() * c.normal;
     Vec3 x = orientation.conjugate() * (touches - c.centre);

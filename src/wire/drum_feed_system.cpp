@@ -58,8 +58,8 @@ double DrumFeedSystem::min_hauled_length(const World& world, double length) cons
     return std::max(least, wire::min_hauled_length(world, line_, def_.element));
 }
 
-/// Brake a drum that hauls while its element has the least length. Report the first step in which
-/// this happens.
+/// Brake a drum that hauls although its element has reached its least length. Send an event in the
+/// first step in which this happens.
 void DrumFeedSystem::stop_at_fairlead(Prestep& now, Loads& loads,
                                       const InteractionDef& line) noexcept {
     const World& world = now.world;

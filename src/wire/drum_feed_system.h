@@ -5,7 +5,7 @@
 ///
 /// The element at the drum contains the material a [m]:
 /// ```
-///     a₊ = a + r Δθ      put_node(): a − f,   take_node(): a + f      (feed.h)
+///     a₊ = a + r Δθ      insert_feed_node(): a − f,   feed_in_node(): a + f      (feed.h)
 /// ```
 /// The rest length of the element is at its bound if l₀ + r (θ − θ₀) ≤ ε l₀ (kinds/lines.h). The
 /// event `hauled_in` is reported in the first step that begins there. The velocity of the drum

@@ -10,8 +10,8 @@
 
 namespace hawser::wire {
 
-/// Return a guide without a wire.
-/// @param def  Values that hold for all wires.
+/// Return a guide system to which no wire belongs yet.
+/// @param def  Values that apply to all wires of the guide.
 [[nodiscard]] std::unique_ptr<GuideSystem> guide_without_wire(GuideDef def);
 
 /// Engage def.element with a guide. Its mass is divided between the parts on both sides, except the

@@ -90,9 +90,9 @@ Piece wire_piece_at(const World& world, InteractionId id) {
     return {at, {speed_at_point(world, d.body[0], at[0]), speed_at_point(world, d.body[1], at[1])}};
 }
 
-/// Return the point of a wire piece nearest to the axis of the wheel, seen along this axis. The
-/// side of the wheel is that of the piece. If the point is an end of the piece, it is that of the
-/// nearer neighbour.
+/// Find the point of a piece of wire nearest to the axis of the wheel, seen along this axis, and
+/// the side of the wheel on which the piece runs. If the nearest point is an end of the piece, the
+/// side follows from the neighbouring piece that is nearer.
 NearestPoint nearest_point_of_piece(const Piece& piece, const Wheel& wheel) {
     const Vec3 d = piece.at[1] - piece.at[0], from = piece.at[0] - wheel.centre;
     const auto flat = [&wheel](const Vec3& x) -> Vec3 {
@@ -115,8 +115,8 @@ NearestPoint nearest_point_of_piece(const Piece& piece, const Wheel& wheel) {
             .axial_offset = at.dot(wheel.axis)};
 }
 
-/// Return the element of a wire with the smallest distance to the wheel, seen along its axis;
-/// invalid if there is none.
+/// Find the element of a wire nearest to the wheel, seen along its axis. The result is invalid if
+/// there is none.
 NearestPoint nearest_wire_piece(const World& world, const GuideDef& def, const Wheel& wheel) {
     NearestPoint best;
     for (const InteractionId id : world.wires().elements(def.wire)) {
@@ -132,7 +132,8 @@ NearestPoint nearest_wire_piece(const World& world, const GuideDef& def, const W
     return best;
 }
 
-/// True if the wire has met the wheel in the last step, or lies inside its rim and moves deeper.
+/// True if the wire has touched the wheel in the last step, or if it lies inside the rim and moves
+/// further inwards.
 bool wire_met_wheel(const NearestPoint& at, double step) {
     if (!at.element.valid() || at.gap > 0.0 || !(at.rate < 0.0)) return false;
     return at.gap - step * at.rate > 0.0 || at.gap > -kMaxDepthRatio * at.length;

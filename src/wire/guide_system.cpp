@@ -135,7 +135,7 @@ double GuideSystem::straight(const World& world, std::size_t side) const noexcep
     return std::sqrt(std::max(0.0, separation - def_.radius * def_.radius) + along * along);
 }
 
-/// Read the result of the last step, before nodes are inserted or removed.
+/// Read tensions and displacement of the last step, before nodes are inserted or removed.
 void GuideSystem::sample(const World& world) noexcept {
     if (has_run_off()) {
         tension_ = {};

@@ -39,10 +39,10 @@ class GuideSystem final : public System {
     /// @param stop  Input: friction force in addition to that of the angle.
     GuideSystem(GuideDef def, const Guide& ids, InputId stop,
                 const std::array<double, 2>& material);
-    /// Call the visitor for the data of a guide at a bollard that vary: the wire on it and its
-    /// geometry.
+    /// Call the visitor for the variable data of a guide at a bollard: position of the wire on it,
+    /// and geometry.
     void visit_geometry(StateVisitor& visitor);
-    /// Check the numbers of visit_geometry().
+    /// Check the restored data of visit_geometry().
     void check_position(const World& world, StateRules& rules) const;
     /// Start with a wire that runs over the guide at a speed [m/s].
     void begin_at(double speed) noexcept { speed_ = speed; }
@@ -54,7 +54,8 @@ class GuideSystem final : public System {
     [[nodiscard]] double angle() const noexcept { return angle_; }
     [[nodiscard]] double slide() const noexcept { return slide_; }
     [[nodiscard]] double speed() const noexcept { return speed_; }
-    /// True if the guide does not act any more, because the wire has broken at it or has run off.
+    /// True if the guide no longer acts on a wire, because the wire has broken at the guide or has
+    /// run off.
     [[nodiscard]] bool parted() const noexcept { return parted_ != 0; }
     [[nodiscard]] bool has_run_off() const noexcept { return parted_ >= kRunsOff; }
     /// True if the wire has left a guide without upper roller; it may return.
@@ -62,9 +63,9 @@ class GuideSystem final : public System {
     /// Return the side of the wire that is used up, 0: before the guide, 1: behind it; −1: none.
     [[nodiscard]] int used_up_side() const noexcept { return used_up_side_; }
     /// Return the force by which the wire presses on the wheel, for small angles [N]: its tension
-    /// times the angle, plus the weight of the half elements towards the wheel. Negative if the
-    /// wheel would have to pull the wire.
-    /// @param slack  Angle treated as straight [rad].
+    /// times the angle, plus the weight of the half elements towards the wheel. A negative value
+    /// means that the wheel would have to pull the wire.
+    /// @param slack  Angle that counts as straight [rad].
     [[nodiscard]] double pressing_force(const World& world, double slack) const noexcept;
 
     [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
@@ -97,7 +98,7 @@ class GuideSystem final : public System {
         return parted_ == 0 && world.intact(ids_.before) && world.intact(ids_.behind);
     }
     [[nodiscard]] double straight(const World& world, std::size_t side) const noexcept;
-    /// Return half of the mass of an element that no node carries [kg].
+    /// Return half of the mass of the element on a side that is not lumped at nodes [kg].
     [[nodiscard]] double half_mass(std::size_t side) const noexcept;
     /// Return true if the wire runs out of a side.
     [[nodiscard]] bool runs_out(std::size_t side) const noexcept {
@@ -111,8 +112,8 @@ class GuideSystem final : public System {
     /// it returns (guide_open.cpp).
     void update_lift(NodeEdits& nodes) noexcept;
     void return_to_wheel(NodeEdits& nodes) noexcept;
-    /// Engage the wire with the guide again. @param along  Speed of the wire [m/s]. @param kept
-    /// Rest length next to the element's [m].
+    /// Engage the wire with an open guide to which it returns. @param along  Speed of the wire
+    /// [m/s]. @param kept  Rest length that the removal of a node has just taken from the wire [m].
     bool reengage(NodeEdits& nodes, InteractionId element, double along, double kept);
     /// Damp a wire that lands on an open guide, in steps that do not resolve the landing.
     void damp_landing(const World& world, Loads& loads) noexcept;

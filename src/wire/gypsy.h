@@ -64,7 +64,8 @@ class GypsyChain {
     /// neither.
     [[nodiscard]] double sample(double separation, double rate, double torque,
                                 double pull) noexcept;
-    /// Return the order for the grip in the next step of h [s].
+    /// Return the position and torque that the grip of the wheel must apply to the chain in the
+    /// next step of h [s].
     [[nodiscard]] GripOrder order(double h) const noexcept;
     [[nodiscard]] bool jumps() const noexcept { return jumping_ != 0; }
     void visit_state(StateVisitor& v);

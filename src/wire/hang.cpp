@@ -58,8 +58,9 @@ class Hanging {
         return out;
     }
 
-    /// Count pulls from the element nearest to a fold. There their last digits decide, and counting
-    /// from the first element loses digits.
+    /// Measure vertical pulls from the element nearest to a fold of the chain. Near a fold the last
+    /// digits of the pull are decisive. They would be lost if pulls were measured from the first
+    /// element.
     void measure_from_fold() {
         const auto nearest = std::min_element(rise_.begin(), rise_.end(), [&](double a, double b) {
             return std::abs(vertical_pull_ + a) < std::abs(vertical_pull_ + b);
@@ -69,7 +70,8 @@ class Hanging {
         vertical_pull_ += base;
     }
 
-    /// Find the vertical pull, counted so, that gives the required rise. The rise grows with it.
+    /// Find the vertical pull, measured as measure_from_fold() defines it, that gives the required
+    /// rise. The rise increases with the pull.
     double match_rise(double h) {
         double step = force_;
         double low = vertical_pull_ - step, high = vertical_pull_ + step;
@@ -84,8 +86,8 @@ class Hanging {
         return vertical_pull_;
     }
 
-    /// Return the shape without horizontal pull: all elements are vertical, and slack ones lean as
-    /// far as they reach. Valid if the last end is within that reach.
+    /// Return the shape without horizontal pull. All elements are vertical; slack elements incline
+    /// as far as needed to reach the last end. Valid if the end is within this reach.
     Plane without_pull() {
         Plane out;
         const double v0 = match_rise(0.0);

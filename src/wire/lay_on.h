@@ -31,7 +31,7 @@ struct EndNodes {
 /// @throws DefError
 [[nodiscard]] Guide add_guide_parts(World& world, GuideDef& def, double speed,
                                     std::array<double, 2>& material, bool drawn = false);
-/// Add an input for the friction force of a guide in addition to that of its angle of wrap.
+/// Add an input that sets a friction force of a guide in addition to that of its angle of wrap.
 InputId add_stop(World& world, const GuideDef& def, const Guide& guide);
 
 }  // namespace hawser::wire

@@ -64,7 +64,7 @@ class LyingChain {
     [[nodiscard]] RisingElement lying_element(std::size_t e, double h) const {
         return {chain_.length[e], chain_.compliance[e], h, rise_to_bottom(e)};
     }
-    /// Append the chord and tension of an element that lies on the ground.
+    /// Append the chord and tension of an element that lies on the ground to the shape.
     void append_lying_element(Plane& out, std::size_t e, const Vec3& chord, double tension) const {
         const double up = e == 0 ? first_end_depth_ : e + 1 == n_ ? -last_end_depth_ : 0.0;
         out.chord.emplace_back(chord + up * Vec3::UnitZ());
@@ -141,7 +141,8 @@ class LyingChain {
         return out;
     }
 
-    /// Return true if the lifted parts carry more than the total weight.
+    /// True if the lifted parts at both ends would carry more than the total weight, that is, if
+    /// they overlap.
     [[nodiscard]] bool overlap(double va, double vb) const {
         return va + first_lifted_.base() + vb + last_lifted_.base() > weight_;
     }

@@ -12,7 +12,7 @@
 namespace hawser::wire {
 namespace {
 
-/// Return true if only elements a and b, bends and broken interactions act on a node.
+/// True if only elements a and b, bends and broken interactions act on a node.
 bool holds_only(const World& world, BodyId lump, InteractionId a, InteractionId b) noexcept {
     for (const InteractionId id : world.interactions()) {
         if (id == a || id == b) continue;

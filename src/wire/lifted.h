@@ -55,13 +55,13 @@ class Lifted {
     /// [N].
     double match_height(double h);
 
-    /// Return the reference for vertical pulls at the end: the values v of this class are relative
-    /// to it [N].
+    /// Return the reference for vertical pulls at the end [N]. The values v in this class are
+    /// differences from it.
     [[nodiscard]] double base() const { return base_; }
     /// Return the vertical pull of element e for a pull v of the end [N].
     [[nodiscard]] double pull_at(std::size_t e, double v) const { return v + pull_change_[e]; }
-    /// Write the shape without horizontal pull: hanging elements, and slack elements inclined by
-    /// `lean`.
+    /// Write the shape without horizontal pull: vertical elements under tension, and slack elements
+    /// inclined by `lean`.
     void write_dropped(double lean, std::vector<Vec3>& chord, std::vector<double>& tension) const;
     /// Write the chords of the elements, downwards from the end, and their tensions. v is relative
     /// to base().
@@ -70,8 +70,8 @@ class Lifted {
   private:
     void drop();
 
-    /// Set base() so that pulls are relative to that of the lowest hanging element. Near a fold
-    /// their last digits decide, and the sum of all weights loses digits.
+    /// Set base() to the vertical pull at the lowest hanging element. Near a fold the last digits
+    /// of the pull are decisive, and the sum of all weights would lose them.
     void count_from_below();
 
     const Chain& chain_;

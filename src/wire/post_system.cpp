@@ -25,8 +25,8 @@ constexpr double kBentOnPost = 3.2;   ///< Bend limit: a node on a bollard is re
 /// Consecutive samples with contact after which a wire engages.
 constexpr std::int32_t kSteadySamples = 3;
 constexpr std::int32_t kStepsBetweenTries = 15;  ///< Steps.
-/// Return the element before or behind another element; invalid if there is none, or if a drum or
-/// guide loads it.
+/// Return the element before or behind another element of a wire. Invalid if there is none, or if
+/// it is at a drum or guide.
 InteractionId neighbour(const World& world, WireId wire, InteractionId element, bool behind) {
     const auto elements = world.wires().elements(wire);
     const auto at = std::find(elements.begin(), elements.end(), element);
@@ -204,7 +204,7 @@ bool PostSystem::engage_wire(NodeEdits& nodes, std::size_t slot, Touch touch) {
     return true;
 }
 
-/// Return the position of a wire along the axis from the middle of the bollard [m].
+/// Return the position of a wire on the bollard, along the axis from its middle [m].
 double PostSystem::along(const GuideSystem& guide) const noexcept {
     return (guide.def().point - position_.centre).dot(position_.axis);
 }

@@ -14,8 +14,8 @@ constexpr double kMinAngle = -2e-3;  ///< Angle below which a wire would pull at
 /// Relative tolerance of the radius: a wire that just touches turns by almost 0 and not backwards.
 constexpr double kRadiusTolerance = 1e-9;
 
-/// Nearest points of two lines: fraction along a–b, and distance along the axis from its centre
-/// [m].
+/// Nearest points of two lines: fraction along a–b, and distance along the axis from its
+/// centre [m].
 struct NearestPoints {
     double fraction, along;
     Vec3 separation;  ///< Vector from the axis to a–b, perpendicular to the axis.
@@ -111,8 +111,8 @@ void PostSystem::complete_touch(const World& world, double half, Touch& out) con
     }
 }
 
-/// Return true if a wire would have to pull at the bollard or has passed its end.
-/// @param past  In: it had passed before. Out: it has passed.
+/// True if a wire must leave the bollard: it would have to pull at it, or it has passed its end.
+/// @param past  In: it had passed the end before. Out: it has passed it now.
 bool PostSystem::must_disengage(const World& world, const GuideSystem& guide, bool& past) const {
     if (guide.parted()) return false;
     const Pose pose = world.pose(position_.body);

@@ -9,9 +9,9 @@
 
 namespace hawser::wire {
 
-/// Return the mass per length of the line type with the EA of an element. Among several types,
-/// choose the best match of mass over rest length, which edits and forces change slightly. 0: the
-/// element belongs to another wire that was spliced to this one.
+/// Return the mass per length of the line type to which an element belongs, by its EA. Among
+/// several line types of this EA, the one that best matches the element's mass over its rest length
+/// is used. 0: the element belongs to another wire that was spliced to this one.
 double WireResolution::matching_mass_per_length(const InteractionDef& element) const noexcept {
     if (lines_.size() == 1) return lines_[0].mass_per_length;
     const double EA = element.get("EA"), now = element.get("mass") / element.get("length");

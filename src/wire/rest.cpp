@@ -40,7 +40,7 @@ class Balance {
         soften_ = 1.0;
     }
 
-    /// Find the balance.
+    /// Find the equilibrium of the nodes.
     /// @return true if it is found to `tolerance`.
     bool solve(double tolerance) {
         // Start with soft elements, which a Newton step rotates without much stretch.
@@ -171,7 +171,7 @@ class Balance {
         return std::atan2(ax * bz - az * bx, ax * bx + az * bz);
     }
 
-    /// Compute the negative residual force at each coordinate of all nodes.
+    /// Compute the unbalanced force with negative sign at each coordinate of all nodes.
     void gradient(std::vector<double>& g) {
         std::fill(g.begin(), g.end(), 0.0);
         for (std::size_t e = 0; e < n_; ++e) {

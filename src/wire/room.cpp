@@ -26,8 +26,8 @@ bool is_guide_of_post(const GuideDef& guide, std::string_view post) noexcept {
            guide.name[post.size()] == '/';
 }
 
-/// Call f(ends, length up to the element, id) for the elements on a side of a guide, in the order
-/// away from the guide, until f returns false.
+/// Call f(ends, distance along the wire to the element, id) for the elements on a side of a guide.
+/// It starts at the guide and ends when f returns false.
 template <class F>
 void each_element(const World& world, const GuideDef& guide, InteractionId line, std::size_t side,
                   F&& f) {

@@ -43,9 +43,9 @@ class PassedPost {
     ~PassedPost() = default;
 };
 
-/// Return the current length of elements on a side of a guide: GuideDef::element_length or less
-/// [m].
-/// @param line  The part on that side.
+/// Return the length of the elements that a guide inserts on one side at present [m]. It is at most
+/// GuideDef::element_length, and less if another guide or bollard is near.
+/// @param line  The part of the wire on that side.
 /// @param straight  Length of the straight piece of this part [m].
 [[nodiscard]] double element_length_at_guide(const World& world, const GuideDef& def,
                                              InteractionId line, std::size_t side, double straight);

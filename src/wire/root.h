@@ -14,8 +14,8 @@ struct Growing {
 };
 
 /// Find the root of an increasing function f by Newton's method within a bracket. Each step narrows
-/// the bracket; if Newton's step ends outside the bracket, the bracket is halved. Stop if the
-/// absolute value of f is ≤ small, or if no floating-point number lies between the ends.
+/// the bracket. If Newton's step ends outside the bracket, the bracket is halved. The search stops
+/// if |f| ≤ small, or if no floating-point number lies between the ends.
 /// @param low,high  Ends of the bracket: f(low) ≤ 0 ≤ f(high).
 /// @param guess     First argument, between low and high.
 /// @param positive  True if arguments are ≥ 0 and may have very different magnitudes.

@@ -43,8 +43,9 @@ struct Crossing {
     double across[2];  ///< The straight parts, across the axis [m]; above 0.
 };
 
-/// Return f(s) of the law of sideways friction in the file header, at a position [rad].
-/// @param s  Position relative to the present one [m].
+/// Return f(s), the sideways pull of the wire on the bollard as an angle, by the formula at the
+/// head of this file [rad].
+/// @param s  Position along the axis, relative to the present one [m].
 [[nodiscard]] double sideways_balance(const Crossing& c, double s) noexcept;
 
 /// Return the displacement of the position, at most a quarter of the shorter part [m]; 0: it

@@ -127,7 +127,7 @@ BodyId StopperSystem::node_at(NodeEdits& nodes, const PointOnWire& found) noexce
     return {};
 }
 
-/// Set the outputs to the position at which the wire is held.
+/// Set the outputs to the position on the wire at which the stopper holds it.
 void StopperSystem::report_joint(const World& world, const PointOnWire& found) noexcept {
     wire_output_ = wire_number(world, found.wire);
     at_ = 0.0;
@@ -160,8 +160,8 @@ void StopperSystem::close_on_wire(NodeEdits& nodes) noexcept {
     set_state(StopperState::closing);
 }
 
-/// Remove nodes that are no longer needed. A node at which the wire remains bent is removed after a
-/// time limit.
+/// Remove nodes that the stopper inserted and no longer needs. A node at which the wire remains
+/// bent is removed after a time limit.
 void StopperSystem::remove_idle_nodes(NodeEdits& nodes) noexcept {
     if (++idle_steps_ % kStepsBetweenRemovals != 0) return;
     const double bend = idle_steps_ > kMaxIdleSteps ? std::numbers::pi : kMaxStraightAngle;

@@ -46,8 +46,8 @@ class StopperSystem final : public System {
     [[nodiscard]] const StopperDef& def() const noexcept { return def_; }
     /// Return the node that the stopper holds or is about to hold; invalid: none.
     [[nodiscard]] BodyId node() const noexcept { return node_; }
-    /// Return the node that the stopper would hold if it closed now; none if no wire is within
-    /// reach.
+    /// Return the node of a wire that the stopper would hold if it closed now. It is empty if no
+    /// wire is within reach.
     [[nodiscard]] std::optional<StopperClaim> node_to_hold(const World& world) const noexcept;
 
   private:

@@ -71,7 +71,7 @@ void WinchSystem::add_aid_signals(SignalTable& table) {
     table.output("heave_error", "m", aids_.error);
 }
 
-/// Return the tension at which the protection pays out [N].
+/// Return the tension at which the overload protection pays out wire [N].
 double WinchSystem::max_tension() const noexcept {
     if (!(def_.overload_limit > 0.0) || parted_ != 0)
         return std::numeric_limits<double>::infinity();
@@ -87,8 +87,9 @@ void WinchSystem::limit_overload(MotorOrders& out) const noexcept {
     out.hold = std::min(out.hold, most);
 }
 
-/// Compensate the upward motion of the point by its velocity in the middle of the step that begins.
-/// An error of length decreases with a time constant of 1 s.
+/// Set the drum speed that compensates the upward motion of the observed point. Its velocity in the
+/// middle of the step that begins is used. An error of length decreases with a time constant of 1
+/// s.
 void WinchSystem::follow_heave(const Prestep& now) noexcept {
     Aids& a = aids_;
     const World& world = now.world;

@@ -49,8 +49,8 @@ double WinchSystem::leaving_radius() const noexcept {
     return wheel_ ? wheel_->radius : drum_.leaving_radius(stored_);
 }
 
-/// Return the length paid out. The turn of the drum since the last update, which happens at the
-/// start of steps, is added.
+/// Return the length paid out [m]: the stored value plus the rotation of the drum since the last
+/// update, which happens at the start of a step.
 double WinchSystem::paid_out(const World& world, InteractionId element) const noexcept {
     if (element != ids_.line) return kDefault;
     const double since = parted_ == 0 && world.intact(element)
@@ -159,7 +159,7 @@ WinchMode WinchSystem::mode() const noexcept {
     return static_cast<WinchMode>(static_cast<int>(std::lround(mode_)));
 }
 
-/// Read the result of the last step.
+/// Read speed, tension and length of the last step.
 void WinchSystem::sample(const Prestep& now) noexcept {
     const double angle = now.world.pose(paying_out_body()).position.x();
     turned_ = angle - angle_;
@@ -192,8 +192,8 @@ void WinchSystem::sample(const Prestep& now) noexcept {
     hauled_in_ = is_at_min_length_ || rest < least + 2.0 * now.step * radius_ * std::abs(leaving_);
 }
 
-/// Record the slip of a brake whose torque is at its bound while the drum turns against this
-/// torque.
+/// Accumulate the slip of the brake. It slips if its torque is at the bound and the drum turns
+/// against this torque.
 void WinchSystem::count_slip(Prestep& now) noexcept {
     const double torque = now.world.force(ids_.brake)[0];
     const double most = torque < 0.0 ? last_inputs_.hold : last_inputs_.hold * last_inputs_.back;
@@ -211,8 +211,8 @@ void WinchSystem::count_slip(Prestep& now) noexcept {
     slipping_ = slips ? 1 : 0;
 }
 
-/// Record that a motor in mode `render` pays out at its largest holding torque. In other modes the
-/// upper bound of the torque is above 0.
+/// Send an event if a motor in mode `render` pays out at its largest holding torque. In other modes
+/// the upper bound of the torque is above 0.
 void WinchSystem::count_rendering(Prestep& now) noexcept {
     const bool gives =
         mode() == WinchMode::render && last_inputs_.high <= 0.0 && last_inputs_.low < 0.0 &&
@@ -260,7 +260,7 @@ void WinchSystem::check_fastening(Prestep& now) noexcept {
     parted_ = 1;
 }
 
-/// Update a gypsy's chain on its wheel and the load of the chain behind it.
+/// Update the chain on the wheel of a gypsy, and the load of the chain behind it.
 void WinchSystem::follow_chain(const GypsyWheel& wheel, Prestep& now, Loads& loads) noexcept {
     const World& world = now.world;
     const double out = std::max(leaving_, 0.0) * radius_;  // [m/s]

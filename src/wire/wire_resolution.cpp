@@ -103,7 +103,7 @@ void WireResolution::bound_elements(const World& world) {
     }
 }
 
-/// Restore the idle counts of the nodes of the last sample. New nodes start at 0.
+/// Assign the idle counts of the last sample to the nodes that still exist. New nodes start at 0.
 void WireResolution::restore_idle_counts() noexcept {
     std::int32_t from = 0;
     for (Node& node : at_) {
@@ -171,7 +171,7 @@ bool WireResolution::refine(NodeEdits& nodes) noexcept {
     return true;
 }
 
-/// Remove the node that is needed least.
+/// Remove the node whose removal is furthest within the length bounds.
 bool WireResolution::coarsen(NodeEdits& nodes) noexcept {
     const std::int32_t wait = scale_ > 1.0 ? 1 : patience_samples_;
     std::size_t least = 0;
