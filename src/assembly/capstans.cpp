@@ -7,7 +7,8 @@
 
 namespace hawser::assembly {
 
-/// Find capstans: frictions of a slide whose loads are the two spans of a line that runs over it.
+/// Find capstans: frictions of a slide whose bound depends on the tensions of the two spans before
+/// and behind it.
 void System::find_capstans(const model::Interactions& in, const WorldDef& def) {
     capstans.clear();
     capstan_entries.clear();

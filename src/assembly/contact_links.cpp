@@ -12,7 +12,7 @@
 
 namespace hawser::assembly {
 
-/// Remove the links of pairs of bodies that are no longer in contact.
+/// Remove the matrix links of pairs of bodies that are no longer in contact.
 void Contacts::drop_links() noexcept {
     const auto touches = [&](std::int32_t b) {
         return std::binary_search(touching_.begin(), touching_.end(), b);
@@ -136,7 +136,7 @@ bool Contacts::find_blocks(std::int64_t step) noexcept {
     return missing_.empty();
 }
 
-/// List the contacts that add to each block, after find_blocks().
+/// List, for each block, the contacts that add to it. Call after find_blocks().
 void Contacts::list_terms() noexcept {
     std::int32_t sum = 0;
     for (std::size_t k = 0; k < blocks.size(); ++k) {
@@ -153,7 +153,7 @@ void Contacts::list_terms() noexcept {
                                                     static_cast<std::int8_t>(ij % 4)};
 }
 
-/// List the slots of each body with contacts.
+/// List, for each body with contacts, the contact slots that refer to it.
 void Contacts::list_slots() noexcept {
     touched_before_.swap(touched_);
     touched_.clear();

@@ -70,7 +70,7 @@ void set_anchor(const model::Bodies& b, ContactMemory& m, int side, const V3& p)
     store3(m.anchor[side], b.turns(first) ? tmul(load9(&b.r[9 * at(first)]), offset) : offset);
 }
 
-/// Store the present bodies and weights of each side.
+/// Store the bodies of each side of a contact and their weights in its memory.
 void store_sides(const ContactRow& row, ContactMemory& m) {
     for (int side = 0; side < 2; ++side) {
         int found = 0;
@@ -101,7 +101,8 @@ V3 arm_of(const collide::Contact& in, int i, const model::Bodies& bodies, const 
     return (1.0 / in.weight[i]) * rest - body_position(bodies, body);
 }
 
-/// Return the mean over the axes of w² (1/m + (r × e)ᵀ I⁻¹ (r × e)).
+/// Return the mean mobility of a body at its part of a contact, w² (1/m + (r × e)ᵀ I⁻¹ (r × e))
+/// averaged over the axes e [1/kg].
 double slot_mobility(const model::Bodies& b, const ContactSlot& s) {
     if (s.dof == 0) return 0.0;
     double sum = 1.0 / b.mass[at(s.body)];
@@ -117,8 +118,8 @@ double slot_mobility(const model::Bodies& b, const ContactSlot& s) {
     return s.weight * s.weight * sum;
 }
 
-/// Keep the friction anchors of a contact at the point p. Set new anchors if the contact has none,
-/// or if p has rolled away from them. @return g_t, the tangential part of anchor 1 minus anchor 0.
+/// Return g_t, the tangential part of friction anchor 1 minus anchor 0, at the contact point p. New
+/// anchors are set at p if the contact has none, or if p has rolled away from them.
 V3 hold(const ContactRow& row, const model::Bodies& bodies, const V3& n, const V3& p,
         ContactMemory& m) {
     V3 gap_t{0, 0, 0};

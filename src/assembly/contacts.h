@@ -70,8 +70,9 @@ class Contacts {
     /// Set the bodies that have shapes. Call if they change. @throws std::bad_alloc.
     Blocks set_bodies(std::span<const std::int32_t> touching, const model::Bodies& bodies);
 
-    /// Begin a step with `count` active contacts, followed by `asleep` sleeping contacts, which
-    /// have no rows and keep their memory. @throws std::bad_alloc if the number grows.
+    /// Begin a step with `count` active contacts, followed by `asleep` contacts of sleeping bodies.
+    /// The latter have no rows and keep their stored friction. @throws std::bad_alloc if the number
+    /// grows.
     void begin(std::size_t count, std::size_t asleep);
     /// Mark contact `index` of this step as sleeping.
     void set_asleep(std::size_t index, std::int32_t previous) noexcept {
@@ -86,11 +87,11 @@ class Contacts {
     /// std::bad_alloc.
     void relink(std::int64_t step);
 
-    /// Remove contacts of the last step with their rows and memories. @param stays  1 for each
-    /// contact of `memory` that stays.
+    /// Remove contacts of the last step with their rows and stored friction. @param stays  1 for
+    /// each contact of `memory` to keep.
     void forget(const std::vector<std::uint8_t>& stays) noexcept;
 
-    /// Discard the rows of a step that failed before all of them were written.
+    /// Discard the contact rows of a step that failed while they were being written.
     void forget_rows() noexcept {
         rows.clear();
         cones.clear();
@@ -110,24 +111,25 @@ class Contacts {
     /// Compute u, λ and the impulses on bodies of resistances [begin, end), after update() of the
     /// contacts.
     void update_resistances(const double* v, std::int32_t begin, std::int32_t end) noexcept;
-    /// Set λ of contact k to the value of the last step.
+    /// Set the impulse λ of contact k to that of the last step, as a start of the solution.
     void recall_lambda(std::size_t k) noexcept;
     /// Return the number of bodies with contacts in this step.
     [[nodiscard]] std::size_t touched() const noexcept { return touched_.size(); }
-    /// Compute Jᵀλ of touched bodies [begin, end), after update() of all contacts.
+    /// Compute the impulses Jᵀλ of contacts on the touched bodies [begin, end). Call after update()
+    /// of all contacts.
     void gather(std::int32_t begin, std::int32_t end) noexcept;
-    /// Add Jᵀx to the vector of the solver, for an impulse x on each contact (three entries per
-    /// contact, then three per resistance).
+    /// Add the momentum Jᵀx to the solver's vector, for an impulse x on each contact (three entries
+    /// per contact, then three per resistance).
     void scatter(const double* x, double* solution, const std::int32_t* offset) const noexcept;
-    /// Compute J times the vector of the solver.
+    /// Compute the relative velocities J u of contacts from the velocities in the solver's vector.
     void collect(const double* solution, const std::int32_t* offset, double* u) const noexcept;
     /// Mark the blocks to which a contact with `changed` set adds, and the blocks whose S is
     /// unsymmetric.
     void mark_blocks() noexcept;
     void write_blocks(std::int32_t begin, std::int32_t end) noexcept;
 
-    /// Store the memory of contacts [begin, end) for the next step, after the solve and before the
-    /// bodies move. Call keep() after all ranges have been stored.
+    /// Store friction anchors and impulses of contacts [begin, end) for the next step. Call after
+    /// the solve and before the bodies move. Call keep() after all ranges have been stored.
     void remember(const model::Bodies& bodies, double h, std::int32_t begin,
                   std::int32_t end) noexcept;
     void keep(double h) noexcept;
@@ -136,8 +138,8 @@ class Contacts {
     /// Return the number of contacts and resistances, with three rows each.
     [[nodiscard]] std::size_t triples() const noexcept { return count() + resistances.count(); }
     [[nodiscard]] std::size_t bytes() const noexcept;
-    /// Return the moving bodies with shapes, ascending, as set by the latest set_bodies() and by
-    /// the one before. Their own blocks come first.
+    /// Return the moving bodies with shapes, ascending, as set by the latest set_bodies(). The next
+    /// function returns those of the call before.
     [[nodiscard]] std::span<const std::int32_t> touching() const noexcept { return touching_; }
     [[nodiscard]] std::span<const std::int32_t> touching_before() const noexcept {
         return touching_before_;

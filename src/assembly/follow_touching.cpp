@@ -26,8 +26,8 @@ void System::list_skew_ops() {
         if (ops[i].kind == Op::contact) skew_ops_.push_back(static_cast<std::int32_t>(i));
 }
 
-/// Shift the op ranges of all pieces after ops from `from` on have moved. An inserted op belongs to
-/// the piece of the op before it.
+/// Shift the ranges of matrix contributions (ops) of all pieces after the ops from `from` on have
+/// moved by `by`. An inserted op belongs to the piece of the op before it.
 void System::shift_pieces(std::int64_t from, std::int64_t by) noexcept {
     for (auto* ranges : {&piece_ops_, &step_ops_})
         for (OpRange& r : *ranges) {
@@ -36,8 +36,8 @@ void System::shift_pieces(std::int64_t from, std::int64_t by) noexcept {
         }
 }
 
-/// Add the own block of a body whose column is in an ordinary front. Its op is placed behind the
-/// ops of interactions in the column and before the ops of links.
+/// Add the diagonal contact block of a body whose column is in an ordinary front. Its op is
+/// inserted behind the ops of interactions in this column and before the ops of links.
 void System::add_own_block(std::int32_t block, std::int32_t node) {
     const std::int64_t place = symbolic.column_address(symbolic.position[at(node)]);
     const std::int32_t body = member_of_node_[at(node)];

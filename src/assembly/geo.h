@@ -88,7 +88,8 @@ inline void block_times(const double* block, int dof, const double* u, double* o
     if (dof == 6) store3(out + 3, mul6(block + 6, load3(u + 3)));
 }
 
-/// Return the factor u that is defined in the text at the head of this file. @param s4  4 s.
+/// Return the damping factor u of vibrations that the step does not resolve, defined in the text at
+/// the head of this file. @param s4  4 s.
 template <class T>
 inline T unresolved(const T& s4) {
     const T beyond = positive_part(T(s4 - constant(s4, 16.0)));
@@ -169,10 +170,11 @@ inline JointTerms<T> joint_terms(const assembly::View& view, const T& nf, const 
             half * (unit + fast) * bound, half * (unit - fast) * bound};
 }
 
-/// Compute the line and damping parts of M̃ v on both slots; `lin`, `ang` are the velocities of the
-/// slots. With damping = −(1 − u)/(1 + u), compute the parts of a for the velocities before the
-/// step. The part of arms acts on one body only and is stored in the block of that body. @param
-/// out0, out1  Six doubles for each slot.
+/// Multiply the geometric stiffness and damping of a line by the velocities `lin`, `ang` of its two
+/// slots. With damping = −(1 − u)/(1 + u), the result is the contribution to the right-hand side
+/// for the velocities before the step. The part of arms acts on one body only and is stored in the
+/// block of that body.
+/// @param out0, out1  Six doubles for each slot.
 inline void geo_product(const double* rec, const V3* lin, const V3* ang, double damping,
                         double* out0, double* out1) {
     const V3 r0 = load3(rec + 4), r1 = load3(rec + 7), u = load3(rec + 1);

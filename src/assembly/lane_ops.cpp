@@ -10,9 +10,9 @@ namespace {
 constexpr std::uint32_t kAllLanes = 0xff;
 static_assert(factor::kLaneCount == 8);
 
-/// Return a number that encodes the properties of an op. Ops with equal numbers may be executed in
-/// several lanes together. If a joint may exchange its slots (`turns`), their order does not
-/// matter.
+/// Return a key of the properties of a matrix contribution (op). Ops with equal keys can be
+/// executed together in several SIMD lanes. If a joint may exchange its slots (`turns`), their
+/// order does not matter.
 std::uint64_t lane_key(const OpParts& op, int rows, bool turns) noexcept {
     const bool swap = turns && op.a > op.b;
     auto key = static_cast<std::uint32_t>(op.kind) << 8 |
@@ -48,9 +48,10 @@ void LaneSharer::begin(std::int64_t panel, std::size_t done) noexcept {
     first_.clear();
 }
 
-/// Find the first entry of keys_ that has the properties of `key` and in which this lane is free.
-/// @return its index; if there is none, their number, with `key.again` set if the properties exist.
-/// Chains are alike, so that it is mostly the entry after the one of the previous op.
+/// Find the first entry of keys_ with the properties of `key` whose lane `lane` is free.
+/// @return its index. If there is none, return the number of entries, with `key.again` set if the
+/// properties exist. Chains have equal structure, so the entry is usually the one after that of the
+/// previous op.
 std::size_t LaneSharer::find(Key& key, std::size_t lane) const noexcept {
     const auto same = [&](const Key& k) {
         return k.address == key.address && k.what == key.what && k.to_b == key.to_b;

@@ -149,8 +149,8 @@ double trace_of_three(double* m, const double* s) noexcept {
     return a * s[0] + b * second + c * third;
 }
 
-/// True if the leading minors of three rows show that a matrix is positive definite, and its pivots
-/// exceed kRounding of the diagonal. The test needs no division. If the result is false, the matrix
+/// True if the leading minors of three rows show that a matrix is positive definite, with pivots
+/// above kRounding of the diagonal. The test needs no division. If the result is false, the matrix
 /// may still be positive definite.
 bool plainly_definite(const double* m) noexcept {
     constexpr double kSmallestMinor = 1e-90,

@@ -68,16 +68,17 @@ class LoadStore {
         repeat_now_ = false;
         touched_.store(false, std::memory_order_relaxed);
     }
-    /// Mark the following loads of the present system as repeatable or not (LoadRecord).
+    /// Mark the following loads of the present system as repeatable or not. A replay must compute
+    /// repeatable loads again, and reads the others from the recording (LoadRecord).
     void repeat(bool repeatable) noexcept {
         repeat_now_ = repeatable;
         repeats_ = repeats_ || repeatable;
     }
-    /// Mark a body as changed, because an input of one of its elements has changed. Repeatable
-    /// loads that it has in this step differ from the loads in the state after the change.
+    /// Mark a body because an input of one of its elements has changed. Its repeatable loads in
+    /// this step then differ from loads computed from the state after the change.
     void alter(std::int32_t body) noexcept;
     void share(bool parallel) noexcept { parallel_ = parallel; }
-    /// True if the system has loaded a body.
+    /// True if the present system has loaded a body.
     [[nodiscard]] bool touched() const noexcept { return touched_.load(std::memory_order_relaxed); }
     [[nodiscard]] bool out_of_memory() const noexcept { return out_of_memory_; }
 
@@ -97,7 +98,7 @@ class LoadStore {
     [[nodiscard]] bool loaded(std::int32_t body) const noexcept {
         return any_ && used(entry_of_[static_cast<std::size_t>(body)]);
     }
-    /// Set the pointers of a view to the coupling matrices of the loads.
+    /// Set the pointers of a view to the matrices by which loads couple the motions of a body.
     void show(assembly::View& view) const noexcept;
     /// Add loads to the blocks and right-hand sides of bodies [begin, end).
     void add_terms(const assembly::View& view, std::int32_t begin, std::int32_t end) const noexcept;
@@ -169,7 +170,8 @@ class LoadStore {
     [[nodiscard]] bool needs_shared(std::size_t entry) const noexcept;
     /// Allocate the separate sums of an entry. @return false if allocation fails.
     bool make_shared(std::size_t entry) noexcept;
-    /// Record that the present system begins to load an entry, and separate the loads of water.
+    /// Record that the present system is the first to load an entry, and keep loads of water in a
+    /// separate sum.
     void note_source(std::size_t entry) noexcept;
     /// Complete the sum of water loads after all systems have acted.
     void finish_water(std::size_t entry) noexcept;

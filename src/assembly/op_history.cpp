@@ -84,7 +84,8 @@ void OpHistory::compare_bodies(const OpSources& now) {
     }
 }
 
-/// Compare two sorted lists. Numbers of blocks that remain keep their order.
+/// Compare the contact blocks of the last list and of the new one, both sorted. Blocks in both
+/// lists keep their order.
 void OpHistory::compare_blocks(std::span<const ContactBlock> now) {
     block_now_.clear();
     const auto same = [](const ContactBlock& a, const ContactBlock& b) {
@@ -109,7 +110,7 @@ void OpHistory::renumber_blocks(std::span<const ContactBlock> blocks) {
     has_list_ = true;
 }
 
-/// List the columns and the rows behind them, by batch.
+/// List the columns of each batch step, and the rows behind them.
 void OpHistory::list_batches(const OpSources& now) {
     const factor::Symbolic& s = now.symbolic;
     batches_.steps.assign(s.batch_steps.begin(), s.batch_steps.end());

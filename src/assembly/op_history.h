@@ -46,10 +46,10 @@ struct OpSources {
 
 class OpHistory {
   public:
-    /// Find the unchanged part, and store the sources of the next list. @throws std::bad_alloc.
-    /// Without a call of done(), the next call finds nothing.
+    /// Compare the sources of a new list of ops with those of the last one, and store them. @throws
+    /// std::bad_alloc. Without a call of done(), the next call finds no equal part.
     void follow(const OpSources& now);
-    /// Mark the new list as complete, so that the next follow() compares with it.
+    /// Mark the new list of ops as complete, so that the next follow() compares with it.
     void done() noexcept { has_list_ = true; }
     /// Discard the stored list. Call before the list is changed in place.
     void forget() noexcept { has_list_ = false; }
@@ -64,7 +64,7 @@ class OpHistory {
         return std::count_if(step_before_.begin(), step_before_.end(),
                              [](std::int32_t step) { return step >= 0; });
     }
-    /// Return the displacement of the panel of a step since the last list.
+    /// Return the displacement of the panel of a batch step since the last list.
     [[nodiscard]] std::int64_t moved(std::int32_t step) const noexcept {
         return moved_[static_cast<std::size_t>(step)];
     }

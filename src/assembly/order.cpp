@@ -36,7 +36,8 @@ void System::find_order(const model::Bodies& bodies, const model::Interactions& 
     ordered_ = true;
 }
 
-/// Compute the addresses of all blocks in the structure, and allocate.
+/// Compute the addresses of all matrix blocks in the structure of the factor, and allocate the
+/// panels.
 void System::place(const model::Bodies& bodies, const model::Interactions& interactions,
                    int threads) {
     check_memory(bodies, interactions, threads);

@@ -3,7 +3,7 @@
 /// @file parts.h
 /// The model as a hypergraph of integers, with physical weights for cuts.
 ///
-/// Edges are the interactions in their order, then the pairs of bodies that add_contact_weight.
+/// Edges are the interactions in their order, then the pairs of bodies that touch.
 /// Only rows of wires may be cut: stretch, bending, twist, distance and ball joints between bodies
 /// of the same freedom with few interactions each. Weights are in thousandths, from the last step:
 /// ```
@@ -41,7 +41,7 @@ class PartGraph {
     void build(const model::Bodies& bodies, std::int32_t body_count,
                const model::Interactions& interactions, std::int32_t interaction_count,
                std::span<const Contacts::Link> links);
-    /// Forbid a cut of interaction i.
+    /// Forbid the partition to cut interaction i.
     void keep_whole(std::int32_t i) noexcept;
     /// Compute weights from the impulses of the last step, from velocities, and from the rows as
     /// last evaluated. @param cut  Interactions that are cut at present, ascending. The cut has
@@ -49,7 +49,7 @@ class PartGraph {
     /// repair, because a row that becomes exact again pulls its bodies back into position.
     void compute_weights(const model::Bodies& bodies, const model::Interactions& interactions,
                          std::span<const std::int32_t> cut, const WorldDef& def);
-    /// Add the weight of a contact to a body. Call after compute_weights().
+    /// Add the weight of one contact to a body of the graph. Call after compute_weights().
     void add_contact_weight(std::int32_t body) noexcept;
     /// Flops of the pivots of each body, including rows that follow it; empty if unknown.
     std::vector<std::int64_t> cost;

@@ -42,7 +42,7 @@ class Resistances {
     void begin(const collide::ContactSet& set, base::Array<ContactRow>& contacts,
                const model::Bodies& bodies, double h);
     [[nodiscard]] std::size_t count() const noexcept { return laws.size(); }
-    /// Set λ to the values of the last step.
+    /// Set the impulses λ of resistances to those of the last step.
     void recall(const base::Array<ContactRow>& contacts) noexcept;
     /// Apply Contacts::scatter() and collect() to the resistances: three entries for each, from x
     /// and u on.
@@ -50,7 +50,8 @@ class Resistances {
                  const std::int32_t* offset) const noexcept;
     void collect(const base::Array<ContactRow>& contacts, const double* solution,
                  const std::int32_t* offset, double* u) const noexcept;
-    /// Store the memory, after the solve and before the bodies move.
+    /// Store the impulses and reference orientations of resistances. Call after the solve and
+    /// before the bodies move.
     void remember(const base::Array<ContactRow>& contacts, double h) noexcept;
     /// Return the resistance memory of contact `contact` of the last step; null if there is none.
     [[nodiscard]] const ResistanceMemory* find(std::int32_t contact) const noexcept;

@@ -102,8 +102,8 @@ void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in) 
     }
 }
 
-/// Find the elements between points with geometric terms. The masses of the other elements stay
-/// with the point masses.
+/// Find the elements between point masses whose consistent mass is in their geometric terms. The
+/// masses of all other elements are lumped at the point masses.
 void System::place_masses(const model::Interactions& in) {
     pair_mass_.clear();
     if (!consistent_mass) return;

@@ -34,7 +34,7 @@ namespace hawser::assembly {
 /// restores their values.
 class KeptRanges {
   public:
-    /// Save the active flags; the destructor restores them.
+    /// Save the active flags of bounded rows; the destructor restores them.
     /// @param buffer  Buffer with one value for each interaction that may be inactive. Only one
     /// guard at a time may use it.
     KeptRanges(std::span<double> buffer, double* active,

@@ -28,7 +28,7 @@ double amplification(const std::vector<double>& w, double sigma) {
     return sum;
 }
 
-/// Return the smallest Σ with A ≤ `most`. A decreases with Σ.
+/// Return the smallest Σ with an amplification A ≤ `most`. A decreases with Σ.
 double min_sigma(const std::vector<double>& w, double sigma, double most) {
     if (amplification(w, sigma) <= most) return 0.0;
     double high = std::max(sigma, *std::max_element(w.begin(), w.end()));

@@ -69,7 +69,8 @@ class System {
     /// @throws std::bad_alloc.
     void analyse(const model::Bodies& bodies, model::Interactions& interactions,
                  const WorldDef& def, int threads, const factor::AnalysisState* state = nullptr);
-    /// Update the list of contributions for contacts.touching() if the links are unchanged.
+    /// Update the list of matrix contributions if the set of bodies with contacts has changed and
+    /// the links between them have not.
     /// @throws std::bad_alloc; call analyse() then.
     void follow_touching(const model::Bodies& bodies, const model::Interactions& interactions);
     /// Update order, structure and addresses for contacts.links. Forms and floors do not change.
@@ -81,9 +82,9 @@ class System {
         std::vector<std::int32_t> node_of_body, node_of_interaction;
         bool ordered = false, updates_kept = false;
     };
-    /// Save the data from which an analysis starts. @throws std::bad_alloc
+    /// Save the data with which a later analysis starts. @throws std::bad_alloc
     void keep(Kept& out) const;
-    /// Restore saved data. The system is complete only after the next analyse().
+    /// Restore the data saved by keep(). The system is complete only after the next analyse().
     void go_back(Kept& to) noexcept;
     /// Limit of the memory of the factorisation [B]. @throws LimitError from analyse() and relink()
     /// if more is needed.
@@ -128,8 +129,8 @@ class System {
     std::vector<std::int32_t> breakable;
     std::vector<double> breaking_load;  ///< Breaking load of each breakable interaction [N].
 
-    /// Write the blocks of one piece (an entry of numeric.pieces()) into its panels, which must be
-    /// zero.
+    /// Write the blocks of the matrix that belong to one piece (an entry of numeric.pieces()) into
+    /// the panels of the piece, which must be zero.
     void write_blocks(const View& view, int piece, double* panel) const noexcept;
     /// Add the unsymmetric contributions of sliding contacts to one piece with unsymmetric fronts
     /// (factor/unsymmetric.h). write_blocks() wrote the symmetric part to both halves.
@@ -148,7 +149,7 @@ class System {
                                           node_of_body[static_cast<std::size_t>(block.b)]);
     }
 
-    /// @return true if an interaction is left out because its bodies sleep.
+    /// @return true if an interaction is left out of the system because its bodies sleep.
     [[nodiscard]] bool rests(std::int32_t id) const noexcept {
         return rests_[static_cast<std::size_t>(id)] != 0;
     }
@@ -171,12 +172,13 @@ class System {
     /// the link as its second body. In a chain the second joint of a link is the first joint of the
     /// next. The data of links and joints are consecutive in memory.
     void find_links(const model::Bodies& bodies);
-    /// Assign addresses of Jacobians and geometric terms.
+    /// Assign the addresses of Jacobians and geometric terms of all interactions.
     void lay_out_rows(const model::Bodies& bodies, model::Interactions& interactions);
     /// Set the mobilities of dampers and the fractions of damping that depend on them.
     void split_damping(const model::Bodies& bodies, model::Interactions& interactions,
                        double h) const;
-    /// Set min_sigma of the rows of duplicated interactions at cuts.
+    /// Set the lower bound min_sigma of Σ for the duplicated interactions at cuts, which stability
+    /// requires.
     void soften_sides(const model::Bodies& bodies, model::Interactions& interactions, double h);
     void choose_forms(const model::Bodies& bodies, model::Interactions& interactions,
                       const WorldDef& def);
@@ -188,7 +190,7 @@ class System {
     void find_bounded(const model::Interactions& interactions);
     void find_capstans(const model::Interactions& interactions, const WorldDef& def);
     void place_capstans(const model::Interactions& interactions);
-    /// @return true if a matrix may be unsymmetric.
+    /// @return true if the matrix may become unsymmetric, because of sliding contacts or capstans.
     [[nodiscard]] bool may_skew() const noexcept {
         return !contacts.blocks.empty() || !capstans.empty();
     }

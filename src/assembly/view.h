@@ -247,8 +247,8 @@ struct View {
     return model::packed_rows(view.jacobian + view.jac_begin[id], view.arms[id] != 0, buffer);
 }
 
-/// Add one row G v = c, without the other rows of its interaction, to the right-hand side in the
-/// solver's vector.
+/// Add the right-hand side of one row, G v = c, to the solver's vector, without the other rows of
+/// its interaction.
 /// @param jac  Packed row.
 /// @return the next row.
 inline const double* ask_of_row(const View& v, std::int32_t id, int row, const double* jac,
