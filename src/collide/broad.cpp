@@ -192,8 +192,9 @@ struct Broad::Count {
     std::atomic<std::int64_t> reported{0};
     const std::int64_t most;
     base::Executor& pool;
-    /// Add the pairs of a task. @param found  Pairs found by the task. @param own  Number of these
-    /// that are already added. @return true to continue.
+    /// Count the pairs that a task has found towards the limit of all tasks. @param found  Pairs
+    /// found by the task. @param own  Number of these that are already counted. @return true if the
+    /// search may continue.
     bool add_and_continue(std::size_t found, std::size_t& own) noexcept {
         if (found - own < kBatchSize) return !pool.stopping();
         const auto more = static_cast<std::int64_t>(found - own);

@@ -87,7 +87,8 @@ void Collider::place_shapes(const model::Bodies& bodies, double h, base::Executo
     pool.for_each(base::chunks(shapes_.size(), kPlacingChunk), task);
 }
 
-/// Allocate for the largest possible number of contacts, since tasks do not allocate.
+/// Allocate buffers for the largest possible number of contacts of each task, because tasks must
+/// not allocate.
 void Collider::make_chunks(int tasks) {
     if (static_cast<int>(chunks_.size()) >= tasks) return;
     const auto room = at(tasks + tasks / 2 + 1);

@@ -93,16 +93,16 @@ class Collider {
     [[nodiscard]] const BoundMet& limit_reached() const noexcept { return over_; }
     /// @return true if all boxes in the last collide() were finite; else a motion diverges.
     [[nodiscard]] bool finite() const noexcept { return finite_; }
-    /// Accept the contacts of the last collide() as those of the last step, to which
-    /// Contact::previous refers. Call after the step is complete. Before this call, collide() may
-    /// be repeated if a step failed.
+    /// Make the contacts of the last collide() the stored contacts, to which Contact::previous
+    /// refers in the next step. Call after the step is complete. If a step fails, collide() may be
+    /// repeated before this call.
     void keep() noexcept {
         last_contacts_.swap(found_);
         last_awake_count_ = found_awake_;
     }
-    /// Move contacts of sleeping bodies behind the others. The other bodies of such contacts have
-    /// no freedom or sleep as well. @param asleep  1 for a sleeping body. @return false if memory
-    /// could not grow.
+    /// Move contacts of sleeping bodies behind the others. Both bodies of such a contact sleep or
+    /// have no freedom. @param asleep  1 for a sleeping body. @return false if memory could not
+    /// grow.
     [[nodiscard]] bool set_aside(ContactSet& out, const base::Array<std::uint8_t>& asleep) noexcept;
     /// Return the contacts of the last completed step, in the order of its set. A restored world
     /// needs them to continue with the same bits.

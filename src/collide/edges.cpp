@@ -42,10 +42,10 @@ ShapeDef hull_of_box(const ShapeDef& box) {
     return out;
 }
 
-/// Return the largest radius of a cylinder along an edge. The axis of a cylinder of radius r is
-/// r/cos(turn/2) inside the middle of the edge. It is one radius from another face if r (1 −
-/// n·outward/cos(turn/2)) equals the distance to that face. Faces at the ends of the edge may cut
-/// the cylinder.
+/// Return the largest radius of a cylinder that fits along an edge inside the body and touches both
+/// faces. The axis of a cylinder of radius r is r/cos(turn/2) inside the middle of the edge. It is
+/// one radius from another face if r (1 − n·outward/cos(turn/2)) equals the distance to that face.
+/// Faces at the ends of the edge may cut the cylinder.
 double max_cylinder_radius(const ShapeData& hull, const Piece& piece) {
     const Vec3 bisector = (piece.normal[0] + piece.normal[1]).normalized();
     const double half_turn = bisector.dot(piece.normal[0]);
@@ -105,7 +105,7 @@ bool continues_straight(const ShapeData& data, const Piece& a, const Piece& b, i
                           (same(a.normal[0], b.normal[1]) && same(a.normal[1], b.normal[0])));
 }
 
-/// Join the pieces of edges that continue straight at a vertex.
+/// Join pieces of edges into one edge if they meet at a vertex and continue straight.
 void join(const ShapeData& data, std::vector<Piece>& pieces) {
     for (std::size_t i = 0; i < pieces.size(); ++i)
         for (std::size_t j = i + 1; j < pieces.size();) {

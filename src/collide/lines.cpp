@@ -27,9 +27,9 @@ void Collider::find_owners(int body_count) {
     }
 }
 
-/// Find the stretch between the two ends of each segment. If there are several, use the one with
-/// the lowest id. If a body holds the segment, the order of the ends must agree, because a node may
-/// have the same body on both sides.
+/// Find the wire element (stretch) between the two ends of each segment. If there are several, use
+/// the one with the lowest id. If a body holds the segment, the order of the ends must agree,
+/// because a node may have the same body on both sides.
 void Collider::find_lines(const model::Interactions& interactions, int body_count) {
     of_body_.assign(at(body_count), -1);  // last line with this lower end
     lines_of_bodies_.clear();

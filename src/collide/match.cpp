@@ -54,8 +54,8 @@ Side side_of(const Contact& c, int s) noexcept {
     return s == 0 ? Side{c.side_0, c.body[0]} : Side{c.slots - c.side_0, c.body[c.side_0]};
 }
 
-/// True if contact `o` is a duplicate of contact `c`. Side t of `o` belongs to the owner of a node,
-/// side s of `c` is another segment.
+/// True if contact `o` is a duplicate of contact `c` at a node that two segments share. Side t of
+/// `o` belongs to the owner of the node; side s of `c` is the other segment.
 bool same_contact(const Contact& c, int s, const Contact& o, int t) noexcept {
     const Side mine = side_of(c, s), its = side_of(o, t);
     if (its.slots != 1 || its.body != mine.body) return false;

@@ -22,9 +22,9 @@ constexpr double kAtEnd = 1e-9;
 constexpr double kMinAttachmentRatio = 2.0;
 constexpr double kSameNormal = 0.95;  ///< Cosine of 18°.
 
-/// Append the slots of one side to the contact. @param on  Point on the surface. @param inward
-/// Unit vector from there into the shape. @return position on a segment, from −1 at its first end
-/// to 1; else 0.
+/// Append the bodies of one side of a contact to its slots. @param on  Point on the surface. @param
+/// inward Unit vector from this point into the shape. @return the position along a segment, from −1
+/// at its first end to 1; 0 for other shapes.
 double add_side(Contact& c, const Shape& s, const Placed& p, const double* on,
                 const V3& inward) noexcept {
     auto add = [&](std::int32_t body, double weight) {
@@ -58,7 +58,8 @@ double add_side(Contact& c, const Shape& s, const Placed& p, const double* on,
     return 2.0 * t - 1.0;
 }
 
-/// Return the velocity of a shape at `point`. @param place  Result of add_side().
+/// Return the velocity of a shape at `point`. @param place  Position along a segment, from
+/// add_side().
 V3 velocity(const Placed& p, double place, const V3& point) noexcept {
     return load3(p.motion.v) + generic::cross(load3(p.motion.w), point - load3(p.origin)) +
            place * load3(p.stretch);

@@ -31,8 +31,8 @@ inline constexpr double kMaxManifoldTilt = 0.2;
 void add_points(const Convex& a, const Convex& b, const V3& n, double separation, double margin,
                 Points& out);
 
-/// Keep four points of (nearly) one normal, in their order. If `row` is true, keep the ends of the
-/// row and the deepest point.
+/// Reduce points of (nearly) one normal to four, in their order. If `row` is true, keep both ends
+/// of the row and the deepest point.
 void reduce(Points& points, double size, bool row = false);
 /// Sort the points by feature, keep the deeper of two points with equal features, and write at most
 /// kMaxManifold points with `origin` added.

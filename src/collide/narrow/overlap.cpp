@@ -23,7 +23,7 @@ struct ProjectedPolygon {
 struct View {
     V3 n, u, v, centre;
     Point2 project_to_view(const V3& p) const { return {dot(p - centre, u), dot(p - centre, v)}; }
-    /// Return the point over q on the plane of a polygon.
+    /// Return the point of a polygon's plane whose projection is q.
     V3 point_over_polygon(const Point2& q, const ProjectedPolygon& s) const {
         const V3 foot = centre + q.x * u + q.y * v;
         return foot + (dot(s.normal, s.base - foot) / dot(s.normal, n)) * n;
@@ -68,7 +68,7 @@ std::uint32_t crossing_name(int edge, int clip_edge) {
                    static_cast<unsigned>(std::max(other, clip_edge)));
 }
 
-/// Clip a polygon: keep the part left of the line from p to q.
+/// Clip a polygon by a line: keep the part to the left of the line from p to q.
 int clip(const Corner* in, int count, const Point2& p, const Point2& q, int clip_edge, double snap,
          Corner* out) {
     const double dx = q.x - p.x, dy = q.y - p.y, length = std::hypot(dx, dy);

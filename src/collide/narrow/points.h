@@ -24,8 +24,8 @@ struct Points {
     }
 };
 
-/// Return the feature number of a contact between feature i of one side and feature j of the other.
-/// Kinds: 0 vertex of shape 0, 1 vertex of shape 1, 2 edge and edge, 3 the deepest point.
+/// Return a number that identifies a contact between feature i of one shape and feature j of the
+/// other. Kinds: 0 vertex of shape 0, 1 vertex of shape 1, 2 edge and edge, 3 the deepest point.
 inline std::uint32_t feature(unsigned kind, unsigned i, unsigned j) {
     return (kind & 3U) << 30 | (i & 0x7fffU) << 15 | (j & 0x7fffU);
 }

@@ -67,7 +67,7 @@ Nearest from_cylinder(const V3& p, double radius, double half_length) {
     return {nearest_point, (1.0 / length) * d, length};
 }
 
-/// Collide a sphere at p with a solid, in the frame of the solid.
+/// Compute the contacts of a sphere with a solid shape in the frame of the solid, by `solid`.
 template <class Solid>
 void in_frame(const Geometry& a, const Placement& pa, const Placement& pb, double margin,
               Manifold& out, Solid solid) {
