@@ -78,7 +78,8 @@ void BlockFactor::Impl::copy(const CopyOp& op, const double* values) noexcept {
                 from[i * op.columns + j];
 }
 
-/// Copy the matrix blocks of interactions. @param holders  Indices, counted from `first`.
+/// Copy the matrix blocks of some interactions. @param holders  Indices of the interactions,
+/// counted from `first`.
 void BlockFactor::Impl::copy_holder_blocks(std::span<const std::int32_t> holders,
                                            std::int32_t first, const double* values) noexcept {
     auto one = [&](int i, int) noexcept {

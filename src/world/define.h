@@ -21,7 +21,7 @@ struct Parts {
         defs.push_back(std::move(def));
         ids.push_back(&id);
     }
-    /// Add all interactions, or none if one is rejected.
+    /// Add all interactions of the joint to the world, or none if one is rejected.
     void add_to(World& world) const;
 };
 

@@ -198,8 +198,8 @@ void WorldImpl::forget_removal() noexcept {
 
 namespace {
 
-/// Append a removed object to a list as long as there is capacity, for calls that undo their own
-/// additions.
+/// Append the id of a removed object to a list if there is capacity. Calls that undo their own
+/// additions need no list.
 template <class Id>
 void append_if_capacity(std::vector<Id>& list, Id id) noexcept {
     if (list.size() < list.capacity()) list.push_back(id);

@@ -37,7 +37,7 @@ class Digest {
     void array(const A& a) {
         bytes(a.data(), a.size() * sizeof(a[0]));
     }
-    /// Add the first entries of an array.
+    /// Add the first `count` entries of an array to the hash.
     template <class A>
     void add_front(const A& a, std::size_t count) {
         bytes(a.data(), count * sizeof(a[0]));
@@ -65,8 +65,8 @@ void add(const MaterialDef& m, Digest& to) {
     to.value(values);
 }
 
-/// Add the members of a body that its field table marks, if they differ from the default. The other
-/// members are added with the arrays of bodies.
+/// Add the members of a body definition that its field table marks to the hash, if they differ from
+/// the default. The other members are added with the arrays of bodies.
 void add(std::size_t body, const BodyDef& def, Digest& to) {
     for (const FieldInfo<BodyDef>& row : kBodyFields) {
         if (!row.is(kInIdentity) || has_default(def, row)) continue;

@@ -158,8 +158,8 @@ struct WorldImpl final : private world::InputAccess {
     [[nodiscard]] const Removed& sorted_removal() noexcept;
     void remove(BodyId id) noexcept;
     void remove(InteractionId id) noexcept;
-    /// Add a complete, checked definition as an interaction. Its name has been claimed and capacity
-    /// reserved.
+    /// Store a complete, checked definition as a new interaction. Its name has been claimed and
+    /// capacity reserved.
     InteractionId store_interaction(InteractionDef&& whole) noexcept;
     void remove(ShapeId id) noexcept;
     void remove(InputId id) noexcept;
@@ -188,7 +188,7 @@ struct WorldImpl final : private world::InputAccess {
         ChangeListener* listener_;
     };
     world::Systems systems{*this};
-    /// Make the edits that systems requested, in this world.
+    /// Apply the edits that systems requested to this world.
     /// @return ok, bad_edit or out_of_memory.
     [[nodiscard]] Status make_edits(World& world) noexcept;
     [[nodiscard]] Structure structure() const;
@@ -269,10 +269,10 @@ struct WorldImpl final : private world::InputAccess {
     world::Use use;
 
     void apply_input(std::size_t index, double value);
-    /// Return the current value at the target of an input. It differs from the value of the input
-    /// if another call has set the target since.
+    /// Return the current value of the quantity that an input sets. It differs from the value of
+    /// the input if another call has set the quantity since.
     [[nodiscard]] double applied(const InputDef& input) const;
-    /// Wake the target of an input.
+    /// Wake the body or the bodies of the interaction that an input changes.
     void disturb(const InputDef& input) noexcept;
 
   private:

@@ -57,7 +57,8 @@ struct Parts {
     std::array<ShapeId, 2> capsule;
 };
 
-/// Add the parts of an element at a guide, all or none. @param then  Further call that may throw.
+/// Add both parts of an element at a guide, or none of them. @param then  Further call that may
+/// throw.
 template <class F>
 Parts add_parts(World& world, const WireTrim& trim, const InteractionDef& before,
                 const InteractionDef& behind, F&& then) {
@@ -161,9 +162,9 @@ void WorldImpl::replace_bend_neighbour(BodyId lump, BodyId from, BodyId to,
     remove_folded_bend(bend);
 }
 
-/// Remove a bend between two turning points of one body. An interaction can have each body only
-/// once. The effect of a bend between a bollard and a drum of one ship is negligible. Capacity has
-/// been reserved (reserve_removal()).
+/// Remove a bend between two turning points of one body, because an interaction can have each body
+/// only once. The effect of a bend between a bollard and a drum of one ship is negligible. Capacity
+/// has been reserved (reserve_removal()).
 void WorldImpl::remove_folded_bend(std::int32_t bend) noexcept {
     if (bend >= 0 && edit::end_of(ctx, bend, 0) == edit::end_of(ctx, bend, 2))
         remove(ctx.model.interactions.id(bend));

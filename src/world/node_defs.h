@@ -21,9 +21,9 @@ namespace hawser::world {
 [[nodiscard]] BodyDef node_body(const World& w, const InteractionDef& element,
                                 const edit::NodeDef& node);
 
-/// Return the element on the other side of the node.
+/// Return the definition of the new element on the other side of an inserted node.
 /// @param element  The existing element. It begins at the node if `first` is true and ends there
-///        otherwise.
+/// otherwise.
 /// @param share  Fraction of it before the node.
 /// @param mass  Mass of the new element [kg] if a drum pays out the old one.
 /// @param beside  Next element of the wire, −1: none.

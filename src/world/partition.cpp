@@ -55,7 +55,7 @@ void list_cuts(const assembly::PartGraph& g, const model::Interactions& in,
     }
 }
 
-/// Return the cost of the largest part and the separators as a fraction of the total cost. A
+/// Return the cost of the largest part plus all separators, as a fraction of the total cost. A
 /// fraction is used because costs change with the contacts.
 double makespan(const graph::Partition& p) {
     double longest = 0.0, sum = static_cast<double>(p.separator_cost);

@@ -13,7 +13,7 @@
 namespace hawser::world {
 namespace {
 
-/// Return the id of the object for which a placeholder stands, or the id itself if it is no
+/// Return the id of the object for which a placeholder id was issued, or the id itself if it is no
 /// placeholder.
 template <class Id>
 Id real_id(Id id, const std::vector<Id>& made) {

@@ -29,8 +29,8 @@ struct Header {
     std::uint64_t system_bytes = 0;
 };
 
-/// Call f(array) for the data of groups that follow the state. They are first, because the numbers
-/// of ghost bodies and duplicated rows depend on them.
+/// Call f(array) for the data of groups that are part of the state. They come first, because the
+/// numbers of ghost bodies and duplicated rows depend on them.
 template <class Groups, class F>
 void visit_groups(Groups& groups, F&& f) {
     f(groups.parts.part.data(), groups.parts.part.size() * sizeof(std::int32_t));

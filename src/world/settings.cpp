@@ -16,7 +16,7 @@ constexpr std::array kCouplingNames = {"exact", "kinematic", "compliant", "deadl
 constexpr std::array kPredictorNames = {"hold", "forces", "clique"};
 constexpr std::array kOnDiverged = {"stop", "warn"};
 
-/// Return a table entry that reads and writes one member, which is a number, a bool or an
+/// Return the table entry of a setting, which reads and writes one member: a number, a bool or an
 /// enumeration.
 template <auto Member>
 constexpr SettingInfo of(SettingInfo info) {

@@ -19,8 +19,8 @@
 namespace hawser {
 namespace {
 
-/// Return a placeholder body of a given number of degrees of freedom. It occupies an index until
-/// all objects have theirs.
+/// Return a body that occupies an index until all objects have their indices. @param room  Degrees
+/// of freedom.
 BodyDef placeholder(int room) {
     BodyDef def;
     def.kind = room == 6   ? BodyKind::rigid
@@ -251,8 +251,9 @@ void WorldState::restore(const Structure& made_of, std::span<const std::byte> by
     WorldImpl::restore(*world_, made_of, bytes);
 }
 
-/// Restore the state in a separate world first. The systems are moved to it, and back if the state
-/// is rejected.
+/// Restore a saved structure and state. They are first restored in a separate world, to which the
+/// systems are moved. If the state is rejected, the systems are moved back and this world is
+/// unchanged.
 void WorldImpl::restore(World& self, const Structure& made_of, std::span<const std::byte> bytes) {
     std::unique_ptr<WorldImpl> before;  // outlives its lock
     const world::Using use(self.impl_->use, "restore");

@@ -45,7 +45,8 @@ class InputAccess {
     [[nodiscard]] virtual bool leaves_empty_range(std::int32_t input) const noexcept = 0;
     [[nodiscard]] virtual InputId id_of(std::int32_t input) const noexcept = 0;
     virtual void take_back(const Before& before) noexcept = 0;
-    /// Send the event that a requested value was outside its range.
+    /// Send an event if a requested value was outside its range. @param before  The input and the
+    /// requested value.
     virtual void tell(const Before& before) noexcept = 0;
     /// Begin edits by a system: save the state to which a failed step returns, unless this step has
     /// done so.
@@ -86,7 +87,7 @@ class Systems final : public context::Actors {
     /// @throws DefError with the nearest name.
     [[nodiscard]] const SystemSignal& signal(std::string_view name) const;
 
-    /// Set the world that is passed to systems in a step.
+    /// Set the world that systems receive in a step.
     void use(const World& world) noexcept { world_ = &world; }
     /// Call f for the objects that each system refers to, with the name of the system. @throws
     /// std::bad_alloc, and exceptions of f.

@@ -90,8 +90,8 @@ void WorldImpl::undo_step(std::size_t mark) noexcept {
     if (listener != nullptr) listener->undone(mark);
 }
 
-/// Save the state for an undo of several edits. Before the first step no copy is needed, because
-/// all data are analysed at the start.
+/// Save the state, so that several edits can be undone together. Before the first step no copy is
+/// needed, because all data are analysed at the start.
 Attempt::Attempt(World& world, bool wanted) : world_(world) {
     WorldImpl& m = *world.impl_;
     const world::Using use(m.use, "add");

@@ -40,8 +40,8 @@ struct WireAtWheel {
 [[nodiscard]] WireAtWheel read_wire_at_wheel(const context::StepContext& ctx,
                                              std::array<std::int32_t, 2> part,
                                              double mass) noexcept;
-/// Set the velocity of a node that has received the mass for an end, and record the change of
-/// energy as edited.
+/// Set the velocity of a node that has received part of the wire's mass at a wheel, and record the
+/// change of energy as edited. @param end  End of the element at which the node is.
 void divide_momentum(context::StepContext& ctx, std::int32_t lump, const WireAtWheel& wheel,
                      std::size_t end) noexcept;
 

@@ -57,7 +57,7 @@ class SecondPiece {
         constexpr std::size_t kMaxAddedBodies = 4;
         on_second_piece_.assign(at(bodies) + kMaxAddedBodies, 0);
     }
-    /// Move the objects behind a cut to the second piece.
+    /// Move the elements, nodes and other objects behind a cut from a wire to this second piece.
     /// @param second  First element of the piece.
     /// @param end  Its first node.
     void move_behind_cut(world::Wire& whole, InteractionId second, BodyId end,

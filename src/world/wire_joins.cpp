@@ -157,7 +157,8 @@ void WorldImpl::add_gear_mass(BodyId lump, double mass) noexcept {
     ctx.state.ledger.edited.given += edit::energy_of_body(ctx, lump.index) - had;
 }
 
-/// Return the link from a node to a body, in the direction of the node's wire.
+/// Return the definition of a link from a node to a body, with gear of the given kind, in the
+/// direction of the node's wire.
 InteractionDef WorldImpl::make_link(const World& world, BodyId a, BodyId b, const Vec3& point,
                                     const JoinDef& def) const {
     const world::FreeEnd end = free_end(a);

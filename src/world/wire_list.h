@@ -15,7 +15,8 @@
 namespace hawser::world {
 
 struct Wire : WirePieces {
-    /// Clear the wire and keep its memory.
+    /// Clear the wire and keep its memory. @param of  New name. @param made  True if a definition
+    /// of a wire made it.
     void begin(std::string_view of, bool made) {
         name = of;
         owns = made;

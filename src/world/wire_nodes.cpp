@@ -31,8 +31,9 @@ void reserve_node(world::Wire& wire) {
     base::reserve_more(wire.shapes, 1);
 }
 
-/// Insert a node into the lists of a wire. Capacity has been reserved.
-/// @param made  The node and the objects added with it.
+/// Insert a node and the objects added with it into the lists of a wire. Capacity has been
+/// reserved.
+/// @param made  The node, its element, bend and capsule.
 /// @param first  True if the new element comes before the existing one.
 void insert_into_lists(world::Wire& wire, InteractionId element, const world::Wire& made,
                        bool first) noexcept {
@@ -60,8 +61,8 @@ WireId WorldWiresView::of(InteractionId element) const noexcept {
     return {};
 }
 
-/// Update definitions after an edit of masses and drags, and the forces of nodes that depend on
-/// mass. Also update the inputs of an element at a drum.
+/// Update the stored definitions after an edit has changed masses and drags: nodes, their forces
+/// that depend on mass, elements, and inputs of an element at a drum.
 void WorldImpl::update_definitions_near(const edit::NodeSurroundings& place) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     for (const std::int32_t id : {place.first, place.second}) {

@@ -84,7 +84,7 @@ WorldImpl::Mark WorldImpl::mark(BodyId from, BodyId to) const noexcept {
             {quiet(from), quiet(to)}};
 }
 
-/// Undo the additions since a mark. Indices behind the mark are removed; other indices become
+/// Undo all additions since a mark. Indices behind the mark are removed; reused indices become
 /// vacant again, with their former generation.
 void WorldImpl::take_back(const Mark& before, const world::Wire& made) noexcept {
     forget_removal();
