@@ -8,7 +8,8 @@
 
 namespace hawser::record {
 
-/// Write one change. If allocation fails, remove the bytes already written for it.
+/// Append one change of the world to the bytes. If allocation fails, remove the part of it already
+/// written.
 template <class F>
 void ChangeBytes::write(F&& fields) noexcept {
     try {

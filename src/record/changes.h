@@ -58,8 +58,8 @@ class ChangeBytes : public ChangeListener {
     void restored(std::span<const std::byte> bytes) noexcept override;
     void restored(const Structure& made_of, std::span<const std::byte> bytes) noexcept override;
     std::size_t mark() noexcept override { return out_.bytes().size(); }
-    /// Remove the changes after a mark, because they were undone. Flags that bodies have changed
-    /// remain set.
+    /// Remove the changes recorded after a mark, because the world has undone them. Flags that
+    /// bodies have changed remain set.
     void undone(std::size_t mark) noexcept override { out_.truncate(mark); }
 
     /// Return all changes since the last clear(), in order.

@@ -25,7 +25,7 @@ inline constexpr char kSetNote[] = "set";
 /// True if a system drives the input at index `place` of a recording as a part of its own.
 [[nodiscard]] bool is_inner_input(const Recording& recording, std::size_t place);
 
-/// True if an input is part of a system, which drives it. Its name then begins with the system's
+/// True if an input is part of a system, which sets it. Its name then begins with the system's
 /// name, as "winch/motor/speed" of a winch.
 [[nodiscard]] bool is_inner_input(const World& world, std::string_view name);
 

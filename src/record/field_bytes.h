@@ -60,8 +60,8 @@ struct PutFields {
         out.put(static_cast<std::uint32_t>(all.size()));
         for (const E& each : all) word(each, count);
     }
-    /// Write a kind and the rows of its field table. Rows from index `named` on are written with
-    /// their names, if they differ from the default.
+    /// Write an enumerator `kind` and the members that its field table lists. Members from index
+    /// `named` on are written with their names, and only if they differ from the default.
     template <class D, class E, class Rows>
     void table(const D& d, const E& kind, int, const Rows& rows, std::size_t named) {
         std::vector<const FieldInfo<D>*> more;

@@ -23,7 +23,7 @@ void put_joints(ByteWriter& out, const SceneInfo& scene, const World& world) {
     }
 }
 
-// Return the point of the first or last body to which the cable is attached.
+// Return the attachment point of a cable at its first or last body, in the frame of this body.
 Vec3 end_point(const CableInfo& cable, const World& world, bool last) {
     if (cable.elements.empty() || cable.nodes.empty()) return Vec3::Zero();
     const BodyId body = last ? cable.nodes.back() : cable.nodes.front();

@@ -42,7 +42,7 @@ void ground_lines(const ShapeDef& def, RecordedOutline& out) {
                             static_cast<std::size_t>(j)]);
 }
 
-/// Return the outline of a shape in the frame of the shape.
+/// Return the outline of a shape in the shape's own frame.
 RecordedOutline in_shape(const ShapeDef& def) {
     RecordedOutline out;
     out.body = def.body.index;

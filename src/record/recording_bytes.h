@@ -32,7 +32,7 @@ T get_finite(ByteReader& in) {
     return value;
 }
 
-/// Read a step number, which must be ≥ `least`.
+/// Read a step number. @throws BadBytes if it is below `least`.
 inline std::int64_t get_step(ByteReader& in, std::int64_t least) {
     const auto value = in.get<std::int64_t>();
     if (value < least || value > kMaxSteps) throw BadBytes("a step is out of range");

@@ -24,9 +24,10 @@ class LineFollower {
     LineFollower(const World& world, std::vector<InteractionId> joints);
     /// True if lines were added or removed since the last call.
     [[nodiscard]] bool changed(const World& world);
-    /// Write the contents of LINE. @param bodies  Bodies of a frame, ascending.
+    /// Write the contents of a LINE chunk: lines other than wires. @param bodies  Bodies of a
+    /// frame, ascending.
     void write_lines(ByteWriter& out, const World& world, std::span<const BodyId> bodies) const;
-    /// Write the contents of LPUL.
+    /// Write the contents of an LPUL chunk: the tensions of lines other than wires in one frame.
     void write_pulls(ByteWriter& out, const World& world) const;
 
   private:

@@ -9,8 +9,8 @@
 
 namespace hawser::record {
 
-/// Return the least allowed step of the next entry of `all`, which is the step of the last entry of
-/// its branch.
+/// Return the least allowed step number of the next entry of the list `all`: that of the last entry
+/// in the same branch.
 template <class T>
 std::int64_t Recording::least_step(const std::vector<T>& all,
                                    std::size_t RecordedTake::* before) const {

@@ -143,8 +143,8 @@ std::vector<bool> Recording::wire_lumps() const {
     return out;
 }
 
-/// Return the pieces that apply at a frame. @return null: no pieces apply, or the recording ends
-/// before they are complete.
+/// Find the elements of wires that apply at a frame, and read their tensions. @return null: no
+/// elements are stored for this frame, or the recording ends before they are complete.
 const Recording::Wires* Recording::find_wires(std::size_t index, const WireTables& tables,
                                               std::vector<float>& pulls) {
     const auto behind =

@@ -23,9 +23,10 @@ class WireFollower {
     explicit WireFollower(const World& world);
     /// True if the elements of the wires changed since the last call.
     [[nodiscard]] bool changed(const World& world);
-    /// Write the contents of WIRE. @param bodies  Bodies of a frame, ascending.
+    /// Write the contents of a WIRE chunk: the elements of all wires. @param bodies  Bodies of a
+    /// frame, ascending.
     void put_wires(ByteWriter& out, const World& world, std::span<const BodyId> bodies) const;
-    /// Write the contents of PULL.
+    /// Write the contents of a PULL chunk: the tensions of all wire elements in one frame.
     void write_pulls(ByteWriter& out, const World& world) const;
 
   private:
@@ -40,8 +41,8 @@ void write_piece(ByteWriter& out, const World& world, InteractionId element,
 /// Write the tension of an element [N]; −1: broken.
 void write_pull(ByteWriter& out, const World& world, InteractionId element);
 
-/// Read wires. @param bodies  Bodies of a frame, as indices of the recording. @param pieces  Set to
-/// the number of pieces. @throws BadBytes
+/// Read the wires of a WIRE or LINE chunk. @param bodies  Bodies of a frame, as indices of the
+/// recording. @param pieces  Set to the number of elements. @throws BadBytes
 [[nodiscard]] std::vector<RecordedWire> get_wires(ByteReader& in,
                                                   std::span<const std::int32_t> bodies,
                                                   std::size_t& pieces);

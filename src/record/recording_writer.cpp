@@ -167,7 +167,7 @@ void RecordingWriter::add_changes(std::int64_t step, std::span<const std::byte> 
     bodies_changed_ = bodies_changed_ || bodies_changed;
 }
 
-/// Choose the bodies of the following frames: the remaining bodies, by their numbers in the file.
+/// Choose the bodies of the following frames: those that still exist, by their numbers in the file.
 void RecordingWriter::follow_bodies(const World& world) {
     bodies_changed_ = false;
     std::vector<FramedBody> now;

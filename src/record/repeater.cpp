@@ -34,7 +34,7 @@ struct Repeater::Load {
     std::array<double, kMaxLoadNumbers> water{};
     BodyLoad target{};  ///< Load in the step if there are two sources.
 
-    /// Set the load of the body in a step.
+    /// Set the load of a body in the next step.
     void put(const BodyLoad& to,
              const std::array<double, kMaxLoadNumbers>& numbers) const noexcept {
         if (to.freedom != static_cast<int>(freedom)) return;  // out of memory
@@ -102,7 +102,7 @@ class Repeater::Loader final : public System {
     Water& water_;
 };
 
-/// Read the sea of a step that acts on nodes of wires.
+/// Read the sea of a step whose loads on nodes of wires are computed again.
 void Repeater::read_sea(ByteReader& in) {
     water_->lines.reset();
     const auto sea = in.get<std::int32_t>();
@@ -158,13 +158,14 @@ void Repeater::repeat_loads(World& world) {
     water_->begin();
 }
 
-/// Return the end of the entries of the present branch in a list of `all` entries.
+/// Return the end of the present branch's entries in a list of the recording. @param all  Number of
+/// entries of the list. @param before  Member with the number of entries before the next branch.
 std::size_t Repeater::end_of(std::size_t all, std::size_t RecordedTake::* before) const {
     return take_ < recording_.takes.size() ? recording_.takes[take_].*before : all;
 }
 
-/// Remove the systems of loads before a state is restored: states in recordings belong to worlds
-/// without systems.
+/// Remove the systems that apply recorded loads before a state is restored. States in recordings
+/// belong to worlds without systems.
 void Repeater::drop_loader(std::span<const std::byte> change, World& world) {
     if (water_ == nullptr || change.empty()) return;
     const auto kind = static_cast<ChangeKind>(change.front());

@@ -116,7 +116,7 @@ class Hull {
     std::vector<Face> faces_;
 };
 
-/// Return the corners of an icosahedron and the middles of its edges, on the unit sphere.
+/// Return 42 points on the unit sphere: the corners of an icosahedron and the middles of its edges.
 std::vector<Vec3> ball_corners() {
     const double g = 0.5 * (1.0 + std::sqrt(5.0));
     std::vector<Vec3> out;
