@@ -16,8 +16,8 @@ namespace hawser::marine {
     return body.height > 0.0 ? body.height : std::cbrt(6.0 * body.volume / std::numbers::pi);
 }
 
-/// Return the coefficients of a line. If the volume is not defined, it is set to the area of the
-/// cross-section.
+/// Return the coefficients of a line with its displaced volume set. If it is not defined, it is the
+/// area of the cross-section.
 [[nodiscard]] inline LineWater with_volume(LineWater water) noexcept {
     water.volume = water.area();
     return water;

@@ -36,8 +36,8 @@ double significant_of(std::span<const WaveComponent> waves, const Amplitude& amp
     return std::sqrt(2.0 * sum);
 }
 
-/// Return the least depth in [0, deepest] from which on a decreasing function is at most `limit`;
-/// infinite if there is none.
+/// Return the least depth in [0, deepest] at which a decreasing function is ≤ `limit`; infinite if
+/// there is none.
 template <class Falling>
 double depth_of(const Falling& falling, double deepest, double limit) {
     if (falling(0.0) <= limit) return 0.0;
@@ -160,8 +160,9 @@ void FastWaves::find_depths() {
     }
 }
 
-/// Fill the table of extents. A row applies from its depth to that of the next row. Contributions
-/// decrease with depth, except those that the bottom changes, which increase.
+/// Fill the table of the numbers of wave groups that must be summed at each depth. A row applies
+/// from its depth to that of the next row. Contributions decrease with depth, except those that the
+/// bottom changes, which increase.
 void FastWaves::list_extents() {
     const auto count = [&](const auto& holds) {
         int n = 0;

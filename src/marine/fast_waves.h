@@ -46,7 +46,7 @@ class FastWaves {
 
     /// True if sums in single precision are in use.
     [[nodiscard]] bool on() const noexcept { return padded_ > 0; }
-    /// Set the phases at the time of the step, by component of the sea.
+    /// Set the phases of all wave components at the time of the step.
     void begin(std::span<const double> phase) noexcept;
     [[nodiscard]] int padded() const noexcept { return padded_; }
     [[nodiscard]] int groups() const noexcept { return padded_ / kFastGroup; }
@@ -54,15 +54,16 @@ class FastWaves {
         return {table_.data(), middle_.data(), width_.data(), padded_, gravity_};
     }
     [[nodiscard]] const double* reference() const noexcept { return reference_.data(); }
-    /// Return the largest distance of a point from its reference if it uses `first` leading groups
-    /// [m].
+    /// Return the largest distance of a point from its reference point at which single precision is
+    /// accurate enough, if the point uses the first `first` groups of waves [m].
     [[nodiscard]] double reach(int first) const noexcept {
         return reach_[static_cast<std::size_t>(first)];
     }
     [[nodiscard]] double reach() const noexcept { return on() ? reach_.back() : 0.0; }
-    /// Return Σ a of all components, a bound of the elevation [m].
+    /// Return the sum of all amplitudes, an upper bound of the elevation [m].
     [[nodiscard]] double highest() const noexcept { return highest_; }
-    /// Return the groups to sum for velocity and acceleration at z' = −depth.
+    /// Return the range of wave groups that must be summed for velocity and acceleration at the
+    /// depth `depth`.
     [[nodiscard]] const FastExtent& extent(double depth) const noexcept {
         const double row = depth * rows_per_metre_;
         return extents_[row < kExtentRows - 1 ? static_cast<std::size_t>(row) : kExtentRows - 1];

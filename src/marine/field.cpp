@@ -63,16 +63,16 @@ double WaterField::still_depth(double z, double surface) const noexcept {
     return -stretched(sea_->depth(), z, surface);
 }
 
-/// Return the number of groups to sum for the elevation at a point: all groups if a wave can
-/// uncover the point.
+/// Return the number of wave groups to sum for the elevation at a point. All groups are needed if a
+/// wave can uncover the point.
 int WaterField::surface_groups(const FieldPoint& point) const noexcept {
     const double lowest = now_->level - now_->waves * fast_.highest();
     if (!stretch_by_few_ || !(point.top < lowest)) return fast_.groups();
     return fast_.stretching_groups(still_depth(point.z, lowest));
 }
 
-/// Form a cluster of points from `first` on: append batches as long as they are within reach of the
-/// middle of the cluster.
+/// Form a cluster of points from `first` on. Batches are appended as long as all points are near
+/// enough to the middle of the cluster for single precision.
 void WaterField::form_cluster(const FieldPoint* points, int first, int count, bool exact_surface,
                               Cluster& to) const noexcept {
     to.end = std::min(first + kWavePoints, count);

@@ -87,8 +87,9 @@ class WaterField {
     /// elevation is approximate if no wave can uncover FieldPoint::top. @param count  0 to
     /// kMostPoints.
     void water(const FieldPoint* points, int count, WaterPoint* out) const noexcept;
-    /// Compute the elevation of the surface, and the dynamic pressure of points below it. @param
-    /// waves  False: the surface is still water. @param rise  Null: not required.
+    /// Compute the elevation of the water surface above points, and the dynamic pressure at points
+    /// below it. @param waves  False: the surface is still water. @param surface  Output: elevation
+    /// [m]. @param rise  Output: pressure; null: not required.
     void press(const FieldPoint* points, int count, bool waves, double* surface,
                double* rise) const noexcept;
     /// Return the current, like Sea::current().

@@ -13,7 +13,7 @@
 namespace hawser {
 namespace {
 
-/// Find the sinkage at which a hull of given orientation displaces the volume `wanted`. @return
+/// Find the draught at which a hull of given orientation displaces the volume `wanted`. @return
 /// true if the hull floats.
 bool find_sinkage(const HullMesh& mesh, double wanted, Flotation& out) {
     double low = std::numeric_limits<double>::infinity(), high = -low;

@@ -30,7 +30,7 @@ class HullFlow {
     /// of samples.
     [[nodiscard]] double velocity_error(const WaterField& field, const Pose& pose,
                                         std::int64_t& points) const;
-    /// Compute the means over the samples.
+    /// Compute the mean motion of the water over the samples.
     /// @param at_centre  Water at the centre of mass, for a hull without wet cells.
     void finish(const Mat3& axes, const WaterPoint& at_centre) noexcept;
 

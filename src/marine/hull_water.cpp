@@ -38,7 +38,8 @@ double volume_of(const HullMesh& mesh) noexcept {
     return sum;
 }
 
-/// Return m v. This function is inlined, unlike Eigen's product.
+/// Return the product m v of a rotation matrix and a vector. This function is inlined, unlike
+/// Eigen's product.
 Vec3 turned(const Mat3& m, const Vec3& v) noexcept {
     return m.col(0) * v.x() + m.col(1) * v.y() + m.col(2) * v.z();
 }

@@ -111,7 +111,7 @@ std::string finite_fault(const WaveCoefficients& c) {
     return {};
 }
 
-/// Return the largest damping of each motion over all frequencies.
+/// Return the largest damping of each motion over all frequencies, as a diagonal matrix.
 Matrix6 largest_diagonal(const std::vector<Matrix6>& all) {
     Matrix6 out = Matrix6::Zero();
     for (const Matrix6& m : all)
@@ -119,8 +119,8 @@ Matrix6 largest_diagonal(const std::vector<Matrix6>& all) {
     return out;
 }
 
-/// Check that A(0) and A(∞) are not exchanged, by A(0) − A(∞) = ∫ t K dt. @return the fault; "" if
-/// none.
+/// Check that the added masses A(0) and A(∞) are not exchanged in a file: A(0) − A(∞) must equal ∫
+/// t K dt. @return the fault; "" if there is none.
 std::string swapped_fault(const WaveCoefficients& c) {
     if (!c.has_infinite || !c.has_zero || c.frequency.size() < 4) return {};
     const Matrix6 reported = infinite_added_mass(c);

@@ -63,7 +63,7 @@ class Scaled {
     double memory_;
 };
 
-/// Return e^{At} B of the blocks of the state-space model, one row per state.
+/// Return the responses e^{At} B of the state-space model's blocks at time t, one row per state.
 MatrixXd run(const std::vector<MemoryModel::Block>& blocks, const MatrixXd& b, double t) {
     MatrixXd out(b.rows(), b.cols());
     Eigen::Index s = 0;

@@ -104,8 +104,8 @@ Vec6 memory_scale(const Matrix6& first) noexcept {
 
 namespace {
 
-/// Return the amount by which a damping matrix fails to be positive semi-definite, with scaled
-/// entries.
+/// Return the most negative eigenvalue of a scaled damping matrix, as a positive number; 0 if it is
+/// positive semi-definite.
 double deficit(const Matrix6& damping, const Vec6& scale) {
     Matrix6 m = symmetric(damping);
     for (int i = 0; i < 6; ++i)

@@ -71,7 +71,7 @@ struct MemoryModel {
 /// @throws DefError if no stable model of this order exists.
 [[nodiscard]] MemoryModel memory_model(const WaveCoefficients& c, int order, double memory);
 
-/// Return the scale of each motion's memory, √K_ii(0); 1 if it is 0.
+/// Return the scale √K_ii(0) of each motion in the memory kernel K; 1 if K_ii(0) is 0.
 [[nodiscard]] Vec6 memory_scale(const Matrix6& first) noexcept;
 
 /// The memory of one hull.
@@ -80,9 +80,11 @@ class HullMemorySums {
     HullMemorySums() = default;
     HullMemorySums(const WaterHull& def, double step);
 
-    /// Store the velocity after the last step. @param velocity  ν at the reference, body axes.
+    /// Store the velocity after the last step in the memory. @param velocity  ν at the reference
+    /// point, body axes.
     void push(const Vec6& velocity) noexcept;
-    /// Return ν extrapolated by half a step from the last two velocities. Call before push().
+    /// Return the velocity ν extrapolated by half a step from the last two velocities. Call before
+    /// push().
     [[nodiscard]] Vec6 ahead(const Vec6& velocity) const noexcept {
         return begun_ != 0 ? Vec6(1.5 * velocity - 0.5 * last_) : velocity;
     }
@@ -105,7 +107,8 @@ class HullMemorySums {
     [[nodiscard]] std::size_t place(int motion, std::int64_t sample) const noexcept {
         return static_cast<std::size_t>(motion * memory_stride(count_) + sample);
     }
-    /// Repeat the first samples of the ring behind its end.
+    /// Repeat the first samples of the ring buffer behind its end, so that sums need no
+    /// wrap-around.
     void go_on_behind() noexcept;
 
     // Convolution: h K of the pairs (i ≥ j) that are not 0, in the format of memory_sums.h.

@@ -217,7 +217,8 @@ bool SeaSystem::compute(Prestep& now) noexcept {
     return true;
 }
 
-/// Add all loads in the order of nodes, bodies, hulls and rods, independent of threads.
+/// Add the computed loads to the world in the order of nodes, bodies, hulls and rods. The order
+/// does not depend on threads.
 void SeaSystem::apply_loads(Loads& loads) const noexcept {
     if (line_part_) loads.repeat(true);
     for (int i = 0; i < lines_.count(); ++i)

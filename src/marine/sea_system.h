@@ -133,14 +133,15 @@ class HullWater {
     /// @param reach  Radius of a cluster of points in single precision [m]; 0: none.
     HullWater(const WaterHull& def, const Sea& sea, double step, double heading, double reach);
     void begin(const World& world, bool convective) noexcept;
-    /// Update the memory and the wave forces by coefficients. Several threads process hulls.
+    /// Store the velocity of the hull in its radiation memory, and update its wave forces from
+    /// coefficients. Several threads process hulls.
     void remember(const Sea& sea, const SeaMoment& now) noexcept;
     [[nodiscard]] int corner_chunks() const noexcept;
     [[nodiscard]] int strip_chunks() const noexcept;
     [[nodiscard]] int triangle_chunks() const noexcept;
     void press(const WaterField& field, int chunk) noexcept;
     [[nodiscard]] int cell_chunks() const noexcept;
-    /// Sample the water at the hull's cells.
+    /// Sample the motion of the water at the hull's cells that belong to a task.
     void flow_over(const WaterField& field, int chunk) noexcept;
     /// Return the largest error of a velocity at a cell in the last step [m/s]. @param points
     /// Increased by the number of cells.
@@ -156,7 +157,7 @@ class HullWater {
     void finish(const WaterField& field, double air) noexcept;
     [[nodiscard]] BodyId body() const noexcept { return def_->body; }
     [[nodiscard]] bool any() const noexcept { return any_; }
-    /// True if a wave has a direction that the coefficients lack.
+    /// True if a wave has a direction for which the hull has no coefficients.
     [[nodiscard]] bool lacks_direction() const noexcept { return lost_; }
     void visit_state(StateVisitor& v);
     void check_state(StateRules& rules) const;

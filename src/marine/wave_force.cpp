@@ -17,8 +17,8 @@ constexpr double kHeadingTolerance = 5.0 * std::numbers::pi / 180.0;
 
 double wrapped(double angle) noexcept { return angle - kTwoPi * std::nearbyint(angle / kTwoPi); }
 
-/// Interpolate a column of a table linearly at ω. Below the first frequency the first value
-/// applies, above the last one the last value times `above`.
+/// Interpolate a column of a table linearly at the frequency ω. Below the first frequency the first
+/// value applies, above the last one the last value times `above`.
 template <class T>
 std::array<T, 6> column_at(const WaveCoefficients& c, const std::vector<T>& table, std::size_t head,
                            double omega, double above) {
@@ -36,8 +36,8 @@ std::array<T, 6> column_at(const WaveCoefficients& c, const std::vector<T>& tabl
     return out;
 }
 
-/// True if the coefficients are those of a symmetric body, for which sway, roll and yaw vanish in
-/// waves from ahead and astern.
+/// True if coefficients are those of a body symmetric to its centre plane: sway, roll and yaw
+/// vanish in waves from ahead and astern.
 bool is_symmetric_body(const WaveCoefficients& c, const std::vector<std::complex<double>>& table) {
     if (c.heading.size() < 2 || std::abs(c.heading.front()) > 1e-3 ||
         std::abs(c.heading.back() - std::numbers::pi) > 1e-3)

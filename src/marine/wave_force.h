@@ -23,11 +23,11 @@ class WaveForce {
     WaveForce(const WaterHull& def, const Sea& sea, double step, double heading);
 
     [[nodiscard]] bool any() const noexcept { return force_ || drift_; }
-    /// Filter the position of the hull. @param x, y  Position of the reference [m]. @param heading
-    /// Heading of the body [rad].
+    /// Filter position and heading of the hull, to obtain the slowly varying part. @param x, y
+    /// Position of the reference [m]. @param heading  Heading of the body [rad].
     void follow(double x, double y, double heading) noexcept;
-    /// Compute the force at the reference in axes of the slow heading. @return false if the table
-    /// lacks a direction of a wave.
+    /// Compute the wave force at the reference point, in axes of the slowly varying heading.
+    /// @return false if the table lacks the direction of a wave.
     [[nodiscard]] bool act(const Sea& sea, const SeaMoment& now, Vec6& out) const noexcept;
     /// Return the heading of the body without its oscillation in waves [rad].
     [[nodiscard]] double heading() const noexcept { return slow(2); }

@@ -154,9 +154,10 @@ struct GroupPowers {
     }
 };
 
-/// Return e^(−k ζ) of the components from i on, divided by the value in the middle of their group.
-/// @tparam Degree  Degree of the polynomial; above kHighestDegree: each component by 2^x, not over
-/// the middle.
+/// Return the decay e^(−k ζ) with depth of the wave components from i on, divided by the value in
+/// the middle of their group.
+/// @tparam Degree  Degree of the polynomial. Above kHighestDegree each component is computed by
+/// 2^x, without division by the middle.
 template <int Degree>
 HAWSER_FAST Floats decay_factor(const marine::FastTable& table, int i, float depth) {
     if constexpr (Degree > kHighestDegree)

@@ -63,7 +63,7 @@ HAWSER_WAVES Wide series(const double (&c)[N], Wide x) {
     for (int i = N - 2; i >= 0; --i) y = y * x + c[i];
     return y;
 }
-/// Evaluate the polynomial of every second coefficient in x².
+/// Evaluate a polynomial that consists of every second coefficient, in powers of x².
 template <int First, int N>
 HAWSER_WAVES Wide every_second(const double (&c)[N], Wide square) {
     constexpr int kLastCoefficient = N - 1 - (N - 1 - First) % 2;
