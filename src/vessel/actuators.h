@@ -52,16 +52,17 @@ enum class Failure : std::uint8_t { none, stopped, kept, full };
 class Propulsor {
   public:
     Propulsor(const PropulsorDef& def, const Vec3& origin);
-    /// Return the thrust and torque in a flow, without losses. @param along  Output: velocity of
+    /// Return thrust and torque in a flow, without thrust losses. @param along  Output: velocity of
     /// the water past the propulsor, along the thrust [m/s].
     [[nodiscard]] PropellerForce open(const PropulsorState& s, const Flow& flow,
                                       double& along) const noexcept;
     /// Compute the force on the ship. It depends on u, v, r and the density of the flow alone.
     [[nodiscard]] Wrench force(const PropulsorState& s, const Flow& flow) const noexcept;
-    /// Compute the force on the ship from the thrust of open() [N].
+    /// Return the wrench on the ship for a thrust computed by open() [N].
     [[nodiscard]] Wrench push(const PropulsorState& s, double thrust) const noexcept;
-    /// Return the power that it would take in a step without a bus [W].
-    /// @param rated  Power of an ideal one at full order.
+    /// Return the power that the propulsor would need in this step without a limit by the power bus
+    /// [W].
+    /// @param rated  Power of an ideal propulsor at full order.
     [[nodiscard]] double demand(const PropulsorState& s, const Flow& flow,
                                 double rated) const noexcept;
     /// Advance the state by a step. `turn` and `power` report limits reached in this step.
@@ -94,7 +95,8 @@ class Propulsor {
                     Limit& power) const noexcept;
     void turn(PropulsorState& s, double step, Limit& turn) const noexcept;
     void turn_vector(PropulsorState& s, double order, double step) const noexcept;
-    /// Return the order in force: the input, or the order that a failure or a power limit sets.
+    /// Return the order that is in force: the input, or the order set by a failure or a power
+    /// limit.
     [[nodiscard]] double effective_order(const PropulsorState& s) const noexcept;
     PropulsorDef def_;
     Vec3 at_;  ///< Marine frame.

@@ -65,7 +65,8 @@ class Allocation {
     /// Return the force of a thruster after allocate(), in the marine frame [N].
     [[nodiscard]] double x(std::size_t i) const noexcept { return forces_[2 * i]; }
     [[nodiscard]] double y(std::size_t i) const noexcept { return forces_[2 * i + 1]; }
-    /// Return Σ B_i f_i after allocate() or thrust_at_fixed_angles().
+    /// Return the sum of forces and moments of all thrusters after allocate() or
+    /// thrust_at_fixed_angles().
     [[nodiscard]] const Vec3& total() const noexcept { return total_; }
 
     /// Compute thrusts at fixed angles within their limits. @param thrusts  Output [N].
@@ -75,7 +76,7 @@ class Allocation {
     [[nodiscard]] Vec3 largest_axis_forces() const noexcept;
     /// Return the number of axes that thrusters can control independently, 0 to 3.
     [[nodiscard]] int independent_axes() const;
-    /// Return |S τ| with the scales of the cost.
+    /// Return the norm |S τ| of a demand, with the scales of the cost function.
     [[nodiscard]] double scaled_norm(const Vec3& tau) const noexcept;
     [[nodiscard]] const std::vector<AllocatedThruster>& thrusters() const noexcept {
         return thrusters_;

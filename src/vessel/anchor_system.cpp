@@ -125,7 +125,7 @@ AnchorView AnchorSystem::view() const {
     return out;
 }
 
-/// Read the forces and motion of the last step.
+/// Read the line force on the anchor and the motion of the anchor in the last step.
 void AnchorSystem::read_last_step(const Prestep& now) noexcept {
     const World& world = now.world;
     const Vec3 at = world.world_point(def_.body, def_.point);

@@ -105,7 +105,7 @@ void Control::choose_mode(Prestep& now, const ControlSense& sense,
         for (PropulsorState& s : act.propulsors) s.order = 0.0;
 }
 
-/// Move η_d towards the orders.
+/// Move the desired position η_d towards the ordered position within the limits of speed.
 void Control::follow_orders(const ControlSense& sense, double h) noexcept {
     if (mode() == ControlMode::follow) {
         x_order_ = sense.target[0] + offset_[0];
@@ -185,7 +185,8 @@ void Control::integrate(const Vec3& tau, double h) noexcept {
     sum_ += h * to_earth(adding, observer_.low_frequency_motion().planar_position[2]);
 }
 
-/// Set the rudder by heading and turn rate, and the revolutions of a coefficient set by speed.
+/// Set the rudder by the errors of heading and turn rate, and the revolutions of a propeller in a
+/// coefficient set by the speed error.
 void Control::steer(const ControlSense& sense, ControlledActuators act, double h) noexcept {
     if (mode() == ControlMode::position || mode() == ControlMode::follow) {
         // Thrusters alone hold the position: a rudder that stays over would be a load.
@@ -220,8 +221,8 @@ void Control::steer(const ControlSense& sense, ControlledActuators act, double h
             std::clamp(wanted, -def_.rudders[i].most_angle, def_.rudders[i].most_angle);
 }
 
-/// Compute the available fraction of each propulsor's thrust, which is that of its power to the
-/// power of 2/3. It increases slowly, so that thrusters on one power bus do not alternate.
+/// Compute the available fraction of each propulsor's thrust, from its available power to the power
+/// of 2/3. It increases slowly, so that thrusters on one power bus do not alternate.
 void Control::find_available(const ControlledActuators& act, double h) noexcept {
     uncontrolled_.setZero();
     for (std::size_t i = 0; i < act.propulsors.size(); ++i) {

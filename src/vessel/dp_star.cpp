@@ -68,8 +68,8 @@ struct Notch {
     double middle = 0.0, half_width = 0.0, least = 1.0;
 };
 
-/// Return the radius of a notch divided by that of the circle, at an angle from the middle of the
-/// notch.
+/// Return the radius of a notch in the thrust diagram, divided by that of the circle, at an angle
+/// from the middle of the notch.
 double notch_factor(const Notch& n, double direction) noexcept {
     const double off = std::abs(std::remainder(direction - n.middle, kTurn));
     if (off >= n.half_width) return 1.0;
@@ -188,7 +188,8 @@ void cut_fans(const std::vector<Force2>& chain, std::vector<Fan>& out) {
     if (!fan.vertices.empty()) out.push_back(fan);
 }
 
-/// Append the fans of a turning thruster: arcs of its circle with dips and notches.
+/// Append the convex fans of an azimuth thruster's thrust diagram: arcs of its circle with dips and
+/// notches.
 void turning_fans(const DpShip& ship, std::size_t i, double radius, const std::vector<bool>& failed,
                   double arc, std::vector<Fan>& out) {
     const DpThruster& t = ship.thrusters[i];
@@ -232,7 +233,8 @@ bool in_forbidden_sector(const std::vector<DpSector>& zones, double direction) n
     });
 }
 
-/// Append the fans of a shaft: ahead with the rudder to both sides, and astern.
+/// Append the convex fans of a shaft line's thrust diagram: ahead with the rudder to both sides,
+/// and astern.
 void shaft_fans(const DpShip& ship, std::size_t i, double ahead, double astern,
                 const std::vector<bool>& failed, std::vector<Fan>& out) {
     const DpThruster& t = ship.thrusters[i];

@@ -36,7 +36,8 @@ struct Star {
 /// solution of the test ship (docs/vessels.md) [rad].
 inline constexpr double kArcStep = 0.17453292519943295;
 
-/// Compute the star of a thruster after all losses; no fans if it failed.
+/// Compute the thrust diagram (star) of a thruster after all losses; it is empty if the thruster
+/// failed.
 /// @param arc_step  Vertices of arcs lie at its multiples, at the ends of sectors and dips, and at
 /// each degree in the dip of a skeg [rad].
 [[nodiscard]] Star capacity_star(const DpShip& ship, std::size_t thruster, const DpCondition& at,

@@ -62,7 +62,8 @@ class Search {
     }
 
   private:
-    /// Add the first tangent of a board, with all its thrusters at the same fraction.
+    /// Add the first linear constraint on the power of a switchboard: the tangent at which all its
+    /// thrusters have equal fractions.
     void begin_cuts(int board) {
         double total = 0.0;
         for (const Star& s : stars_)
@@ -94,7 +95,8 @@ class Search {
         return out;
     }
 
-    /// Solve a node with the cuts of power, and add the cuts that its solution violates.
+    /// Solve the linear program of a node of the search, with the linear constraints on power, and
+    /// add the constraints that its solution violates.
     [[nodiscard]] bool solve_relaxation(const Node& node, Relaxed& out) {
         for (int rounds = 0; rounds < 40; ++rounds) {
             if (!program(node, out)) return false;

@@ -66,8 +66,9 @@ double Polynomial::value(const Term& term, const Values& at) const noexcept {
     return out;
 }
 
-/// Return the weighted sum of the polynomial ahead and astern. @param ahead  Weight of motion
-/// ahead; the rest is astern. @param astern_u  u' of the mirrored ship.
+/// Return the force of the polynomial, as the weighted sum of its values for motion ahead and
+/// astern. @param ahead  Weight of motion ahead; the rest is astern. @param astern_u  u' of the
+/// mirrored ship.
 Wrench Polynomial::sum(const Values& at, double ahead, double astern_u) const noexcept {
     Wrench out = Wrench::Zero();
     for (const Term& term : terms_)

@@ -34,7 +34,7 @@ class PowerBus {
     [[nodiscard]] bool any() const noexcept { return !boards_.empty(); }
     /// Return the rated power of an ideal propulsor on the bus; 0 if it is not on the bus [W].
     [[nodiscard]] double rated_power(std::size_t propulsor) const noexcept;
-    /// Set the power that a propulsor demands at its shaft [W].
+    /// Set the power that a propulsor requests at its shaft [W].
     void demand(std::size_t propulsor, double power) noexcept;
     /// Grant power to all consumers. Send events for consumers from which power begins to be
     /// withheld, and for failures.

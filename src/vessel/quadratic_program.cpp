@@ -91,8 +91,8 @@ void QuadraticProgram::drop(int slot) noexcept {
     --active_count_;
 }
 
-/// Move the solution until a constraint is met. Active constraints whose multipliers reach 0 are
-/// dropped.
+/// Move the solution along the direction of a violated constraint until the constraint is met.
+/// Active constraints whose multipliers reach 0 are dropped.
 bool QuadraticProgram::add_active(int index) noexcept {
     double multiplier = 0.0;
     for (int rounds = 0; rounds < kMaxRounds; ++rounds) {

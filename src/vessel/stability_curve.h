@@ -22,7 +22,8 @@ class StabilityCurve {
     /// Return GZ at a heel of 0 to 90° with an added weight at the pin's height on the centreline
     /// [m]. @param added  [kg].
     [[nodiscard]] double lever(double heel, double added) const noexcept;
-    /// Return the largest GZ of the ship alone [m] and its angle [rad].
+    /// Return the largest righting lever GZ of the ship without added weight [m], and its angle
+    /// [rad].
     [[nodiscard]] std::array<double, 2> max_lever() const noexcept { return most_; }
     /// Return y of the towline's point, y₀ + x tan α, limited to the half breadth of the mesh [m].
     [[nodiscard]] double towline_offset(double alpha) const noexcept;

@@ -276,8 +276,8 @@ Wrench VesselSystem::added_coriolis(const Motion& m) const noexcept {
     return out;
 }
 
-/// Return the load of forces τ in the marine frame: P (τ − c) + c + A (Ω × ν), with P = M_s M⁻¹ and
-/// the Coriolis force −c of the body's mass, which the world computes.
+/// Return the load of a force τ, in the marine frame: P (τ − c) + c + A (Ω × ν), with P = M_s M⁻¹.
+/// −c is the Coriolis force of the body's mass, which the world itself computes.
 Wrench VesselSystem::marine_load(const Motion& m, const Wrench& force) const noexcept {
     const Vec3 turn{0.0, 0.0, m.flow.r()};
     const Vec3 linear = m.centre.head<3>(), angular = m.centre.tail<3>();
@@ -312,8 +312,8 @@ void VesselSystem::add_loads(Loads& loads, const Motion& m, const Wrench& force,
 
 namespace {
 
-/// Report a failure that begins. @param last  Input: failure of the last step. Output: of this
-/// step.
+/// Send an event when a failure begins. @param last  Input: failure of the last step. Output: of
+/// this step.
 void report_failure(Prestep& now, BodyId body, double input, std::int32_t& last) noexcept {
     const auto mode = static_cast<std::int32_t>(failure_from_input(input));
     if (mode != 0 && mode != last) now.tell(EventKind::failure, body, input);

@@ -53,9 +53,9 @@ class VesselSystem final : public System {
     void holds(HoldTable& table) const override { table.hold(def_.body); }
     [[nodiscard]] std::unique_ptr<System> clone() const override;
     [[nodiscard]] const VesselDef& def() const noexcept { return def_; }
-    /// True if the input `rudder` drives a coefficient set.
+    /// True if the ship has a coefficient set whose rudder is driven by the input `rudder`.
     [[nodiscard]] static bool has_set(const VesselDef& def) noexcept;
-    /// True if its revolutions act.
+    /// True if the revolutions of a propeller in a coefficient set act on the ship.
     [[nodiscard]] static bool has_shaft(const VesselDef& def) noexcept;
 
   private:
