@@ -101,7 +101,7 @@ class Verifier : public Observer {
     /// Describe the row with the largest excess: its name, its force, its bound.
     [[nodiscard]] std::string describe_worst_bound(const World& world) const;
     void add_interactions(const World& world);
-    /// True if the tables contain all present bodies and interactions. Otherwise call
+    /// True if the verifier's tables contain all present bodies and interactions. Otherwise call
     /// update_tables().
     [[nodiscard]] bool covers(const World& world) const;
     void update_tables(const World& world);

@@ -249,9 +249,9 @@ std::string StateVerifier::check_loss(const World& world, double kinetic_now) {
         record::with_unit(fall, "J"), record::with_unit(scale, "J"));
 }
 
-/// Check the energy of the stretch that edits of wires add, divided by the energy that the motion
-/// exchanged. The monitors of the world have no such account, and rows may absorb the stretch in
-/// the next steps. A run with the grade good is therefore not rejected, but the figure is reported.
+/// Check the elastic energy that edits of wires add by changing lengths, divided by the exchanged
+/// energy. The monitors have no such account, and rows may absorb the stretch in the next steps.
+/// Runs with the grade `good` are therefore not rejected, but the figure is reported.
 std::string StateVerifier::check_edits(const World& world) {
     const double forgotten = std::min(1.0, world.settings().step / limit::kMemory);
     exchanged_ += std::abs(kinetic(world) - kinetic_) - forgotten * exchanged_;

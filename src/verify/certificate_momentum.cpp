@@ -157,9 +157,8 @@ void Verifier::add_loads(const World& world) {
     }
 }
 
-// Return the angular impulse Iδ of a body, where δ is the difference between its present angular
-// velocity and that of a free rotation. The gyroscopic coupling of the velocity and δ is
-// subtracted.
+// Return the angular impulse I δ of a body, without its gyroscopic part. δ is the difference
+// between its present angular velocity and that of a free rotation.
 Vec3 Verifier::spin_impulse(std::size_t body, const Mat3& inertia, const Twist& now) {
     const Quat& turn = pose_[body].orientation;
     const Vec3 w = turn.conjugate() * twist_[body].angular;

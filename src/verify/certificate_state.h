@@ -46,8 +46,8 @@ class StateVerifier {
   public:
     explicit StateVerifier(const World& world);
     void before_step(const World& world);
-    /// Count an impulse of the geometric stiffness of an interaction in this step. It may dissipate
-    /// energy, unless the interaction is a rigid joint. @param impulse  On `body`.
+    /// Count an impulse of the geometric stiffness of an interaction in this step among the forces
+    /// that may dissipate energy. For a rigid joint it may not. @param impulse  Impulse on `body`.
     void add_stiffness(InteractionId id, BodyId body, const Wrench& impulse);
     /// Add the work of an impulse in this step to the forces that may dissipate energy.
     void add_impulse(BodyId body, const Wrench& impulse);

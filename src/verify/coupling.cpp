@@ -48,8 +48,8 @@ class Linearised {
 
     [[nodiscard]] std::size_t size() const { return bodies_.size(); }
 
-    /// Replace d by its image under the linearised step. @return ‖change of velocities‖,
-    /// mass-weighted; −1: the step failed.
+    /// Replace the deviations d by those after a step, linearised by finite differences. @return
+    /// the mass-weighted norm of the change of velocities; −1: the step failed.
     double apply(std::vector<Deviation>& d) {
         perturbed_.state().copy_from(world_);
         for (std::size_t i = 0; i < bodies_.size(); ++i)
@@ -64,7 +64,8 @@ class Linearised {
         return std::sqrt(sum);
     }
 
-    /// Return the mass-weighted norm; displacements count as velocities over a step.
+    /// Return the mass-weighted norm of deviations. A displacement counts as a velocity over one
+    /// step.
     [[nodiscard]] double norm(const std::vector<Deviation>& d) const {
         double sum = 0.0;
         for (std::size_t i = 0; i < d.size(); ++i)

@@ -14,7 +14,7 @@ namespace {
 
 std::size_t at_index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-/// Call f(element, its definition) for the whole elements of all wires.
+/// Call f(element, its definition) for all unbroken elements of wires.
 template <class F>
 void each_element(const World& world, F&& f) {
     for (const WireId wire : world.wires().ids())

@@ -60,7 +60,8 @@ class Forces : public Attached {
         const Vec3 a = axis(0, 2), b = axis(1, 2);
         turn(f / (1.0 + a.dot(b)) * (a + b));
     }
-    /// Add wheels on a carrier, slot 0: in the ratio of their teeth, each about its own axis.
+    /// Add the torques of a gear: two wheels on a carrier (slot 0), in the ratio of their teeth,
+    /// each about its own axis.
     void add_gear(double f) {
         const Vec3 a = axis(0, 2);
         for (int k = 1; k <= 2; ++k) {

@@ -130,7 +130,8 @@ double angle_of(const Attached& on) {
 
 double travel_of(const Attached& on) { return on.axis(0, 2).dot(on.point(1) - on.point(0)); }
 
-// Return the norm of the force in the rows of a load that are in metres [N].
+// Return the norm of the force of an interaction on which a friction depends, over its rows in
+// metres [N].
 double load_size(const World& world, InteractionId id) {
     const std::string_view units = kind_info(world.interaction_def(id).kind).row_units;
     const std::span<const double> f = world.force(id);
@@ -140,8 +141,8 @@ double load_size(const World& world, InteractionId id) {
     return std::sqrt(square);
 }
 
-// Return the ratio of the tensions before and after a turning point (Euler and Eytelwein), as
-// (ratio − 1)/(ratio + 1).
+// Return (r − 1)/(r + 1) for the ratio r of the tensions before and after a turning point, at which
+// the line slides (Euler and Eytelwein).
 double line_fraction(const World& world, const InteractionDef& def, std::span<const Pose> pose) {
     const double angle = turn_between(world, def.load[0].interaction, def.load[1].interaction,
                                       def.get("angle"), pose);
@@ -296,7 +297,7 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
 
 namespace {
 
-/// Return a force range, reduced so that a motor has a power of at most `power` [W].
+/// Return a force range that is reduced so that the motor has a power ≤ `power` [W].
 ForceRange with_power(const Attached& on, double power, ForceRange range) {
     if (!(power < 1e30)) return range;
     const double speed = coordinate_speed(on);

@@ -38,7 +38,8 @@ Matrix mass_matrix(const BodyDef& def, const Pose& pose, int n) {
     return m;
 }
 
-// Return the weight θ of the velocity after the step in the damping (docs/theory/loads.md).
+// Return θ, the weight of the velocity after the step in the damping of a load
+// (docs/theory/loads.md).
 double late_fraction_of_load(double z) {
     if (z < 1e-2) return 0.5 + z / 12.0 - z * z * z / 720.0;
     return -1.0 / std::expm1(-z) - 1.0 / z;

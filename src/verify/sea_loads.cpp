@@ -217,7 +217,7 @@ void SeaVerifier::add_lines(const World& world, const std::vector<Pose>& pose,
     }
 }
 
-/// Compute gradient and tangent of ⅓ (rᵀ B r)^{3/2}.
+/// Compute the force of quadratic drag, the gradient of ⅓ (rᵀ B r)^{3/2}, and its tangent.
 void SeaVerifier::add_drag(const Mat3& axes, const Vec3& areas, double half_density,
                            const Vec3& flow, const Vec3& velocity, Load& out) {
     const Vec3 c = half_density * areas;

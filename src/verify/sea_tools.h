@@ -21,7 +21,7 @@ inline double heading_about_z(const Pose& pose) {
     return std::atan2(forward.y(), forward.x());
 }
 
-/// Return the velocity at a point for each of the six motions.
+/// Return the matrix whose columns are the velocities at a point for unit rates of the six motions.
 inline M6 motions_at(const Vec3& point) {
     M6 out = M6::Identity();
     for (int k = 0; k < 3; ++k) {

@@ -26,8 +26,8 @@ T interpolate_frequency(const WaveCoefficients& c, const std::vector<T>& table, 
     return (omega > w.back() * (1.0 + 1e-9) ? above : 1.0) * entry(w.size() - 1);
 }
 
-/// Return the entry of a table for a direction. If the direction is missing, return the entry of
-/// the mirrored direction.
+/// Return the entry of a coefficient table for a wave direction. If the table lacks the direction,
+/// return the entry of the mirrored direction.
 template <class T>
 T in_direction(const WaveCoefficients& c, const std::vector<T>& table, int k, double omega,
                double direction, double above) {
