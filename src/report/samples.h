@@ -16,8 +16,8 @@ class Samples {
     Samples() = default;
     explicit Samples(std::size_t capacity) : capacity_(capacity) {}
     void add(double value);
-    /// Return a quantile of the stored samples; 0 if there are none. @param q 0 = smallest, 0.5 =
-    /// median, 1 = largest.
+    /// Return a quantile of the stored samples; 0 if there are none. @param q  0: smallest, 0.5:
+    /// median, 1: largest.
     [[nodiscard]] double quantile(double q) const;
     [[nodiscard]] double median() const { return quantile(0.5); }
     [[nodiscard]] double max() const noexcept { return max_; }

@@ -63,7 +63,7 @@ struct ListedEvent {
     double time = 0.0;
     std::string kind, where;
     double value = 0.0;
-    std::string note{};  ///< Addition to the value in texts; see record::breaking_note().
+    std::string note{};  ///< Addition to the value in texts; see record::describe_breaking().
 };
 
 /// Events of one kind over the run.
@@ -150,9 +150,9 @@ class SummaryCollector : public Observer {
     SummaryCollector(const record::SceneInfo& scene, const World& world);
     /// Record a step and its events. Call after each step.
     void after_step(const World& world, std::span<const Event> events) override;
-    /// Add Session::step_cpu_seconds() of the step of the last after_step().
+    /// Add the CPU time Session::step_cpu_seconds() of the step that after_step() recorded last.
     void add_step_cpu(double seconds);
-    /// Add an operation of the timeline before that step, in words.
+    /// Add an operation of the timeline, in words. Call before after_step() of its step.
     /// @param time  Time at which it was due [s].
     void add_operation(double time, std::string what);
     /// Return the summary of the steps until now.

@@ -87,8 +87,8 @@ void WireWatch::sample(const World& world, Watched& w, bool first) {
     follow(w.figures.mass, mass, first);
 }
 
-/// Record the present element lengths of adaptive wires. If the list is full, remove every second
-/// sample.
+/// Record the present element lengths of wires with adaptive resolution. If the list is full,
+/// remove every second sample.
 void WireWatch::record_edit_times(const World& world) {
     for (Watched& w : wires_) {
         if (!world.alive(w.id)) continue;

@@ -53,10 +53,11 @@ class JointRows {
     /// Return √W_ii of a row, which makes rows comparable.
     [[nodiscard]] double scale(std::size_t row) const { return scale_[row]; }
 
-    /// Return the part of b that no motion reaches. Call update() first.
+    /// Return the part of the required rates b that no motion of the bodies can produce. Call
+    /// update() first.
     [[nodiscard]] std::vector<double> out_of_reach(std::span<const double> b);
-    /// Move the bodies of `world` to the least sum of squared violations (Levenberg and Marquardt).
-    /// `world` must be the world of these rows. Rows and metric are updated.
+    /// Move the bodies of `world` so that the sum of squared violations is least (Levenberg and
+    /// Marquardt). `world` must be the world of these rows. Rows and metric are updated.
     void close(World& world);
     /// Return the kernel of Wᵀ of these rows, in the scale of scale(). The matrix has one column
     /// for each redundancy. Call update() first.
@@ -67,7 +68,8 @@ class JointRows {
     void build_pattern();
     void write_row(const World& world, const Joint& joint);
     void move(World& world);
-    /// Return Σ (g/scale)² with the scales of the first call of update().
+    /// Return the sum of squared violations Σ (g/scale)², with the scales of the first call of
+    /// update().
     [[nodiscard]] double open() const;
     [[nodiscard]] std::vector<double> solve(std::span<const double> b);
 

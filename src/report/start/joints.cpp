@@ -91,7 +91,7 @@ struct Range {
     [[nodiscard]] std::string text() const { return fmt::format("[{:.4g}, {:.4g}]", min, max); }
 };
 
-/// Return the rigid ranges, with the order of their bodies.
+/// Return the ranges of zero width, which act like joints, with the order of their bodies.
 std::vector<Range> rigid_ranges(const World& world) {
     std::vector<Range> out;
     for (const InteractionId id : world.interactions()) {

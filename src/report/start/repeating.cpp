@@ -56,8 +56,8 @@ class GroupFinder {
     }
 
   private:
-    /// Find repeating rows by the unreachable part of random vectors: this part is zero in a row
-    /// that repeats no other.
+    /// Find rows that repeat a combination of other rows. For random required rates, the part that
+    /// no motion can produce is zero in all other rows.
     void find_repeating_rows() {
         std::vector<double> part(rows_.rows(), 0.0);
         std::uint64_t state = 0x9e3779b97f4a7c15U;

@@ -49,8 +49,8 @@ class Search {
   private:
     [[nodiscard]] const Joint& joint(std::size_t j) const { return rows_.joints()[j]; }
 
-    /// Close the rows that start open. If some stay open, report the redundant rows among them as
-    /// inconsistent.
+    /// Try to close the rows that start open. If some stay open, report the redundant rows among
+    /// them as inconsistent.
     void find_contradictions() {
         if (!any_separated()) return;
         World moved = world_.twin(Coupling::exact);

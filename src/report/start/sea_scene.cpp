@@ -15,7 +15,7 @@
 namespace hawser::report::start {
 namespace {
 
-/// Return the smallest significant difference of two depths [m]. A smaller difference may be
+/// Return the smallest difference of two depths that is reported [m]. A smaller difference may be
 /// rounding or the thickness of a wire.
 double depth_digits(double depth) { return std::max(0.1, 0.005 * depth); }
 

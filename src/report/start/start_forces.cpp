@@ -121,7 +121,8 @@ class Statics {
         }
     }
 
-    /// Write the diagonal of G M⁻¹ Gᵀ, with the largest mass or moment of each column.
+    /// Write the diagonal of G M⁻¹ Gᵀ for the rows of interaction i. For each column the largest
+    /// mass or moment of inertia is used.
     std::int32_t write_rows(std::int32_t i, std::int32_t edge) {
         const RowsView view = world_.solver().rows(id_of(i));
         const InteractionDef& def = world_.interaction_def(id_of(i));
