@@ -59,7 +59,7 @@ class Builder {
         return (1.0 - s) * layout_.from.velocity + s * layout_.to.velocity;
     }
 
-    /// Return the group of part i of `count`.
+    /// Return the partition group of node or link i of `count`.
     [[nodiscard]] std::string group(std::size_t i, std::size_t count) const {
         return layout_.groups[i * layout_.groups.size() / count];
     }

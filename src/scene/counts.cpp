@@ -55,8 +55,8 @@ class PartCounter {
     explicit PartCounter(const Json& root)
         : templates_(root.find("templates")), lines_(root.find("line_types")), end_(root.end()) {}
 
-    /// Count a part of a document. @param largest  Set to the path of the entry with the largest
-    /// count.
+    /// Count the bodies and interactions of a part of the document. @param largest  Set to the path
+    /// of the entry with the largest count.
     Count of(const Json& part, int depth, std::string* largest = nullptr) {
         Count out{size_of(part, "bodies"), size_of(part, "interactions")};
         double most = out.bodies + out.interactions;
@@ -100,7 +100,8 @@ class PartCounter {
         return line != lines_->end() && line->is_object() && number_or(*line, "EI", 0.0) > 0.0;
     }
 
-    /// Count each template once. A template that contains itself is rejected during expansion.
+    /// Count the bodies and interactions of a template, once. A template that contains itself is
+    /// rejected during expansion.
     Count of_template(const std::string& name, int depth) {
         if (const auto known = counted_.find(name); known != counted_.end()) return known->second;
         if (depth > kMaxNesting || templates_ == end_ || !templates_->is_object()) return {};

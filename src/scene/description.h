@@ -196,11 +196,11 @@ class Description {
     void add_shape(ShapeDef def, int location);
     /// Remove the capsule between two ends. @return the capsule, if there is one.
     std::optional<ShapeDef> remove_segment(BodyId a, BodyId b);
-    /// Return the bits of the groups named by a word or a list of words. A new name makes a new
-    /// group.
+    /// Return the bit mask of the collision groups that a word or a list of words names. A new name
+    /// makes a new group.
     std::uint32_t groups(const Json& names, const SourceLocation& location);
-    /// Return the bits of the groups that a shape touches, from a list of names. check_groups()
-    /// rejects names that no shape has.
+    /// Return the bit mask of the collision groups that a shape may touch, from a list of names.
+    /// check_groups() rejects names that no shape has.
     std::uint32_t touched(const Json& names, const SourceLocation& location);
     void check_groups() const;
     /// Add a body. @throws SceneError if the name exists or there are too many bodies.

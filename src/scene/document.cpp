@@ -15,8 +15,8 @@ class Includer {
     Includer(Document& document, std::filesystem::path root_folder)
         : document_(document), root_folder_(std::move(root_folder)) {}
 
-    /// Merge the files that `content` includes. `content` was read from `file`. Also merge its own
-    /// entries, unless it is the scene.
+    /// Merge the files that `content` includes, and its own entries unless it is the scene itself.
+    /// `content` was read from `file`.
     void merge(const Json& content, const std::filesystem::path& file, int depth) {
         const SourceLocation location{file.string(), ""};
         if (depth > 0) {

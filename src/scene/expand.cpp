@@ -126,7 +126,7 @@ class Expander {
         }
     }
 
-    /// A cable or an instance was left out.
+    /// Record that a cable or an instance was omitted because of mistakes.
     void omit_instance(const std::string& name) {
         for (const OmittedPart what :
              {OmittedPart::body, OmittedPart::interaction, OmittedPart::cable}) {
@@ -184,7 +184,8 @@ class Expander {
                        "there is no template " + in_quotes(name) + suggestion(name, known));
     }
 
-    /// Return the lists of the template with values for the parameters, checked again.
+    /// Return the lists of a template with the parameters of an instance inserted. The result is
+    /// checked again.
     Json fill_in(const Json& definition, const Json& instance, const InstanceScope& inner,
                  const SourceLocation& instance_location) {
         Json parameters = definition.value("parameters", Json::object());

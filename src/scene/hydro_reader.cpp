@@ -30,7 +30,8 @@ constexpr const char* kReaderWord = "--read-coefficients";
 constexpr int kReaderArguments = 9;  // program, word, file, three units, body, seconds, bytes
 constexpr std::size_t kMinReaderMemory = std::size_t{64} << 20;
 
-/// Return the flag that is true if this program can act as the reader when it is started again.
+/// Return the flag that this program may be started again as the separate reader of coefficient
+/// files.
 bool& is_reader_program() {
     static bool serves = false;
     return serves;

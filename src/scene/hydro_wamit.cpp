@@ -24,7 +24,8 @@ constexpr double kTurn = 2.0 * std::numbers::pi, kDegree = std::numbers::pi / 18
 
 std::string line_text(const NumberLine& row) { return "line " + std::to_string(row.line) + ": "; }
 
-/// Return the motion 0 to 5 of the requested body; −1 for another body.
+/// Return the index 0 to 5 of the motion in a table column, for the requested body; −1 for another
+/// body.
 int motion_of(const Path& file, const NumberLine& row, std::size_t column, int body) {
     const double value = std::abs(row.value[column]);
     if (!(value >= 1.0 && value <= 6000.0) || value != std::floor(value))

@@ -200,8 +200,8 @@ class Reader {
         }
     }
 
-    /// Return the default of a parameter from the poses in the scene's text. A stored state
-    /// therefore does not change it.
+    /// Compute the default of a parameter from the poses in the scene's text. A stored state does
+    /// not change it.
     double value_of_pose(std::string_view param) {
         if (param == "rest_height") {
             return out_.body(def_.body[0]).position.z();

@@ -32,7 +32,7 @@ class Finder {
     void expected(const Shape& shape, const Json& value) {
         add_problem("expected " + shape.what + ", found " + describe(value));
     }
-    /// Run `work` with the path one token longer.
+    /// Run `work` with the path of the present value extended by one token.
     template <class Work>
     void at(const std::string& token, const Work& work) {
         const std::size_t length = path_.size();

@@ -75,8 +75,8 @@ class Builder {
     }
 
   private:
-    /// Run `work` and convert an error of the world to a mistake at this place. @return the result
-    /// of attempt().
+    /// Run `work`, which adds an object to the world. Convert an error of the world to a mistake at
+    /// this position of the document. @return the result of attempt().
     template <class Work>
     bool add_or_report(const SourceLocation& location, const Work& work) {
         return attempt(description_.mistakes, [&] {

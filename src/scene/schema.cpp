@@ -35,7 +35,7 @@ class Writer {
   private:
     static constexpr int kMaxText = 4096;
 
-    /// Allow a placeholder: in a template a scalar or a list may be a string with "${parameter}".
+    /// Extend a schema for templates: a scalar or a list may also be a string with "${parameter}".
     static Ordered with_placeholder(const Shape& shape, Ordered plain, bool placeholders) {
         const bool container = shape.type == Type::object || shape.type == Type::map ||
                                shape.type == Type::switched || shape.type == Type::any;
@@ -143,7 +143,7 @@ class Writer {
         return text;
     }
 
-    /// Exclude pairs of fields in each group, so that at most one is present.
+    /// Return conditions that at most one field of each exclusive group is present.
     static Ordered exclusions(const Shape& shape) {
         Ordered result = Ordered::array();
         for (const auto& group : shape.alternatives) {
@@ -164,7 +164,8 @@ class Writer {
         return {{"anyOf", std::move(options)}};
     }
 
-    /// Write "if kind is … then …", so that an editor reports errors of the matching case only.
+    /// Return a schema of the form "if kind is … then …", so that an editor reports errors of the
+    /// matching kind only.
     Ordered conditional_schema(const Shape& shape, bool placeholders) {
         Ordered words = Ordered::array();
         Ordered cases = Ordered::array();

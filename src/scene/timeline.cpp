@@ -120,8 +120,8 @@ class Reader {
         }
     }
 
-    /// Return the name and value that set an input. For an input that sets a signal, return the
-    /// signal and its value.
+    /// Return the name and value with which an operation sets an input. For an input that sets a
+    /// signal, return the signal and its value.
     [[nodiscard]] std::pair<std::string, double> resolve_signal(
         const std::string& name, const Json& json, const SourceLocation& location) const {
         const auto lever = std::find_if(signal_inputs_.begin(), signal_inputs_.end(),
