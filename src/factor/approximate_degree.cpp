@@ -137,8 +137,8 @@ void ApproximateDegree::gather(std::int32_t pivot, std::int32_t list, std::int32
     }
 }
 
-/// Replace the pivot by its element, which contains the variables of the pivot and of all its
-/// elements. Those elements are absorbed.
+/// Replace the pivot by its element: the clique of the pivot's variables and those of all elements
+/// adjacent to it. These elements are absorbed.
 void ApproximateDegree::form_element(std::int32_t pivot) noexcept {
     const std::size_t p = at(pivot);
     weight_[p] = 0;
@@ -282,7 +282,7 @@ void ApproximateDegree::join_twins(std::int32_t pivot) noexcept {
     }
 }
 
-/// Set the degrees of the remaining variables of the element and remove the eliminated ones.
+/// Set the degrees of the variables that remain in the element, and remove the eliminated ones.
 void ApproximateDegree::close_element(std::int32_t pivot) noexcept {
     const std::size_t p = at(pivot);
     std::int32_t to = start_[p];

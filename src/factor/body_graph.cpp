@@ -47,7 +47,7 @@ BodyGraph WireFinder::graph(const Pattern& pattern) {
     return {start_.data(), neighbours_.data()};
 }
 
-/// Compute prefix sums of the values `of` over the neighbour lists of all nodes. The sum over the
+/// Compute prefix sums of the node values `of` over all neighbour lists. The sum over the
 /// neighbours of one node is then a difference of two entries.
 void WireFinder::compute_prefix_sums(const BodyGraph& graph, std::size_t nodes,
                                      const std::vector<std::uint8_t>& of) {

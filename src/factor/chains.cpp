@@ -95,8 +95,7 @@ double ChainFinder::plan_cost(int size, double most) {
     return total + 0.5 * longest;
 }
 
-/// Compute the properties of a run that determine its cost (reach, scalars, hubs), from its
-/// neighbourhood.
+/// Compute the properties of a run of wire bodies that determine its cost: reach, scalars, hubs.
 ChainFinder::Stretch ChainFinder::describe(const Pattern& pattern, const BodyGraph& graph,
                                            const Wires& wires, std::int32_t begin,
                                            std::int32_t end) {
@@ -185,7 +184,8 @@ void ChainFinder::append(const Pattern& pattern, const BodyGraph& graph, const W
     out.reach.push_back(static_cast<std::int8_t>(run.reach));
 }
 
-/// Divide runs_ into the pieces with the least cost; no pieces if fronts are cheaper.
+/// Divide the runs of wire bodies into chains with the least total cost. No chains are formed if
+/// ordinary fronts cost less.
 void ChainFinder::choose_chains(std::int32_t bodies, std::int32_t longest, int size) {
     best_cut_.clear();
     double best_cost = kFrontCost * bodies;

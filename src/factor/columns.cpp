@@ -10,7 +10,7 @@
 namespace hawser::factor {
 namespace {
 
-/// Set v[new] = old v[old_of_new[new]], and `none` for new nodes.
+/// Permute an array to new node indices: v[new] = old v[old_of_new[new]], and `none` for new nodes.
 /// @param carried  Scratch.
 template <class T>
 void carry_over(std::vector<T>& v, std::span<const std::int32_t> old_of_new, T none,

@@ -30,8 +30,8 @@ class Columns {
     void build(const Pattern& pattern, std::span<const std::int32_t> order,
                std::span<const std::int32_t> position);
 
-    /// Carry the structure over to another numbering. New nodes (−1) get empty columns. Parents of
-    /// removed nodes are marked stale.
+    /// Apply a new numbering of nodes to the structure. New nodes (−1) get empty columns. Parents
+    /// of removed nodes are marked stale.
     void renumber(std::span<const std::int32_t> old_of_new, std::int32_t old_nodes);
 
     /// Mark a node as stale because its neighbours or children have changed. A node that has moved

@@ -19,7 +19,7 @@ std::int32_t round_up_to_tile(std::int32_t scalars) {
 
 }  // namespace
 
-/// Find the boundary nodes of each chain, sorted by the first step that touches them.
+/// Find the boundary nodes of each chain, sorted by the first step in which they have entries.
 void BatchBuilder::find_touches(const Job& job) {
     const Chains& chains = job.chains;
     const std::size_t n = job.pattern.size.size();
@@ -106,7 +106,7 @@ void BatchBuilder::add_batch(const Job& job, std::span<const Alike> members) {
     s.batches.push_back(batch);
 }
 
-/// Find the sizes of the row nodes of every step, the union over the lanes, ascending.
+/// Find the sizes of the row nodes of every batch step, as the union over the lanes, ascending.
 void BatchBuilder::find_row_slots(const Job& job, std::span<const Alike> members,
                                   std::int32_t steps) {
     row_sizes_.clear();

@@ -58,7 +58,8 @@ void Numeric::make_pieces(const Symbolic& s) {
     task_piece_.push_back(static_cast<std::int32_t>(pieces_.size()));
 }
 
-/// Reserve memory for the largest piece of a batch, if pieces are streamed.
+/// Reserve memory for the largest piece of a batch, if pieces are copied one after the other
+/// (streamed).
 void Numeric::find_stage(const Symbolic& s, int threads) {
     stage_stride_ = 0;
     if (s.panel_size <= streamed_size) return;

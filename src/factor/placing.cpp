@@ -62,7 +62,8 @@ void Analysis::visit(Meeting& m, std::int32_t node) const noexcept {
     }
 }
 
-/// Find the bodies that need another position, and the rows that must remain behind them.
+/// Find the bodies that need another position in the order of elimination, and the rows that must
+/// remain behind them.
 void Analysis::choose_moves(const Pattern& next) {
     const std::int32_t n = next.nodes();
     placing_.assign(at(n), 0);
@@ -92,8 +93,8 @@ void Analysis::choose_moves(const Pattern& next) {
     }
 }
 
-/// Process a new edge between nodes that keep their position. If they lie in different branches,
-/// one of them moves to the front at which the branches meet.
+/// Process a new edge between two nodes that keep their positions. If they lie in different
+/// branches of the tree, one of them moves to the front at which the branches meet.
 void Analysis::join(const Pattern& next, std::int32_t a, std::int32_t b) {
     const std::int32_t front_a = front_of_node(a), front_b = front_of_node(b);
     const std::int32_t common = common_ancestor(front_a, front_b);

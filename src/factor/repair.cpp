@@ -231,8 +231,8 @@ void Analysis::keep_unchanged_chains(const Pattern& next, RepairReport& report) 
     std::swap(chains_, intact_chains_);
 }
 
-/// Return true if a chain is unchanged inside and has no neighbour in another chain. Its boundary
-/// may have changed.
+/// True if the nodes of a chain have no changed neighbours inside the chain and none in another
+/// chain. Its boundary may have changed.
 bool Analysis::chain_is_unchanged(const Pattern& next, std::int32_t chain) {
     for (std::int32_t u = chains_.begin[at(chain)]; u < chains_.begin[at(chain) + 1]; ++u)
         for (const std::int32_t v : chains_.unit(u)) {

@@ -65,7 +65,8 @@ void Layout::find_all_runs(const Pattern& pattern, const Columns& columns, Symbo
     s.runs.resize(runs);
 }
 
-/// Find the rows of the parent to which the update rows of a front are added, as runs.
+/// Find the rows of the parent front to which the update rows of a front are added, as runs of
+/// consecutive rows.
 void Layout::find_runs(const Pattern& pattern, const Columns& columns, Front& front, Symbolic& s) {
     const Front& parent = s.fronts[at(front.parent)];
     const std::int32_t p = parent.p, first = parent.offset;

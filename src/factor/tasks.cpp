@@ -104,7 +104,8 @@ void Layout::choose_top_tasks(Symbolic& s, std::int64_t target) {
     }
 }
 
-/// Build the graph: an edge for each update matrix passed to another node.
+/// Build the dependency graph of tasks: an edge for each update matrix that one task passes to
+/// another.
 void Layout::link_tasks(Symbolic& s) {
     const auto batches = static_cast<std::int32_t>(s.batches.size());
     s.graph.work.clear();

@@ -24,10 +24,10 @@
 /// correct values() and upper() where the blocks are unsymmetric;
 /// numeric.factor(symbolic, executor, &unsymmetric); numeric.solve(symbolic, x, executor);
 /// ```
-/// Limits: there is no pivoting. Numeric::wrong_nodes() lists the nodes with a pivot of another
-/// sign than Symbolic::sign. Strong friction causes such pivots. If the normal of a sliding contact
-/// leans against the axes by more than its friction angle, the first pivot of the body's block is
-/// negative. The block as a whole is regular. Such a pivot is used unless it is zero, and
+/// Limits: there is no pivoting. Numeric::nodes_with_wrong_pivots() lists the nodes with a pivot of
+/// another sign than Symbolic::sign. Strong friction causes such pivots. If the normal of a sliding
+/// contact leans against the axes by more than its friction angle, the first pivot of the body's
+/// block is negative. The block as a whole is regular. Such a pivot is used unless it is zero, and
 /// refinement on the residual restores the lost digits.
 ///
 /// In an unsymmetric front with symmetric values the arithmetic of the lower half is that of LDLᵀ

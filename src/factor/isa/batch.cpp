@@ -115,8 +115,8 @@ inline void factor_columns(const Columns<kSides> m, int c, int n, V8& bad) {
         });
 }
 
-/// Compute the window of the next step: the shifted window minus L21 W21ᵀ. `l` and `w` point to the
-/// first update row.
+/// Compute the window of the next step: the window of this step, shifted, minus L21 W21ᵀ. `l` and
+/// `w` point to the first update row.
 inline void update_window(const double* l, const double* w, long stride, const BatchStep& step,
                           const Shift& shift, const double* window, double* next) {
     for (int i = 0; i < step.q / kTile; ++i) {
@@ -141,7 +141,7 @@ inline void update_window(const double* l, const double* w, long stride, const B
     }
 }
 
-/// Add the updates of earlier units to the panel of this step's body.
+/// Add the updates of earlier bodies of the chain to the panel of this step's body.
 inline void add_window(double* panel, const BatchStep& step, const Shift& shift,
                        const double* window) {
     auto add = [&](int row, int column, const double* from, int right) {
@@ -182,8 +182,9 @@ HAWSER_INLINE SlotRecord read_slot_record(const double* room, int slot) {
     return p;
 }
 
-/// Store the last window as update matrices of the parents, lane by lane. The rows of a parent have
-/// another order than the slots. An entry whose slots are exchanged belongs to the other side.
+/// Store the last window of a batch as update matrices of the parent fronts, lane by lane. The rows
+/// of a parent have another order than the slots. An entry whose slots are exchanged belongs to the
+/// other side.
 /// @param room  Buffer with a SlotRecord for each slot.
 template <int kSides>
 inline void store_tails(const FactorView& view, const Batch& batch, double* const (&window)[kSides],

@@ -8,7 +8,8 @@
 
 namespace hawser::HAWSER_ISA {
 
-/// Return v, forced into a register if the instruction set has enough registers.
+/// Return v, and force the compiler to keep it in a register if the instruction set has enough
+/// registers.
 HAWSER_INLINE Part keep(Part v) {
 #if defined(__AVX512F__)
     asm("" : "+v"(v));

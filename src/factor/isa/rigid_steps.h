@@ -61,7 +61,7 @@ HAWSER_INLINE void add_block(const RigidStep& m, RigidBlock& a) {
         for (int j = 0; j <= i; ++j) a[i][j] += load(m.panel + i * kRigidStride + kLanes * j);
 }
 
-/// Load the updates of earlier steps for the body's block into the registers a.
+/// Load the updates of earlier steps for the diagonal block of this body into the registers a.
 HAWSER_INLINE void load_block(const double* window, RigidBlock& a) {
     for (int i = 0; i < kRigidPivots; ++i)
         for (int j = 0; j <= i; ++j)
@@ -76,7 +76,7 @@ HAWSER_INLINE void store_block(const RigidBlock& a, double* window) {
                 a[i][j]);
 }
 
-/// Eliminate pivot j of the block.
+/// Eliminate pivot j of the diagonal block in registers.
 HAWSER_INLINE void eliminate(const RigidStep& m, int j, RigidBlock& a, V8& bad) {
     V8 d = a[j][j], l[kRigidPivots];
     bad += fix_pivot<false>(d, m.sign[j]);
@@ -90,7 +90,7 @@ HAWSER_INLINE void eliminate(const RigidStep& m, int j, RigidBlock& a, V8& bad) 
         for (int i = k; i < kRigidPivots; ++i) a[i][k] -= l[k] * a[i][j];
 }
 
-/// Solve three rows of the panel below the block.
+/// Solve the three panel rows of a tile below the diagonal block.
 /// @param left  Two tiles with the updates of earlier steps; null: none.
 HAWSER_INLINE void solve_rows(const RigidStep& m, int tile, const double* left) {
     double* row = m.panel + (kRigidPivots + kTile * tile) * kRigidStride;
@@ -161,7 +161,8 @@ struct OtherTiles {
     }
 };
 
-/// Compute the body's tiles of the next window.
+/// Compute the tiles of the next window that form the diagonal block of the next body, in the
+/// registers a.
 HAWSER_INLINE void body_tiles(const RigidStep& m, const Shift& shift, const double* window,
                               RigidBlock& a) {
     V8 acc[kTile][kTile];
@@ -178,7 +179,7 @@ HAWSER_INLINE void body_tiles(const RigidStep& m, const Shift& shift, const doub
     put(1, 1);
 }
 
-/// Return true if batch step k eliminates a rigid body without rows.
+/// True if batch step k eliminates rigid bodies without rows of kept interactions.
 HAWSER_INLINE bool is_rigid(const factor::FactorView& view, const factor::Batch& batch,
                             std::int32_t k) {
     return batch.body == kRigidPivots && view.batch_steps[k].p == kRigidPivots;

@@ -80,7 +80,8 @@ HAWSER_INLINE void forward_block(const double* panel, long ld, int k, const doub
     }
 }
 
-/// Compute y = the front's part of x plus the carried updates of its children, in whole vectors.
+/// Compute the right-hand side y of a front: its part of x plus the updates that its children
+/// carry, in whole vectors.
 inline void gather_forward(const FactorView& view, const Front& front, const double* x, double* y) {
     for (int i = 0; i < front.ld; i += 8)
         store(y + i, i < front.p ? load_first(x + front.offset + i, front.p - i) : V8{});
