@@ -74,8 +74,8 @@ std::int32_t Cost::common_ancestor(std::int32_t u, std::int32_t v) const noexcep
     return u;
 }
 
-/// Compute depths and jump pointers by rank, and list the pairs of nodes that are not edges of the
-/// tree.
+/// Compute depths and jump pointers by rank, and list the edges outside the spanning tree, which
+/// close loops.
 void Cost::find_loops(const Neighbours& neighbours) {
     const auto count = static_cast<std::int32_t>(order.size());
     jump_.resize(order.size());
@@ -107,9 +107,9 @@ void Cost::find_loops(const Neighbours& neighbours) {
     loop_count_ = found;
 }
 
-/// Count the loops through each node. Each loop adds 1 at both ends, and subtracts 1 at their
-/// lowest common ancestor and 1 at the parent of that node. Sums over subtrees then give the
-/// counts.
+/// Count the loops of the graph that pass through each node. Each edge outside the spanning tree
+/// closes one loop: it adds 1 at both of its ends, and subtracts 1 at their lowest common ancestor
+/// and at the parent of that node. Sums over subtrees then give the counts.
 void Cost::close_loops() noexcept {
     through_.assign(order.size(), 0);
     for (std::size_t i = 0; i < loop_count_; ++i) {

@@ -49,7 +49,7 @@ void Lineup::connect(const Hypergraph& graph, const Neighbours& neighbours, cons
     start_[count] = found;
 }
 
-/// Move a candidate from its current list to the front of a bucket.
+/// Move a candidate from its current bucket list to the front of another one.
 void Lineup::list(std::int32_t unit, std::int32_t bucket) noexcept {
     std::int32_t *next = next_.data(), *previous = previous_.data();
     next[previous[unit]] = next[unit];

@@ -3,8 +3,8 @@
 
 namespace hawser::graph {
 
-/// Add every pair of moving members to the lists of neighbours. Near neighbours are written from
-/// the front of a node's range, far neighbours from its back.
+/// Add each pair of moving members of an interaction to the lists of neighbours. Near neighbours
+/// are written from the front of a node's range, far neighbours from its back.
 void Neighbours::link_all(std::span<const std::int32_t> members) {
     for (std::size_t i = 0; i < members.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {

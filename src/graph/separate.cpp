@@ -88,10 +88,9 @@ void Partitioner::find_reach() {
     });
 }
 
-/// Sum the scalars of nodes with neighbours across each position of the order:
-/// 1. Nodes before it with a neighbour behind it.
-/// 2. Nodes behind it with a neighbour before it.
-/// 3. Hubs with neighbours on both sides.
+/// Compute, for each position of the order, the number of scalars of nodes with neighbours across
+/// it: 1. Nodes before it with a neighbour behind it. 2. Nodes behind it with a neighbour before
+/// it. 3. Hubs with neighbours on both sides.
 void Partitioner::find_profile() {
     profile_.assign(line_.size() + 2, {0, 0, 0});
     find_reach();

@@ -28,7 +28,7 @@ void Splitter::unite_clusters(std::int32_t a, std::int32_t b) noexcept {
     if (a != b) root_[at(std::max(a, b))] = std::min(a, b);
 }
 
-/// Form clusters: sets of nodes that a cut must not divide.
+/// Form clusters: sets of nodes that no cut may divide.
 void Splitter::contract() {
     const std::size_t n = graph_.size.size();
     root_.resize(n);

@@ -219,8 +219,8 @@ void Splitter::balance_parts() {
     }
 }
 
-/// Move nodes of a wire from one part to another. The preferred position is next to a cut between
-/// the two parts, then a free end, then the middle.
+/// Move filler nodes of a wire from one part to another. The preferred position is next to a cut
+/// between the two parts, then a free end, then the middle.
 bool Splitter::move_filler(std::int32_t from, std::int32_t to, std::int64_t amount) {
     struct Choice {
         int kind = 0;

@@ -17,7 +17,8 @@ constexpr std::int64_t kMinGain = 100;
 
 }  // namespace
 
-/// Return the best position for the cut behind `left`, as an index of units_.nodes.
+/// Return the position with the least cost for the cut behind node `left`, as an index of
+/// units_.nodes.
 std::int32_t Splitter::cheaper_cut_near(std::int32_t wire, std::int32_t left) const noexcept {
     const auto part = [&](std::int32_t k) { return part_[at(units_.nodes[at(k)])]; };
     const auto room = static_cast<std::int64_t>(kMaxCutShift * static_cast<double>(mean_load_));
@@ -62,7 +63,7 @@ void Splitter::move_cuts() {
         }
 }
 
-/// Move the cut with the largest gain, if this gain is large enough.
+/// Move the cut whose cost decreases most, if the decrease is large enough.
 void Splitter::move_best_cut() {
     std::int32_t from = -1, to = -1;
     std::int64_t gain = kMinGain - 1;

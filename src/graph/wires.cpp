@@ -46,7 +46,8 @@ std::int32_t Units::end_sequence(std::int32_t size) {
     return size;
 }
 
-/// Find the wires whose nodes have consecutive indices. This covers most wires without a walk.
+/// Find the wires whose nodes have consecutive indices. Most wires are found without a walk along
+/// neighbours.
 void Units::find_consecutive_wires(const Hypergraph& graph) {
     const std::size_t n = graph.size.size();
     walked_.resize(n + 1);
@@ -61,7 +62,7 @@ void Units::find_consecutive_wires(const Hypergraph& graph) {
     walked_.resize(at(end_sequence(size)));
 }
 
-/// List the nodes in no sequence by their number of open neighbours.
+/// Sort the nodes outside sequences by their number of open neighbours.
 void Units::find_ends(const Neighbours& neighbours) {
     for (std::vector<std::int32_t>& list : end_) list.clear();
     for (std::size_t v = 0; v < open_.size(); ++v) {
