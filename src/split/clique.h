@@ -35,7 +35,8 @@ struct Clique {
     std::vector<Pull> pulls;
 };
 
-/// Build the clique of the present cuts. @throws std::bad_alloc.
+/// Build the clique of the present cuts: a small system of the bodies at cuts and their neighbours.
+/// @throws std::bad_alloc.
 void make_clique(context::Model& model);
 /// Analyse the clique at the poses of the world. @throws std::bad_alloc.
 void analyse_clique(context::Model& model);

@@ -16,7 +16,7 @@
 namespace hawser::split {
 namespace {
 
-/// Set the impulses of the original interaction to the mean of its sides.
+/// Set the impulses of a cut interaction to the mean of its duplicates on both sides.
 void average_sides(model::Interactions& in, const context::Cut& cut) noexcept {
     double active = 0.0;
     for (int r = 0; r < in.rows[at(cut.id)]; ++r) {
@@ -95,7 +95,8 @@ double impulse_imbalance(context::Model& model, const context::Cut& cut) noexcep
     return std::hypot(sum[0], sum[1], sum[2]);
 }
 
-/// Return max |G v₊ + Σλ − c|, with the Σ of the interaction when it is not cut.
+/// Return the largest residual |G v₊ + Σλ − c| of a cut interaction, with the Σ that it has when it
+/// is not cut.
 double largest_cut_residual(context::Model& model, const context::Cut& cut) noexcept {
     const assembly::View v = context::row_view(model);
     if (v.active[cut.id] == 0.0 || v.parted[cut.id]) return 0.0;
@@ -114,8 +115,8 @@ double largest_cut_residual(context::Model& model, const context::Cut& cut) noex
     return most;
 }
 
-/// Return the norm of the summed momentum residuals of all bodies, linear parts: momentum that
-/// neither rows nor bodies received.
+/// Return the norm of the linear momentum that the step creates or loses: the sum of all bodies'
+/// momentum residuals.
 double residual_momentum(const context::Model& model, const assembly::View& v) noexcept {
     double sum[3] = {};
     for (const std::int32_t body : model.bodies.moving)

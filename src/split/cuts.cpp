@@ -82,8 +82,8 @@ void add_copy(context::Model& model, std::int32_t id, std::int32_t side,
     model.cuts.of.push_back(id);
 }
 
-/// List the interactions that act on the originals of ghost bodies, including those that are not in
-/// the system.
+/// List the interactions that act on the originals of ghost bodies, including those outside the
+/// system.
 void list_pulls(context::Model& model) {
     const std::vector<context::GhostBody>& ghosts = model.cuts.ghosts;
     std::vector<std::int32_t> index(at(model.cuts.bodies), -1);

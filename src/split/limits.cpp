@@ -14,7 +14,7 @@
 namespace hawser::split {
 namespace {
 
-/// Return the work of the step's solver.
+/// Return the work of the solver in this step.
 budget::Load solver_load(const context::StepContext& ctx) noexcept {
     const double rows = ctx.model.interactions.row_count + ctx.model.bodies.dofs +
                         12.0 * static_cast<double>(ctx.state.contacts.awake);

@@ -23,7 +23,7 @@ std::int32_t root(std::vector<std::int32_t>& part, std::int32_t b) {
     return b;
 }
 
-/// Unite the parts of all moving bodies in a list.
+/// Merge the parts of all moving bodies in a list to one part.
 void unite_parts(context::Model& model, std::span<const std::int32_t> bodies) {
     std::int32_t first = -1;
     for (const std::int32_t b : bodies) {

@@ -20,8 +20,8 @@ void copy_original_velocity(const model::Bodies& b, std::int32_t body, double* o
 
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-/// Add to v of a rigid body M⁻¹ (p + h (f − D v + m g) − h ω × Iω), for an impulse p of rows and
-/// contacts.
+/// Add the velocity change M⁻¹ (p + h (f − D v + m g) − h ω × Iω) of a rigid body to v, for an
+/// impulse p of rows and contacts.
 void add_impulse_to_rigid(const context::Model& model, const context::State& state,
                           std::int32_t body, const double* p, double* v) noexcept {
     const model::Bodies& b = model.bodies;
@@ -49,8 +49,8 @@ void add_impulse_to_rigid(const context::Model& model, const context::State& sta
     ang += r * (inverse * torque);
 }
 
-/// Update v += (p + h (f − D v + m g))/m of a node or a scalar body, for an impulse p of rows and
-/// contacts. Scalar bodies have no weight.
+/// Add the velocity change (p + h (f − D v + m g))/m of a node or a scalar body to v, for an
+/// impulse p of rows and contacts. Scalar bodies have no weight.
 void add_impulse_to_point(const context::Model& model, const context::State& state,
                           std::int32_t body, const double* p, double* v) noexcept {
     const model::Bodies& b = model.bodies;

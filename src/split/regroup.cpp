@@ -129,7 +129,7 @@ bool update_is_due(const context::Model& model, const context::State& state) noe
     return age > 0 && (age == context::Regroup::kSettle || age % model.def.regroup_every == 0);
 }
 
-/// Perform the part of prepare() that depends on groups.
+/// Make ghost bodies and duplicated rows for changed groups, and analyse the new system.
 void rebuild_cuts(context::StepContext& ctx) {
     make_cuts(ctx.model);
     ctx.model.cuts.asked = 0;  // interfaces have new indices

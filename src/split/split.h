@@ -35,7 +35,7 @@ namespace hawser::split {
 void split_model(context::StepContext& ctx);
 
 /// Remove ghost bodies and duplicated interactions. Call before bodies or interactions are added or
-/// removed. Automatic groups are then made again for the new model.
+/// removed. Automatic groups are then computed again for the changed model.
 void join_model(context::Model& model) noexcept;
 
 // Stages of a step.
@@ -69,7 +69,7 @@ void sum_contact_impulses(context::Model& model, std::vector<double>& room) noex
 /// cuts. Call after the solve, before bodies move.
 void finish_cuts(context::StepContext& ctx) noexcept;
 
-/// Break a line. If it is cut, break its duplicates on both sides.
+/// Mark a line as broken. If it is cut, mark its duplicates on both sides, too.
 void part_all(context::Model& model, std::int32_t id) noexcept;
 
 // Requests of deadlines (budget).
