@@ -10,7 +10,7 @@
 
 namespace hawser::base {
 
-/// Return the number of tasks for `count` items with `size` items per task.
+/// Return the number of tasks for `count` items, if each task processes `size` items.
 [[nodiscard]] constexpr int chunks(std::size_t count, int size) noexcept {
     return (static_cast<int>(count) + size - 1) / size;
 }
@@ -34,8 +34,8 @@ class Executor {
     /// results are not used.
     [[nodiscard]] virtual bool stopping() const noexcept { return false; }
 
-    /// Announce that the tasks of the next run() are nodes of a graph. The tasks choose their nodes
-    /// themselves.
+    /// Announce that the tasks of the next run() are nodes of a dependency graph. Each task chooses
+    /// its nodes itself.
     virtual void announce(const TaskOrder& order) noexcept { static_cast<void>(order); }
     /// Report that a task begins a node whose predecessors have ended. Call within the task.
     virtual void begin_node(int node, int thread) noexcept {

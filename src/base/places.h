@@ -21,7 +21,7 @@ class Slots {
     [[nodiscard]] std::int32_t count() const noexcept {
         return static_cast<std::int32_t>(generation_.size());
     }
-    /// True if a slot exists and is occupied.
+    /// True if the index `place` is in range and its slot is occupied.
     [[nodiscard]] bool holds(std::int32_t place) const noexcept {
         return place >= 0 && place < count() &&
                !std::binary_search(vacant_.begin(), vacant_.end(), place);
@@ -29,7 +29,7 @@ class Slots {
     [[nodiscard]] std::int32_t generation(std::int32_t place) const noexcept {
         return place >= 0 && place < count() ? generation_[at(place)] : 0;
     }
-    /// True if an id names the present object of its slot.
+    /// True if an id refers to the object that occupies its slot now.
     template <class Id>
     [[nodiscard]] bool names(const Id& id) const noexcept {
         return holds(id.index) && generation_[at(id.index)] == id.generation;
@@ -66,7 +66,7 @@ class Slots {
     }
     /// Undo the increment of the generation by vacate().
     void undo_vacate(std::int32_t place) noexcept { --generation_[at(place)]; }
-    /// Copy the generations of another list, for the slots that both lists have.
+    /// Copy the generation counters of another list, for the slots that both lists have.
     void set_generations(const std::vector<std::int32_t>& from) noexcept {
         std::copy_n(from.begin(), std::min(from.size(), generation_.size()), generation_.begin());
     }

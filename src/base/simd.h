@@ -57,8 +57,8 @@ HAWSER_INLINE V8 select_greater(const V8& a, const V8& b, const V8& x, const V8&
 }
 // Return √v lane by lane. This avoids _mm512_sqrt_pd, inside which g++ 12 warns falsely.
 HAWSER_INLINE V8 root(const V8& v) { return _mm512_maskz_sqrt_pd(0xff, v); }
-/// Replace pivots that have the wrong sign or are not finite by `sign`. With kKeep, finite non-zero
-/// pivots are not replaced.
+/// Replace pivots that have the wrong sign or are not finite by `sign`. With kKeep, finite pivots
+/// other than zero are left unchanged.
 /// @return 1 in lanes with the wrong sign or a value that is not finite.
 template <bool kKeep>
 HAWSER_INLINE V8 fix_pivot(V8& d, double sign) {
