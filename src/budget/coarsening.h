@@ -33,7 +33,7 @@ class Coarsening {
 
     bool possible = false;  ///< True if a system would remove more nodes at a higher level.
     [[nodiscard]] int level() const noexcept { return level_; }
-    /// True if wires must be coarsened before any other measure is used.
+    /// True if wires must be coarsened before the solver's work is reduced in another way.
     [[nodiscard]] bool has_priority() const noexcept {
         return possible && (level_ == 0 || (level_ == 1 && reached_from_below_ &&
                                             steps_at_level_ < kObservedSteps));

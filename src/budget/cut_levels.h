@@ -40,13 +40,13 @@ class CutLevels {
         double matrix = 0.0;
     };
 
-    /// Set the sets of interfaces that may be cut, level 0 first.
+    /// Set the levels: sets of interfaces that may be cut, level 0 first.
     /// @param levels  Empty: no levels are known.
     void set(std::vector<Level> levels);
     [[nodiscard]] bool known() const noexcept { return !levels_.empty(); }
     [[nodiscard]] const std::vector<Level>& levels() const noexcept { return levels_; }
-    /// Choose the interfaces for the next step. @param load  Load of a step at the present level.
-    /// @param asked  Interfaces of the step before.
+    /// Choose the interfaces to cut in the next step, as a bit mask. @param load  Load of a step at
+    /// the present level. @param asked  Interfaces cut in the step before.
     [[nodiscard]] std::uint64_t choose(const Deadline& deadline, const Load& load, double seconds,
                                        std::uint64_t asked) noexcept;
 
