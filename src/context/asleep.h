@@ -27,8 +27,8 @@ void check_asleep(Model& model, StepStats& stats) noexcept;
 /// Wake the island of a moving body that is changed from outside the step.
 void wake_island(Model& model, std::int32_t body) noexcept;
 
-/// Wake all bodies. Call after a body was moved or removed, because contacts then do not show which
-/// bodies had rested on it.
+/// Wake all bodies. Call after a body was moved or removed, because the contacts then do not show
+/// which bodies had rested on it.
 void wake_islands_of(Model& model) noexcept;
 
 }  // namespace hawser::context

@@ -19,8 +19,8 @@ void over(runtime::Pool& pool, std::int32_t count, F&& f) noexcept {
 }
 
 /// Call f(begin, end) over chunks of [0, count) and merge the results in the order of chunks, so
-/// that they do not depend on threads. The buffer has one slot for each chunk of contacts
-/// (contact.cpp).
+/// that the result does not depend on threads. The buffer solve.partial has one slot for each
+/// chunk.
 template <class F, class Merge>
 [[nodiscard]] double merged_over(SolveWork& solve, runtime::Pool& pool, std::int32_t count, F&& f,
                                  Merge&& merge) noexcept {
@@ -33,15 +33,15 @@ template <class F, class Merge>
     return sum;
 }
 
-/// Call f for each range.
+/// Call f(begin, end) for each range of indices.
 template <class F>
 void each(std::span<const assembly::IndexRange> ranges, F&& f) noexcept {
     for (const assembly::IndexRange& r : ranges) f(r.begin, r.end);
 }
 
 /// Call rows(block) for each row block, followed by own(begin, end, slot) for the bodies of this
-/// block. Then call own() for the shared bodies. The last argument of own() is an index in
-/// ctx.work.solve.norms; it equals `strip` in the calls that follow rows().
+/// block. Then call own() for the bodies that several blocks share. `slot` is an index in
+/// ctx.work.solve.norms; for the bodies of a row block it is the index of the block.
 template <class Rows, class Own>
 void sweep(const Model& model, runtime::Pool& pool, Rows&& rows, Own&& own) noexcept {
     const assembly::RowBlocks& strips = model.system.strips;

@@ -51,7 +51,7 @@ struct Undo {
         std::array<std::int64_t, kEventKindCount> event_count;
         MonitorState monitor;
     };
-    /// True if the system has been saved since it was last complete.
+    /// True if the system has been saved since the last complete step or preparation.
     [[nodiscard]] bool holds() const noexcept { return depth >= 0; }
 
     bool moved = false;   ///< True if velocities and impulses are saved.

@@ -23,7 +23,7 @@ namespace hawser::context {
 /// @param fresh  True if the wires are up to date: nothing was added or removed since.
 void begin_recoil(Model& model, std::int32_t id, bool fresh) noexcept;
 
-/// Return the longer of two values of Wires::recoil. A value that is still unknown counts as
+/// Return the longer of two remaining durations of recoil, in steps. An unknown duration counts as
 /// longest.
 [[nodiscard]] inline std::int32_t longer_recoil(std::int32_t a, std::int32_t b) noexcept {
     return a < 0 || b < 0 ? Wires::kBeginsToRecoil : std::max(a, b);
