@@ -92,8 +92,8 @@ class Builder {
     std::map<std::int32_t, RouteBody> route_bodies_;
 };
 
-/// Return the rotation that maps z of a joint's frame to −y, so that the angle grows when a link is
-/// raised.
+/// Return the rotation that maps z of a joint's frame to −y, so that the joint angle increases when
+/// a link is raised.
 [[nodiscard]] Quat hinge_turn();
 
 /// Add the hook with its block, which hangs from the head of a link by the falls of the hoist.
