@@ -125,7 +125,8 @@ std::string entry_table(const exercise::Result& r) {
     return out + "</table>\n";
 }
 
-/// Return a figure with an SVG that lacks the XML declaration of a separate file.
+/// Return an HTML figure with an embedded SVG, without the XML declaration that a separate file
+/// needs.
 std::string figure(const draw::Drawing& drawing, const std::string& caption) {
     const std::string svg = draw::to_svg(drawing);
     return fmt::format("<figure>\n{}<figcaption>{}</figcaption></figure>\n",
