@@ -49,7 +49,7 @@ WireElements unchanged_order(const std::vector<WireLine>& lines, const std::stri
     return out;
 }
 
-/// Call done(index, frame) for all frames, except the frame before the first step.
+/// Call done(index, frame) for all frames of a recording, except the frame before the first step.
 template <class F>
 void each_frame(const record::Recording& recording, F&& done) {
     for (std::size_t f = 0; f < recording.frame_count(); ++f) {

@@ -25,7 +25,8 @@ struct Command {
 /// that systems drive are left out.
 [[nodiscard]] std::vector<Command> list_commands_by_time(const record::Recording& recording);
 
-/// Draw a dashed line at each moment, with letters along the top of the panel.
+/// Draw a dashed vertical line at the time of each command, with letters along the top of the
+/// panel.
 void mark_commands(Drawing& drawing, const Axes& axes, const std::vector<Command>& commands);
 
 inline constexpr double kCommandLine = 17.0;  ///< Height of a line of list_commands [points].

@@ -79,7 +79,8 @@ struct Crossing {
     int direction;
 };
 
-// Add the run [from, to) of one sub-line to a pixel row; partial pixels count by their fraction.
+// Add the horizontal run [from, to) of one sub-line to a pixel row. Partially covered pixels count
+// by their fraction.
 void add_run(float* row, int x0, int width, double from, double to) {
     from = std::clamp(from - x0, 0.0, static_cast<double>(width));
     to = std::clamp(to - x0, 0.0, static_cast<double>(width));

@@ -10,7 +10,7 @@
 
 namespace hawser::draw {
 
-/// Return the points of the lines that form a curve, each thinned (record::stretches()).
+/// Return the continuous parts of a curve as points, thinned to the resolution of the picture.
 /// @param factor  Conversion from the unit of the values to that of the axis.
 [[nodiscard]] std::vector<std::vector<Point>> curve_parts(const Axes& axes,
                                                           const record::Series& series,

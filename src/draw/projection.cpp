@@ -120,7 +120,7 @@ std::vector<Vec3> cable_points(const record::Recording& recording,
     return points;
 }
 
-/// True if the frame holds a changed version of a cable.
+/// True if the frame contains a cable whose nodes differ from those at the start.
 bool is_changed(const record::Frame& frame, const record::RecordedCable& cable) {
     return frame.wires != nullptr &&
            std::any_of(frame.wires->begin(), frame.wires->end(),

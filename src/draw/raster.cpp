@@ -22,7 +22,7 @@ std::vector<Polyline> scaled(const std::vector<Polyline>& lines, double s) {
     return out;
 }
 
-// Return the outlines of a line of text [pixels].
+// Return the outlines of the letters of a line of text [pixels].
 std::vector<Polyline> outlines(const Text& text, double scale) {
     const double em = text.size * scale;
     double pen = 0.0;

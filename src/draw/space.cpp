@@ -70,8 +70,8 @@ Drawing Space::draw(const record::Series& series) {
     return std::move(drawing_);
 }
 
-/// Widen the box, so that level ground and water extend slightly beyond the scene, unless the user
-/// has set the box.
+/// Widen the visible box, so that level ground and water extend slightly beyond the scene. A box
+/// that the user has set stays unchanged.
 void Space::widen_box(bool given) {
     if (given) return;
     const Vec3 size = box_.high - box_.low;

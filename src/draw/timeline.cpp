@@ -29,7 +29,7 @@ class Caller {
         advance(span.begin);
         open_spans_.push_back(span);
     }
-    /// End all spans that end until that time.
+    /// End all spans that end before or at `until`.
     void close(double until) {
         while (!open_spans_.empty() && open_spans_.back().end <= until) {
             advance(open_spans_.back().end);

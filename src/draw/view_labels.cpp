@@ -114,7 +114,8 @@ class Placer {
         double cost = 0.0;
     };
 
-    // Evaluate text of width w at the base point p; `off` is the cost of its distance.
+    // Rate a position for a text of width w with its base point at p, and keep it if it is better
+    // than `best`. @param off  Cost of its distance from the object.
     void consider_position(std::optional<Choice>& best, Point p, double w, double size,
                            double off) const {
         const Box box{p.x, p.y - size, w, size + 3};
