@@ -259,7 +259,7 @@ void GltfDocument::add_wire(WireNodes& wire) {
         {{"name", wire.name}, {"mesh", mesh}, {"skin", size_of(root_["skins"]) - 1}});
 }
 
-/// Append the buffer space of a channel. @return its accessor.
+/// Reserve buffer space for an animation channel. @return the index of its accessor.
 int GltfDocument::write_channel_data(std::size_t& place, std::size_t width) {
     place = bytes_;
     const std::size_t size = width * sizeof(float) * frames_.size();

@@ -63,7 +63,7 @@ struct Layout {
     float max_tension = 1.0F;  ///< Largest tension of all wires [N].
 };
 
-/// Build the layout of the glTF file in one pass over the frames.
+/// Compute the layout of the glTF file in one pass over the frames: nodes, channels and offsets.
 [[nodiscard]] Layout compute_layout(const record::Recording& recording, const Frames& frames);
 
 /// Compute the positions of a wire's joints in a frame. @param out  joints() entries.
