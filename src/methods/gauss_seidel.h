@@ -24,11 +24,11 @@ void reserve_gauss_seidel(const context::Model& model, context::Newton& newton,
 void velocity_after_impulse(const context::Newton& newton, std::int32_t body, int dof,
                             const double* p, double* out) noexcept;
 
-/// Add M⁻¹ Jᵀ x to v₊, for the impulses x of contact k.
+/// Add the effect M⁻¹ Jᵀ x of the impulses x of contact k to the velocities v₊.
 void push_contact(const context::Model& model, const context::Newton& newton,
                   const assembly::View& v, std::size_t k, const double x[3]) noexcept;
 
-/// Compute u of contact k from v₊ and store it in its cone.
+/// Compute the relative velocity u of contact k from v₊ and store it in its cone.
 void read_contact(context::Model& model, const assembly::View& v, std::size_t k) noexcept;
 
 /// Perform one relaxation of the tangential impulses of contact k at v₊, and update v₊.

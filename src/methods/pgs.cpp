@@ -38,7 +38,7 @@ void each_body(const View& v, std::int32_t id, int r, F&& f) noexcept {
     }
 }
 
-/// Add M⁻¹ gᵀ x to v₊ for one row g with the impulse x.
+/// Add the effect M⁻¹ gᵀ x of an impulse x on row r, with Jacobian g, to the velocities v₊.
 void push_row(const context::Newton& newton, const View& v, std::int32_t id, int r,
               double x) noexcept {
     each_body(v, id, r, [&](std::int32_t body, int dof, const double* g) {

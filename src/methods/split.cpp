@@ -29,8 +29,8 @@ using nonsmooth::Touch;
 /// Most iterations of the active set; one to three are usual.
 constexpr int kMaxSplitRounds = 20;
 
-/// Make the law of a contact with constant tangential impulses. @param bears  True: the normal row
-/// is in the matrix.
+/// Write the linear law of a contact with constant tangential impulses. @param bears  True: the
+/// normal row is in the matrix.
 void make_law(context::Model& model, context::Newton& newton, std::size_t k, bool bears) noexcept {
     Cone& c = model.system.contacts.cones[k];
     nonsmooth::Law& law = newton.laws[k];
