@@ -19,7 +19,8 @@
 
 namespace hawser::nonsmooth {
 
-/// Compute the impulse P_K(y) of the associated law at velocity u [N s].
+/// Compute the impulse P_K(y) of the associated law at relative velocity u, the projection of y
+/// onto the cone K [N s].
 void associated_impulse(const Cone& cone, const double u[3], double lambda[3]) noexcept;
 
 /// Linearise the associated law about u: λ = p − S u, which equals P_K(y) at u.

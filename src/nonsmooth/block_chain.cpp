@@ -6,7 +6,7 @@
 namespace hawser::nonsmooth {
 namespace {
 
-/// Compute a ← a⁻¹ by cofactors. @return false if a is singular.
+/// Replace a 3 × 3 matrix by its inverse, by cofactors. @return false if it is singular.
 bool invert_block(double a[9]) noexcept {
     const double c0 = a[4] * a[8] - a[5] * a[7], c1 = a[5] * a[6] - a[3] * a[8],
                  c2 = a[3] * a[7] - a[4] * a[6];

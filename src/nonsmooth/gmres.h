@@ -25,8 +25,8 @@ class Gmres {
     [[nodiscard]] const double* direction() const noexcept { return basis(count_); }
     /// Return the buffer for A direction().
     [[nodiscard]] double* image() noexcept { return basis(count_ + 1); }
-    /// Process image(), which must contain A direction(). @return residual divided by ‖b‖, with all
-    /// directions up to this one.
+    /// Process image(), which must contain A direction(): extend the Krylov space by it. @return
+    /// the residual divided by ‖b‖.
     double take() noexcept;
     /// Compute the solution x as a combination of the Krylov directions. @param x  n entries.
     void solution(double* x) noexcept;

@@ -56,7 +56,7 @@ struct ResistanceLaw {
 /// Set p so that the linear law gives λ at u and u_n.
 void set_law_offset(Resistance& resistance, double u_n) noexcept;
 
-/// Limit λ to its bounds at a normal impulse.
+/// Limit the impulses λ of a resistance to its bounds for a normal impulse of the contact.
 void limit(const Resistance& resistance, double normal, double lambda[3]) noexcept;
 
 /// Compute λ − P(λ − ρ r), with bounds from the normal impulse of the law at (u_n, λ_n) [N m s].

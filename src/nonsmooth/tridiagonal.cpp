@@ -17,7 +17,7 @@ double start_product(std::size_t n, const ChainRow* rows, std::size_t k) noexcep
     return sum;
 }
 
-/// Solve w = 0 in active rows, z = 0 in all others.
+/// Solve w = 0 for the multipliers z of active rows, with z = 0 in all others.
 void solve_active(std::size_t n, ChainRow* rows) noexcept {
     for (std::size_t k = 0; k < n; ++k) {
         ChainRow& row = rows[k];
