@@ -108,7 +108,7 @@ double Pool::cpu_seconds(int thread) noexcept {
     return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// Run tasks of a part until none remain. @return number of tasks that this thread has run.
+/// Run tasks of a part until none are left. @return the number of tasks that this thread has run.
 int Pool::run_remaining_tasks(Part& part, int thread) noexcept {
     int worked = 0;
     std::uint64_t ticket = part.ticket.load(std::memory_order_acquire);
