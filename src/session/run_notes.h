@@ -22,7 +22,7 @@ class RunNotes {
     /// Write the new value of a signal. Do nothing if the same value was written last.
     void signal(const World& world, record::RecordingWriter& to, const std::string& name,
                 double value);
-    /// Write the operations that the timeline performed last.
+    /// Write the operations that the timeline performed last to the recording.
     void operations(const World& world, record::RecordingWriter& to,
                     std::span<const scene::Operation> done);
 

@@ -21,8 +21,7 @@ class Timeline {
     /// Perform the operations whose time has been reached, in order. @throws DefError with time and
     /// operation if one of them fails.
     void perform_due(std::span<const scene::Operation> all, World& world);
-    /// True if an operation later than `after` [s] that has been performed has set the input or
-    /// signal `name`.
+    /// True if a performed operation later than `after` [s] has set the input or signal `name`.
     [[nodiscard]] bool sets(std::span<const scene::Operation> all, const std::string& name,
                             double after) const;
     /// Return the operations that the last perform_due() has performed.
