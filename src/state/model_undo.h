@@ -24,7 +24,7 @@ class ModelUndo {
     /// @throws std::bad_alloc.
     void keep(const context::StepContext& ctx);
     /// Restore the saved data. Call once after keep(), after the step has been undone
-    /// (restore_kept()).
+    /// (restore_saved_values()).
     void go_back(context::StepContext& ctx) noexcept;
 
   private:

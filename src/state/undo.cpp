@@ -10,7 +10,7 @@
 namespace hawser::state {
 namespace {
 
-/// Copy an array whose capacity has been reserved, so that nothing is allocated.
+/// Copy an array to one whose capacity has been reserved, so that nothing is allocated.
 template <class A>
 void put(const A& from, A& to) noexcept {
     to.assign(from.begin(), from.end());
