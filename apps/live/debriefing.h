@@ -21,8 +21,8 @@ struct Debriefing {
     std::function<std::string(const std::string& people)> report{};
 };
 
-/// Return the message. Points are those of `result`, unrounded. Curves have about `most` samples.
-/// Only the first 16 × `most` requests to controls are included.
+/// Return the message `debriefing` of the protocol. Points are those of `result`, unrounded. Curves
+/// have about `most` samples. Only the first 16 × `most` requests to controls are included.
 [[nodiscard]] nlohmann::json debriefing_json(const exercise::Exercise& exercise,
                                              const exercise::Result& result,
                                              const exercise::Curves& curves,

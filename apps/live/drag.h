@@ -29,9 +29,9 @@ class Drags {
                const Vec3& target, double stiffness);
     void end(World& world, std::uint32_t client);
     void end_all(World& world);
-    /// Apply the forces for the next step.
+    /// Apply the forces by which clients drag bodies, for the next step.
     void before_step(World& world);
-    /// Remove the forces until the next step, so that a saved state does not contain them.
+    /// Remove the forces of drags until the next step, so that a saved state does not contain them.
     void remove_forces(World& world);
     [[nodiscard]] bool any() const noexcept { return !drags_.empty(); }
 

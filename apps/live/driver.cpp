@@ -77,7 +77,8 @@ void Driver::send_state() {
     reported_ = out_.flush();
 }
 
-/// Update the frame plan after the last step or a command has added or removed objects.
+/// Update the frame plan after the last step or a command has added or removed objects of the
+/// world.
 void Driver::follow_pieces() {
     if (plan_.current(session_.world())) return;
     FramePlan next = FramePlan::of(session_.scene());

@@ -83,7 +83,7 @@ struct FramePlan {
     std::size_t all_signals = 0;
 
     [[nodiscard]] static FramePlan of(const scene::Scene& scene);
-    /// True if the world has the same objects as at the creation of the plan.
+    /// True if the world still has the objects that it had when the plan was created.
     [[nodiscard]] bool current(const World& world) const;
     /// True if the scene is unchanged for clients: only nodes of wires may differ.
     [[nodiscard]] bool is_same_scene(const FramePlan& other) const;

@@ -20,8 +20,8 @@ using Bytes = std::vector<std::byte>;
 
 class FrameSwap {
   public:
-    /// Return the writer's buffer. Its capacity stays, so that filling it does not allocate after
-    /// the first frames.
+    /// Return the buffer that the writer fills. Its capacity is kept, so that filling it does not
+    /// allocate after the first frames.
     [[nodiscard]] Bytes& back() noexcept { return buffers_[writing_]; }
     void publish() noexcept {
         writing_ = middle_.exchange(writing_ | kFreshFlag, std::memory_order_acq_rel) & kIndexBits;

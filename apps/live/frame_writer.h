@@ -37,7 +37,7 @@ class FrameWriter {
     /// Write a frame to `out`, whose capacity is reused. @param world  World of the plan.
     void write(const World& world, const FramePlan& plan, const Vec3& origin,
                const FrameNotes& notes, Bytes& out);
-    /// Return the time for the last frame [s].
+    /// Return the time that the last frame took to write [s].
     [[nodiscard]] double seconds() const noexcept { return seconds_; }
 
   private:

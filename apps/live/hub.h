@@ -51,10 +51,10 @@ class Hub {
     Ring<Message> messages{8192};
     std::atomic<int> clients{0};  ///< Number of clients after hello.
 
-    /// Notify the sending thread that data is available.
+    /// Notify the sending thread that messages or frames are ready to be sent.
     void wake() noexcept;
     [[nodiscard]] int descriptor() const noexcept { return descriptor_; }
-    /// Clear the notification. Called by the sending thread.
+    /// Reset the notification of wake(). Called by the sending thread.
     void clear() noexcept;
 
   private:

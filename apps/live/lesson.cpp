@@ -12,7 +12,7 @@ namespace {
 
 Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-/// Convert a tally to JSON, without empty fields.
+/// Convert the points and counts of an exercise to JSON, without empty fields.
 Json tally_json(const exercise::Tally& tally) {
     return {{"name", tally.name}, {"text", tally.text}, {"points", tally.points}};
 }

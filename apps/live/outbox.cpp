@@ -8,7 +8,8 @@
 namespace hawser::live {
 namespace {
 
-/// Write compact JSON. Names of a scene may contain any bytes; invalid UTF-8 is replaced.
+/// Return JSON text without spaces. Names of a scene may contain any bytes; invalid UTF-8 is
+/// replaced.
 std::string compact(const Json& message) {
     return message.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -24,7 +24,7 @@ class Outbox {
     /// client shows does not depend on events. @param control  True: only for roles with control.
     void event(double time, const std::string& kind, const std::string& name, double value,
                const std::string& words, bool control = false);
-    /// Send a client's command to all clients.
+    /// Report a client's command to all clients.
     void command(double time, const Command& of, const std::string& words, bool control = false);
     void answer(const Command& to);  ///< Send `ok` if the message had an id.
     void reject(const Command& to, const std::string& reason);

@@ -12,7 +12,7 @@ namespace hawser::live {
 
 /// Return the body of a scene by its number in messages. @throws DefError if there is none.
 [[nodiscard]] BodyId body_of(const World& world, std::int32_t number);
-/// Return the wire of a plan that a command names, by number or name. @throws DefError with the
+/// Return the wire of the scene that a command names, by number or name. @throws DefError with the
 /// nearest name.
 [[nodiscard]] const WireSource& find_wire_source(const FramePlan& plan, const Command& command);
 

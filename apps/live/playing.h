@@ -32,7 +32,7 @@ class Playing {
     }
     /// Restart the clock, so that the next step is due at once.
     void begin_clock() noexcept { pace_.begin(); }
-    /// Discard requested single steps.
+    /// Discard the single steps that were requested and not made.
     void forget_steps() noexcept { steps_left_ = 0; }
 
     /// Perform pause, resume, step and rate; ignore other commands.

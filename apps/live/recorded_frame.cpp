@@ -25,8 +25,8 @@ Vec3 on_body(const Pose& pose, const Vec3& point) {
 
 }  // namespace
 
-/// Add the points and tensions of the wire called `name`, if `wires` contains it. @return true if
-/// it was added.
+/// Add the points and tensions of the wire called `name` to a frame, if `wires` contains it.
+/// @return true if it was added.
 bool RecordedScene::add_recorded(const record::Frame& frame, std::string_view name,
                                  const std::vector<record::RecordedWire>* wires,
                                  const std::vector<float>& pulls, std::vector<float>& points,
@@ -57,7 +57,8 @@ bool RecordedScene::add_recorded(const record::Frame& frame, std::string_view na
     return false;
 }
 
-/// Add a wire: from the frame if its nodes were added or removed, else from its cable.
+/// Add the points and tensions of a wire: from the frame if nodes of the wire were added or
+/// removed, else from the cable of the scene.
 void RecordedScene::add_wire(const record::Frame& frame, std::size_t wire,
                              std::vector<float>& points, std::vector<float>& tensions) const {
     const WireSource& source = plan_.wires[wire];

@@ -108,7 +108,8 @@ void RecordedScene::build_from_list() {
     std::erase_if(plan_.rigid, is_node);
 }
 
-/// Find the wires of the scene, pieces from cuts, and lines that were added during the run.
+/// Find the wires of the recorded scene, the pieces into which they were cut, and the lines that
+/// were added during the run.
 void RecordedScene::find_wires() {
     std::set<std::string> known;
     for (const WireSource& wire : plan_.wires) known.insert(wire.name);

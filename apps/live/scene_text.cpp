@@ -35,7 +35,7 @@ Json bodies_of(const World& world, const FramePlan& plan) {
     return out;
 }
 
-/// Return the bodies at both ends; −1: a free end, which is a node.
+/// Return the indices of the bodies at both ends of a wire; −1 for a free end, which is a node.
 Json ends_of(const World& world, const WireSource& wire) {
     if (wire.pieces.empty()) return {-1, -1};
     const PieceSource &first = wire.pieces.front(), &last = wire.pieces.back();
@@ -100,7 +100,7 @@ Json wire_json(const scene::Scene& scene, const WireSource& wire, int id) {
     return out;
 }
 
-/// Add the drum that pays out an element.
+/// Add the drum that pays out an element to the JSON entry of the element.
 void add_drum(const World& world, const PieceSource& piece, int wire, Json& out) {
     const InteractionDef& def = world.interaction_def(piece.element);
     if (!kind_info(def.kind).is(kWoundUp) || kind_info(def.kind).is(kRouted)) return;
@@ -114,7 +114,7 @@ void add_drum(const World& world, const PieceSource& piece, int wire, Json& out)
                    {"radius", parameter(def, "radius")}});
 }
 
-/// Add the sheaves, rollers and posts of a line.
+/// Add the sheaves, rollers and bollards of a line to its JSON entry.
 void add_wheels(const World& world, const PieceSource& piece, Json& out) {
     const InteractionDef& def = world.interaction_def(piece.element);
     const KindInfo& kind = kind_info(def.kind);

@@ -23,7 +23,8 @@ struct SceneNotes {
     bool recording = false;
 };
 
-/// Return the message for text_of(). @param plan  Plan of the present scene.
+/// Return the message `scene` of the protocol as JSON, to be sent by text_of(). @param plan  Plan
+/// of the present scene.
 [[nodiscard]] Json scene_json(const scene::Scene& scene, const FramePlan& plan,
                               const SceneNotes& notes);
 
@@ -32,7 +33,7 @@ struct SceneNotes {
 [[nodiscard]] Json lengths(const Vec3& v);
 [[nodiscard]] Json turn(const Quat& q);
 [[nodiscard]] double shorter(double value, double unit);
-/// Return the value, or null if it means that there is no limit.
+/// Return the JSON form of a limit: null if the value means "no limit".
 [[nodiscard]] Json limit(double value);
 [[nodiscard]] Json vertices_of(const std::vector<Vec3>& points);
 [[nodiscard]] Json triangles_of(const std::vector<std::array<std::int32_t, 3>>& triangles);

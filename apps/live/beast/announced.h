@@ -15,7 +15,8 @@ namespace hawser::live::net {
 /// Parses the headers of frames in the bytes from a client.
 class FrameHeaders {
   public:
-    /// Parse bytes. @return the largest length among the headers that end in these bytes [bytes].
+    /// Parse received bytes for WebSocket frame headers. @return the largest frame length that a
+    /// header in these bytes announces [bytes].
     std::uint64_t feed(const unsigned char* from, std::size_t count) {
         std::uint64_t largest = 0;
         while (count > 0) {

@@ -53,8 +53,8 @@ class Client : public std::enable_shared_from_this<Client> {
             asio::post(socket_.get_executor(), [self = shared_from_this()] { self->too_big(); });
         };
         socket_.auto_fragment(false);
-        // Beast answers a close frame and waits until the other side disconnects. look() limits
-        // that time.
+        // Beast answers a close frame and waits until the other side disconnects.
+        // check_time_limits() limits that time.
         socket_.control_callback([this](websocket::frame_type kind, beast::string_view) {
             if (kind != websocket::frame_type::close || closing_) return;
             closing_ = true;
@@ -207,7 +207,8 @@ class Client : public std::enable_shared_from_this<Client> {
         close(websocket::close_code::try_again_later, reason);
     }
 
-    /// Report that a client broke a rule. @param last  True: close the connection.
+    /// Report to the client that it broke a rule of the protocol. @param last  True: close the
+    /// connection.
     void fault(const std::string& reason, bool last = false, std::int64_t id = kNoId,
                CommandKind of = CommandKind::none) {
         ++faults_;

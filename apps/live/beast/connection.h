@@ -106,8 +106,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
         client->begin(request);
     }
 
-    /// Limit the number of sockets without hello. They count as no clients, but need memory. Close
-    /// the oldest socket of the address with the most sockets.
+    /// Limit the number of sockets that have not sent a hello. They do not count as clients, but
+    /// need memory. Close the oldest socket of the address with the most sockets.
     void free_stranger_slot() {
         int strangers = 0, most = 0;
         std::map<std::string, int> by_address;
