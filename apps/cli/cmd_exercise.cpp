@@ -163,8 +163,8 @@ void save_due(const std::vector<std::pair<double, std::string>>& saves, double n
         }
 }
 
-/// Print the reason of a failed step, or of the rejection by --verify, and end the exercise as
-/// failed.
+/// Print the reason of a failed step or of a rejection by --verify, and end the exercise as failed.
+/// @return the exit code.
 int fail(exercise::Run& run, const Session& session) {
     if (!session.objection().empty()) {
         fmt::print(stderr, "hawser: --verify: the step to {:.6g} s is wrong: {}\n", session.time(),

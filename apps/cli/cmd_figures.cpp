@@ -63,7 +63,7 @@ std::string default_scene() {
                     kDefaultScene));
 }
 
-/// Return the common data of all panels.
+/// Return the data that all panels store as their origin: scene, state, command and machine.
 nlohmann::ordered_json panel_origin(const scene::Scene& scene, const FiguresOptions& options) {
     return {{"scene", scene.name},
             {"scene_file", scene.path},

@@ -116,7 +116,7 @@ class Replay {
     }
 
   private:
-    /// Return the number of steps over all branches.
+    /// Return the number of steps that a replay makes, over all branches of the recording.
     [[nodiscard]] std::int64_t steps_to(std::int64_t last) const {
         std::int64_t steps = 0, begun = recording_.start_step;
         for (const record::RecordedTake& take : recording_.takes) {
@@ -126,7 +126,7 @@ class Replay {
         return steps + last - begun;
     }
 
-    /// Advance to the end and apply the changes after the last step.
+    /// Step to the end of the recorded run, and apply the changes recorded after the last step.
     int finish_replay(std::int64_t last, Progress& progress) {
         const int code = advance(last, recording_.takes.size(), progress);
         if (code == kOk) repeater_.before_step(world_);

@@ -145,9 +145,8 @@ class RestSearch {
         return kOk;
     }
 
-    /// Compare the world with the contents of a state file. A state file cannot store broken
-    /// elements, and nodes added or removed at a drum or by refinement. @return the difference in
-    /// words; empty: none.
+    /// Describe changes of the world that a state file cannot store: broken elements, and nodes
+    /// added or removed at a drum or by refinement. @return the description; empty: none.
     [[nodiscard]] std::string unsaved_difference(const World& world) const {
         if (const EventExtremes part = world.events().extremes(EventKind::line_break);
             part.count > 0)

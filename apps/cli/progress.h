@@ -12,14 +12,14 @@ namespace hawser::cli {
 
 class Progress {
   public:
-    /// Start. @param steps    Steps of the whole run. @param step     Simulated time of one [s].
-    /// @param enabled  False: silent.
+    /// Start the progress display. @param steps    Steps of the whole run. @param step
+    /// Simulated time of one step [s]. @param enabled  False: print nothing.
     Progress(std::int64_t steps, double step, bool enabled);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// Update the progress. Cheap: reads the clock and writes rarely.
+    /// Show that `done` steps have been made. A call is cheap: it rarely reads the clock or writes.
     void update(std::int64_t done, const std::string& note = {});
     /// End the line of the progress bar.
     void close();

@@ -30,7 +30,8 @@ struct SceneOptions {
     std::vector<std::string> set;
     std::vector<std::string> controls;  ///< Files of --control; `run` and `view` have it.
 
-    /// Add the options of a scene. @param required  True if the scene must be named.
+    /// Add the command-line options that name a scene. @param required  True if the scene must be
+    /// named.
     void add_to(CLI::App& command, bool required = true);
     /// Add the options that change a scene before it starts.
     void add_changes_to(CLI::App& command);

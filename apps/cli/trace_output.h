@@ -21,7 +21,8 @@ struct TraceOptions {
     void add_to(CLI::App& command);
     /// Start tracing. @throws std::bad_alloc.
     void start(World& world) const;
-    /// Write the files. @return lines for the report; empty if no file was requested.
+    /// Write the requested trace files. @return lines for the report; empty if no file was
+    /// requested.
     [[nodiscard]] std::string finish(const World& world, const std::string& scene) const;
 };
 
