@@ -39,7 +39,7 @@ struct Quay {
         if (change) change(def);
         ids = w.add(def);
     }
-    /// Return the initial position of the hook of such a crane.
+    /// Return the initial position of the hook of the crane that `make` defines.
     template <class Def>
     static Vec3 point_of(Def (*make)(BodyId)) {
         World scratch;
@@ -50,7 +50,7 @@ struct Quay {
     [[nodiscard]] InteractionId part(const std::string& name) const {
         return interaction(w, "crane/" + name);
     }
-    /// Return the mean of `read` over a time.
+    /// Return the mean of `read()` over the next `seconds` of the run.
     double mean(double seconds, const std::function<double()>& read) {
         const long steps = std::lround(seconds / kCraneStep);
         double sum = 0.0;
@@ -73,7 +73,7 @@ double line_length(const KnuckleCraneDef& d) {
            r * (comes - d.jib_angle + 0.5 * kPi + d.boom_angle + d.jib_angle + 2.0);
 }
 
-/// Return the force of a cylinder that balances a moment about the pin.
+/// Return the force with which a cylinder balances a moment about the pin of its boom [N].
 double push_against(const CraneCylinder& c, const Vec3& pin, double angle, double moment) {
     const double co = std::cos(angle), si = std::sin(angle);
     const Vec3 head(c.head.x() * co - c.head.z() * si, 0, c.head.x() * si + c.head.z() * co);

@@ -9,7 +9,7 @@
 namespace hawser::validate {
 
 void set_data_folder(std::string folder);
-/// Return the folder of measured data; "" if the option --data is absent.
+/// Return the folder with measured data for the cases (option --data); "" if the option is absent.
 [[nodiscard]] const std::string& data_folder();
 /// Return the path of a file in data_folder(). @throws std::runtime_error if there is no folder or
 /// no such file.

@@ -76,7 +76,7 @@ Motion barge_motion(const Diffraction& d, double step, double amplitude) {
     return {std::abs(heave) / amplitude, std::abs(pitch) / (k * amplitude)};
 }
 
-/// Return the mean force of a soft spring that holds the barge of the scene with the mistake [N].
+/// Return the mean force in a soft spring that holds the barge against the drift in waves [N].
 double mean_drift(double period, double amplitude, double a33, double b33) {
     World w(WorldDef{.step = 1.0 / 30.0, .gravity = Vec3(0, 0, -kGravity)});
     const BodyId body = w.add_body(barge_body());

@@ -31,7 +31,7 @@ double largest_drift(World& world, const char* name, double time) {
     return most;
 }
 
-/// Return the time at which the velocities are defined, half a step before the time of the poses.
+/// Return the time to which the velocities belong: half a step before the time of the poses [s].
 double middle(const World& world) { return world.time() - 0.5 * world.settings().step; }
 
 }  // namespace

@@ -57,7 +57,8 @@ struct Bennett {
     }
 };
 
-/// Return the pose of a moving link: centre between the hinges, axes of the first hinge.
+/// Return the pose of a moving link of Bennett's linkage: its centre is between its two hinges, its
+/// axes are those of the first hinge.
 inline Pose link_pose(const Bennett& m, std::size_t link, double theta) {
     const auto f = m.frames(theta);
     return {0.5 * (f[link].translation() + m.end(link, f)), Quat(f[link].rotation())};

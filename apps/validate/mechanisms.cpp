@@ -45,7 +45,7 @@ Result four_bar(double step) {
     return result;
 }
 
-/// Return the angles of the test set at 0.03 s: β, Θ, γ, Φ, δ, Ω, ε [rad].
+/// Return the seven angles β, Θ, γ, Φ, δ, Ω, ε of Andrews' squeezer mechanism at 0.03 s [rad].
 std::vector<double> run_squeezer(double step) {
     scene::Scene s = open_scene("andrews_squeezer", step);
     // Absolute angles of the seven bodies at the start.

@@ -42,8 +42,8 @@ struct Lowering {
     [[nodiscard]] double get(const char* signal) const {
         return w.system_signal(std::string("winch.") + signal);
     }
-    /// Return the length of wire that is out, from the masses of elements and the winch's own
-    /// account [m].
+    /// Return the length of wire paid out [m], from the masses of its elements and from the length
+    /// that the winch reports.
     [[nodiscard]] double length_out() const {
         double sum = get("at_drum");
         for (const InteractionId id : w.wires().elements(wire))

@@ -19,9 +19,9 @@ inline constexpr double kTowAnchorMass = 13e3;                  // kg
 inline constexpr double kPayoutStored = 1500.0, kWire = 0.076;  // m
 inline constexpr double kRampSeconds = 10.0;                    // s, duration of a change of speed
 
-/// Return the speed over its final value, which is constant for `even` [s]. It rises and falls
-/// within kRampSeconds without a jump of acceleration. Such a jump would let the anchor bounce for
-/// minutes if there is no damping.
+/// Return the speed of the winch at time t as a fraction of its final value. It rises and falls
+/// within kRampSeconds without a jump of acceleration, and is constant for `even` [s]. A jump would
+/// let the anchor bounce for minutes if there is no damping.
 inline double speed_at(double t, double even) {
     const auto ramp = [](double x) {
         const double u = std::clamp(x / kRampSeconds, 0.0, 1.0);

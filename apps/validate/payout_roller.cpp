@@ -55,8 +55,8 @@ struct OverRoller {
         (void)w.add(trial_winch(wire));
     }
     [[nodiscard]] double get(const std::string& signal) const { return w.system_signal(signal); }
-    /// Return the length of wire that is out, from the masses of nodes and the accounts of winch
-    /// and guide [m].
+    /// Return the length of wire paid out [m], from the masses of its nodes and from the lengths
+    /// that winch and guide report.
     [[nodiscard]] double length_out() const {
         double sum = get("winch.at_drum") + get("roller.wire_before") + get("roller.wire_behind");
         for (const BodyId id : w.wires().nodes(wire))

@@ -58,7 +58,8 @@ class Report {
   public:
     void begin(std::string id, std::string name);
 
-    /// Compare a value with its reference. @param scale 0: the length of the reference.
+    /// Compare a value with its reference. @param scale  Scale of the relative error; 0: the norm
+    /// of the reference.
     Check& compare(std::string quantity, std::vector<double> reference, std::vector<double> ours,
                    double tolerance, std::string reason, double scale = 0.0);
 

@@ -22,8 +22,8 @@ namespace {
 constexpr double kArm = 3.0, kBoom = 120.0;  ///< Arm [m] and mass of the boom [kg].
 const Vec3 kBoomHalf{3.0, 0.3, 0.2}, kPlatformHalf{1.0, 1.0, 0.3};
 
-/// Return the position of the boom's centre after `time`, integrated from Lagrange's equations in
-/// slew and luff by a Runge-Kutta method of fourth order.
+/// Return the position of the boom's centre after `time`, from Lagrange's equations for slewing and
+/// luffing, integrated by a fourth-order Runge-Kutta method.
 Vec3 boom_exact(double rate, double time) {
     const Mat3 ib = solid_box(Vec3::Zero(), kBoom, kBoomHalf).inertia;
     const double ip = solid_box(Vec3::Zero(), 500.0, kPlatformHalf).inertia(2, 2);

@@ -130,7 +130,8 @@ BodyId build_governor(World& w) {
     return slider;
 }
 
-/// Return the slider's displacement downwards each tenth of a second for 10 s.
+/// Return the downward displacement of the governor's slider at every tenth of a second for 10 s
+/// [m].
 std::vector<double> governor_course(double step) {
     World w({.step = step});
     const BodyId slider = build_governor(w);

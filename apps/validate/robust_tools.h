@@ -32,7 +32,7 @@ inline InteractionDef joint(const World& w, InteractionKind kind, BodyId a, Body
     return d;
 }
 
-/// Report a figure that must be small.
+/// Add a check that a value is below a limit.
 inline void require_below(Report& report, const std::string& what, double value, double limit,
                           const std::string& reason) {
     report.compare(what, {0.0}, {value}, limit, reason, 1.0);

@@ -73,7 +73,7 @@ class Post {
         }
     }
     [[nodiscard]] double slide_distance() const { return w.pose(line.slides.front()).position.x(); }
-    /// Return the displacement at all turning points.
+    /// Return the length of line that has run through each turning point [m].
     [[nodiscard]] std::vector<double> slides() const {
         std::vector<double> out;
         for (const BodyId id : line.slides) out.push_back(w.pose(id).position.x());

@@ -30,7 +30,8 @@ Recurrence recurrence(double w, double n) {
             1.0 + s * (1.0 - 4.0 * n * (1.0 - t))};
 }
 
-/// Return the largest root of the recurrence.
+/// Return the largest root of the recurrence that the integration scheme makes of a linear
+/// oscillation.
 double largest_root(double w, double n) {
     const auto [a, b, c] = recurrence(w, n);
     const std::complex<double> root = std::sqrt(std::complex<double>(b * b - 4.0 * a * c));

@@ -48,7 +48,7 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
     return most;
 }
 
-/// Simulate the sphere of the scene with other wave coefficients.
+/// Simulate the sphere of the scene with the wave coefficients `c`. Return its heights.
 std::vector<double> with_coefficients(WaveCoefficients c) {
     World w(WorldDef{.step = kSphereStep});
     const double mass = 261.8e3;

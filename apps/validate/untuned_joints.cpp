@@ -16,12 +16,14 @@ constexpr double kCompliances[] = {0.0, 1e-12, 1e-9, 1e-7, 1e-6};
 constexpr double kDampingTimes[] = {kDefault, 0.0, 1.0 / 60.0, 0.1};
 constexpr double kReferenceStep = 1.0 / 3840.0;
 
-/// Return the law of a run at a coarse step. Two steps of the coarse one are the default.
+/// Return the compliance and damping time of a joint for a run. If the damping time is not set, it
+/// is twice the step of the coarse run.
 JointLaw law_at(double compliance, double damping_time, double step) {
     return {compliance, std::isnan(damping_time) ? 2.0 * step : damping_time};
 }
 
-/// Return the distance from the same joints at 1/3840 s, after 2 s [m].
+/// Return the largest distance of bodies, after 2 s, from a run of the same joints with the step
+/// 1/3840 s [m].
 double own_error(const CompliantLoop& loop, const JointLaw& law, double step,
                  const World& reference) {
     World w = loop.make(step, law);

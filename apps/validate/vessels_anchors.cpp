@@ -167,7 +167,8 @@ constexpr Clay kClayCases[] = {
     {1, 1.700, 241.7e3},    {5, 4.127, 471.0e3},    {10, 6.662, 710.5e3},  {20, 10.801, 1101.7e3},
     {30, 14.126, 1415.9e3}, {40, 16.898, 1677.9e3}, {60, 21.280, 2092.0e3}};
 
-/// Haul the buoy slowly. Return the signal `what` at each drag distance of kClayCases.
+/// Haul the anchor slowly through clay. Return the signal `what` at each drag distance of
+/// kClayCases.
 std::vector<double> drag_through(const AnchorDef& def, const char* what) {
     Moored m(def, 1e4, 0.0);
     std::vector<double> out;

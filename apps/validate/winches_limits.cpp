@@ -47,7 +47,7 @@ class Pull {
         w.set_velocity(end_, t);
         advance(w, 1);
     }
-    /// Return the speed of the end at which the tension rises at `rate` [N/s].
+    /// Return the speed of the wire's end at which the tension rises at `rate` [N/s].
     [[nodiscard]] double speed_for(double rate) const { return rate * length / EA; }
     [[nodiscard]] double get(const char* signal) const {
         return w.system_signal(winch_ + "." + signal);
