@@ -89,7 +89,8 @@ enum class AnchorType : std::uint8_t {
 /// Law of the capacity by the drag distance: UHC g(x), or T(z(x)) of an anchor that dives in clay.
 enum class AnchorLaw : std::uint8_t { exponential, trajectory };
 
-/// Return the names in the order of the enumerations; scene files use them.
+/// Return the names of soils, and of anchor types, in the order of AnchorSoil and AnchorType. Scene
+/// files use these names.
 [[nodiscard]] std::span<const char* const> anchor_soils() noexcept;
 [[nodiscard]] std::span<const char* const> anchor_types() noexcept;
 

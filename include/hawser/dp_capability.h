@@ -142,7 +142,7 @@ struct DpCondition {
     double current = 0.0;  ///< Current speed [m/s].
 };
 inline constexpr int kDpNumbers = 11;
-/// Return the condition of a Beaufort number.
+/// Return wind, waves and current of a Beaufort number by DNV-ST-0111.
 /// @param number  1 to 11; other values are clamped.
 [[nodiscard]] DpCondition dp_condition(int number) noexcept;
 

@@ -178,7 +178,8 @@ class WorldWires : public WorldWiresView {
     /// it.
     std::array<InteractionId, 2> engage(InteractionId element, InteractionDef before,
                                         const InteractionDef& behind);
-    /// Unite two parts of engage() to one element.
+    /// Replace the two parts of a wire at a guide or bollard, made by engage(), by one element.
+    /// @param before, behind  The parts.
     /// @param element  Definition of the element.
     /// @return the element.
     /// @throws DefError if the interactions are no such parts, or if the element does not fit them.
