@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace hawser::verify {
 
@@ -63,14 +64,23 @@ double late_fraction(double z) {
     return -1.0 / std::expm1(-z) - 1.0 / z;
 }
 
+// Return the inputs that are forces on bodies.
+std::vector<InputId> forces_on_bodies(const World& world) {
+    std::vector<InputId> out;
+    for (const InputId id : world.inputs())
+        if (world.input_def(id).body.valid()) out.push_back(id);
+    return out;
+}
+
 // Return the applied force and torque, including inputs. @param turn  Orientation of the body at
-// the start of the step; forces in its own frame rotate with it.
-Twist applied_wrench(const World& world, BodyId body, const Quat& turn) {
+// the start of the step; forces in its own frame rotate with it. @param inputs  forces_on_bodies().
+Twist applied_wrench(const World& world, BodyId body, const Quat& turn,
+                     const std::vector<InputId>& inputs) {
     const BodyDef& def = world.body_def(body);
     Twist f;
     f.linear = def.force;
     f.angular = def.torque;
-    for (const InputId id : world.inputs()) {
+    for (const InputId id : inputs) {
         const InputDef& input = world.input_def(id);
         if (input.body != body) continue;
         const Vec3 axis = Vec3::Unit(input.component % 3);
@@ -180,6 +190,7 @@ double Verifier::momentum_residual(const World& world) {
     double impulse = impulse_;
     double momentum = 0.0;
     std::int32_t covered = 0;
+    const std::vector<InputId> inputs = forces_on_bodies(world);
     for (const BodyId id : moving_) {
         const std::size_t b = index_of(id.index);
         if (sleeps(world, id)) {
@@ -190,7 +201,7 @@ double Verifier::momentum_residual(const World& world) {
         const bool turns = def.kind == BodyKind::rigid, scalar = def.kind == BodyKind::scalar;
         const Quat turn = turns ? pose_[b].orientation : Quat::Identity();
         const Twist now = step_velocity(world, id, pose_[b]),
-                    force = applied_wrench(world, id, turn);
+                    force = applied_wrench(world, id, turn, inputs);
         // Impulse of drag d on velocities before and after the step; each axis of the body has its
         // own mobility.
         const auto drag = [&](const Vec3& d, const Vec3& mobility, const Vec3& old,

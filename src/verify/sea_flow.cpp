@@ -42,8 +42,8 @@ SeaVerifier::Flow SeaVerifier::flow_over(const WaterHull& def, const Pose& pose)
         flow += part * at.flow;
         rate += part * (def_->convective ? Vec3(at.rate + convection(x)) : at.rate);
     };
-    const std::vector<HullCell> cells =
-        def.mesh.triangles.empty() ? std::vector<HullCell>() : hull_cells(def.mesh);
+    const std::vector<HullCell>& cells =
+        cells_[static_cast<std::size_t>(&def - def_->hulls.data())];
     const Mat3 axes = pose.orientation.toRotationMatrix();
     double low = 0.0;
     for (std::size_t i = 0; i < def.mesh.vertices.size(); ++i)

@@ -59,6 +59,10 @@ void SeaVerifier::before_step(const World& world) {
                .level = world.system_signal("sea.level")};
     step_ = world.settings().step;
     history_.resize(def_->hulls.size());
+    for (std::size_t i = cells_.size(); i < def_->hulls.size(); ++i) {
+        const HullMesh& mesh = def_->hulls[i].mesh;
+        cells_.push_back(mesh.triangles.empty() ? std::vector<HullCell>() : hull_cells(mesh));
+    }
     for (std::size_t i = 0; i < history_.size(); ++i)
         if (def_->hulls[i].coefficients) start_history(world, i);
 }

@@ -113,7 +113,8 @@ class SeaVerifier {
     std::vector<bool> intact_;  ///< By interaction, at the start of the step.
     SeaMoment air_{};
     std::vector<Load> load_;
-    std::vector<Past> history_;  ///< By hull.
+    std::vector<Past> history_;                 ///< By hull.
+    std::vector<std::vector<HullCell>> cells_;  ///< By hull; empty without a mesh.
     double step_ = 0.0;
     std::vector<double> mass_;  ///< By body [kg].
 };
