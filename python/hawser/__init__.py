@@ -6,8 +6,8 @@
 >>> session.step(60)
 
 `load` runs scenes, `World` builds a world, `System` adds a controller, `Recording` reads
-recordings, `Study` runs many cases, `stats` computes statistics of results. Statistics and tables work without the compiled
-part.
+recordings, `Study` runs many cases, `stats` computes statistics of results. Statistics and tables
+work without the compiled part.
 """
 from __future__ import annotations
 
@@ -32,7 +32,10 @@ _LAZY = {
 }
 
 __all__ = ["stats", "table", "Error", "DefError", "RemovedError", "SceneError", "LimitError",
-           "UseError", "ThreadError", "RecordingError", "StepError", "StudyError", *_LAZY]
+           "UseError", "ThreadError", "RecordingError", "StepError", "StudyError", "load",
+           "Session", "Event", "World", "System", "State", "Body", "Interaction", "Wire", "Shape",
+           "Material", "Input", "Output", "Step", "Loads", "instruction_set", "Recording", "Batch",
+           "Study", "Case", "grid", "latin_hypercube", "seeds", "scatter", "product"]
 
 if TYPE_CHECKING:
     from ._core import (Body, Input, Interaction, Loads, Material, Output, Shape, State, Step,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections import abc
 from concurrent.futures import ThreadPoolExecutor
 from types import TracebackType
 from typing import Any
@@ -51,8 +51,8 @@ class Batch:
     """
 
     def __init__(self, scene: str | os.PathLike[str] | None, count: int, threads: int = 1, *,
-                 inputs: Sequence[str] | None = None, outputs: Sequence[str] | None = None,
-                 set: Mapping[str, Any] | None = None, text: str = "") -> None:
+                 inputs: abc.Sequence[str] | None = None, outputs: abc.Sequence[str] | None = None,
+                 set: abc.Mapping[str, Any] | None = None, text: str = "") -> None:
         if count < 1 or threads < 1:
             raise ValueError(f"count and threads must be >= 1, they are {count} and {threads}")
         first = load(scene, set=set, text=text)
@@ -71,7 +71,7 @@ class Batch:
     def __len__(self) -> int:
         return len(self.sessions)
 
-    def _each(self, act: Callable[[int], None]) -> None:
+    def _each(self, act: abc.Callable[[int], None]) -> None:
         """Call act(i) for each world that has not failed, on the threads."""
         numbers = itertools.count()
         stop: list[bool] = []
@@ -169,7 +169,7 @@ class Batch:
         assert state is not None
         return state
 
-    def restore(self, state: _core.State, worlds: Sequence[int] | None = None) -> None:
+    def restore(self, state: _core.State, worlds: abc.Sequence[int] | None = None) -> None:
         """Branch: restore one state in all worlds, or in those of the given numbers."""
         chosen = range(len(self.sessions)) if worlds is None else worlds
         for i in chosen:

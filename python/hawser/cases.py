@@ -2,10 +2,10 @@
 """Cases of studies: lists, grids, Latin hypercubes, seeds, scatter diagrams."""
 from __future__ import annotations
 
+import dataclasses
 import itertools
 import math
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections import abc
 from typing import Any
 
 import numpy as np
@@ -15,7 +15,7 @@ from .errors import StudyError
 __all__ = ["Case", "grid", "latin_hypercube", "seeds", "scatter", "product"]
 
 
-@dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True)
 class Case:
     """One run: changes to the scene, inputs over time, weight.
 
@@ -29,12 +29,12 @@ class Case:
         Probability of the case, for instance of its sea state.
     """
 
-    set: Mapping[str, Any] = field(default_factory=dict)
+    set: abc.Mapping[str, Any] = dataclasses.field(default_factory=dict)
     control: str = ""
     weight: float = 1.0
 
 
-def grid(axes: Mapping[str, Sequence[Any]]) -> list[Case]:
+def grid(axes: abc.Mapping[str, abc.Sequence[Any]]) -> list[Case]:
     """Return a case for each combination of values; the last axis changes fastest."""
     for path, values in axes.items():
         if isinstance(values, (str, bytes)) or not values:
@@ -42,7 +42,7 @@ def grid(axes: Mapping[str, Sequence[Any]]) -> list[Case]:
     return [Case(dict(zip(axes, values))) for values in itertools.product(*axes.values())]
 
 
-def latin_hypercube(ranges: Mapping[str, tuple[float, float]], count: int,
+def latin_hypercube(ranges: abc.Mapping[str, tuple[float, float]], count: int,
                     seed: int = 1) -> list[Case]:
     """Return `count` cases whose values of each path lie one in each of `count` equal intervals.
 
@@ -68,7 +68,7 @@ def seeds(path: str, count: int, first: int = 1) -> list[Case]:
     return [Case({path: first + i}, weight=1.0 / count) for i in range(count)]
 
 
-def scatter(rows: Iterable[Sequence[float]], height: str = "sea.waves.0.height",
+def scatter(rows: abc.Iterable[abc.Sequence[float]], height: str = "sea.waves.0.height",
             period: str = "sea.waves.0.period") -> list[Case]:
     """Return a case for each sea state of a scatter diagram.
 
@@ -89,7 +89,7 @@ def scatter(rows: Iterable[Sequence[float]], height: str = "sea.waves.0.height",
     return [Case({height: h, period: t}, weight=n / total) for h, t, n in table if n > 0.0]
 
 
-def product(*parts: Sequence[Case]) -> list[Case]:
+def product(*parts: abc.Sequence[Case]) -> list[Case]:
     """Return all combinations of cases; weights multiply, a later value of a path replaces."""
     out = []
     for combination in itertools.product(*parts):

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Mapping
+from collections import abc
 from typing import Any
 
 import numpy as np
@@ -25,63 +25,76 @@ from .session import Session, load
 
 __all__ = ["SceneEnv", "TowTension", "AntiSway", "StationKeeping", "Box"]
 
-try:
-    from gymnasium import Env as _Env  # type: ignore
-    from gymnasium.spaces import Box  # type: ignore
-except ImportError:
-    class _Env:  # type: ignore[no-redef]
-        """Base class without gymnasium."""
 
-        metadata: dict[str, Any] = {"render_modes": []}
-        render_mode = None
+class _OwnEnv:
+    """Base class without gymnasium."""
 
-        @property
-        def unwrapped(self) -> Any:
-            """This environment."""
-            return self
+    metadata: dict[str, Any] = {"render_modes": []}
+    render_mode = None
 
-        def close(self) -> None:
-            """Release the world."""
+    @property
+    def unwrapped(self) -> Any:
+        """This environment."""
+        return self
 
-        def __enter__(self) -> Any:
-            return self
+    def close(self) -> None:
+        """Release the world."""
 
-        def __exit__(self, *args: object) -> None:
-            self.close()
+    def __enter__(self) -> Any:
+        return self
 
-    class Box:  # type: ignore[no-redef]
-        """Box of numbers between low and high, as in gymnasium.spaces."""
-
-        def __init__(self, low: Any, high: Any, shape: tuple[int, ...] | None = None,
-                     dtype: Any = np.float32) -> None:
-            self.dtype = np.dtype(dtype)
-            self.shape = tuple(shape) if shape is not None else np.shape(low)
-            self.low = np.full(self.shape, low, self.dtype)
-            self.high = np.full(self.shape, high, self.dtype)
-            self._random = np.random.default_rng()
-
-        def seed(self, seed: int | None = None) -> None:
-            """Seed the random numbers of `sample`."""
-            self._random = np.random.default_rng(seed)
-
-        def sample(self) -> np.ndarray:
-            """Return a random point; unbounded entries are normally distributed."""
-            bounded = np.isfinite(self.low) & np.isfinite(self.high)
-            low, high = np.where(bounded, self.low, 0.0), np.where(bounded, self.high, 1.0)
-            x = np.where(bounded, self._random.uniform(low, high),
-                         self._random.normal(size=self.shape))
-            return x.astype(self.dtype)
-
-        def contains(self, x: Any) -> bool:
-            """True if x has the shape and lies in the box."""
-            x = np.asarray(x)
-            return x.shape == self.shape and bool(np.all((x >= self.low) & (x <= self.high)))
-
-        def __repr__(self) -> str:
-            return f"Box({self.low.min()}, {self.high.max()}, {self.shape}, {self.dtype})"
+    def __exit__(self, *args: object) -> None:
+        self.close()
 
 
-class SceneEnv(_Env):  # type: ignore[misc]
+class _OwnBox:
+    """Box of numbers between low and high, as in gymnasium.spaces."""
+
+    def __init__(self, low: Any, high: Any, shape: tuple[int, ...] | None = None,
+                 dtype: Any = np.float32) -> None:
+        self.dtype = np.dtype(dtype)
+        self.shape = tuple(shape) if shape is not None else np.shape(low)
+        self.low = np.full(self.shape, low, self.dtype)
+        self.high = np.full(self.shape, high, self.dtype)
+        self._random = np.random.default_rng()
+
+    def seed(self, seed: int | None = None) -> None:
+        """Seed the random numbers of `sample`."""
+        self._random = np.random.default_rng(seed)
+
+    def sample(self) -> np.ndarray:
+        """Return a random point; unbounded entries are normally distributed."""
+        bounded = np.isfinite(self.low) & np.isfinite(self.high)
+        low, high = np.where(bounded, self.low, 0.0), np.where(bounded, self.high, 1.0)
+        x = np.where(bounded, self._random.uniform(low, high),
+                     self._random.normal(size=self.shape))
+        return x.astype(self.dtype)
+
+    def contains(self, x: Any) -> bool:
+        """True if x has the shape and lies in the box."""
+        x = np.asarray(x)
+        return x.shape == self.shape and bool(np.all((x >= self.low) & (x <= self.high)))
+
+    def __repr__(self) -> str:
+        return f"Box({self.low.min()}, {self.high.max()}, {self.shape}, {self.dtype})"
+
+
+def _classes() -> tuple[Any, Any]:
+    """Return the classes Env and Box of gymnasium if it is installed, else those of this module."""
+    try:
+        from gymnasium import Env  # type: ignore
+        from gymnasium.spaces import Box as GymBox  # type: ignore
+    except ImportError:
+        return _OwnEnv, _OwnBox
+    return Env, GymBox
+
+
+_Env: Any
+Box: Any
+_Env, Box = _classes()
+
+
+class SceneEnv(_Env):
     """Environment on a scene; subclasses define observation, reward and end.
 
     Parameters
@@ -102,8 +115,8 @@ class SceneEnv(_Env):  # type: ignore[misc]
         Worker threads; results do not depend on it.
     """
 
-    def __init__(self, scene: str | os.PathLike[str], actions: Mapping[str, float], size: int, *,
-                 period: float = 0.1, duration: float = 60.0, set: Mapping[str, Any] | None = None,
+    def __init__(self, scene: str | os.PathLike[str], actions: abc.Mapping[str, float], size: int, *,
+                 period: float = 0.1, duration: float = 60.0, set: abc.Mapping[str, Any] | None = None,
                  threads: int = 1) -> None:
         if not 0.0 < period <= duration:
             raise ValueError(f"period and duration: give 0 < period <= duration, not {period} and "
@@ -124,7 +137,7 @@ class SceneEnv(_Env):  # type: ignore[misc]
         self.observation_space = Box(-np.inf, np.inf, (size,), np.float64)
 
     # --- For subclasses -------------------------------------------------------------------------
-    def begin(self, options: Mapping[str, Any]) -> None:
+    def begin(self, options: abc.Mapping[str, Any]) -> None:
         """Draw the task of an episode from `self.random`. Called after the start is restored."""
 
     def measure(self) -> None:
@@ -200,8 +213,8 @@ class SceneEnv(_Env):  # type: ignore[misc]
         """Close the files of the session."""
         self.session.finish()
 
-    def _drawn(self, options: Mapping[str, Any], name: str,
-               draw: Callable[[], float]) -> float:
+    def _drawn(self, options: abc.Mapping[str, Any], name: str,
+               draw: abc.Callable[[], float]) -> float:
         """Return an option, or a drawn value; draws in either case, to keep the sequence."""
         value = draw()
         return float(options.get(name, value))
@@ -222,7 +235,7 @@ class TowTension(SceneEnv):
         super().__init__(scene, {"winch.speed": 1.5}, 4, **given)
         self.target = 4e5
 
-    def begin(self, options: Mapping[str, Any]) -> None:
+    def begin(self, options: abc.Mapping[str, Any]) -> None:
         self.target = self._drawn(options, "target", lambda: self.random.uniform(2.5e5, 6e5))
         self.session.inputs["winch.mode"] = 0  # speed
         self.session.inputs["winch.speed"] = 0.0
@@ -269,7 +282,7 @@ class AntiSway(SceneEnv):
         slew, radius = self.session.outputs["slew"], self.session.outputs["crane.radius"]
         self._base = hook - radius * np.array([math.cos(slew), math.sin(slew)])
 
-    def begin(self, options: Mapping[str, Any]) -> None:
+    def begin(self, options: abc.Mapping[str, Any]) -> None:
         self.target = self._drawn(options, "target", lambda: float(
             self.random.uniform(0.3, 0.8) * self.random.choice([-1.0, 1.0])))
         self._ordered = 0.0
@@ -332,7 +345,7 @@ class StationKeeping(SceneEnv):
         w, x, y, z = self.session.world.body(self._body).orientation
         return math.atan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
 
-    def begin(self, options: Mapping[str, Any]) -> None:
+    def begin(self, options: abc.Mapping[str, Any]) -> None:
         wind = self._drawn(options, "wind", lambda: self.random.uniform(5.0, 12.0))
         direction = self._drawn(options, "direction",
                                 lambda: self.random.uniform(-math.pi, math.pi))

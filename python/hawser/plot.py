@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import base64
 import io
-from collections.abc import Sequence
+from collections import abc
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,7 +13,7 @@ from . import stats
 from .table import Table
 
 if TYPE_CHECKING:
-    from .recording import Recording
+    from . import recording as recordings
 
 __all__ = ["series", "tensions", "range_graph", "spectrum", "rainflow", "png"]
 
@@ -25,7 +25,7 @@ def _axes(axes: Any) -> Any:
     return pyplot.subplots(figsize=(7.0, 3.5), layout="constrained")[1]
 
 
-def series(table: Table, names: Sequence[str], axes: Any = None) -> Any:
+def series(table: Table, names: abc.Sequence[str], axes: Any = None) -> Any:
     """Draw columns of a table over time.
 
     Parameters
@@ -48,7 +48,8 @@ def series(table: Table, names: Sequence[str], axes: Any = None) -> Any:
     return axes
 
 
-def tensions(recording: Recording, cables: Sequence[str] | None = None, axes: Any = None) -> Any:
+def tensions(recording: recordings.Recording, cables: abc.Sequence[str] | None = None,
+             axes: Any = None) -> Any:
     """Draw the largest tension of cables over time [kN]."""
     axes = _axes(axes)
     names = [c["name"] for c in recording.cables] if cables is None else list(cables)
@@ -63,7 +64,7 @@ def tensions(recording: Recording, cables: Sequence[str] | None = None, axes: An
     return axes
 
 
-def range_graph(recording: Recording, cable: str, axes: Any = None) -> Any:
+def range_graph(recording: recordings.Recording, cable: str, axes: Any = None) -> Any:
     """Draw minimum, mean and maximum of the tension along a cable [kN] over its arc length [m]."""
     axes = _axes(axes)
     low, mean, high = stats.range_graph(recording.tension(cable))

@@ -2,8 +2,8 @@
 """Recordings as numpy arrays and xarray data sets."""
 from __future__ import annotations
 
-import functools
 import os
+from collections import abc
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -32,14 +32,21 @@ class Recording(_core.Recording):
 
     def __init__(self, file: str | os.PathLike[str]) -> None:
         super().__init__(os.fspath(file))
+        self._decoded: dict[str, Any] = {}
 
-    @functools.cached_property
+    def _once(self, name: str, decode: abc.Callable[[], Any]) -> Any:
+        """Return the result of decode(), which is called for the first request of a name only."""
+        if name not in self._decoded:
+            self._decoded[name] = decode()
+        return self._decoded[name]
+
+    @property
     def _frame_heads(self) -> dict[str, np.ndarray]:
-        return self._heads()
+        return self._once("heads", self._heads)
 
-    @functools.cached_property
+    @property
     def _frame_poses(self) -> tuple[np.ndarray, np.ndarray]:
-        return self._poses()
+        return self._once("poses", self._poses)
 
     @property
     def time(self) -> np.ndarray:
@@ -61,15 +68,15 @@ class Recording(_core.Recording):
         """Motion hash of each frame."""
         return self._frame_heads["hash"]
 
-    @functools.cached_property
+    @property
     def tensions(self) -> np.ndarray:
         """Tension of each element of all cables [N]: array (frames, elements)."""
-        return self._tensions()
+        return self._once("tensions", self._tensions)
 
-    @functools.cached_property
+    @property
     def events(self) -> list[Event]:
         """Events of the run."""
-        return self._events(Event)
+        return self._once("events", lambda: self._events(Event))
 
     def body(self, name: str) -> int:
         """Return the index of a body. Raises KeyError."""

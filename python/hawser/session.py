@@ -8,15 +8,16 @@ import pathlib
 import sys
 import tempfile
 import time as clock
-from collections.abc import Callable, Iterator, Mapping
-from typing import Any, NamedTuple
+import typing
+from collections import abc
+from typing import Any
 
 from . import _core
 
 __all__ = ["Event", "Inputs", "Outputs", "Session", "load"]
 
 
-class Event(NamedTuple):
+class Event(typing.NamedTuple):
     """Event of a step.
 
     Attributes
@@ -37,7 +38,7 @@ class Event(NamedTuple):
     value: float
 
 
-class Inputs(Mapping[str, float]):
+class Inputs(abc.Mapping[str, float]):
     """Inputs of a session by name: ``session.inputs["ahts1/tow_speed"] = 0.3``.
 
     They are inputs of the world, inputs of the scene that set a signal, and input signals as
@@ -69,7 +70,7 @@ class Inputs(Mapping[str, float]):
     def __setitem__(self, name: str, value: float) -> None:
         self._session.set_input(name, value)
 
-    def __iter__(self) -> Iterator[str]:
+    def __iter__(self) -> abc.Iterator[str]:
         return iter(self._names())
 
     def __len__(self) -> int:
@@ -82,7 +83,7 @@ class Inputs(Mapping[str, float]):
         return f"Inputs({dict(self)!r})"
 
 
-class Outputs(Mapping[str, float]):
+class Outputs(abc.Mapping[str, float]):
     """Outputs of a session by name, in SI units, including signals as "system.signal"."""
 
     def __init__(self, session: Session) -> None:
@@ -91,7 +92,7 @@ class Outputs(Mapping[str, float]):
     def __getitem__(self, name: str) -> float:
         return self._session.world.output(name).value
 
-    def __iter__(self) -> Iterator[str]:
+    def __iter__(self) -> abc.Iterator[str]:
         return iter([o.name for o in self._session.world.outputs])
 
     def __len__(self) -> int:
@@ -122,7 +123,7 @@ class Session(_core.Session):
     0.5
     """
 
-    def __init__(self, file: str = "", *, options: Mapping[str, Any] | None = None,
+    def __init__(self, file: str = "", *, options: abc.Mapping[str, Any] | None = None,
                  **given: Any) -> None:
         self._options = dict(options or {})
         super().__init__(file, **self._options, **given)
@@ -166,7 +167,7 @@ class Session(_core.Session):
         self._step(count)
 
     def run(self, until: float | None = None, every: float | None = None,
-            callback: Callable[[Session], object] | None = None,
+            callback: abc.Callable[[Session], object] | None = None,
             progress: bool | None = None) -> None:
         """Take steps until a time.
 
@@ -254,11 +255,11 @@ class Session(_core.Session):
         return f"<hawser.Session \"{self.name or self.path}\", t = {self.time:g} s>"
 
 
-def _revive(text: str, path: str, options: Mapping[str, Any], state_file: str) -> Session:
+def _revive(text: str, path: str, options: abc.Mapping[str, Any], state_file: str) -> Session:
     return Session(path or "scene", scene_text=text, options=options, restore=state_file)
 
 
-def _unpickle(text: str, path: str, options: Mapping[str, Any], data: bytes) -> Session:
+def _unpickle(text: str, path: str, options: abc.Mapping[str, Any], data: bytes) -> Session:
     with tempfile.TemporaryDirectory() as folder:
         file = os.path.join(folder, "state")
         pathlib.Path(file).write_bytes(data)
@@ -300,7 +301,7 @@ class _Progress:
 
 
 def load(scene: str | os.PathLike[str] | _core.World | None = None, *, text: str = "",
-         set: Mapping[str, Any] | None = None, threads: int = 1, scale: int = 1,
+         set: abc.Mapping[str, Any] | None = None, threads: int = 1, scale: int = 1,
          step: float | None = None, budget: float = 0.0, budget_work: float = 0.0,
          operations: str | os.PathLike[str] | None = None,
          restore: str | os.PathLike[str] | None = None,

@@ -22,7 +22,7 @@ import math
 import os
 import pathlib
 import tempfile
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections import abc
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
@@ -51,7 +51,7 @@ class _Plan:
     every: float
     responses: tuple[str, ...]
     hours: float
-    function: Callable[[Any], Mapping[str, float]] | None
+    function: abc.Callable[[Any], abc.Mapping[str, float]] | None
     control: str
     threads: int
     verify: bool
@@ -105,7 +105,7 @@ def _store(folder: str, result: Result) -> None:
         raise
 
 
-def _code_of(function: Callable[..., Any] | None) -> str:
+def _code_of(function: abc.Callable[..., Any] | None) -> str:
     if function is None:
         return ""
     try:
@@ -157,7 +157,7 @@ def _figures(x: np.ndarray, plan: _Plan) -> dict[str, float]:
     return {name: float(value) for name, value in out.items()}
 
 
-def _grade(verdict: Mapping[str, Any]) -> tuple[str, str]:
+def _grade(verdict: abc.Mapping[str, Any]) -> tuple[str, str]:
     """Return grade and reason of a finished run."""
     grade = str(verdict["grade"])
     if grade == "good":
@@ -244,11 +244,11 @@ class Study:
     """
 
     def __init__(self, scene: str | os.PathLike[str],
-                 cases: Iterable[Case | Mapping[str, Any]], *,
-                 set: Mapping[str, Any] | None = None, duration: float | None = None,
-                 begin: float = 0.0, every: float = 0.1, responses: Sequence[str] = (),
+                 cases: abc.Iterable[Case | abc.Mapping[str, Any]], *,
+                 set: abc.Mapping[str, Any] | None = None, duration: float | None = None,
+                 begin: float = 0.0, every: float = 0.1, responses: abc.Sequence[str] = (),
                  hours: float = 0.0,
-                 function: Callable[[Any], Mapping[str, float]] | None = None,
+                 function: abc.Callable[[Any], abc.Mapping[str, float]] | None = None,
                  control: str | os.PathLike[str] | None = None, threads: int = 1,
                  verify: bool = False, folder: str | os.PathLike[str] = "study") -> None:
         self.cases = [c if isinstance(c, Case) else Case(dict(c)) for c in cases]
@@ -284,7 +284,7 @@ class Study:
         return sorted(row for future in futures for row in future.result())
 
     def run(self, executor: Executor | None = None, jobs: int | None = None,
-            progress: Callable[[int, int], None] | None = None) -> list[Result]:
+            progress: abc.Callable[[int, int], None] | None = None) -> list[Result]:
         """Run all cases that have no stored result.
 
         All cases are checked before the first run. A refused case becomes a row of the table.
@@ -333,8 +333,8 @@ class Study:
             for p in pools:
                 p.shutdown()
 
-    def _run(self, make: Callable[[], Executor], own: bool,
-             progress: Callable[[int, int], None] | None) -> list[Result]:
+    def _run(self, make: abc.Callable[[], Executor], own: bool,
+             progress: abc.Callable[[int, int], None] | None) -> list[Result]:
         executor = make()
         checked = self.check(executor)
         if all(reason for _, _, reason in checked):
@@ -370,7 +370,7 @@ class Study:
         return self.results
 
     def _run_once(self, executor: Executor, waiting: list[tuple[int, Case]], size: int | None,
-                  found: dict[int, Result], report: Callable[[int, int], None],
+                  found: dict[int, Result], report: abc.Callable[[int, int], None],
                   ) -> list[tuple[int, Case]]:
         """Run cases until all ended or a worker died. Return the cases of dead workers."""
         workers = 1 if size == 1 else _workers(executor)

@@ -6,7 +6,7 @@ import csv
 import json
 import os
 import pathlib
-from collections.abc import Mapping
+from collections import abc
 from typing import Any
 
 from .cases import Case, grid, latin_hypercube, product, scatter, seeds
@@ -21,7 +21,7 @@ _CASES = {"list", "grid", "latin_hypercube", "seeds", "scatter"}
 
 
 def _cases_of(data: Any, folder: pathlib.Path) -> list[Case]:
-    if not isinstance(data, Mapping) or not data:
+    if not isinstance(data, abc.Mapping) or not data:
         raise StudyError("/cases: give an object with " + ", ".join(sorted(_CASES)))
     unknown = set(data) - _CASES
     if unknown:
