@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -158,6 +159,12 @@ struct RecordedEvent {
     std::string where;                    ///< Name of the interaction or body.
 };
 
+/// Output or signal whose value each frame has.
+struct RecordedOutput {
+    std::string name;  ///< Name, as OutputDef::name; "system.signal" for a signal.
+    std::string unit;  ///< Unit label. Values are in SI units.
+};
+
 /// State of the scene at one time, in single precision for pictures.
 struct Frame {
     std::int64_t step = 0;           ///< Number of completed steps.
@@ -220,6 +227,7 @@ class Recording {
     std::vector<bool> inner_inputs;  ///< True for inputs that a system owns and drives, by the same
                                      ///< index.
     std::vector<RecordedOutline> outlines;  ///< Outlines of collision shapes; may be empty.
+    std::vector<RecordedOutput> outputs;    ///< Outputs of all frames; empty in earlier versions.
     std::vector<RecordedInput> inputs;      ///< Inputs that were set.
     std::vector<RecordedChanges> changes;   ///< Other changes.
     std::vector<RecordedLoads> loads;       ///< Loads of systems.
@@ -245,6 +253,8 @@ class Recording {
     [[nodiscard]] std::vector<bool> wire_lumps() const;
     /// Decode a frame without poses and tensions, at small cost.
     [[nodiscard]] Frame frame_head(std::size_t index) const;
+    /// Return the values of `outputs` at a frame, in SI units; NaN if an output did not exist.
+    [[nodiscard]] std::vector<double> output_values(std::size_t frame) const;
 
   private:
     Recording() = default;
@@ -270,6 +280,8 @@ class Recording {
     static const Wires* find_wires(std::size_t index, const WireTables& tables,
                                    std::vector<float>& pulls);
     void find_wires(std::size_t index, Frame& frame) const;
+    void read_output_names(ByteReader in);
+    void read_output_values(std::span<const std::byte> payload);
     void read_cut(ByteReader in);
     void read_event(ByteReader in);
     void read_end(ByteReader in);
@@ -294,6 +306,16 @@ class Recording {
                                                         ///< one on.
         std::vector<std::int32_t> gone;  ///< Lines only: joints of the start that are removed.
     };
+    /// Outputs from one frame on.
+    struct OutputTable {
+        std::size_t first_frame = 0;
+        std::vector<std::int32_t> outputs;               ///< Indices in `outputs`.
+        std::vector<std::span<const std::byte>> values;  ///< Values of each frame from the first
+                                                         ///< one on.
+    };
+    std::vector<OutputTable> output_tables_;
+    std::map<std::pair<std::string, std::string>, std::int32_t>
+        output_indices_;                                  ///< By name, unit.
     WireTables wires_, lines_;                            ///< Frames point into them.
     std::vector<std::pair<std::size_t, double>> waters_;  ///< First frame and Frame::water.
 };

@@ -2,7 +2,8 @@
 """Statistics of a run, and studies.
 
 python3 -m hawser stats RUN.csv        statistics of each column of a table of `hawser run --csv`
-python3 -m hawser stats RUN.hwr        statistics of the tension of each cable of a recording
+python3 -m hawser stats RUN.hwr        statistics of the tension of each cable of a recording, and
+                                       of its outputs and signals
 python3 -m hawser study STUDY.json -o FOLDER [--jobs N | --dask ADDRESS | --mpi]
 
 Exit codes: 0 done; 1 wrong option or file; 2 a run of a study is not good; 130 interrupted.
@@ -38,7 +39,8 @@ def line(column: table.Column, step: float, duration: float) -> str:
 
 
 def of_recording(file: str) -> table.Table:
-    """Return the tensions of a recording: first, last and largest element of each cable."""
+    """Return the tensions of a recording (first, last and largest element of each cable) and its
+    outputs."""
     from .recording import Recording
     run = Recording(file)
     if len(run) < 2:
@@ -52,6 +54,8 @@ def of_recording(file: str) -> table.Table:
                               ("largest", x.max(axis=1))):
             columns.append(table.Column(f"{cable['name']} tension, {label}", "N",
                                         values.astype(float)))
+    columns += [table.Column(name, unit, run.output(name))
+                for name, unit in zip(run.output_names, run.output_units)]
     return table.Table(run.time, tuple(columns))
 
 

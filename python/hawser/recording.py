@@ -109,6 +109,14 @@ class Recording(_core.Recording):
         first = data["first_element"]
         return self.tensions[:, first:first + data["elements"]]
 
+    def output(self, name: str) -> np.ndarray:
+        """Return the value of an output or signal in each frame, in SI units. Raises KeyError."""
+        if name not in self.output_names:
+            known = ", ".join(self.output_names[:20])
+            raise KeyError(f"{self.file}: there is no output \"{name}\"; known: {known}")
+        values = self._once("outputs", self._outputs)
+        return values[:, self.output_names.index(name)]
+
     def arc_length(self, cable: str) -> np.ndarray:
         """Return the middle of each element of a cable of equal elements, from its first end [m]."""
         data = self.cable(cable)
@@ -117,7 +125,8 @@ class Recording(_core.Recording):
     def to_xarray(self) -> xarray.Dataset:
         """Return a data set with dimensions, units and names (needs xarray).
 
-        Variables: position, orientation, energy, and tension_CABLE for each cable.
+        Variables: position, orientation, energy, tension_CABLE for each cable, and each output
+        by its name; output_NAME if a variable or coordinate has this name.
         """
         import xarray as xr
 
@@ -139,6 +148,9 @@ class Recording(_core.Recording):
                 self.tension(name), dims=("time", at),
                 coords={at: (at, self.arc_length(name), {"units": "m"})},
                 attrs={"units": "N", "long_name": f"tension of {name}"})
+        for name, unit in zip(self.output_names, self.output_units):
+            key = f"output_{name}" if name in out.variables else name
+            out[key] = ("time", self.output(name), {"units": unit, "long_name": name})
         return out
 
     def _repr_html_(self) -> str:

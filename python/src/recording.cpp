@@ -6,6 +6,8 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
+
 namespace hawser::python {
 namespace {
 
@@ -102,6 +104,18 @@ py::list cables_of(const Recording& r) {
     return out;
 }
 
+/// Return the values of the outputs: (frames, outputs); NaN if an output did not exist.
+py::array_t<double> outputs(const Recording& r) {
+    py::array_t<double> out(
+        {static_cast<py::ssize_t>(r.frame_count()), static_cast<py::ssize_t>(r.outputs.size())});
+    for (std::size_t i = 0; i < r.frame_count(); ++i) {
+        const std::vector<double> values = r.output_values(i);
+        std::copy(values.begin(), values.end(),
+                  out.mutable_data() + i * static_cast<std::size_t>(out.shape(1)));
+    }
+    return out;
+}
+
 py::list events_of(const Recording& r, const py::object& type) {
     py::list out;
     for (const record::RecordedEvent& e : r.events)
@@ -142,10 +156,27 @@ void bind_recording(py::module_& module) {
                 return names;
             },
             "Names of the bodies by index.")
+        .def_property_readonly(
+            "output_names",
+            [](const Recording& r) {
+                std::vector<std::string> names;
+                for (const auto& output : r.outputs) names.push_back(output.name);
+                return names;
+            },
+            "Names of outputs and signals; empty in recordings of earlier versions.")
+        .def_property_readonly(
+            "output_units",
+            [](const Recording& r) {
+                std::vector<std::string> units;
+                for (const auto& output : r.outputs) units.push_back(output.unit);
+                return units;
+            },
+            "Units of `output_names`.")
         .def_property_readonly("cables", cables_of, "Cables of the start, as dicts.")
         .def("_heads", heads)
         .def("_poses", poses)
         .def("_tensions", tensions)
+        .def("_outputs", outputs)
         .def("_events", events_of, py::arg("type"))
         .def("__len__", &Recording::frame_count);
 }

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Test recordings as arrays and data sets, against the run that wrote them."""
+import subprocess
+
 import numpy as np
 import pytest
 
 import hawser
-from hawser import stats
+from hawser import stats, table
 
 
 @pytest.fixture(scope="module")
@@ -41,6 +43,47 @@ def test_frames_equal_the_run(run):
     assert np.allclose(recording.position()[1:], position, rtol=1e-6, atol=1e-6)
     scale = np.abs(tension).max()
     assert np.allclose(recording.tension(name)[1:], tension, rtol=1e-6, atol=1e-6 * scale)
+
+
+@pytest.mark.parametrize("every", [1, 7])
+def test_outputs_and_signals_equal_the_run(scenes, tmp_path, every):
+    session = hawser.load(scenes / "tow_payout.json", record=tmp_path / "run.hwr", every=every)
+    names, seen = list(session.outputs), []
+    assert "winch.pull" in session.world.signals and "winch.pull" in names
+    session.inputs["winch.speed"] = 0.5
+    for _ in range(42):
+        session.step()
+        if session.world.step_count % every == 0:
+            seen.append(session.outputs.values_array)
+    session.finish()
+    recording = hawser.Recording(tmp_path / "run.hwr")
+    assert recording.output_names == names
+    assert recording.output_units == [session.outputs.unit(n) for n in names]
+    recorded = np.column_stack([recording.output(n) for n in names])
+    assert np.array_equal(recorded[1:], np.array(seen), equal_nan=True)
+    assert len(seen) == 42 // every and np.ptp(recording.output("winch.pull")[1:]) > 0.0
+    with pytest.raises(KeyError, match="no output.*known"):
+        recording.output("none")
+
+
+def test_outputs_in_recordings_of_the_program(scenes, program, tmp_path):
+    """The table of the program has the same outputs, with nine digits."""
+    done = subprocess.run([program, "run", str(scenes / "moored_barge.json"), "--duration", "2",
+                           "--quiet", "--record", str(tmp_path / "run.hwr"), "--record-every", "6",
+                           "--csv", str(tmp_path / "run.csv")], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    recording, data = hawser.Recording(tmp_path / "run.hwr"), table.read(tmp_path / "run.csv")
+    assert recording.output_names
+    for name, unit in zip(recording.output_names, recording.output_units):
+        assert data[name].unit == unit
+        assert np.allclose(recording.output(name)[1:], data[name].values, rtol=1e-8, atol=0.0,
+                           equal_nan=True)
+    xarray = pytest.importorskip("xarray")
+    assert isinstance(recording.to_xarray()[name], xarray.DataArray)
+    assert recording.to_xarray()[name].attrs["units"] == unit
+    done = subprocess.run([program, "stats", str(tmp_path / "run.hwr")], capture_output=True,
+                          text=True)
+    assert f"{recording.output_names[0]} [" in done.stdout, done.stdout + done.stderr
 
 
 def test_range_graph_equals_the_extremes(run):

@@ -145,6 +145,10 @@ void Recording::read_chunk(std::string_view kind, std::span<const std::byte> pay
         read_wires(in, lines_, true);
     } else if (kind == kLinePullsChunk) {
         read_pulls(payload, lines_);
+    } else if (kind == kOutputNamesChunk) {
+        read_output_names(in);
+    } else if (kind == kOutputsChunk) {
+        read_output_values(payload);
     } else if (kind == kWaterChunk) {
         waters_.emplace_back(frames_.size(), get_finite(in));
         in.expect_end();

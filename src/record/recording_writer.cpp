@@ -25,7 +25,9 @@ std::size_t frame_bytes(const World& world, const SceneInfo& scene) {
     for (const BodyId id : world.bodies())
         floats += static_cast<std::size_t>(pose_floats(world.body_def(id).kind));
     for (const CableInfo& cable : scene.cables) floats += cable.elements.size();
-    return kChunkOverhead + kFrameHeadBytes + 4 * floats;
+    const std::size_t outputs = world.output_ids().size();
+    return kChunkOverhead + kFrameHeadBytes + 4 * floats +
+           (outputs > 0 ? kChunkOverhead + 8 * outputs : 0);
 }
 
 std::size_t sea_load_bytes(const World& world) {
@@ -210,6 +212,12 @@ void RecordingWriter::follow_water(const World& world) {
     write_chunk(kWaterChunk);
 }
 
+void RecordingWriter::follow_outputs(const World& world) {
+    if (!outputs_.changed(world)) return;
+    outputs_.write_names(payload_, world);
+    write_chunk(kOutputNamesChunk);
+}
+
 std::vector<BodyId> RecordingWriter::bodies_of_frame() const {
     std::vector<BodyId> out;
     for (const FramedBody& body : bodies_) out.push_back(body.id);
@@ -221,6 +229,7 @@ void RecordingWriter::add_frame(const World& world) {
     follow_wires(world);
     follow_lines(world);
     follow_water(world);
+    follow_outputs(world);
     const StepStats& stats = world.stats();
     payload_.put(world.step_count());
     payload_.put(world.time());
@@ -237,9 +246,13 @@ void RecordingWriter::add_frame(const World& world) {
         wires_.write_pulls(payload_, world);
         write_chunk(kPullsChunk);
     }
-    if (!lines_changed_) return;
-    lines_.write_pulls(payload_, world);
-    write_chunk(kLinePullsChunk);
+    if (lines_changed_) {
+        lines_.write_pulls(payload_, world);
+        write_chunk(kLinePullsChunk);
+    }
+    if (outputs_.count() == 0) return;
+    outputs_.write_values(payload_, world);
+    write_chunk(kOutputsChunk);
 }
 
 void RecordingWriter::add_inputs(std::span<const RecordedInput> changes) {

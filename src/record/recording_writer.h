@@ -9,6 +9,7 @@
 #include "record/bytes.h"
 #include "record/changes.h"
 #include "record/recording_lines.h"
+#include "record/recording_outputs.h"
 #include "record/recording_wires.h"
 #include "record/scene_info.h"
 
@@ -70,6 +71,7 @@ class RecordingWriter {
     void follow_wires(const World& world);
     void follow_lines(const World& world);
     void follow_water(const World& world);
+    void follow_outputs(const World& world);
     [[nodiscard]] std::vector<BodyId> bodies_of_frame() const;
 
     LoadStorage loads_;
@@ -79,6 +81,7 @@ class RecordingWriter {
     std::vector<FramedBody> bodies_;  ///< Bodies of a frame, in its order.
     WireFollower wires_;
     LineFollower lines_;
+    OutputFollower outputs_;
     double water_ = 0.0;          ///< z of still water in the frame before [m].
     bool wires_changed_ = false;  ///< Than those of the start: frames have their tensions.
     /// True if lines were added or removed: frames then have their tensions.

@@ -87,6 +87,9 @@ void expect_sound(const Recording& r) {
         for (const float tension : frame.tensions) ASSERT_TRUE(std::isfinite(tension));
         for (const float pull : frame.line_pulls) ASSERT_TRUE(std::isfinite(pull));
         ASSERT_TRUE(frame.lines == nullptr || frame.gone_joints != nullptr);
+        const std::vector<double> outputs = r.output_values(i);
+        ASSERT_EQ(outputs.size(), r.outputs.size());
+        for (const double value : outputs) ASSERT_FALSE(std::isinf(value));
     }
     for (const record::RecordedInput& input : r.inputs) ASSERT_GE(input.input, 0);
     if (r.ending != record::Ending::unknown) {

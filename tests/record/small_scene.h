@@ -41,6 +41,7 @@ struct SmallScene {
         }
         world.add_input(
             {.name = "box.push", .param = {}, .body = box, .component = 0, .min = -50, .max = 50});
+        world.add_output({.name = "box.z", .body = box, .component = "z", .unit = "m"});
         info.name = "small";
         info.path = "small.json";
         info.text = "{\"name\": \"small\"}";

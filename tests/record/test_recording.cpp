@@ -4,6 +4,7 @@
 #include "record/snapshot_file.h"
 #include "support/tier.h"
 
+#include <cmath>
 #include <random>
 
 namespace hawser::test {
@@ -50,6 +51,51 @@ TEST(Recording, ReturnsWhatWasWritten) {
     EXPECT_FLOAT_EQ(last.tensions[1],
                     float(record::element_tension(scene.world, scene.info.cables[0].elements[1])));
     EXPECT_GT(last.tensions[0], 0.0f);
+    ASSERT_EQ(r.outputs.size(), 1u);
+    EXPECT_EQ(r.outputs[0].name, "box.z");
+    EXPECT_EQ(r.outputs[0].unit, "m");
+    EXPECT_EQ(r.output_values(kSteps), std::vector<double>{scene.world.pose({2}).position.z()});
+}
+
+TEST(Recording, HasOutputsThatCameAndWent) {
+    const auto file = fresh_folder() / "r.hwr";
+    SmallScene scene;
+    World& world = scene.world;
+    record::RecordingWriter out(file, scene.info, world,
+                                {.step = world.settings().step,
+                                 .instruction_set = instruction_set(),
+                                 .version = version(),
+                                 .processor = "test"});
+    std::vector<double> z, x;
+    const auto frame = [&](bool with_x) {
+        ASSERT_EQ(world.step(), Status::ok);
+        out.add_frame(world);
+        z.push_back(world.pose({2}).position.z());
+        x.push_back(with_x ? world.pose({2}).position.x() : NAN);
+    };
+    frame(false);
+    const OutputId extra = world.add_output({.name = "x", .body = BodyId{2}, .component = "x"});
+    frame(true);
+    frame(true);
+    world.remove_output(extra);
+    frame(false);
+    (void)world.add_output({.name = "x", .body = BodyId{2}, .component = "x"});
+    frame(true);
+    world.remove_output(world.find_output("box.z"));
+    world.remove_output(world.find_output("x"));
+    frame(false);
+    z.back() = NAN;
+    out.finish(world, record::Ending::finished);
+    const Recording r = Recording::open(file);
+    EXPECT_EQ(r.damage, "");
+    ASSERT_EQ(r.outputs.size(), 2u);
+    ASSERT_EQ(r.frame_count(), z.size() + 1);
+    for (std::size_t i = 0; i < z.size(); ++i) {
+        const std::vector<double> values = r.output_values(i + 1);
+        const auto same = [](double a, double b) { return a == b || (a != a && b != b); };
+        EXPECT_TRUE(same(values[0], z[i])) << "frame " << i;
+        EXPECT_TRUE(same(values[1], x[i])) << "frame " << i;
+    }
 }
 
 TEST(Recording, ReplaysFromItsSnapshot) {

@@ -145,7 +145,8 @@ TEST(Csv, HasOneColumnPerNameAndOneRowPerTime) {
     int rows = 0;
     while (std::getline(in, line)) {
         ++rows;
-        EXPECT_EQ(std::count(line.begin(), line.end(), ','), 2 + 6);
+        EXPECT_EQ(std::count(line.begin(), line.end(), ','), 2 + 6 + 1)
+            << "tensions, motion, output";
     }
     EXPECT_EQ(rows, 3);
     EXPECT_THROW(record::CsvWriter("/proc/none/r.csv", scene.info, scene.world),
