@@ -11,7 +11,7 @@ class WithCompiledPart(Distribution):
 
 
 setup(name="hawser", version="0.1.0", packages=["hawser"],
-      package_data={"hawser": ["*.so", "*.pyi", "py.typed"]}, include_package_data=True,
+      package_data={"hawser": ["*.so", "*.pyi", "py.typed", "bin/hawser"]}, include_package_data=True,
       description="Real-time multibody dynamics of ships, cranes, winches, rigs and cables",
       license="Apache-2.0", python_requires=">=3.11", install_requires=["numpy"],
       distclass=WithCompiledPart)

@@ -12,6 +12,8 @@ rm -rf "$stage" "$build/wheel"
 mkdir -p "$stage/hawser" "$build/wheel"
 cp -L "$build"/python/hawser/*.py "$build"/python/hawser/py.typed "$build"/python/hawser/*.pyi \
     "$build"/python/hawser/_core*.so "$stage/hawser/"
+# The program draws pictures and serves live pages of sessions.
+install -D "$build/bin/hawser" "$stage/hawser/bin/hawser"
 cp python/setup.py "$stage/"
 (cd "$stage" && "$python" setup.py -q bdist_wheel --dist-dir "$build/wheel" 2>/dev/null)
 ls "$build"/wheel/*.whl

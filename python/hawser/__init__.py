@@ -11,7 +11,7 @@ work without the compiled part.
 """
 from __future__ import annotations
 
-import importlib
+import importlib.util
 from typing import TYPE_CHECKING, Any
 
 from . import stats, table
@@ -52,8 +52,8 @@ def __getattr__(name: str) -> Any:
         raise AttributeError(f"module 'hawser' has no attribute '{name}'")
     try:
         module = importlib.import_module(f".{_LAZY[name]}", __name__)
-    except ModuleNotFoundError as error:
-        if error.name != "hawser._core":
+    except ImportError as error:
+        if importlib.util.find_spec("hawser._core") is not None:
             raise
         raise ImportError("the compiled part of hawser is missing: install the wheel of `make wheel`,"
                           " or set PYTHONPATH to build/release/python") from error

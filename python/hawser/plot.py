@@ -2,14 +2,13 @@
 """Plots of results by matplotlib. Each function returns the axes that it drew on."""
 from __future__ import annotations
 
-import base64
 import io
 from collections import abc
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import stats
+from . import notebook, stats
 from .table import Table
 
 if TYPE_CHECKING:
@@ -104,5 +103,4 @@ def png(axes: Any) -> str:
     data = io.BytesIO()
     axes.figure.savefig(data, format="png", dpi=90)
     pyplot.close(axes.figure)
-    return ('<img alt="plot" src="data:image/png;base64,'
-            + base64.b64encode(data.getvalue()).decode() + '">')
+    return notebook.image(data.getvalue())

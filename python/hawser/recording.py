@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _core
+from . import _core, notebook
 from .session import Event
 
 if TYPE_CHECKING:
@@ -153,14 +153,51 @@ class Recording(_core.Recording):
             out[key] = ("time", self.output(name), {"units": unit, "long_name": name})
         return out
 
+    def picture(self, time: float | None = None, azimuth: float = -60.0, elevation: float = 22.0,
+                size: tuple[int, int] = (640, 400)) -> bytes:
+        """Return a 3-D picture of a frame as PNG.
+
+        Parameters
+        ----------
+        time : float, optional
+            Time [s]; default: the last frame.
+        azimuth, elevation : float
+            Direction of the camera [deg].
+        size : tuple of int
+            Width and height [pixels].
+
+        Raises
+        ------
+        Error
+            If the program `hawser` is missing.
+        """
+        at = float(self.time[-1]) if time is None else time
+        return notebook.draw(self.file, at, azimuth, elevation, size)
+
+    def view(self, height: int = 480) -> notebook.Page:
+        """Serve the 3-D page that plays the recording on loopback.
+
+        In a notebook the result shows itself in an iframe.
+
+        Parameters
+        ----------
+        height : int
+            Height in a notebook [pixels].
+        """
+        return notebook.open_page([self.file], height)
+
     def _repr_html_(self) -> str:
-        """Show tensions and events in a notebook."""
+        """Show a picture, tensions and events in a notebook."""
         from html import escape
         from . import plot
         rows = "".join(f"<tr><td>{e.time:.3f} s</td><td>{escape(str(e.kind))}</td>"
                        f"<td>{escape(str(e.where))}</td></tr>" for e in self.events[:20])
-        picture = plot.png(plot.tensions(self)) if self.cables and len(self) else ""
-        return f"<p>{escape(repr(self))}</p>{picture}<table>{rows}</table>"
+        parts: list[abc.Callable[[], str]] = []
+        if len(self):
+            parts.append(lambda: notebook.image(self.picture()))
+        if len(self) and self.cables:
+            parts.append(lambda: plot.png(plot.tensions(self)))
+        return f"<p>{escape(repr(self))}</p>{notebook.html(*parts)}<table>{rows}</table>"
 
     def __repr__(self) -> str:
         last = f", to {self.time[-1]:g} s" if len(self) else ""

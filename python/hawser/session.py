@@ -2,6 +2,7 @@
 """Runs of scenes."""
 from __future__ import annotations
 
+import copy
 import json
 import os
 import pathlib
@@ -12,7 +13,7 @@ import typing
 from collections import abc
 from typing import Any
 
-from . import _core
+from . import _core, notebook
 
 __all__ = ["Event", "Inputs", "Outputs", "Session", "load"]
 
@@ -232,10 +233,10 @@ class Session(_core.Session):
         return {k: v for k, v in self._options.items() if k in ("threads", "budget", "budget_work")}
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Session:
-        copy = Session(self.path or "scene", scene_text=self.scene_text,
-                       options=self._kept_options())
-        copy._restore(self._save())
-        return copy
+        other = Session(self.path or "scene", scene_text=self.scene_text,
+                        options=self._kept_options())
+        other._restore(self._save())
+        return other
 
     def __reduce__(self) -> tuple[Any, ...]:
         with tempfile.TemporaryDirectory() as folder:
@@ -244,12 +245,53 @@ class Session(_core.Session):
             data = pathlib.Path(file).read_bytes()
         return _unpickle, (self.scene_text, self.path, self._kept_options(), data)
 
+    def picture(self, azimuth: float = -60.0, elevation: float = 22.0,
+                size: tuple[int, int] = (640, 400)) -> bytes:
+        """Return a 3-D picture of the present state as PNG.
+
+        Parameters
+        ----------
+        azimuth, elevation : float
+            Direction of the camera [deg].
+        size : tuple of int
+            Width and height [pixels].
+
+        Raises
+        ------
+        Error
+            If the program `hawser` is missing, or if the session has no scene.
+        """
+        with tempfile.TemporaryDirectory() as folder:
+            state, file = copy.deepcopy(self), os.path.join(folder, "state.hwr")
+            state.record(file)
+            state.finish()
+            return notebook.draw(file, self.time, azimuth, elevation, size)
+
+    def view(self, height: int = 480) -> notebook.Page:
+        """Serve the live 3-D page on loopback, starting at the present state.
+
+        The page runs a copy of the session: it does not change this one. In a notebook the result
+        shows itself in an iframe.
+
+        Parameters
+        ----------
+        height : int
+            Height in a notebook [pixels].
+        """
+        folder = tempfile.TemporaryDirectory()
+        scene, state = (os.path.join(folder.name, name) for name in ("scene.json", "state.hws"))
+        pathlib.Path(scene).write_text(self.scene_text, encoding="utf-8")
+        self.save(state)
+        return notebook.open_page([scene, "--restore", state], height, folder)
+
     def _repr_html_(self) -> str:
-        """Show the outputs in a notebook."""
+        """Show a picture and the outputs in a notebook."""
         from html import escape
         rows = "".join(f"<tr><td>{escape(o.name)}</td><td>{o.value:.5g}</td>"
                        f"<td>{escape(o.unit)}</td></tr>" for o in self.world.outputs[:60])
-        return f"<p>{escape(repr(self))}</p><table>{rows}</table>"
+        return (f"<p>{escape(repr(self))}</p>"
+                + notebook.html(lambda: notebook.image(self.picture()))
+                + f"<table>{rows}</table>")
 
     def __repr__(self) -> str:
         return f"<hawser.Session \"{self.name or self.path}\", t = {self.time:g} s>"
