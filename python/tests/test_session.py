@@ -3,6 +3,7 @@
 import copy
 import json
 import os
+import pathlib
 import pickle
 import subprocess
 import sys
@@ -11,18 +12,12 @@ import pytest
 
 import hawser
 
+from conftest import ROOT
+
 STEPS = 100
-# Scenes with a cheap start. HAWSER_ALL_SCENES=1 tests all shipped scenes.
-SOME = ["pendulum", "belt", "box_stack", "wire_slide", "crane_knuckle", "floating_box",
-        "tow_payout", "moored_barge"]
-
-
-def all_scenes(folder):
-    found = []
-    for file in sorted(folder.glob("*.json")):
-        if "bodies" in json.loads(file.read_text()) or not file.stem.endswith("settled"):
-            found.append(file.stem)
-    return [name for name in found if not name.endswith(".settled")]
+# Files of states that scenes include are no scenes.
+SCENES = sorted(file.stem for file in (ROOT / "scenes").glob("*.json")
+                if not file.stem.endswith(".settled"))
 
 
 def program_hash(program, scene, steps, tmp_path):
@@ -48,21 +43,27 @@ def find_key(data, key):
     return None
 
 
-def pytest_generate_tests(metafunc):
-    if "scene_name" in metafunc.fixturenames:
-        from conftest import ROOT
-        names = all_scenes(ROOT / "scenes") if os.environ.get("HAWSER_ALL_SCENES") else SOME
-        metafunc.parametrize("scene_name", names)
+@pytest.fixture(scope="module")
+def hashes_of_cpp(scenes, program):
+    """Return the state hash of each scene after STEPS steps in a C++ program."""
+    done = subprocess.run([str(pathlib.Path(program).with_name("hawser_state_hash")), str(STEPS),
+                           *[str(scenes / f"{name}.json") for name in SCENES]],
+                          capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    rows = [line.split() for line in done.stdout.splitlines()]
+    assert [steps for _, steps, _ in rows] == [str(STEPS)] * len(SCENES)
+    return {name: state for name, _, state in rows}
 
 
-def test_program_has_the_same_hash(scene_name, scenes, program, tmp_path):
-    scene = scenes / f"{scene_name}.json"
+@pytest.mark.parametrize("name", SCENES)
+def test_program_and_cpp_have_the_same_hash(name, scenes, program, hashes_of_cpp, tmp_path):
+    scene = scenes / f"{name}.json"
     summary = program_hash(program, scene, STEPS, tmp_path)
     session = hawser.load(scene, threads=2)
-    steps = find_key(summary, "steps")
-    session.step(steps)
-    assert steps == STEPS
+    session.step(STEPS)
+    assert find_key(summary, "steps") == STEPS
     assert f"{session.world.state_hash:016x}" == find_key(summary, "state_hash")
+    assert f"{session.world.state_hash:016x}" == hashes_of_cpp[name]
 
 
 def test_set_changes_the_scene(scenes):
