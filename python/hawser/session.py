@@ -48,7 +48,10 @@ class Inputs(abc.Mapping[str, float]):
 
     def __init__(self, session: Session) -> None:
         self._session = session
-        self._of_scene = {s["name"]: s for s in session._signal_inputs}
+
+    @property
+    def _of_scene(self) -> dict[str, dict[str, Any]]:
+        return {s["name"]: s for s in self._session._signal_inputs}
 
     def _names(self) -> dict[str, None]:
         world = self._session.world
@@ -63,8 +66,8 @@ class Inputs(abc.Mapping[str, float]):
             return world.input(name).value
         except KeyError:
             pass
-        if name in self._of_scene:
-            entry = self._of_scene[name]
+        entry = self._of_scene.get(name)
+        if entry is not None:
             return world.signal(entry["signal"]) / entry["factor"]
         return world.signal(name)
 
@@ -128,17 +131,16 @@ class Session(_core.Session):
                  **given: Any) -> None:
         self._options = dict(options or {})
         super().__init__(file, **self._options, **given)
-        self._inputs, self._outputs = Inputs(self), Outputs(self)
 
     @property
     def inputs(self) -> Inputs:
         """Inputs by name; values may be set."""
-        return self._inputs
+        return Inputs(self)  # Not kept: a cycle of references would keep worlds in memory.
 
     @property
     def outputs(self) -> Outputs:
         """Outputs by name."""
-        return self._outputs
+        return Outputs(self)
 
     @property
     def events(self) -> list[Event]:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Test runs of scenes: hashes against the program, states, recordings, inputs."""
 import copy
+import gc
 import json
 import os
 import pathlib
@@ -64,6 +65,20 @@ def test_program_and_cpp_have_the_same_hash(name, scenes, program, hashes_of_cpp
     assert find_key(summary, "steps") == STEPS
     assert f"{session.world.state_hash:016x}" == find_key(summary, "state_hash")
     assert f"{session.world.state_hash:016x}" == hashes_of_cpp[name]
+
+
+def test_a_session_is_freed_without_garbage_collection(scenes):
+    gc.collect()
+    gc.disable()
+    try:
+        session = hawser.load(scenes / "pendulum.json")
+        session.run(0.1, callback=lambda s: s.inputs and s.outputs, progress=False)
+        body = session.world.body("bob")
+        del session
+        with pytest.raises(hawser.RemovedError, match="does not exist"):
+            print(body.position)
+    finally:
+        gc.enable()
 
 
 def test_set_changes_the_scene(scenes):
