@@ -11,40 +11,22 @@ Exit codes: 0 done; 1 wrong option or file; 2 a run of a study is not good; 130 
 from __future__ import annotations
 
 import argparse
-import math
 import pathlib
 import sys
+from typing import TYPE_CHECKING
 
-import numpy as np
-
-from . import stats, table
+from . import stats_report, table
 from .errors import Error
 
-
-def line(column: table.Column, step: float, duration: float) -> str:
-    """Return one row of the printed table; '-' marks values that the series does not allow."""
-    x = column.values
-    name = f"{column.name} [{column.unit}]" if column.unit else column.name
-    if not np.all(np.isfinite(x)):
-        return f"{name:<44} not finite in {int((~np.isfinite(x)).sum())} of {x.size} rows"
-    s = stats.summary(x)
-    period = stats.up_crossing_period(x, step)
-    try:
-        largest = f"{stats.most_probable_maximum(x, step, duration):>12.5g}"
-    except ValueError:
-        largest = f"{'-':>12}"
-    shown = f"{period:>10.4g}" if math.isfinite(period) else f"{'-':>10}"
-    return (f"{name:<44}{s.mean:>12.5g}{s.std:>12.5g}{s.minimum:>12.5g}{s.maximum:>12.5g}"
-            f"{shown}{largest}")
+if TYPE_CHECKING:
+    from . import recording as recordings
 
 
-def of_recording(file: str) -> table.Table:
+def of_recording(run: recordings.Recording) -> table.Table:
     """Return the tensions of a recording (first, last and largest element of each cable) and its
     outputs."""
-    from .recording import Recording
-    run = Recording(file)
     if len(run) < 2:
-        raise ValueError(f"{file}: fewer than two frames")
+        raise ValueError(f"{run.file}: fewer than two frames")
     columns = []
     for cable in run.cables:
         x = run.tension(cable["name"])
@@ -61,17 +43,38 @@ def of_recording(file: str) -> table.Table:
 
 def print_stats(options: argparse.Namespace) -> int:
     try:
-        read = of_recording if options.file.endswith(".hwr") else table.read
-        data = read(options.file).after(options.begin)
+        run = None
+        if options.file.endswith(".hwr"):
+            from .recording import Recording
+            run = Recording(options.file)
+        elif options.range_graph:
+            raise ValueError("--range-graph: give a recording (.hwr)")
+        data = (table.read(options.file) if run is None else of_recording(run)).after(options.begin)
+        chosen = [data[name] for name in options.column]
+    except KeyError as error:
+        print(f"hawser: --column: {error.args[0]}", file=sys.stderr)
+        return 1
     except (Error, OSError, ValueError) as error:
         print(f"hawser: {error}", file=sys.stderr)
         return 1
+    duration = 3600.0 * options.hours
     print(f"{options.file}: {data.time.size} rows, {data.time[0]:g} to {data.time[-1]:g} s, "
           f"every {data.step:g} s")
     print(f"{'column':<44}{'mean':>12}{'std':>12}{'minimum':>12}{'maximum':>12}{'period s':>10}"
           f"{f'mpm {options.hours:g} h':>12}")
     for column in data.columns:
-        print(line(column, data.step, 3600.0 * options.hours))
+        print(stats_report.line(column, data.step, duration))
+    try:
+        for column in chosen:
+            stats_report.print_column(column, data.step, duration)
+        if options.range_graph and run is not None:
+            stats_report.print_range_graphs(run, run.time >= options.begin)
+        if options.plots is not None:
+            files = stats_report.draw(data, run, options.plots)
+            print(f"\n{len(files)} plots in {options.plots}")
+    except (ImportError, OSError, ValueError) as error:
+        print(f"hawser: {error}", file=sys.stderr)
+        return 1
     return 0
 
 
@@ -136,6 +139,13 @@ def main(arguments: list[str] | None = None) -> int:
                      help="omit rows before this time [s]")
     one.add_argument("--hours", type=float, default=3.0,
                      help="duration of the most probable maximum (default 3 h)")
+    one.add_argument("--column", action="append", default=[], metavar="NAME",
+                     help="also print extremes (Weibull, Gumbel), cycles and spectrum of this "
+                          "column; repeatable")
+    one.add_argument("--range-graph", action="store_true",
+                     help="also print minimum, mean and maximum tension along each cable")
+    one.add_argument("--plots", type=pathlib.Path, metavar="FOLDER",
+                     help="draw series, spectra, cycles and range graphs (matplotlib)")
     one.set_defaults(call=print_stats)
     many = commands.add_parser("study", help="run a study file")
     many.add_argument("file", help="study (JSON)")

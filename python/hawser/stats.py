@@ -19,7 +19,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-__all__ = ["Extreme", "Summary", "gumbel", "weibull", "most_probable_maximum", "peaks", "rainflow",
+__all__ = ["Extreme", "Summary", "fit_peaks", "gumbel", "weibull", "most_probable_maximum", "peaks", "rainflow",
            "rainflow_histogram", "range_graph", "spectrum", "summary", "turning_points",
            "up_crossings", "up_crossing_period"]
 
@@ -213,6 +213,23 @@ def weibull(values, location: float = 0.0) -> Extreme:
     return Extreme("weibull", location, scale, k, x.size, covariance)
 
 
+def fit_peaks(values, level: float | None = None) -> Extreme:
+    """Fit Weibull's distribution to the peaks above a level (default: mean).
+
+    Raises
+    ------
+    ValueError
+        If there are fewer than 10 peaks.
+    """
+    x = _series(values, 3)
+    base = float(x.mean()) if level is None else level
+    tops = peaks(x, base)
+    if tops.size < 10:
+        raise ValueError(f"{tops.size} peaks between up-crossings are too few: 10 at least")
+    least = float(tops.min())
+    return weibull(tops, min(base, least - 1e-12 * max(1.0, abs(least))))
+
+
 def most_probable_maximum(values, step: float, duration: float = 3 * 3600.0,
                           level: float | None = None) -> float:
     """Return the most probable maximum in a duration [s] by a Weibull fit of the peaks.
@@ -220,15 +237,10 @@ def most_probable_maximum(values, step: float, duration: float = 3 * 3600.0,
     With N = duration / mean up-crossing period, the peaks' distribution F has F(x) = 1 − 1/N at
     the most probable maximum x (DNV-RP-C205, 3.6.3). `level` separates the peaks (default: mean).
     """
-    x = _series(values, 3)
-    base = float(x.mean()) if level is None else level
-    tops = peaks(x, base)
-    if tops.size < 10:
-        raise ValueError(f"{tops.size} peaks between up-crossings are too few: 10 at least")
-    count = duration / up_crossing_period(x, step, base)
+    fit = fit_peaks(values, level)
+    count = duration / up_crossing_period(values, step, level)
     if not count > 1.0:
         raise ValueError(f"the duration of {duration} s holds less than one cycle")
-    fit = weibull(tops, min(base, float(tops.min()) - 1e-12 * max(1.0, abs(float(tops.min())))))
     return fit.quantile(1.0 - 1.0 / count)
 
 

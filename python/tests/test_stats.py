@@ -58,7 +58,12 @@ class Extremes(unittest.TestCase):
         x = 100.0 - 12.0 * np.log(-np.log(rng.uniform(size=10000)))
         fit = stats.gumbel(x)
         self.assertLess(abs(fit.location / 100.0 - 1.0), 0.01)
-        self.assertLess(abs(fit.scale / 12.0 - 1.0), 0.02)
+        self.assertLess(abs(fit.scale / 12.0 - 1.0), 0.01)
+        # Quantiles of equal probability: no error of sampling.
+        even = (np.arange(10000) + 0.5) / 10000
+        fit_even = stats.gumbel(100.0 - 12.0 * np.log(-np.log(even)))
+        self.assertLess(abs(fit_even.location / 100.0 - 1.0), 1e-5)
+        self.assertLess(abs(fit_even.scale / 12.0 - 1.0), 5e-4)
         true = 100.0 - 12.0 * math.log(-math.log(0.99))
         low, high = fit.interval(0.99)
         self.assertLess(low, true)
