@@ -92,13 +92,15 @@ def _stored(folder: str, identity: str, index: int, case: Case) -> Result | None
 
 
 def _store(folder: str, result: Result) -> None:
-    """Write a result to a file by itself; readers see all of it or nothing."""
+    """Write a result to a file by itself; readers see all of it or nothing.
+
+    The file is not flushed to the disk. After a power failure it may be empty or cut; then it is no
+    result (_stored) and its run is repeated.
+    """
     handle, name = tempfile.mkstemp(dir=folder, prefix=f".{result.id}.", suffix=".part")
     try:
         with os.fdopen(handle, "w", encoding="utf-8") as file:
             file.write(result.to_json())
-            file.flush()
-            os.fsync(file.fileno())
         os.replace(name, pathlib.Path(folder) / f"{result.id}.json")
     except BaseException:
         pathlib.Path(name).unlink(missing_ok=True)
@@ -174,11 +176,12 @@ def _simulate(plan: _Plan, index: int, case: Case) -> Result:
     if done is not None:
         return done
     names = plan.responses or tuple(session.outputs)
-    rows: list[list[float]] = []
+    columns = [session.world.output(name).index for name in names]
+    rows: list[np.ndarray] = []
 
     def sample(s: Any) -> bool:
         if s.time >= plan.begin - 1e-9:
-            rows.append([s.outputs[name] for name in names])
+            rows.append(s.world.output_values[columns])
         return True
 
     outcome, reason = "good", ""
@@ -192,7 +195,7 @@ def _simulate(plan: _Plan, index: int, case: Case) -> Result:
     values: dict[str, float] = {}
     data = np.array(rows)
     for k, name in enumerate(names):
-        if len(rows) > 1:
+        if len(rows) > 1 and np.all(np.isfinite(data[:, k])):
             values |= {f"{name}.{key}": v for key, v in _figures(data[:, k], plan).items()}
     if plan.function is not None and outcome != "failed":
         try:
