@@ -9,7 +9,7 @@ DEMO   := out/demo
 VIEW_PORT ?= 8080
 CXX_FILES = git ls-files -co --exclude-standard '*.cpp' '*.h'
 
-.PHONY: help demo view page test test-full test-long test-page test-bare test-view-bare test-release-bare test-export test-python python wheel build bench docs format format-check layers words tidy check check-full mutants release clean packages
+.PHONY: help demo view page test test-full test-long test-page test-bare test-view-bare test-release-bare test-export test-python test-python-asan python wheel build bench docs format format-check layers words tidy check check-full mutants release clean packages
 .NOTPARALLEL:
 
 help:
@@ -25,6 +25,7 @@ help:
 	@echo "make test-export  export 60 s of anchor_contact to glTF and VTK, check with other readers"
 	@echo "make python     the Python package in build/$(PRESET)/python"
 	@echo "make test-python  build the Python package, run its tests"
+	@echo "make test-python-asan  the same for its compiled part under the address sanitizer"
 	@echo "make wheel      pack it into a wheel in build/$(PRESET)/wheel"
 	@echo "make bench      build with the foreign engines installed, run the comparisons"
 	@echo "make docs       documentation site and C++ reference in build/docs (index: docs/index.html)"
@@ -139,6 +140,16 @@ python: packages
 
 test-python: python
 	@HAWSER_BUILD=build/$(PRESET) /usr/bin/python3 -m pytest -q python/tests
+
+# Tests of the compiled part under the address sanitizer: among them 1,000 worlds that come and go.
+test-python-asan: packages
+	@scripts/install_packages.sh python
+	@cmake --preset asan-ubsan -DHAWSER_PYTHON=ON >/dev/null
+	@cmake --build build/asan-ubsan -j $(JOBS) --target hawser_python
+	@HAWSER_BUILD=build/asan-ubsan HAWSER_TIER=full ASAN_OPTIONS=detect_leaks=0 \
+	    LD_PRELOAD="$$(g++ -print-file-name=libasan.so) $$(g++ -print-file-name=libstdc++.so)" \
+	    /usr/bin/python3 -m pytest -q --capture=sys \
+	    $(patsubst %,python/tests/test_%.py,batch gym recording session system world)
 
 wheel: python
 	@scripts/make_wheel.sh build/$(PRESET)

@@ -106,6 +106,7 @@ std::unique_ptr<System> SystemBridge::clone() const {
     const py::gil_scoped_acquire gil;
     if (!instance_ || !py::hasattr(instance_, "clone")) return nullptr;
     py::object copy = instance_.attr("clone")();
+    if (!py::isinstance<SystemCore>(copy)) refuse("clone()", "a hawser.System", copy);
     auto core = copy.cast<std::shared_ptr<SystemCore>>();
     return std::make_unique<SystemBridge>(std::move(copy), std::move(core));
 }

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Test recordings as arrays and data sets, against the run that wrote them."""
+import json
 import subprocess
 
 import numpy as np
@@ -8,23 +9,22 @@ import pytest
 import hawser
 from hawser import stats, table
 
+from conftest import ROOT
+
 
 @pytest.fixture(scope="module")
 def run(tmp_path_factory):
-    """Return a recording of a hanging chain that is pushed, with values of the run itself."""
-    from conftest import ROOT
-
+    """Return a recording of a hanging chain in waves, with values of the run itself."""
     file = tmp_path_factory.mktemp("run") / "run.hwr"
-    session = hawser.load(ROOT / "scenes/hanging_chain.json")
+    scene = json.loads((ROOT / "scenes/hanging_chain.json").read_text())
+    scene["line_types"]["chain"] |= {"diameter": 0.03, "cd_normal": 2.0, "ca_normal": 1.0}
+    scene["sea"] = {"depth": 60, "waves": [{"kind": "regular", "height": 2.0, "period": 5.0}]}
+    session = hawser.load(text=json.dumps(scene))
     session.record(file, every=2)
     time, position, tension = [], [], []
     cable = session.cables[0]
-    push = cable["nodes"][-2]
-    push.set_force((200.0, 0.0, 0.0))
-    for step in range(60):
+    for _ in range(1200):  # one period
         session.step()
-        if step == 30:
-            push.set_force((0.0, 0.0, 0.0))
         if session.world.step_count % 2 == 0:
             time.append(session.time)
             position.append(session.world.position.copy())
@@ -37,7 +37,7 @@ def run(tmp_path_factory):
 def test_frames_equal_the_run(run):
     recording, name, time, position, tension = run
     assert recording.ending == "finished" and recording.damage == ""
-    assert recording.every == 2 and len(recording) == 31
+    assert recording.every == 2 and len(recording) == 601
     assert np.allclose(recording.time[1:], time, atol=1e-12)
     # Frames have single precision: 6e-8 of a coordinate.
     assert np.allclose(recording.position()[1:], position, rtol=1e-6, atol=1e-6)
@@ -87,8 +87,9 @@ def test_outputs_in_recordings_of_the_program(scenes, program, tmp_path):
 
 
 def test_range_graph_equals_the_extremes(run):
-    recording, name, *_, tension = run
+    recording, name, _, position, tension = run
     low, mean, high = stats.range_graph(recording.tension(name)[1:])
+    assert np.ptp(tension, axis=0).min() > 0.1 and np.ptp(position[:, :, 0]) > 0.5  # It moves.
     scale = 1e-6 * np.abs(tension).max()
     assert np.allclose(low, tension.min(axis=0), atol=scale)
     assert np.allclose(high, tension.max(axis=0), atol=scale)

@@ -176,6 +176,32 @@ def test_clone_makes_twins_possible(oscillator):
     assert twin.state_hash == world.state_hash
 
 
+@pytest.mark.parametrize("method, result, error", [
+    ("clone", lambda: 1 / 0, ZeroDivisionError), ("clone", lambda: 3, ValueError),
+    ("clone", None, hawser.DefError), ("holds", lambda: 1 / 0, ZeroDivisionError),
+    ("holds", lambda: [1], ValueError), ("holds", lambda: 1, TypeError),
+])
+def test_errors_in_other_methods_change_nothing(oscillator, method, result, error):
+    world, spring = oscillator
+    setattr(spring, method, result or (lambda: spring))
+    body, before = world.body("mass"), world.state_hash
+    with pytest.raises(error):
+        world.twin() if method == "clone" else body.remove()
+    assert body.alive and world.state_hash == before
+    delattr(spring, method)
+    world.step(3)
+    assert spring.state[0] == 3.0
+
+
+def test_errors_in_the_callback_of_a_run(scenes):
+    session = hawser.load(scenes / "pendulum.json")
+    with pytest.raises(ZeroDivisionError):
+        session.run(1.0, every=0.1, callback=lambda s: 1 / 0, progress=False)
+    assert session.time == pytest.approx(0.1)
+    session.run(1.0, progress=False)
+    assert session.time == pytest.approx(1.0)
+
+
 def test_cycles_are_collected():
     references = []
     for _ in range(10):
