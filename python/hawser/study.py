@@ -76,7 +76,7 @@ class Result:
         return json.dumps({"id": self.id, "set": dict(self.case.set), "control": self.case.control,
                            "weight": self.case.weight, "outcome": self.outcome,
                            "reason": self.reason, "time": self.time, "hash": self.hash,
-                           "values": self.values}, indent=1, sort_keys=True) + "\n"
+                           "values": self.values}, indent=1) + "\n"
 
 
 def _stored(folder: str, identity: str, index: int, case: Case) -> Result | None:

@@ -171,6 +171,10 @@ def test_responses(tmp_path):
                        set={"sea.waves.0.kind": "jonswap"}, duration=12.0, begin=2.0, every=0.1,
                        responses=["north_east_tension"], folder=tmp_path)
     one.run(jobs=2)
+    one.write_csv(tmp_path / "first.csv")
+    one.run(jobs=1)  # All results are stored: columns have the same order.
+    one.write_csv(tmp_path / "second.csv")
+    assert (tmp_path / "first.csv").read_bytes() == (tmp_path / "second.csv").read_bytes()
     value = one.results[0].values
     assert value["north_east_tension.min"] <= value["north_east_tension.mean"] \
         <= value["north_east_tension.max"]
