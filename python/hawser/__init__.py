@@ -11,7 +11,9 @@ work without the compiled part.
 """
 from __future__ import annotations
 
+import contextlib
 import importlib.util
+import os
 from typing import TYPE_CHECKING, Any
 
 from . import stats, table
@@ -57,6 +59,9 @@ def __getattr__(name: str) -> Any:
             raise
         raise ImportError("the compiled part of hawser is missing: install the wheel of `make wheel`,"
                           " or set PYTHONPATH to build/release/python") from error
+    if "HAWSER_READER" not in os.environ:  # The program reads .nc and .h5 files of coefficients.
+        with contextlib.suppress(Error):
+            os.environ["HAWSER_READER"] = importlib.import_module(".notebook", __name__).program()
     value = getattr(module, name)
     globals()[name] = value
     return value

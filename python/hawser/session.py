@@ -344,7 +344,7 @@ class _Progress:
             self._bar.close()
 
 
-def load(scene: str | os.PathLike[str] | _core.World | None = None, *, text: str = "",
+def load(scene: str | os.PathLike[str] | None = None, *, text: str = "",
          set: abc.Mapping[str, Any] | None = None, threads: int = 1, scale: int = 1,
          step: float | None = None, budget: float = 0.0, budget_work: float = 0.0,
          operations: str | os.PathLike[str] | None = None,

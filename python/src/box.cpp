@@ -114,16 +114,6 @@ Session& WorldBox::session() {
     return *session_;
 }
 
-void WorldBox::start_session() {
-    check_thread();
-    if (session_) throw DefError("this world already belongs to a session");
-    if (running_) throw UseError("a session cannot take over a world during a step");
-    own_->prepare();  // Errors occur here, while this box still has the world.
-    session_ = std::make_unique<Session>(std::move(*own_));
-    world_ = &session_->world();
-    own_.reset();
-}
-
 /// Marks the world as in use by this thread.
 struct WorldBox::Running {
     explicit Running(WorldBox& of) : box(of) {

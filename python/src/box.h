@@ -54,10 +54,6 @@ class WorldBox : public std::enable_shared_from_this<WorldBox> {
     [[nodiscard]] World& read();
     /// Return the session. @throws UseError as read().
     [[nodiscard]] Session& session();
-    [[nodiscard]] bool has_session() const noexcept { return session_ != nullptr; }
-    /// Move the world into a session.
-    /// @throws DefError, LimitError; without changes.
-    void start_session();
 
     /// Take steps without the interpreter lock. Checks signals at least every 20 ms, and ends a
     /// longer step if an interrupt arrives.

@@ -100,6 +100,26 @@ Vec3 vector(py::handle given, const std::string& field) {
     return {a.at(0), a.at(1), a.at(2)};
 }
 
+std::string path(const py::object& given, const std::string& field) {
+    if (!py::isinstance<py::str>(given) && !py::hasattr(given, "__fspath__"))
+        refuse(field, "a path, or a dict of its fields", given);
+    return text(py::module_::import("os").attr("fspath")(given), field);
+}
+
+std::shared_ptr<const WaveCoefficients> Reader::coefficients(const py::object& value,
+                                                             const std::string& field) {
+    HydroUnits units;
+    py::object file = value;
+    if (py::isinstance<py::dict>(value)) {
+        const auto given = value.attr("copy")().cast<py::dict>();
+        if (!given.contains("file")) refuse(field, "the key file", value);
+        file = given.attr("pop")("file");
+        read(box_, given, field, units);
+    }
+    return std::make_shared<const WaveCoefficients>(
+        read_coefficients(path(file, field + ".file"), units));
+}
+
 std::string nearest(const std::string& name, const std::vector<std::string>& names) {
     py::list all;
     for (const std::string& n : names) all.append(n);

@@ -6,8 +6,11 @@
 
 #include "handles.h"
 
+#include <hawser/hydro_files.h>
+
 #include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -36,6 +39,8 @@ double number(py::handle given, const std::string& field);
 std::int64_t integer(py::handle given, const std::string& field);
 std::string text(py::handle given, const std::string& field);
 Vec3 vector(py::handle given, const std::string& field);
+/// Return a path, given as text or os.PathLike.
+std::string path(const py::object& given, const std::string& field);
 
 /// Return the nearest of several names as "; nearest: …", or "".
 std::string nearest(const std::string& name, const std::vector<std::string>& names);
@@ -86,6 +91,9 @@ class Reader {
   private:
     template <class T>
     void convert(const py::object& value, T& out, const std::string& field);
+    /// Read coefficients of a floating body from a file.
+    std::shared_ptr<const WaveCoefficients> coefficients(const py::object& value,
+                                                         const std::string& field);
 
     WorldBox& box_;
     py::dict given_;
@@ -147,6 +155,13 @@ void Reader::convert(const py::object& value, T& out, const std::string& field) 
         const auto a = numbers(value, field, {3, 3});
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) out(i, j) = a.at(i, j);
+    } else if constexpr (std::is_same_v<T, std::shared_ptr<const WaveCoefficients>>) {
+        out = coefficients(value, field);
+    } else if constexpr (std::is_same_v<T, HullMesh>) {
+        if (py::isinstance<py::dict>(value))
+            read(box_, value.cast<py::dict>(), field, out);
+        else
+            out = read_hull(path(value, field));
     } else if constexpr (IsId<T>::value) {
         out = find_id<T>(box_, value, field);
     } else if constexpr (IsOptional<T>::value) {

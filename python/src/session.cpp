@@ -14,7 +14,6 @@ using Box = std::shared_ptr<WorldBox>;
 /// A session, as seen from Python. It shares the box with its World object.
 struct SessionFace {
     Box box;
-    std::string options;  ///< Options of the scene as JSON, for copies and pickles.
 };
 
 scene::Options options_of(const py::kwargs& given) {
@@ -64,7 +63,7 @@ std::unique_ptr<SessionFace> start(const std::string& file, const std::string& s
                                                                          .verify = verify});
     }
     return std::make_unique<SessionFace>(
-        SessionFace{std::make_shared<WorldBox>(std::move(session)), ""});
+        SessionFace{std::make_shared<WorldBox>(std::move(session))});
 }
 
 py::list signal_inputs(const scene::Scene& scene) {
@@ -238,13 +237,6 @@ void bind_session(py::module_& module) {
         .def(
             "cancel", [](const SessionFace& s) { s.box->cancel(); },
             "Cancel the running step, or else the next one. Other threads may call it.");
-    module.def(
-        "_session_of_world",
-        [](const Box& box) {
-            box->start_session();
-            return std::make_unique<SessionFace>(SessionFace{box, ""});
-        },
-        py::arg("world"), "Return a session that owns a world.");
 }
 
 }  // namespace hawser::python

@@ -277,3 +277,49 @@ def test_a_handler_that_goes_on_keeps_the_run(pendulum):
         assert pendulum.state_hash == twin.state_hash
     finally:
         signal.signal(signal.SIGINT, earlier)
+
+
+def box_mesh(size):
+    """Return the mesh of a box with half sizes, with normals outwards."""
+    vertices = [[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)] * np.array(size)
+    quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    return {"vertices": vertices,
+            "triangles": [t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))]}
+
+
+def heave_period(tmp_path, **hull):
+    """Return the period of small heave of a box of 20 × 10 m with 1 m draught, from 0.02 m."""
+    world = hawser.World(step=0.01)
+    mass = 1025.0 * 20.0 * 10.0 * 1.0
+    body = world.add_body(name="box", position=(0.0, 0.0, 0.52), mass=mass,
+                          inertia=mass * np.diag([10.0, 35.0, 40.0]))
+    world.add_sea(depth=100.0, hulls=[{"body": body, "mesh": box_mesh([10.0, 5.0, 1.5]),
+                                       "wave_pressure": False, **hull}])
+    heights = []
+    for _ in range(2500):
+        world.step()
+        heights.append(world.position[body.index, 2])
+    return hawser.stats.up_crossing_period(heights, 0.01, 0.5)
+
+
+def test_hulls_with_files_of_coefficients(tmp_path):
+    """Heave of a box: T = 2π √((m + A)/(ρ g S))."""
+    stiffness, mass = 1025.0 * 9.81 * 200.0, 1025.0 * 200.0
+    plain = 2.0 * math.pi * math.sqrt(mass / stiffness)
+    assert heave_period(tmp_path) == pytest.approx(plain, rel=5e-3)
+    # A WAMIT file: period, mode, mode, A/(ρ L³), B/(ρ L³ ω). The added mass equals the mass.
+    rows = [f"{period} {i} {i} {200.0 if i <= 3 else 4000.0} 0.0" for period in (3.0, 4.0, 6.0)
+            for i in range(1, 7)]
+    file = tmp_path / "box.1"
+    file.write_text("\n".join(rows) + "\n")
+    added = {"radiation": "constant", "constant_period": 4.0}
+    with_file = heave_period(tmp_path, coefficients=file, **added)
+    assert with_file == pytest.approx(plain * math.sqrt(2.0), rel=5e-3)
+    half = heave_period(tmp_path, coefficients={"file": str(file), "density": 512.5}, **added)
+    assert half == pytest.approx(plain * math.sqrt(1.5), rel=5e-3)
+    for wrong, words in ((3, "path"), ({"density": 1.0}, "the key file"),
+                         (str(tmp_path / "no.1"), "no.1")):
+        with pytest.raises(ValueError, match=words):
+            heave_period(tmp_path, coefficients=wrong, **added)
+    with pytest.raises(TypeError, match="nearest: \"density\""):
+        heave_period(tmp_path, coefficients={"file": str(file), "densty": 1.0}, **added)

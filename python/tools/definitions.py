@@ -10,8 +10,7 @@ Writes to OUT_DIR:
   and a docstring in numpy style
 - _core.pyi: CORE_PYI with the methods of World added
 
-A field keeps its name, default, unit and description. Fields of the types in LEFT_OUT have no
-Python form; scene files set them.
+A field keeps its name, default, unit and description. Python passes files for the types in FILES.
 """
 from __future__ import annotations
 
@@ -52,10 +51,14 @@ METHODS = [
     ("add_sea", "SeaDef", "Add the sea.", "None"),
 ]
 RESULTS = ["JointIds", "AxisIds", "CylindricalIds", "DrumIds", "WinchIds", "CraneIds"]
-EXTRA = ["JoinDef"]  # used by methods of Wire
+EXTRA = ["JoinDef", "HydroUnits"]  # used by methods of Wire, and for files of coefficients
 HEADERS = ["def.h", "interactions.h", "math.h", "outputs.h", "shapes.h", "wire.h", "joints.h", "lines.h", "winch.h",
-           "crane.h", "sea.h", "hull.h", "water_hull.h", "water_rod.h"]
-LEFT_OUT = ("std::shared_ptr",)
+           "crane.h", "sea.h", "hull.h", "water_hull.h", "water_rod.h",
+           "hydro.h", "hydro_files.h"]
+FILES = {"std::shared_ptr<const WaveCoefficients>":
+         ("str | PathLike[str] | Mapping[str, Any]",
+          "path, or dict: key file and those of HydroUnits"),
+         "HullMesh": ("str | PathLike[str] | Mapping[str, Any]", "path, or dict: HullMesh")}
 VECTORS = {"Vec3": "three numbers", "Quat": "quaternion w, x, y, z", "Mat3": "3 × 3 numbers"}
 HANDLES = {"BodyId": "Body", "InteractionId": "Interaction", "InputId": "Input",
            "ShapeId": "Shape", "MaterialId": "Material", "WireId": "Wire", "OutputId": "Output"}
@@ -207,6 +210,8 @@ def wanted(structs: dict[str, Struct], start: list[str]) -> list[str]:
         if name in order:
             return
         for field in structs[name].fields:
+            if field.type.startswith("std::shared_ptr"):
+                continue
             for kind in inner(field.type):
                 full = kind if kind in structs else f"{name}::{kind}"
                 if full in structs and full != name:
@@ -218,13 +223,11 @@ def wanted(structs: dict[str, Struct], start: list[str]) -> list[str]:
     return order
 
 
-def kept(struct: Struct) -> list[Field]:
-    return [f for f in struct.fields if not f.type.startswith(LEFT_OUT)]
-
-
 def python_type(kind: str, owner: str, structs: dict[str, Struct],
                 enums: dict[str, list[str]]) -> tuple[str, str]:
     """Return the type for stubs and its name for docstrings."""
+    if kind in FILES:
+        return FILES[kind]
     if kind == "double":
         return "float", "float"
     if kind == "bool":
@@ -280,7 +283,7 @@ def described(struct: Struct, structs: dict[str, Struct], enums: dict[str, list[
               indent: str = "") -> list[str]:
     """Return the lines of the parameters of a struct."""
     lines = []
-    for field in kept(struct):
+    for field in struct.fields:
         _, word = python_type(field.type, struct.name, structs, enums)
         default = default_of(field)
         required = "Required." in field.doc
@@ -313,7 +316,7 @@ def stub(method: str, struct: Struct, first: str, result: str, structs: dict[str
          enums: dict[str, list[str]]) -> str:
     """Return the stub of a method."""
     lines = [f"    def {method}(", "        self,", "        *,"]
-    for field in kept(struct):
+    for field in struct.fields:
         kind, _ = python_type(field.type, struct.name, structs, enums)
         optional = kind if kind.endswith("None") else f"{kind} | None"
         lines.append(f"        {python_name(field.name)}: {optional} = ...,")
@@ -333,7 +336,7 @@ def main() -> int:
         lines.append("    return all;\n}")
     for name in names:
         lines.append(f"template <class V>\nvoid fields(V& v, {name}& d) {{")
-        lines += [f'    v("{f.name}", d.{f.name});' for f in kept(structs[name])]
+        lines += [f'    v("{f.name}", d.{f.name});' for f in structs[name].fields]
         lines.append("}")
     for method, name, first, result in METHODS:
         text = docstring(first, structs[name], result, structs, enums)
