@@ -1,8 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Test environments: protocol, equal episodes for equal seeds, controllers better than none."""
+import os
+import pathlib
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 
+import hawser
 from hawser import gym
 
 
@@ -74,3 +80,20 @@ def test_bad_actions(scenes):
         gym.AntiSway(scenes / "crane_knuckle.json", period=0.0)
     _, info = env.reset(options={"target": 0.25})
     assert env.target == 0.25 and info["time"] < 0.02
+
+
+def test_environments_subclass_gymnasium_if_it_is_installed(scenes, tmp_path):
+    """A stand-in for the package has the names that hawser.gym uses."""
+    (tmp_path / "gymnasium").mkdir()
+    (tmp_path / "gymnasium/__init__.py").write_text("class Env:\n    pass\n")
+    (tmp_path / "gymnasium/spaces.py").write_text(
+        "class Box:\n    def __init__(self, low, high, shape, dtype):\n        self.shape = shape\n")
+    code = ("import gymnasium, gymnasium.spaces, sys; from hawser import gym\n"
+            "env = gym.AntiSway(sys.argv[1]); x, info = env.reset(seed=1)\n"
+            "assert isinstance(env, gymnasium.Env) and len(env.step([0.1])) == 5\n"
+            "assert isinstance(env.observation_space, gymnasium.spaces.Box)\n")
+    package = str(pathlib.Path(hawser.__file__).parents[1])
+    done = subprocess.run([sys.executable, "-c", code, str(scenes / "crane_knuckle.json")],
+                          env=os.environ | {"PYTHONPATH": f"{package}:{tmp_path}"},
+                          capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
