@@ -254,6 +254,7 @@ def test_the_lock_is_released_while_stepping():
 
 def test_interrupt_between_short_steps(pendulum):
     """Honour Ctrl-C in a long run of short steps."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # Shells let background jobs ignore it.
     timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
     timer.start()
     with pytest.raises(KeyboardInterrupt):
