@@ -41,6 +41,9 @@ class SeaVerifier {
         bool wet = false;
         Vec6 force = Vec6::Zero();
         Mat6 mass = Mat6::Zero(), damping = Mat6::Zero(), stiffness = Mat6::Zero();
+        /// Jumps of the heave stiffness within `surface_error_` of the surface [N/m]. The library
+        /// may be on the other side of such a jump.
+        double jump = 0.0;
     };
     struct Water {
         double surface = 0.0, pressure = 0.0;
@@ -110,7 +113,8 @@ class SeaVerifier {
     std::vector<BodyId> ends_;  ///< Bodies that hold lines.
     SeaInputs inputs_{};
     double time_ = 0.0, level_ = 0.0;
-    std::vector<bool> intact_;  ///< By interaction, at the start of the step.
+    double surface_error_ = 0.0;  ///< Permitted error of the elevation [m].
+    std::vector<bool> intact_;    ///< By interaction, at the start of the step.
     SeaMoment air_{};
     std::vector<Load> load_;
     std::vector<Past> history_;                 ///< By hull.
