@@ -44,16 +44,18 @@ void add_package_path() {
     const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
     const std::filesystem::path folder = self.parent_path().parent_path() / "python";
     if (error || !std::filesystem::exists(folder / "hawser")) return;
-    const char* given = std::getenv("PYTHONPATH");
+    const char* user_paths = std::getenv("PYTHONPATH");
     const std::string paths =
-        folder.string() + (given != nullptr && *given != '\0' ? ":" + std::string(given) : "");
+        folder.string() +
+        (user_paths != nullptr && *user_paths != '\0' ? ":" + std::string(user_paths) : "");
     (void)setenv("PYTHONPATH", paths.c_str(), 1);
 }
 
 int run_python(const char* name, const std::vector<std::string>& arguments) {
     add_package_path();
-    const char* given = std::getenv("HAWSER_PYTHON");
-    std::string python = given != nullptr && *given != '\0' ? given : "/usr/bin/python3";
+    const char* user_python = std::getenv("HAWSER_PYTHON");
+    std::string python =
+        user_python != nullptr && *user_python != '\0' ? user_python : "/usr/bin/python3";
     std::vector<std::string> words{python, "-m", "hawser", name};
     for (const std::string& argument : arguments)
         words.push_back(argument == "--help-python" ? "--help" : argument);

@@ -47,16 +47,17 @@ std::string request_realtime(int threads) {
         // Use the last processors: the first ones serve most interrupts.
         cpu_set_t mine;
         CPU_ZERO(&mine);
-        int taken = 0;
-        for (int cpu = CPU_SETSIZE - 1; cpu >= 0 && taken < threads; --cpu) {
+        int chosen_count = 0;
+        for (int cpu = CPU_SETSIZE - 1; cpu >= 0 && chosen_count < threads; --cpu) {
             if (CPU_ISSET(cpu, &allowed)) {
                 CPU_SET(cpu, &mine);
-                ++taken;
+                ++chosen_count;
             }
         }
-        said = sched_setaffinity(0, sizeof mine, &mine) == 0
-                   ? fmt::format("kept to {} processor{}", taken, taken == 1 ? "" : "s")
-                   : fmt::format("processors not chosen: {}", std::strerror(errno));
+        said =
+            sched_setaffinity(0, sizeof mine, &mine) == 0
+                ? fmt::format("kept to {} processor{}", chosen_count, chosen_count == 1 ? "" : "s")
+                : fmt::format("processors not chosen: {}", std::strerror(errno));
     }
     sched_param parameters{};
     parameters.sched_priority = kPriority;

@@ -204,8 +204,8 @@ int RunSession::finish(bool interrupted, double wall_seconds) {
     const World& world = session_.world();
     report::Summary summary = collector_->result(world);
     // Check the verdict on the last state here, because no step follows.
-    const bool wrong = summary.verdict.verdict.grade == Grade::wrong &&
-                       world.settings().on_diverged == OnDiverged::stop;
+    const bool has_failed = summary.verdict.verdict.grade == Grade::wrong &&
+                            world.settings().on_diverged == OnDiverged::stop;
     summary.wall_seconds = wall_seconds;
     summary.warnings = warnings_;
     if (pacer_) {
@@ -237,7 +237,7 @@ int RunSession::finish(bool interrupted, double wall_seconds) {
                    verifier_ ? "--verify: " : "", world.time(), session_.objection());
         return kFailed;
     }
-    if (wrong) {
+    if (has_failed) {
         fmt::print(stderr, "hawser: failed at {:.6g} s (diverged): {}\n", world.time(),
                    summary.verdict.description);
         return kFailed;

@@ -84,10 +84,10 @@ void read_set(const Json& from, const Command& begun, std::vector<Command>& out)
 /// Read the body, wire or joint that a message names.
 void read_target(const Json& from, bool joints, bool names, Command& out) {
     constexpr double kMaxPlaces = 2147483647.0;
-    const int given = static_cast<int>(from.contains("body")) +
-                      static_cast<int>(from.contains("wire")) +
-                      static_cast<int>(from.contains("joint"));
-    if (given != 1)
+    const int target_count = static_cast<int>(from.contains("body")) +
+                             static_cast<int>(from.contains("wire")) +
+                             static_cast<int>(from.contains("joint"));
+    if (target_count != 1)
         throw Refused(joints ? "one of body, wire and joint is to be given"
                              : "either body or wire is to be given");
     if (from.contains("body")) {

@@ -117,10 +117,10 @@ void RecordedScene::write(std::size_t index, std::uint16_t flags, std::uint32_t 
     std::vector<float> floats, points, tensions;
     const auto put_pose = [&](BodyId id, bool turns) {
         const Pose& pose = frame.poses[at(id.index)];
-        const bool there = frame.there[at(id.index)];
+        const bool exists = frame.there[at(id.index)];
         for (int k = 0; k < 3; ++k)
-            floats.push_back(there ? static_cast<float>(pose.position[k] - origin_[k])
-                                   : kUnknownTension);
+            floats.push_back(exists ? static_cast<float>(pose.position[k] - origin_[k])
+                                    : kUnknownTension);
         if (!turns) return;
         for (const double q : {pose.orientation.w(), pose.orientation.x(), pose.orientation.y(),
                                pose.orientation.z()})

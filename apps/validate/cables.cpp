@@ -32,7 +32,7 @@ LineModes line_modes(const World& world, const scene::Cable& cable,
     const auto n = static_cast<Eigen::Index>(moving.size());
     // Diagonals of the stiffness: each node is coupled to its two neighbours.
     Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(n);
-    Eigen::VectorXd beside = Eigen::VectorXd::Zero(std::max<Eigen::Index>(n - 1, 0));
+    Eigen::VectorXd off_diagonal = Eigen::VectorXd::Zero(std::max<Eigen::Index>(n - 1, 0));
     m.weight.resize(n);
     for (Eigen::Index a = 0; a < n; ++a) {
         const std::size_t i = moving[static_cast<std::size_t>(a)];
@@ -44,15 +44,15 @@ LineModes line_modes(const World& world, const scene::Cable& cable,
                 world.pose(cable.nodes[e + 1]).position - world.pose(cable.nodes[e]).position;
             diagonal[a] += pull[e] / d.norm();
             if (e == i && a + 1 < n) {
-                beside[a] = -pull[e] / d.norm();
+                off_diagonal[a] = -pull[e] / d.norm();
             }
         }
     }
     // M^(-1/2) K M^(-1/2) has the same frequencies, its vectors are M^(1/2) u.
     const Eigen::VectorXd root = m.weight.cwiseSqrt();
     for (Eigen::Index a = 0; a < n; ++a) diagonal[a] /= m.weight[a];
-    for (Eigen::Index a = 0; a + 1 < n; ++a) beside[a] /= root[a] * root[a + 1];
-    const auto eigen = base::tridiagonal_eigen(diagonal, beside);
+    for (Eigen::Index a = 0; a + 1 < n; ++a) off_diagonal[a] /= root[a] * root[a + 1];
+    const auto eigen = base::tridiagonal_eigen(diagonal, off_diagonal);
     m.omega = eigen.values.cwiseSqrt();
     m.shape = eigen.vectors;
     for (Eigen::Index j = 0; j < n; ++j) {

@@ -135,7 +135,7 @@ void case_first_chains(Report& report) {
 
 void case_first_lines(Report& report) {
     const double polyester = 52.0 * kGravity - kWater * kGravity * 0.25 * kPi * 0.217 * 0.217;
-    const Line deep{
+    const Line submerged{
         "polyester, wholly under water",
         R"({"mass_per_length": 52, "EA": 333.9e6, "diameter": 0.217, "cd_normal": 1.6})",
         R"("from": {"at": [0, 0, -372.192]}, "to": {"at": [1360, 0, -18]})", 1400.0, 70};
@@ -152,7 +152,7 @@ void case_first_lines(Report& report) {
                       R"("from": {"at": [0, 0, 5]}, "to": {"at": [60, 0, -20]})", 90.0, 60};
     const double top = catenary_top(polyester, 333.9e6, 1360.0, 372.192 - 18.0, 1400.0);
     for (const double step : kSteps) {
-        for (const Line& line : {deep, pierces, stiff, floats})
+        for (const Line& line : {submerged, pierces, stiff, floats})
             for (const char* shape : {"hanging", "catenary"}) {
                 scene::Scene scene = line_scene(line, step, shape);
                 const FirstSecond e = first_second(scene, 0, true);
@@ -161,7 +161,7 @@ void case_first_lines(Report& report) {
                                            line.name, shape, 1.0 / step),
                                {1.0, 1.0}, {e.low / e.start, e.high / e.start}, 1e-2,
                                "1 %: it starts at rest", 1.0);
-                if (line.name == deep.name)
+                if (line.name == submerged.name)
                     report.compare(
                         fmt::format("{}, \"{}\": tension at its upper end [N]", line.name, shape),
                         {top},

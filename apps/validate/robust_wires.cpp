@@ -85,10 +85,10 @@ Wire straight_wire(double step, double density, double stiffness, double damping
         element.kind = InteractionKind::Stretch;
         element.body = {out.nodes[static_cast<std::size_t>(i)],
                         out.nodes[static_cast<std::size_t>(i) + 1], BodyId{}};
-        const double apart =
+        const double chord =
             (out.world.pose(element.body[1]).position - out.world.pose(element.body[0]).position)
                 .norm();
-        element.set("length", apart / stretched).set("EA", whole);
+        element.set("length", chord / stretched).set("EA", whole);
         if (!std::isnan(damping)) element.damping_time[0] = damping * std::sqrt(density / whole);
         out.elements.push_back(out.world.add_interaction(element));
     }
@@ -163,9 +163,9 @@ void run_zigzag_wires(Report& report, double ratio, double bend) {
                 const bool hardly =
                     damping * std::sqrt(z.density() / (stiffness * kPull)) < 0.5 * step;
                 (bend >= 0.1 && hardly ? lively : calm).take(o.ripple, z);
-                const bool apart = bend >= 0.1 && ratio == 2.0 && stiffness > 1000.0;
-                (apart ? many : few) += o.factorisations;
-                ++(apart ? stiff_runs : runs);
+                const bool is_stiff = bend >= 0.1 && ratio == 2.0 && stiffness > 1000.0;
+                (is_stiff ? many : few) += o.factorisations;
+                ++(is_stiff ? stiff_runs : runs);
             }
     const std::string name = fmt::format("ratio {:g}, bend {:g} l: ", ratio, bend);
     if (bend > 0.1) {

@@ -168,12 +168,12 @@ int run_cases(const std::vector<std::string>& cases, const std::string& json_fil
     const auto start = std::chrono::steady_clock::now();
     Report report;
     for (const Case* c : chosen) run_case(*c, report, quiet);
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     if (!quiet) {
         const auto failed = std::count_if(report.checks().begin(), report.checks().end(),
                                           [](const Check& check) { return !check.passed; });
         fmt::print("{} cases, {} checks, {} failed, {:.1f} s\n", chosen.size(),
-                   report.checks().size(), failed, taken.count());
+                   report.checks().size(), failed, elapsed.count());
     }
     const bool written = json_file.empty() || write_json(json_file, report.json());
     return report.passed() && written ? 0 : 3;

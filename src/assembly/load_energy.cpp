@@ -33,17 +33,17 @@ void LoadStore::works(const model::Bodies& bodies, double h, const double* v, co
         const double* f = &data_[at(entries_[e].place)];
         const double *a = f + n, *d = a + size, *k = d + size;
         const double *before = v + bodies.dof_begin[at(body)], *after = u + (before - v);
-        double mean[6], gain[6], seen[6];
+        double mean[6], gain[6], damping_velocity[6];
         for (int i = 0; i < n; ++i) {
             mean[i] = 0.5 * (before[i] + after[i]);
             gain[i] = after[i] - before[i];
-            seen[i] = late_[e] * after[i] + (1.0 - late_[e]) * before[i];
+            damping_velocity[i] = late_[e] * after[i] + (1.0 - late_[e]) * before[i];
             sum.work += h * f[i] * mean[i];
         }
         const double sprung = 0.25 * h * h * product(k, n, gain, mean);
-        const double damped = h * product(d, n, seen, mean);
+        const double damping_work = h * product(d, n, damping_velocity, mean);
         sum.work -= sprung;
-        sum.damped += damped;
+        sum.damped += damping_work;
         sum.added += 0.5 * product(a, n, after, after);
         const double* wf = water_of(e);
         if (wf == nullptr) continue;
@@ -51,7 +51,8 @@ void LoadStore::works(const model::Bodies& bodies, double h, const double* v, co
         for (int i = 0; i < n; ++i) sum.water += h * wf[i] * mean[i];
         const bool alone = wf == f;  // its terms are then those above
         sum.water -= (alone ? sprung : 0.25 * h * h * product(wk, n, gain, mean)) +
-                     (alone ? damped : h * product(wd, n, seen, mean)) + product(wa, n, gain, mean);
+                     (alone ? damping_work : h * product(wd, n, damping_velocity, mean)) +
+                     product(wa, n, gain, mean);
     }
 }
 

@@ -56,13 +56,14 @@ void System::list_interaction(const model::Interactions& in, std::int32_t id, in
     const std::int32_t own = node_of_interaction[at(id)], position = slots.position[b];
     const bool geometric = in.geo[at(id)] >= 0 && b < 2;
     // The condensed op of a compact joint includes its geometric terms.
-    const bool apart = own >= 0 || in.arms[at(id)] == 0;
+    const bool has_geometric_op = own >= 0 || in.arms[at(id)] == 0;
     for (int a = 0; a < slots.count; ++a) {
         if (a == b && own >= 0 && symbolic.position[at(own)] > position)
             sink(own, slots.op(id, Op::kept_rows, 0, b));
         if (slots.position[a] < position) continue;
         if (own < 0) sink(slots.node[a], slots.op(id, Op::condensed, a, b));
-        if (geometric && apart && a < 2) sink(slots.node[a], slots.op(id, Op::geometric, a, b));
+        if (geometric && has_geometric_op && a < 2)
+            sink(slots.node[a], slots.op(id, Op::geometric, a, b));
     }
 }
 

@@ -171,9 +171,10 @@ int touch(const Shape& a, const Placed& pa, const Shape& b, const Placed& pb, do
         const double ta = add_side(c, a, pa, p.on[0], -n);
         c.side_0 = c.slots;
         const double tb = add_side(c, b, pb, p.on[1], n);
-        const double beside = kMinAttachmentRatio * (a.geometry.radius + b.geometry.radius);
-        if (share_host && both_held && distance_from_hold(a, pa, ta) < beside &&
-            distance_from_hold(b, pb, tb) < beside)
+        const double attachment_distance =
+            kMinAttachmentRatio * (a.geometry.radius + b.geometry.radius);
+        if (share_host && both_held && distance_from_hold(a, pa, ta) < attachment_distance &&
+            distance_from_hold(b, pb, tb) < attachment_distance)
             continue;
         const V3 middle = 0.5 * (load3(p.on[0]) + load3(p.on[1]));
         const double opening = dot(n, velocity(pb, tb, middle) - velocity(pa, ta, middle));

@@ -141,14 +141,15 @@ Status store_next_iterate(context::StepContext& ctx, const NewtonOptions& course
                           Progress& p) noexcept {
     context::Newton& newton = ctx.work.newton;
     solve::take_bounds(ctx.model, newton);
-    const double given = p.iteration > kPatience ? p.cycle.next_fraction(p.stored_merit) : 0.0;
+    const double cycle_fraction =
+        p.iteration > kPatience ? p.cycle.next_fraction(p.stored_merit) : 0.0;
     LineStep way;
     if (newton.convex)
         way = move_fraction(ctx.model, newton, zero_slope_fraction([&](double t) {
                                 return convex_slope(ctx.model, newton, t);
                             }));
     else if (p.iteration > 0)
-        way = search_line(ctx.model, newton, p.stored_merit, given);
+        way = search_line(ctx.model, newton, p.stored_merit, cycle_fraction);
     newton.shortened = way.fraction < 1.0;
     if (course.strayed != nullptr && p.iteration > 0 &&
         (newton.shortened || way.merit > p.stored_merit))

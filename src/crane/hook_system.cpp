@@ -76,18 +76,18 @@ bool HookSystem::measure_load(const World& world) noexcept {
     const CraneLoad& load = load_of(attached_load_);
     const Vec3 point = world.world_point(def_.body, def_.point);
     Vec3 pull = Vec3::Zero();
-    bool there = false;
+    bool any_intact = false;
     leg_ = 0.0;
     for (std::size_t i = 0; i < load.eyes.size(); ++i) {
         const InteractionId leg = world.find_interaction(leg_names_[i]);
         if (!world.alive(leg) || !world.intact(leg)) continue;
-        there = true;
+        any_intact = true;
         const double tension = std::max(0.0, -world.force(leg)[0]);
         leg_ = std::max(leg_, tension);
         pull += tension * (world.world_point(load.body, load.eyes[i]) - point).normalized();
     }
     load_ = pull.norm();
-    return there;
+    return any_intact;
 }
 
 void HookSystem::remove_leg_shape(Prestep& now, std::size_t i) noexcept {
@@ -117,19 +117,19 @@ void HookSystem::detach_load(Prestep& now, EventKind kind) noexcept {
 }
 
 void HookSystem::check_load(Prestep& now) noexcept {
-    const bool there = measure_load(now.world);
-    if (there && load_ > def_.strength) {
+    const bool load_attached = measure_load(now.world);
+    if (load_attached && load_ > def_.strength) {
         detach_load(now, EventKind::overload);
         return set_state(HookState::opened);
     }
     remove_broken_shapes(now);
-    if (there && requested_load() == attached_load_) return set_state(HookState::holding);
-    if (there && load_ > def_.latch) return set_state(HookState::latched);
+    if (load_attached && requested_load() == attached_load_) return set_state(HookState::holding);
+    if (load_attached && load_ > def_.latch) return set_state(HookState::latched);
     // Release is requested, or all legs are broken or were removed by others.
     detach_load(now, EventKind::detach);
     set_state(HookState::empty);
     // Broken legs are not replaced if the request has already been carried out.
-    if (!there && requested_load() > 0) set_state(HookState::opened);
+    if (!load_attached && requested_load() > 0) set_state(HookState::opened);
 }
 
 void HookSystem::take(Prestep& now) noexcept {

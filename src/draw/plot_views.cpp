@@ -66,10 +66,10 @@ Layout arrange_two_panels(Bounds b) {
                  available_height = kMaxHeight - kViewsTop - kBottom;
     const double stacked =
         std::min(available_width / wide, (available_height - kViewsBetween) / (high + deep));
-    const double beside = std::min((available_width - kViewsBetween) / (2.0 * wide),
-                                   available_height / std::max(high, deep));
-    const bool above = stacked >= 0.9 * beside;
-    const double scale = above ? stacked : beside;
+    const double side_by_side = std::min((available_width - kViewsBetween) / (2.0 * wide),
+                                         available_height / std::max(high, deep));
+    const bool above = stacked >= 0.9 * side_by_side;
+    const double scale = above ? stacked : side_by_side;
     const double w = wide * scale, h0 = high * scale, h1 = deep * scale;
     if (above) {
         const double x = kViewsLeft + 0.5 * (available_width - w);

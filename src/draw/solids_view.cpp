@@ -153,11 +153,11 @@ std::vector<Crease> visible_creases(const Solid& solid, const Camera& camera) {
     std::vector<Crease> out;
     for (const auto& [edge, faces] : sides) {
         if (faces.size() != 2) continue;
-        const bool seen[2] = {solid.normals[faces[0]].dot(camera.to_viewer) > 1e-9,
-                              solid.normals[faces[1]].dot(camera.to_viewer) > 1e-9};
-        const bool rim = seen[0] != seen[1];
+        const bool faces_viewer[2] = {solid.normals[faces[0]].dot(camera.to_viewer) > 1e-9,
+                                      solid.normals[faces[1]].dot(camera.to_viewer) > 1e-9};
+        const bool rim = faces_viewer[0] != faces_viewer[1];
         const bool sharp = solid.normals[faces[0]].dot(solid.normals[faces[1]]) < kMinSmoothCosine;
-        if (rim || (sharp && seen[0]))
+        if (rim || (sharp && faces_viewer[0]))
             out.push_back({solid.surface.points[edge.first], solid.surface.points[edge.second]});
     }
     return out;

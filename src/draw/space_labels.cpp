@@ -34,7 +34,7 @@ void Space::draw_heights() {
 }
 
 void Space::draw_names() {
-    std::vector<Box> taken;
+    std::vector<Box> occupied;
     const auto put = [&](const Vec3& where, const std::string& name, double size, bool bold) {
         const Point p = at(where);
         const double w = text_width(name, size, bold);
@@ -44,7 +44,7 @@ void Space::draw_names() {
                 const bool free = box.x > 4 && box.right() < drawing_.width - kScaleRoom + 20 &&
                                   box.y > kSpaceTop - 20 && box.bottom() < drawing_.height - 20 &&
                                   std::none_of(
-                                      taken.begin(), taken.end(),
+                                      occupied.begin(), occupied.end(),
                                       [&](const Box& t) {
                                           return box.x < t.right() && t.x < box.right() &&
                                                  box.y < t.bottom() && t.y < box.bottom();
@@ -56,7 +56,7 @@ void Space::draw_names() {
                                   .bold = bold,
                                   .color = bold ? kInk : kSoft,
                                   .halo = true});
-                taken.push_back(box);
+                occupied.push_back(box);
                 return;
             }
     };

@@ -83,10 +83,10 @@ class ReleaseNeighbourhood {
         for (std::size_t k = 0; k + 1 < chain.count; ++k) add_piece(k, stiff);
         momentum_factor_.compute(mass_ + stiff);
         across_ = momentum_factor_.solve(shares_.transpose());
-        const KeptSquare seen = shares_ * across_;
+        const KeptSquare unscaled = shares_ * across_;
         // Scale rows of different units by their size.
-        scale_ = seen.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-        const KeptSquare scaled = scale_.asDiagonal() * seen * scale_.asDiagonal();
+        scale_ = unscaled.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+        const KeptSquare scaled = scale_.asDiagonal() * unscaled * scale_.asDiagonal();
         eigen_ = base::symmetric_eigen(scaled);
     }
     [[nodiscard]] int size() const noexcept { return size_; }

@@ -138,10 +138,10 @@ void Scorer::update_penalties(double time, std::span<const double> values) {
         tally.times += static_cast<std::int32_t>(std::min(times, 1e6));
         if (!penalty.when.conditions.empty()) tally.seconds += step_;
         const double cost = penalty.points * times + penalty.per_second * step_;
-        const double taken = std::min(cost, penalty.most + tally.points);
-        tally.points -= taken;
-        add_points(-taken);
-        if (times > 0.0) log({time, EntryKind::penalty, penalty.name, penalty.text, "", -taken});
+        const double deducted = std::min(cost, penalty.most + tally.points);
+        tally.points -= deducted;
+        add_points(-deducted);
+        if (times > 0.0) log({time, EntryKind::penalty, penalty.name, penalty.text, "", -deducted});
     }
 }
 

@@ -141,11 +141,11 @@ void write_u32(OpenFile& out, std::uint64_t value) {
 Frames choose_frames(const record::Recording& recording, std::size_t every, double from,
                      double to) {
     Frames out;
-    std::size_t seen = 0, last = recording.frame_count();
+    std::size_t frames_in_range = 0, last = recording.frame_count();
     for (std::size_t i = first_frame(recording); i < recording.frame_count(); ++i) {
         const double time = recording.frame_head(i).time;
         if (time < from - 1e-9 || time > to + 1e-9) continue;
-        if (seen++ % every == 0) out.push_back(i);
+        if (frames_in_range++ % every == 0) out.push_back(i);
         last = i;
     }
     if (!out.empty() && out.back() != last) out.push_back(last);

@@ -168,12 +168,13 @@ void WireFinder::remove_touching_bodies(const BodyGraph& graph) {
         std::int32_t skip = 0;
         for (std::int32_t k = begin; k < end; ++k) {
             const std::int32_t b = walked_bodies_[at(k)];
-            bool apart = true;
+            bool isolated = true;
             for (const std::int32_t u : graph.neighbours(b)) {
                 const std::int32_t p = place[at(u)];
-                apart &= p < 0 || (p >= begin && p < end && std::abs(p - k) <= kMaxWireNeighbours);
+                isolated &=
+                    p < 0 || (p >= begin && p < end && std::abs(p - k) <= kMaxWireNeighbours);
             }
-            if (!apart) skip = kMaxWireNeighbours;
+            if (!isolated) skip = kMaxWireNeighbours;
             if (skip > 0) {
                 --skip;
                 close();

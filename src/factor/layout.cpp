@@ -74,9 +74,9 @@ void Layout::count_entries(const Pattern& pattern,
                            std::optional<std::span<const std::int32_t>> edited) {
     const std::int8_t* size = pattern.size.data();
     auto count = [&](std::int32_t v) {
-        std::int32_t beside = 0;
-        for (const std::int32_t u : pattern.neighbours(v)) beside += size[u];
-        entries_[at(v)] = size[v] * (size[v] + 1 + beside);
+        std::int32_t neighbour_scalars = 0;
+        for (const std::int32_t u : pattern.neighbours(v)) neighbour_scalars += size[u];
+        entries_[at(v)] = size[v] * (size[v] + 1 + neighbour_scalars);
         matrix_entries_ += entries_[at(v)];
     };
     if (edited) {

@@ -90,10 +90,11 @@ int Numeric::run_batch_piece(const Symbolic& symbolic, int piece, Fill fill, dou
     fill.write(fill.context, piece, v.panel);
     if (unsymmetric_ && copy_piece(symbolic, p))
         fill.skew(fill.context, piece, panel_.data(), upper_.data());
-    const int wrong = kernels.factor_batch(v, batch, p.step_begin, p.step_end, scratch(thread));
+    const int wrong_pivots =
+        kernels.factor_batch(v, batch, p.step_begin, p.step_end, scratch(thread));
     kernels.forward_batch(v, batch, p.step_begin, p.step_end, x, forward);
     if (streamed) all.stream(panel_.data() + p.panel_begin, made, size);
-    return wrong;
+    return wrong_pivots;
 }
 
 int Numeric::run_piece(const Symbolic& symbolic, int piece, Fill fill, double* x,
@@ -106,9 +107,9 @@ int Numeric::run_piece(const Symbolic& symbolic, int piece, Fill fill, double* x
     fill.write(fill.context, piece, panel_.data());
     if (unsymmetric_ && copy_piece(symbolic, p))
         fill.skew(fill.context, piece, panel_.data(), upper_.data());
-    const int wrong = kernels.factor(v, p.begin, p.end, scratch(thread));
+    const int wrong_pivots = kernels.factor(v, p.begin, p.end, scratch(thread));
     kernels.forward(v, p.begin, p.end, x, scratch(thread));
-    return wrong;
+    return wrong_pivots;
 }
 
 int Numeric::factor_forward(const Symbolic& symbolic, Fill fill, double* x,
@@ -116,10 +117,10 @@ int Numeric::factor_forward(const Symbolic& symbolic, Fill fill, double* x,
     use(symbolic, unsymmetric);
     auto node = [&](int i, int thread) noexcept {
         const auto n = static_cast<std::size_t>(i);
-        int wrong = 0;
+        int wrong_pivots = 0;
         for (std::int32_t p = task_piece_[n]; p < task_piece_[n + 1] && !executor.stopping(); ++p)
-            wrong += run_piece(symbolic, p, fill, x, thread);
-        wrong_pivots_[n] = wrong;
+            wrong_pivots += run_piece(symbolic, p, fill, x, thread);
+        wrong_pivots_[n] = wrong_pivots;
     };
     queue_.run(symbolic.graph, TaskPass::factor, executor, node);
     return find_wrong_pivots(symbolic, count_wrong_pivots(symbolic));

@@ -22,14 +22,14 @@ int SymmetricNumeric::refactor(const Symbolic& s, const DirtyParts& dirty,
     const FactorView v = view(s, 0);  // no stacks: every update matrix has its own memory
     const Kernels& kernels = factor_kernels();
     auto node = [&](int i, int thread) noexcept {
-        int wrong = 0;
+        int wrong_pivots = 0;
         if (at(i) < s.batches.size() && dirty.is_batch(i))
-            wrong += kernels.factor_batch(v, s.batches[at(i)], s.batches[at(i)].step_begin,
-                                          s.batches[at(i)].step_end, scratch(thread));
+            wrong_pivots += kernels.factor_batch(v, s.batches[at(i)], s.batches[at(i)].step_begin,
+                                                 s.batches[at(i)].step_end, scratch(thread));
         for (std::int32_t k = dirty.nodes[at(i)]; k < dirty.nodes[at(i) + 1]; ++k)
-            wrong += kernels.factor(v, dirty.ranges[at(k)].begin, dirty.ranges[at(k)].end,
-                                    scratch(thread));
-        wrong_pivots_[at(i)] = wrong;
+            wrong_pivots += kernels.factor(v, dirty.ranges[at(k)].begin, dirty.ranges[at(k)].end,
+                                           scratch(thread));
+        wrong_pivots_[at(i)] = wrong_pivots;
     };
     queue_.run(s.graph, TaskPass::factor, executor, node);
     return count_wrong_pivots(s);

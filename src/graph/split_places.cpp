@@ -144,9 +144,10 @@ void Splitter::assign_clusters(bool together) {
         passed += node_cost_[at(c)];
         if (part_[at(c)] >= 0 || units_.unit[at(c)] < units_.wires) continue;
         // Place the cluster with a neighbour if capacity allows; wires have no part yet.
-        const std::int32_t beside = neighbouring_part(c, -1);
-        if (beside >= 0 && static_cast<double>(load_[at(beside)] + node_cost_[at(c)]) <= most) {
-            assign_part(c, beside);
+        const std::int32_t neighbour_part = neighbouring_part(c, -1);
+        if (neighbour_part >= 0 &&
+            static_cast<double>(load_[at(neighbour_part)] + node_cost_[at(c)]) <= most) {
+            assign_part(c, neighbour_part);
             continue;
         }
         // Use the part that the cluster's fraction of the total capacity falls into.

@@ -119,9 +119,9 @@ void LineNodes::find_spans(const World& world, const Wire& wire) noexcept {
         const InteractionDef& def = world.interaction_def(id);
         const int param = table_.length_param[static_cast<std::size_t>(def.kind)];
         const std::size_t node = wire.first + e;
-        const bool there = nodes_[node] != NodeState::gone && nodes_[node + 1] != NodeState::gone &&
-                           world.intact(id);
-        span.chord = there ? Vec3(places_[node + 1] - places_[node]) : Vec3(Vec3::Zero());
+        const bool is_intact = nodes_[node] != NodeState::gone &&
+                               nodes_[node + 1] != NodeState::gone && world.intact(id);
+        span.chord = is_intact ? Vec3(places_[node + 1] - places_[node]) : Vec3(Vec3::Zero());
         const double size = span.chord.norm();
         span.along = size > 0.0 ? Vec3(span.chord / size) : Vec3(Vec3::Zero());
         span.length = kind_info(def.kind).is(kWoundUp) || param < 0

@@ -156,11 +156,11 @@ double passivity_deficit(const std::vector<MemoryModel::Block>& blocks, const Ma
             }
             // (d, −ω; ω, d)⁻¹.
             const complex<double> det = d * d + block.turn * block.turn;
-            const complex<double> same = d / det, other = block.turn / det;
-            real.row(k) = same.real() * b.row(k) + other.real() * b.row(k + 1);
-            imaginary.row(k) = same.imag() * b.row(k) + other.imag() * b.row(k + 1);
-            real.row(k + 1) = same.real() * b.row(k + 1) - other.real() * b.row(k);
-            imaginary.row(k + 1) = same.imag() * b.row(k + 1) - other.imag() * b.row(k);
+            const complex<double> diagonal = d / det, off_diagonal = block.turn / det;
+            real.row(k) = diagonal.real() * b.row(k) + off_diagonal.real() * b.row(k + 1);
+            imaginary.row(k) = diagonal.imag() * b.row(k) + off_diagonal.imag() * b.row(k + 1);
+            real.row(k + 1) = diagonal.real() * b.row(k + 1) - off_diagonal.real() * b.row(k);
+            imaginary.row(k + 1) = diagonal.imag() * b.row(k + 1) - off_diagonal.imag() * b.row(k);
             k += 2;
         }
         const MatrixXd y = c * real, z = c * imaginary;

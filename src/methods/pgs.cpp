@@ -100,8 +100,10 @@ void sweep_rows(const context::Model& model, const context::Newton& newton,
             const std::int32_t row = v.row_begin[id] + r;
             const double whole = newton.row_mobility[static_cast<std::size_t>(row)] + v.sigma[row];
             if (!(whole > 0.0)) continue;
-            const double wrong = v.c[row] - row_speed(v, id, r) - v.sigma[row] * v.lambda[row];
-            const double now = std::clamp(v.lambda[row] + wrong / whole, range.low, range.high);
+            const double row_residual =
+                v.c[row] - row_speed(v, id, r) - v.sigma[row] * v.lambda[row];
+            const double now =
+                std::clamp(v.lambda[row] + row_residual / whole, range.low, range.high);
             const double change = now - v.lambda[row];
             v.lambda[row] = now;
             if (change != 0.0) push_row(newton, v, id, r, change);

@@ -37,9 +37,9 @@ Finding strain_finding(context::Model& model, const context::State& state,
         out.value = -most;
         out.interaction = model.interactions.id(id);
     }
-    const double lasting = std::min({longest, memory.overlong[0], memory.overlong[1]});
+    const double lasting_strain = std::min({longest, memory.overlong[0], memory.overlong[1]});
     memory.overlong = {longest, memory.overlong[0]};
-    out.doubtful = std::max(lasting, out.wrong);
+    out.doubtful = std::max(lasting_strain, out.wrong);
     return out;
 }
 

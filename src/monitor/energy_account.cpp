@@ -79,13 +79,13 @@ Unexplained follow_energy(const context::MonitorPart& p, const context::Works& w
     const double by_rows = std::fabs(p.elastic - state.elastic);
     const double sprung = std::min({by_rows, std::fabs(p.by_length - state.by_length),
                                     std::fabs(p.by_force - state.by_force)});
-    const double taken = std::fabs(w[context::kRows] - state.work[context::kRows]);
+    const double row_work = std::fabs(w[context::kRows] - state.work[context::kRows]);
     // The sums do not decay before kMemory has passed.
     state.age += time;
     const double forgotten =
         state.age <= limit::kMemory ? 0.0 : std::min(1.0, time / limit::kMemory);
     state.exchanged += 0.5 * (moved + sprung) - forgotten * state.exchanged;
-    state.counted += 0.5 * (moved + by_rows + taken) - forgotten * state.counted;
+    state.counted += 0.5 * (moved + by_rows + row_work) - forgotten * state.counted;
     const context::ByAccount<double> now = unexplained(p, w, state.given);
     // Works begin half a step before the start: half of them belongs to earlier motion.
     const bool first = state.begun++ == 1;

@@ -121,7 +121,7 @@ Finding energy_finding(const context::Model& model, const context::State& state,
         std::min({now[context::kBetween].rise, now[context::kByForce].rise, posed});
     const double stays = std::min({created, memory.risen[0], memory.risen[1]});
     memory.risen = {created, memory.risen[0]};
-    const double lasting = std::min(
+    const double smallest_mean_rise = std::min(
         {mean[context::kBetween].rise, mean[context::kByForce].rise, mean[context::kAtPoses].rise});
     // The energy of lines by their lengths belongs to the state, independent of their forces. It
     // has to last, above a level that lasted. An impact on a stop stores energy there that returns
@@ -146,7 +146,7 @@ Finding energy_finding(const context::Model& model, const context::State& state,
                                       : created;
     out.doubtful = std::max(gained, fell);
     out.wrong = std::max(
-        {fraction(lasting, exchanged) / limit::kCreated.wrong,
+        {fraction(smallest_mean_rise, exchanged) / limit::kCreated.wrong,
          fraction(by_length, exchanged) / limit::kHeld.wrong,
          fraction(std::max(mean[context::kUnexplained].rise, mean[context::kWithGiven].rise),
                   counted) /

@@ -207,8 +207,8 @@ Status run_monitors(context::StepContext& ctx) noexcept {
         return Status::ok;
     }
     if (all) {
-        const Findings seen = run_all(ctx, next);
-        for (std::size_t k = 0; k < now.size(); ++k) keep_worse(seen[k], now[k]);
+        const Findings next_findings = run_all(ctx, next);
+        for (std::size_t k = 0; k < now.size(); ++k) keep_worse(next_findings[k], now[k]);
     }
     const Grade grade = add(now, d.verdict);
     const bool split = context::has_cuts(ctx.model);

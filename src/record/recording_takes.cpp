@@ -38,8 +38,8 @@ void Recording::read_loads(ByteReader in) {
 }
 
 void Recording::read_inputs(ByteReader in) {
-    std::vector<RecordedInput> given(in.get_count(20));
-    for (RecordedInput& change : given) {
+    std::vector<RecordedInput> input_changes(in.get_count(20));
+    for (RecordedInput& change : input_changes) {
         change.step = get_step(in, least_step(inputs, &RecordedTake::inputs));
         change.input = in.get<std::int32_t>();
         change.value = get_finite(in);

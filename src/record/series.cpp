@@ -149,12 +149,12 @@ std::vector<std::pair<std::size_t, std::size_t>> continuous_intervals(
     std::vector<std::pair<std::size_t, std::size_t>> out;
     bool open = false;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const bool there = std::isfinite(values[i]);
+        const bool is_finite = std::isfinite(values[i]);
         const bool other =
             std::find(series.takes.begin(), series.takes.end(), i) != series.takes.end();
-        if (there && (!open || other)) out.emplace_back(i, i);
-        if (there) out.back().second = i + 1;
-        open = there;
+        if (is_finite && (!open || other)) out.emplace_back(i, i);
+        if (is_finite) out.back().second = i + 1;
+        open = is_finite;
     }
     return out;
 }

@@ -266,7 +266,7 @@ void place_nodes(CableLayout& c, const Description& out, const Scope& scope, con
         shape != cable.end() && shape->is_string() ? shape->get<std::string>() : "straight";
     const bool seabed = cable.contains("seabed");
     const bool sections = cable.contains("sections");
-    const bool given = sections || cable.contains("length");
+    const bool has_length = sections || cable.contains("length");
     c.length = number_or(cable, "length", (c.to.world - c.from.world).norm());
     if (sections) {
         c.length = 0.0;
@@ -287,7 +287,7 @@ void place_nodes(CableLayout& c, const Description& out, const Scope& scope, con
     const bool at_rest = kind == "hanging" || kind == "laid";
     if (at_rest || (kind == "catenary" && (seabed || (sea && in_water(c))))) {
         AtRest rest(c, out, scope, cable, sea, location);
-        if (kind == "laid" && !given) {
+        if (kind == "laid" && !has_length) {
             c.length = rest.seabed_length();
         }
         rest.lay_out();
@@ -300,7 +300,7 @@ void place_nodes(CableLayout& c, const Description& out, const Scope& scope, con
         }
         corners.push_back(c.to.world);
         place_along_polyline(c, corners, location);
-        if (!given) {
+        if (!has_length) {
             c.length = polyline_length(c.nodes);
         }
     } else {

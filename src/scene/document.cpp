@@ -80,10 +80,10 @@ class Includer {
             const SourceLocation at = location / what / name;
             if (document_.root.contains(what) && document_.root[what].contains(name)) {
                 const auto other = places.find(name);
-                const std::string& there =
+                const std::string& other_file =
                     other == places.end() ? document_.location.file : other->second.file;
                 (void)attempt(document_.mistakes, [&, &taken = name] {
-                    throw_error(at, in_quotes(taken) + " is already defined in " + there);
+                    throw_error(at, in_quotes(taken) + " is already defined in " + other_file);
                 });
                 continue;
             }

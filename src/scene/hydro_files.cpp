@@ -28,9 +28,9 @@ WaveCoefficients read_coefficients(const std::string& file, const HydroUnits& un
         scene::throw_hydro_error(
             path, "body number " + std::to_string(units.body) + " is outside 0 to 999");
     const std::string ending = path.extension().string();
-    const bool apart = (ending == ".nc" || ending == ".h5") && !limits.in_process;
+    const bool in_child = (ending == ".nc" || ending == ".h5") && !limits.in_process;
     WaveCoefficients out =
-        apart ? scene::read_in_child(path, units, limits) : scene::read_in_process(path, units);
+        in_child ? scene::read_in_child(path, units, limits) : scene::read_in_process(path, units);
     out = repaired_damping(out, units.negative_damping);
     if (const std::string fault = coefficients_fault(out); !fault.empty())
         scene::throw_hydro_error(path, fault);

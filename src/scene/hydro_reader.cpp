@@ -84,11 +84,11 @@ std::vector<char> reply_to(const char* file, const HydroUnits& units) {
 
 int serve(char** argv) {
     double density = 0, gravity = 0, length = 0, body = 0, seconds = 0, memory = 0;
-    const bool given =
+    const bool arguments_valid =
         number_of(argv[3], density) && number_of(argv[4], gravity) && number_of(argv[5], length) &&
         number_of(argv[6], body) && number_of(argv[7], seconds) && number_of(argv[8], memory) &&
         body >= 0 && body <= 999 && seconds > 0 && seconds <= 3600 && memory >= 0 && memory <= 1e18;
-    if (!given) return 1;
+    if (!arguments_valid) return 1;
     limit_this_process(seconds, memory);
     std::vector<char> reply = reply_to(argv[2], {density, gravity, length, static_cast<int>(body)});
     if (reply.size() > kMaxHydroMessage)
@@ -110,8 +110,8 @@ std::string reader_program(const ReaderLimits& limits) {
     const char* const self = "/proc/self/exe";
     if (is_reader_program()) return self;
     std::error_code error;
-    const Path beside = std::filesystem::read_symlink(self, error).parent_path() / "hawser";
-    if (!error && access(beside.c_str(), X_OK) == 0) return beside.string();
+    const Path sibling = std::filesystem::read_symlink(self, error).parent_path() / "hawser";
+    if (!error && access(sibling.c_str(), X_OK) == 0) return sibling.string();
     return {};
 }
 

@@ -93,7 +93,7 @@ class Wamit {
         out_.added_mass.assign(n, Matrix6::Zero());
         out_.damping = out_.added_mass;
         // Count the entries of each pair at each frequency.
-        std::vector<int> given(n * 36, 0);
+        std::vector<int> entry_count(n * 36, 0);
         for (const NumberLine& row : rows) {
             const int i = motion_of(file_, row, 1, body_), j = motion_of(file_, row, 2, body_);
             if (i < 0 || j < 0) continue;
@@ -109,12 +109,13 @@ class Wamit {
                 const std::size_t w = frequency_.find(kTurn / period);
                 out_.added_mass[w](i, j) = a;
                 out_.damping[w](i, j) = scale * frequency_.values()[w] * row.value[4];
-                ++given[w * 36 + static_cast<std::size_t>(6 * i + j)];
+                ++entry_count[w * 36 + static_cast<std::size_t>(6 * i + j)];
             }
         }
         for (std::size_t pair = 0; pair < 36; ++pair)
             for (std::size_t w = 0; w < n; ++w)
-                if (given[w * 36 + pair] != given[pair] || given[w * 36 + pair] > 1)
+                if (entry_count[w * 36 + pair] != entry_count[pair] ||
+                    entry_count[w * 36 + pair] > 1)
                     throw_hydro_error(file_,
                                       "the coefficient of modes " + std::to_string(pair / 6 + 1) +
                                           " and " + std::to_string(pair % 6 + 1) + " at " +
@@ -170,7 +171,7 @@ class Wamit {
         for (const NumberLine& row : rows) need_columns(file, row, columns);
         store_headings(file, rows);
         table.assign(out_.heading.size() * out_.frequency.size() * 6, 0.0);
-        std::vector<int> given(table.size(), 0);
+        std::vector<int> entry_count(table.size(), 0);
         for (const NumberLine& row : rows) {
             const std::size_t w = frequency_index(file, row);
             const std::size_t h = heading_.find(row.value[1] * kDegree);
@@ -179,9 +180,9 @@ class Wamit {
             const std::size_t at = out_.index(h, w, k);
             // Conjugate, because the file has phases of e^{+iωt}.
             table[at] = scale(k) * std::complex<double>(row.value[5], -row.value[6]);
-            ++given[at];
+            ++entry_count[at];
         }
-        require_all(file, given);
+        require_all(file, entry_count);
     }
 
     void read_drift() {
@@ -193,7 +194,7 @@ class Wamit {
         for (const NumberLine& row : rows) need_columns(file, row, 8);
         store_headings(file, rows);
         out_.drift.assign(out_.heading.size() * out_.frequency.size() * 6, 0.0);
-        std::vector<int> given(out_.drift.size(), 0);
+        std::vector<int> entry_count(out_.drift.size(), 0);
         for (const NumberLine& row : rows) {
             // Skip rows of two different directions, and moments about body-fixed axes (negative
             // numbers), which repeat components 4 to 6.
@@ -204,12 +205,12 @@ class Wamit {
             if (k < 0) continue;
             const std::size_t at = out_.index(h, w, k);
             out_.drift[at] = rho_ * g_ * power(k > 2 ? 2 : 1) * row.value[6];
-            ++given[at];
+            ++entry_count[at];
         }
         if (horizontal)
-            for (std::size_t i = 0; i < given.size(); ++i)
-                if (const std::size_t k = i % 6; k > 1 && k < 5) given[i] = 1;
-        require_all(file, given);
+            for (std::size_t i = 0; i < entry_count.size(); ++i)
+                if (const std::size_t k = i % 6; k > 1 && k < 5) entry_count[i] = 1;
+        require_all(file, entry_count);
     }
 
     void read_stiffness() {

@@ -28,7 +28,7 @@ const ShapeDef& shape_with_edges(const Description& out, BodyId body, const Json
                                  const SourceLocation& location) {
     const std::string on = out.body(body).name, lead = on + "/";
     const std::string wanted = text_or(json, "shape", "");
-    std::vector<const ShapeDef*> there;
+    std::vector<const ShapeDef*> candidates;
     std::vector<std::string> known;
     for (const ShapeDef& shape : out.shapes) {
         if (shape.body != body) continue;
@@ -39,21 +39,21 @@ const ShapeDef& shape_with_edges(const Description& out, BodyId body, const Json
             return shape;
         }
         if (!has_edges(shape)) continue;
-        there.push_back(&shape);
+        candidates.push_back(&shape);
         if (shape.name.starts_with(lead)) known.push_back(shape.name.substr(lead.size()));
     }
     if (!wanted.empty())
         throw_error(location / "shape", in_quotes(on) + " has no shape " + in_quotes(wanted) +
                                             " with edges" + suggestion(wanted, known));
-    if (there.empty())
+    if (candidates.empty())
         throw_error(location, in_quotes(on) +
                                   " has no shape with edges; give its \"shapes\" a box, hull "
                                   "or mesh");
-    if (there.size() > 1)
+    if (candidates.size() > 1)
         throw_error(location, in_quotes(on) +
                                   " has several shapes with edges; give the \"shape\" by name" +
                                   suggestion("", known));
-    return *there.front();
+    return *candidates.front();
 }
 
 std::string words(const Vec3& v) {

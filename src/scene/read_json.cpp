@@ -180,15 +180,15 @@ Json read_json_file(const std::filesystem::path& file, const std::set<std::strin
 std::filesystem::path resolve_inside(const std::filesystem::path& root,
                                      const std::filesystem::path& base, const std::string& name,
                                      const SourceLocation& location) {
-    const std::filesystem::path given(name);
-    if (name.empty() || given.is_absolute()) {
+    const std::filesystem::path file_name(name);
+    if (name.empty() || file_name.is_absolute()) {
         throw_error(location,
                     "expected a file name relative to this file, found " + in_quotes(name));
     }
     std::error_code failure;
     const auto real_root = std::filesystem::weakly_canonical(root.empty() ? "." : root, failure);
     const auto file = std::filesystem::weakly_canonical(
-        (base.empty() ? std::filesystem::path(".") : base) / given, failure);
+        (base.empty() ? std::filesystem::path(".") : base) / file_name, failure);
     if (failure) {
         throw_error(location,
                     "the file name " + in_quotes(name) + " cannot be used: " + failure.message());
@@ -203,7 +203,7 @@ std::filesystem::path resolve_inside(const std::filesystem::path& root,
         throw_error(location,
                     "there is no file " + in_quotes(name) + " (looked for " + file.string() + ")");
     }
-    return (base / given).lexically_normal();
+    return (base / file_name).lexically_normal();
 }
 
 std::string describe(const Json& value) {

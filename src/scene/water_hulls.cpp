@@ -60,16 +60,16 @@ class Pairs {
   public:
     template <class F>
     void each(const Json& list, const SourceLocation& location, F&& put) {
-        bool given[36] = {};
+        bool pair_read[36] = {};
         for (std::size_t n = 0; n < list.size(); ++n) {
             const int i = motion(list[n]["of"][0]), j = motion(list[n]["of"][1]);
-            if (given[6 * i + j]) throw_error(location / n / "of", "this pair is there twice");
-            given[6 * i + j] = true;
+            if (pair_read[6 * i + j]) throw_error(location / n / "of", "this pair is there twice");
+            pair_read[6 * i + j] = true;
         }
         for (std::size_t n = 0; n < list.size(); ++n) {
             const int i = motion(list[n]["of"][0]), j = motion(list[n]["of"][1]);
             put(list[n], location / n, i, j);
-            if (i != j && !given[6 * j + i]) put(list[n], location / n, j, i);
+            if (i != j && !pair_read[6 * j + i]) put(list[n], location / n, j, i);
         }
     }
 

@@ -262,10 +262,10 @@ void extrapolate_bounds(context::Model& model, context::Work& work) noexcept {
     const double* x = follow.next(model.contact_floor);
     for (const std::int32_t id : work.newton.loaded) {
         double& held = model.interactions.held[at(id)];
-        const double there = *x++;
+        const double solved_impulse = *x++;
         // Friction does not reverse at any load.
-        if (v.active[id] != 0.0 || !(there * held > 0.0)) continue;
-        held = v.lambda[v.row_begin[id]] = there;
+        if (v.active[id] != 0.0 || !(solved_impulse * held > 0.0)) continue;
+        held = v.lambda[v.row_begin[id]] = solved_impulse;
         work.solve.losses_known = false;
     }
 }

@@ -101,47 +101,48 @@ double losses_of(const context::Model& model, const View& v, std::int32_t id) no
         rates_by_jacobian(model, v, id, rate);
     ViolationRates mean = rate;  // of the violations between half-step positions
     if (model.interactions.uses_secants(id)) rates_between_poses(model, v, id, mean);
-    double taken = 0.0;
+    double absorbed = 0.0;
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;
         if (v.row_flags[row] & model::kRowVelocity) continue;  // its work counts as driven
         const bool rigid = !model::holds_energy(v.epsilon[row], v.rest_length[id]);
         if (rigid && (flags & model::kByInput)) continue;  // its work counts as driven
         const double g = v.g[row], half = 0.5 * v.h;
-        taken += elastic_energy(v, id, row, g,
-                                model::half_step_gap(v.row_flags[row], g, half, mean.before[r])) -
-                 elastic_energy(v, id, row, g,
-                                model::half_step_gap(v.row_flags[row], g, half, -mean.after[r])) -
-                 0.5 * v.lambda[row] * (rate.before[r] + rate.after[r]);
+        absorbed +=
+            elastic_energy(v, id, row, g,
+                           model::half_step_gap(v.row_flags[row], g, half, mean.before[r])) -
+            elastic_energy(v, id, row, g,
+                           model::half_step_gap(v.row_flags[row], g, half, -mean.after[r])) -
+            0.5 * v.lambda[row] * (rate.before[r] + rate.after[r]);
     }
-    return taken;
+    return absorbed;
 }
 
 }  // namespace
 
 double losses_between(const context::Model& model, const View& v, std::int32_t begin,
                       std::int32_t end) noexcept {
-    double taken = 0.0;
+    double absorbed = 0.0;
     end = std::min(end,
                    context::interaction_count(model));  // duplicated rows count with their original
     for (; begin < end; begin += assembly::kLossChunk) {
         const std::int32_t to = std::min(end, begin + assembly::kLossChunk);
         std::int32_t left[assembly::kLossChunk];
         int count = 0;
-        taken += assembly::kernels().row_losses(v, begin, to, left, &count);
-        for (int k = 0; k < count; ++k) taken += losses_of(model, v, left[k]);
+        absorbed += assembly::kernels().row_losses(v, begin, to, left, &count);
+        for (int k = 0; k < count; ++k) absorbed += losses_of(model, v, left[k]);
     }
-    return taken;
+    return absorbed;
 }
 
 double row_losses(context::Model& model, context::SolveWork& solve, runtime::Pool& pool) noexcept {
     const View v = context::row_view(model);
     auto strip = [&](int i, int) noexcept {
-        double& taken = solve.losses[static_cast<std::size_t>(i)];
-        taken = 0.0;
+        double& absorbed = solve.losses[static_cast<std::size_t>(i)];
+        absorbed = 0.0;
         context::each(model.system.strips.interactions(i),
                       [&](std::int32_t begin, std::int32_t end) {
-                          taken += losses_between(model, v, begin, end);
+                          absorbed += losses_between(model, v, begin, end);
                       });
     };
     if (!solve.losses_known) pool.for_each(model.system.strips.count(), strip);
@@ -153,19 +154,19 @@ double cut_losses(context::Model& model, std::int32_t id) noexcept {
     if (v.parted[id]) return 0.0;
     const model::RowState before = model.interactions.row_state(id, model.bodies);
     const model::RowState after = model.interactions.row_state(id, model.bodies, v.v_new);
-    double taken = 0.0;
+    double absorbed = 0.0;
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;
         const double g = before.g[r], half = 0.5 * v.h;
         const double rate = before.rate[r] + before.carried[r];
         const double rate_after = after.rate[r] + after.carried[r];
-        taken +=
+        absorbed +=
             elastic_energy(v, id, row, g, model::half_step_gap(v.row_flags[row], g, half, rate)) -
             elastic_energy(v, id, row, g,
                            model::half_step_gap(v.row_flags[row], g, half, -rate_after)) -
             0.5 * v.lambda[row] * (rate + rate_after);
     }
-    return taken;
+    return absorbed;
 }
 
 double held_by_line(context::Model& model, std::int32_t id) noexcept {

@@ -101,8 +101,8 @@ bool is_changed(const View& v, std::int32_t id, Lambda lambda, double* kept) noe
 void keep_momentum(context::StepContext& ctx, const View& v) noexcept {
     constexpr double kMaxResidualMomentum = 1e-11;  ///< Relative to the impulses.
     constexpr int kFilterPasses = 2;
-    double* taken = ctx.work.joints.taken.data();
-    const auto loss = [&](std::int32_t, std::int32_t row) noexcept { return taken[row]; };
+    double* stress_of_row = ctx.work.joints.taken.data();
+    const auto loss = [&](std::int32_t, std::int32_t row) noexcept { return stress_of_row[row]; };
     for (int pass = 0; pass < kFilterPasses; ++pass) {
         const MomentumNorms size = load_joints(ctx.model, ctx.work.solve, v, loss);
         if (!(size.sum > kMaxResidualMomentum * kMaxResidualMomentum * size.parts)) return;
@@ -110,7 +110,7 @@ void keep_momentum(context::StepContext& ctx, const View& v) noexcept {
         for (const std::int32_t id : ctx.model.completion.looped) {
             double kept[kMaxInteractionRows];
             read_filtered(v, id, kept);
-            for (int r = 0; r < v.rows[id]; ++r) taken[v.row_begin[id] + r] -= kept[r];
+            for (int r = 0; r < v.rows[id]; ++r) stress_of_row[v.row_begin[id] + r] -= kept[r];
         }
     }
 }
@@ -182,14 +182,14 @@ void take_self_stress(context::StepContext& ctx) noexcept {
     };
     (void)load_joints(ctx.model, ctx.work.solve, v, impulse);
     solve_loaded(ctx, v);
-    double* taken = ctx.work.joints.taken.data();
-    std::fill_n(taken, ctx.work.joints.taken.size(), 0.0);
+    double* stress_of_row = ctx.work.joints.taken.data();
+    std::fill_n(stress_of_row, ctx.work.joints.taken.size(), 0.0);
     for (const std::int32_t id : looped) {
         double kept[kMaxInteractionRows];
         if (!repeats[id] || !is_changed(v, id, impulse, kept)) continue;
         ++ctx.work.stats.undetermined;
         for (int r = 0; r < v.rows[id]; ++r)
-            taken[v.row_begin[id] + r] = v.lambda[v.row_begin[id] + r] - kept[r];
+            stress_of_row[v.row_begin[id] + r] = v.lambda[v.row_begin[id] + r] - kept[r];
     }
     keep_momentum(ctx, v);
     for (const std::int32_t id : looped)
@@ -197,8 +197,8 @@ void take_self_stress(context::StepContext& ctx) noexcept {
             const std::int32_t row = v.row_begin[id] + r;
             // The resulting defect of the row's equation is not a residual, because the impulse
             // moves nothing.
-            v.residual[row] += v.sigma[row] * taken[row];
-            v.lambda[row] -= taken[row];
+            v.residual[row] += v.sigma[row] * stress_of_row[row];
+            v.lambda[row] -= stress_of_row[row];
         }
 }
 

@@ -121,13 +121,13 @@ Norms correct(context::Model& model, context::Work& work, runtime::Pool& pool, c
         model, pool,
         [&](int strip) {
             if (!touching && !runs) context::each(strips.bodies(strip), add);
-            double taken = 0.0;
+            double absorbed = 0.0;
             context::each(strips.interactions(strip), [&](std::int32_t a, std::int32_t b) {
                 if (!runs) k.row_update(v, a, b, first);
                 if (next == AfterCorrection::measure) k.row_norms(v, a, b, &solve.norms[at(strip)]);
-                if (solve.losses_known) taken += losses_between(model, v, a, b);
+                if (solve.losses_known) absorbed += losses_between(model, v, a, b);
             });
-            solve.losses[at(strip)] = taken;
+            solve.losses[at(strip)] = absorbed;
         },
         [&](std::int32_t a, std::int32_t b, int norm) {
             if (next == AfterCorrection::measure)

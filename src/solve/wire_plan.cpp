@@ -32,8 +32,8 @@ struct Line {
 
 /// Return the velocity of a body from a packed vector, as kernels read it.
 void velocity_of(const View& v, const double* packed, std::int32_t body, V3& lin, V3& ang) {
-    const double* given = packed == v.v ? v.v_before : v.v_fixed;
-    const double* p = v.dof[body] == 0 ? given + 6 * body : packed + v.dof_begin[body];
+    const double* fixed_velocities = packed == v.v ? v.v_before : v.v_fixed;
+    const double* p = v.dof[body] == 0 ? fixed_velocities + 6 * body : packed + v.dof_begin[body];
     lin = generic::load3(p);
     ang = v.dof[body] == 6 || v.dof[body] == 0 ? generic::load3(p + 3) : V3{0, 0, 0};
 }

@@ -37,15 +37,15 @@ std::vector<double> interface_weights(context::Model& model) {
 /// Return the work of the matrix if the given interfaces are cut [flops].
 double analysed_work(context::StepContext& ctx, std::uint64_t interfaces) {
     state::save_state(ctx, context::Undo::Depth::system);
-    assembly::System beside;
-    beside.max_bytes = ctx.model.def.max_memory;
-    remove_cut_interactions(ctx.model, interfaces, beside);
-    beside.contacts = ctx.model.system.contacts;
+    assembly::System cut_system;
+    cut_system.max_bytes = ctx.model.def.max_memory;
+    remove_cut_interactions(ctx.model, interfaces, cut_system);
+    cut_system.contacts = ctx.model.system.contacts;
     // a copy, because the analysis chooses the forms of rows
     model::Interactions rows = ctx.model.interactions;
-    beside.analyse(ctx.model.bodies, rows, ctx.model.def, ctx.pool.threads());
-    return budget::matrix_work(static_cast<double>(beside.symbolic.flops),
-                               static_cast<double>(beside.symbolic.factor_nnz));
+    cut_system.analyse(ctx.model.bodies, rows, ctx.model.def, ctx.pool.threads());
+    return budget::matrix_work(static_cast<double>(cut_system.symbolic.flops),
+                               static_cast<double>(cut_system.symbolic.factor_nnz));
 }
 
 }  // namespace

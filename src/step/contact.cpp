@@ -145,13 +145,13 @@ void count_contact_work(context::StepContext& ctx) noexcept {
     for (std::size_t k = 0; k < contacts.count(); ++k) {
         const Cone& c = contacts.cones[k];
         const double* before = &ctx.work.contact_speed[3 * k];
-        double taken[3];
+        double absorbed[3];
         for (int i = 0; i < 3; ++i) {
-            taken[i] = -0.5 * c.lambda[i] * (before[i] + c.u[i]);
+            absorbed[i] = -0.5 * c.lambda[i] * (before[i] + c.u[i]);
             ctx.state.ledger.drive -= c.lambda[i] * contacts.rows[k].carried[i];
         }
-        ctx.state.ledger.contact += taken[0];
-        ctx.state.ledger.friction += taken[1] + taken[2];
+        ctx.state.ledger.contact += absorbed[0];
+        ctx.state.ledger.friction += absorbed[1] + absorbed[2];
     }
     const assembly::Resistances& resistances = contacts.resistances;
     const double* before = ctx.work.contact_speed.data() + 3 * contacts.count();

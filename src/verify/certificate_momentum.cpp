@@ -218,8 +218,8 @@ double Verifier::momentum_residual(const World& world) {
         const Twist& old = twist_[b];
         const Vec3 weight =
             def.gravity && !scalar ? Vec3(def.mass * world.settings().gravity) : Vec3::Zero();
-        const Vec3 given = h * (force.linear + weight);
-        Vec3 p = def.mass * (now.linear - twist_[b].linear) - given -
+        const Vec3 load_impulse = h * (force.linear + weight);
+        Vec3 p = def.mass * (now.linear - twist_[b].linear) - load_impulse -
                  drag(def.linear_damping, inverse_mass, old.linear, now.linear) - linear_[b];
         if (scalar) p = Vec3(p.x(), 0.0, 0.0);
         if (const double size = p.norm(); size > 0.0) p *= std::max(0.0, 1.0 - rounded_[b] / size);
@@ -235,7 +235,7 @@ double Verifier::momentum_residual(const World& world) {
         ++covered;
         residual.add(id, p.squaredNorm() / def.mass);
         momentum += def.mass * now.linear.squaredNorm();
-        impulse += given.squaredNorm() / def.mass;
+        impulse += load_impulse.squaredNorm() / def.mass;
         if (!turns) continue;
         const Vec3 l = turn.conjugate() * (spin - h * force.angular -
                                            drag(def.angular_damping, mobility_[b].diagonal(),

@@ -114,11 +114,11 @@ void StateVerifier::before_step(const World& world) {
     potential_ = gravity_ + elastic(world);
     const double kinetic_now = kinetic(world);
     if (steps_ > 0) {
-        const double given = (kinetic_now - kinetic_) + (potential_ - potential_after_);
-        work_ += given;
-        energy_ += given;
+        const double energy_rise = (kinetic_now - kinetic_) + (potential_ - potential_after_);
+        work_ += energy_rise;
+        energy_ += energy_rise;
         const double moving = (kinetic_now - kinetic_) + (gravity_ - gravity_after_);
-        other_work_ += moving - given;
+        other_work_ += moving - energy_rise;
         moving_energy_ += moving;
     }
     impacts_ = world.stats().impacts;
@@ -140,12 +140,12 @@ void StateVerifier::allow_initial_gaps(const World& world,
 
 std::string StateVerifier::restart(const World& world) {
     update_tables(world);
-    std::string wrong = check_edits(world);
+    std::string fault = check_edits(world);
     for (std::vector<Vec3>* v : {&force_, &torque_, &other_force_, &other_torque_})
         std::fill(v->begin(), v->end(), Vec3::Zero());
     previous_deviations_ = {};
     steps_ = 0;
-    return wrong;
+    return fault;
 }
 
 std::string StateVerifier::check_joints(const World& world) {
@@ -208,10 +208,11 @@ std::string StateVerifier::check_lines(const World& world) {
         worst = off;
         where = id;
     }
-    const double lasting = std::min({worst, previous_deviations_[0], previous_deviations_[1]});
+    const double lasting_deviation =
+        std::min({worst, previous_deviations_[0], previous_deviations_[1]});
     previous_deviations_ = {worst, previous_deviations_[0]};
-    result_.cable = std::max(result_.cable, lasting / limit::kCable.wrong);
-    if (lasting <= limit::kCable.wrong) return {};
+    result_.cable = std::max(result_.cable, lasting_deviation / limit::kCable.wrong);
+    if (lasting_deviation <= limit::kCable.wrong) return {};
     const Attached at(world, where, pose_);
     const double rest = parameter(world, where, "length"), tension = -world.force(where)[0];
     return fmt::format(
@@ -236,18 +237,18 @@ std::string StateVerifier::check_turns(const World& world) {
 std::string StateVerifier::after_step(const World& world) {
     now_.resize(pose_.size());
     for (const BodyId id : bodies_) now_[number(id.index)] = world.pose(id);
-    std::string wrong = check_joints(world);
+    std::string fault = check_joints(world);
     std::string other = check_energy(world);
-    if (wrong.empty()) wrong = std::move(other);
-    if (wrong.empty()) wrong = check_lines(world);
-    if (wrong.empty()) wrong = check_turns(world);
+    if (fault.empty()) fault = std::move(other);
+    if (fault.empty()) fault = check_lines(world);
+    if (fault.empty()) fault = check_turns(world);
     other = lasting_faults_.after_step(world, now_);
-    if (wrong.empty()) wrong = std::move(other);
+    if (fault.empty()) fault = std::move(other);
     arrived_ = now_;
     gravity_after_ = gravity(world);
     potential_after_ = gravity_after_ + elastic(world);
     ++steps_;
-    return wrong;
+    return fault;
 }
 
 }  // namespace hawser::verify

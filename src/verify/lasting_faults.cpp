@@ -46,9 +46,9 @@ double shape_thickness(const ShapeDef& s) {
 }  // namespace
 
 std::string LastingFaults::after_step(const World& world, std::span<const Pose> pose) {
-    std::string wrong = check_ranges(world, pose);
+    std::string fault = check_ranges(world, pose);
     std::string other = check_depths(world);
-    return wrong.empty() ? other : wrong;
+    return fault.empty() ? other : fault;
 }
 
 std::string LastingFaults::check_ranges(const World& world, std::span<const Pose> pose) {

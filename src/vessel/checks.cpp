@@ -248,15 +248,15 @@ void check_rudder(const VesselFields& f, const VesselDef& def, std::size_t i) {
 
 /// Check that the names of signals differ, because all of them belong to one list.
 void check_names(const VesselFields& f, const VesselDef& def) {
-    std::vector<std::string> taken;
-    if (VesselSystem::has_set(def)) taken.emplace_back("rudder");
-    if (VesselSystem::has_shaft(def)) taken.emplace_back("rps");
+    std::vector<std::string> used_names;
+    if (VesselSystem::has_set(def)) used_names.emplace_back("rudder");
+    if (VesselSystem::has_shaft(def)) used_names.emplace_back("rps");
     const auto take = [&](const std::string& name, const std::string& field) {
         if (name.empty()) f.fail(field, "give a name");
         if (name.find('.') != std::string::npos) f.fail(field, "a name has no dot");
-        if (std::find(taken.begin(), taken.end(), name) != taken.end())
+        if (std::find(used_names.begin(), used_names.end(), name) != used_names.end())
             f.fail(field, "the name '" + name + "' is taken");
-        taken.push_back(name);
+        used_names.push_back(name);
     };
     for (std::size_t i = 0; i < def.propulsors.size(); ++i)
         take(def.propulsors[i].name, at("propulsors", i, "name"));

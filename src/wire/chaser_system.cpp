@@ -101,9 +101,9 @@ void ChaserSystem::close_on_wire(NodeEdits& nodes) {
     }
     const PointOnWire found = nearest_wire_point(world);
     const auto miss = [&] {
-        const bool reported = in_state(ChaserState::waiting);
+        const bool was_waiting = in_state(ChaserState::waiting);
         value_ = found.distance;
-        set_state(ChaserState::waiting, reported ? Due::nothing : Due::missed);
+        set_state(ChaserState::waiting, was_waiting ? Due::nothing : Due::missed);
     };
     if (!(found.distance <= def_.reach)) return miss();
     const InteractionDef element = world.interaction_def(found.element);
@@ -163,9 +163,9 @@ void ChaserSystem::sample(const World& world) {
 void ChaserSystem::before_step(NodeEdits& nodes) noexcept {
     try {
         const Guide& ids = guide_->ids();
-        const bool there = nodes.world.alive(ids.slide) && nodes.world.alive(ids.before) &&
-                           nodes.world.alive(ids.behind) && nodes.world.alive(ids.friction);
-        if (in_state(ChaserState::on) && !there) set_state(ChaserState::open, Due::nothing);
+        const bool guide_exists = nodes.world.alive(ids.slide) && nodes.world.alive(ids.before) &&
+                                  nodes.world.alive(ids.behind) && nodes.world.alive(ids.friction);
+        if (in_state(ChaserState::on) && !guide_exists) set_state(ChaserState::open, Due::nothing);
         if (in_state(ChaserState::on)) {
             guide_->before_step(nodes);
             if (guide_->has_run_off()) {

@@ -137,8 +137,8 @@ void define(World& world, const ResolutionDef& given) {
     if (std::isnan(def.contact_length)) def.contact_length = 2.0 * def.min_length;
     check_bound(def, "contact_length", def.contact_length);
     if (std::isnan(def.drum_length)) {
-        const double there = length_at_drum(world, def.wire);
-        def.drum_length = there > 0.0 ? std::clamp(there, def.min_length, def.max_length) : 0.0;
+        const double at_drum = length_at_drum(world, def.wire);
+        def.drum_length = at_drum > 0.0 ? std::clamp(at_drum, def.min_length, def.max_length) : 0.0;
     }
     check_bound(def, "drum_length", def.drum_length);
     const std::size_t room =

@@ -251,8 +251,8 @@ WinchIds define(World& world, const WinchDef& given_def) {
     if (def.end != 0 && def.end != 1) throw_def_error(def, "end must be 0, the first one, or 1");
     def.element = feed_element_length(world, def);
     WinchIds ids;
-    const bool given = def.drum.valid();
-    if (given) {
+    const bool has_drum = def.drum.valid();
+    if (has_drum) {
         ids.line = wound_end(world, def);
         ids.drum = def.drum;
         ids.chain = def.chain;
@@ -273,17 +273,17 @@ WinchIds define(World& world, const WinchDef& given_def) {
         }
         const double radius =
             wheel.gypsy ? wheel.gypsy->radius : wheel.drum.leaving_radius(def.stored);
-        if (!given) ids.line = world.wires().spool(def.wire, def.end, wound, radius);
+        if (!has_drum) ids.line = world.wires().spool(def.wire, def.end, wound, radius);
         const wire::WinchInputs inputs = add_inputs(world, def, ids);
-        if (given) {
+        if (has_drum) {
             world.set_input(inputs.drum_zero, world.pose(wound).position.x());
             world.set_input(inputs.radius, radius);
         }
         const double at_drum = world.interaction_def(ids.line).get("length");
         world.add_system(std::make_unique<wire::WinchSystem>(def, wheel, ids, inputs, at_drum));
     } catch (...) {
-        if (!given) (void)world.remove_body(ids.drum);
-        if (!given && ids.chain.valid()) (void)world.remove_body(ids.chain);
+        if (!has_drum) (void)world.remove_body(ids.drum);
+        if (!has_drum && ids.chain.valid()) (void)world.remove_body(ids.chain);
         throw;
     }
     return ids;

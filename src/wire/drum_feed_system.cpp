@@ -80,12 +80,12 @@ void DrumFeedSystem::before_step(NodeEdits& nodes) noexcept {
     if (!makes_nodes() || !world.alive(line_) || !world.intact(line_)) return;
     const InteractionDef& line = world.interaction_def(line_);
     const double turned = world.pose(line.body[2]).position.x() - angle_;
-    const double there = at_drum_ + line.get("radius") * turned;
+    const double drum_side_length = at_drum_ + line.get("radius") * turned;
     const std::size_t node = node_slot(world);
     const Feed feed{line_, node == 1, def_.element, def_.mass_per_length};
-    if (there > kInsertRatio * def_.element)
-        (void)insert_feed_node(nodes, feed, there, at_drum_);
-    else if (there < kRemoveRatio * def_.element)
+    if (drum_side_length > kInsertRatio * def_.element)
+        (void)insert_feed_node(nodes, feed, drum_side_length, at_drum_);
+    else if (drum_side_length < kRemoveRatio * def_.element)
         (void)feed_in_node(nodes, feed, node, at_drum_);
 }
 

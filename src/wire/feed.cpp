@@ -95,9 +95,9 @@ bool insert_feed_node(NodeEdits& nodes, const Feed& feed, double there, double& 
     const double beyond = feed.element / there, fraction = feed.ahead ? 1.0 - beyond : beyond;
     const double mass = feed.mass_per_length * there;
     // Use the bits that the world uses.
-    const double taken = feed.ahead ? 1.0 - fraction : fraction;
+    const double fed_fraction = feed.ahead ? 1.0 - fraction : fraction;
     if (!nodes.insert_node(feed.line, fraction, mass).valid()) return false;
-    at -= taken * there;
+    at -= fed_fraction * there;
     return true;
 }
 
@@ -122,12 +122,14 @@ bool feed_in_node(NodeEdits& nodes, const Feed& feed, std::size_t node, double& 
         return false;
     const BodyId far = beyond.body[node == 0 ? 0 : 1];
     const bool to_node = world.body_def(far).kind == BodyKind::lump;
-    const double there = world.body_def(lump).mass + (to_node ? world.body_def(far).mass : 0.0);
+    const double total_mass =
+        world.body_def(lump).mass + (to_node ? world.body_def(far).mass : 0.0);
     if (!(mass > 0.0) || !nodes.remove_node(lump, kAnyBend)) return false;
     // Nodes may have kept some of their halves (edit/node_drum.cpp).
-    const double given = there - (to_node ? world.body_def(far).mass : -0.5 * mass);
+    const double returned_mass = total_mass - (to_node ? world.body_def(far).mass : -0.5 * mass);
     constexpr double kRounding = 1e-11;
-    at += (std::abs(given - mass) > kRounding * mass ? given : mass) / feed.mass_per_length;
+    at += (std::abs(returned_mass - mass) > kRounding * mass ? returned_mass : mass) /
+          feed.mass_per_length;
     return true;
 }
 

@@ -133,10 +133,10 @@ class LyingChain {
         sum = 0.0;
         for (std::size_t i = count; i-- > 0;) from_last[i] = sum += carried(a + i + 1);
         for (std::size_t i = 0; i < count; ++i) {
-            const double taken = !lifted_first_  ? from_last[i]
-                                 : !lifted_last_ ? from_first[i]
-                                                 : std::min(from_first[i], from_last[i]);
-            out[i] = std::max(0.0, h - friction_ * taken);
+            const double bearing_load = !lifted_first_  ? from_last[i]
+                                        : !lifted_last_ ? from_first[i]
+                                                        : std::min(from_first[i], from_last[i]);
+            out[i] = std::max(0.0, h - friction_ * bearing_load);
         }
         return out;
     }

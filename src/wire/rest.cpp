@@ -136,8 +136,9 @@ class Balance {
         double change = 0.0;
         for (std::size_t i = 1; i <= moving_; ++i) {
             const bool lies = x_[2 * i + 1] <= *surroundings_.bottom;
-            const double most = lies ? surroundings_.friction * std::max(0.0, g[2 * i + 1]) : 0.0;
-            const double f = std::clamp(friction_demand_[i], -most, most);
+            const double max_friction =
+                lies ? surroundings_.friction * std::max(0.0, g[2 * i + 1]) : 0.0;
+            const double f = std::clamp(friction_demand_[i], -max_friction, max_friction);
             change = std::max(change, std::abs(f - friction_[i]));
             friction_[i] = f;
         }

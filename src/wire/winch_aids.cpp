@@ -100,9 +100,9 @@ void WinchSystem::follow_heave(const Prestep& now) noexcept {
     }
     const InteractionDef& line = world.interaction_def(ids_.line);
     const std::size_t fairlead = 1 - node_slot(world);
-    const bool given = def_.heave_body.valid() && world.alive(def_.heave_body);
-    const BodyId body = given ? def_.heave_body : line.body[fairlead];
-    const Vec3 local = given ? def_.heave_point : line.point[fairlead];
+    const bool has_heave_body = def_.heave_body.valid() && world.alive(def_.heave_body);
+    const BodyId body = has_heave_body ? def_.heave_body : line.body[fairlead];
+    const Vec3 local = has_heave_body ? def_.heave_point : line.point[fairlead];
     const Vec3 arm = world.world_point(body, local) - world.pose(body).position;
     const Vec3 gravity = world.settings().gravity;
     const double g = gravity.norm();

@@ -44,15 +44,15 @@ void WinchSystem::before_step(NodeEdits& nodes) noexcept {
     insertion_failed_ = false;
     if (!makes_nodes() || parted_ != 0 || !world.intact(ids_.line)) return;
     const double angle = world.pose(paying_out_body()).position.x();
-    const double there = at_drum_ + radius_ * (angle - angle_);
+    const double drum_side_length = at_drum_ + radius_ * (angle - angle_);
     const std::size_t node = node_slot(world);
     // Ahead: the wire begins at the drum.
     const Feed feed{ids_.line, node == 1, def_.element, def_.mass_per_length};
-    if (there > kInsertRatio * def_.element) {
-        const bool put = insert_feed_node(nodes, feed, there, at_drum_);
+    if (drum_side_length > kInsertRatio * def_.element) {
+        const bool put = insert_feed_node(nodes, feed, drum_side_length, at_drum_);
         // Each step retries; only the first failure is reported.
         insertion_failed_ = !put && at_drum_ <= kInsertRatio * def_.element;
-    } else if (there < kRemoveRatio * def_.element) {
+    } else if (drum_side_length < kRemoveRatio * def_.element) {
         (void)feed_in_node(nodes, feed, node, at_drum_);
     }
 }

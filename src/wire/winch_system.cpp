@@ -251,10 +251,10 @@ void WinchSystem::check_fastening(Prestep& now) noexcept {
     const bool none = stored_ <= 0.0 || (empty_ != 0 && wraps_ < kMinHauledWraps);
     if (none && empty_ == 0) now.tell(EventKind::drum_empty, ids_.drum, pull_);
     empty_ = none ? 1 : 0;
-    const double there = wheel_ ? std::abs(now.world.force(ids_.bitter_end)[0]) / radius_
-                                : tension_behind_wraps(pull_, def_.wrap_friction, wraps_);
-    const bool breaks = def_.weak_link > 0.0 && there > def_.weak_link;
-    if (breaks) now.tell(EventKind::weak_link, ids_.drum, there);
+    const double fastening_load = wheel_ ? std::abs(now.world.force(ids_.bitter_end)[0]) / radius_
+                                         : tension_behind_wraps(pull_, def_.wrap_friction, wraps_);
+    const bool breaks = def_.weak_link > 0.0 && fastening_load > def_.weak_link;
+    if (breaks) now.tell(EventKind::weak_link, ids_.drum, fastening_load);
     if (!breaks && !(none && def_.weak_link == 0.0)) return;
     now.edits.part(ids_.line);
     parted_ = 1;

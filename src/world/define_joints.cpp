@@ -36,9 +36,9 @@ void set_frames(InteractionDef& def, const World& world, std::size_t count, cons
     if (!std::isfinite(length) || !(length > 1e-9))
         throw DefError(label(kind_info(def.kind).name, def.name) +
                        ": its axis has no direction; give one of any length but 0");
-    const Vec3 given = axis / length;
-    const Vec3 z =
-        in == JointFrame::body_a ? Vec3(world.pose(def.body[0]).orientation * given) : given;
+    const Vec3 unit_axis = axis / length;
+    const Vec3 z = in == JointFrame::body_a ? Vec3(world.pose(def.body[0]).orientation * unit_axis)
+                                            : unit_axis;
     const Quat frame = turn_between(Vec3::UnitZ(), z);
     for (std::size_t b = 0; b < count; ++b)
         def.frame[b] = (world.pose(def.body[b]).orientation.conjugate() * frame).normalized();
@@ -68,8 +68,8 @@ namespace {
 void set_limit(InteractionDef& def, const AxisLimit& limit) {
     for (const ParamInfo& p : kind_info(def.kind).params) {
         const bool low = std::string_view(p.name) == "min";
-        const double given = low ? limit.min : limit.max;
-        def.set(p.name, !std::isnan(given) ? given : low ? p.min : p.max);
+        const double bound = low ? limit.min : limit.max;
+        def.set(p.name, !std::isnan(bound) ? bound : low ? p.min : p.max);
     }
     set_rows(def, limit.compliance, limit.damping_time);
 }

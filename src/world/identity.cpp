@@ -194,11 +194,11 @@ std::uint64_t parameters_of(const context::StepContext& ctx, const std::vector<B
             to.array(d.params);
             continue;
         }
-        InteractionDef given = d;
+        InteractionDef without_inputs = d;
         for (const InputDef& input : inputs)
             if (input.interaction.index == static_cast<std::int32_t>(i))
-                given.set(input.param, 0.0);
-        to.array(given.params);
+                without_inputs.set(input.param, 0.0);
+        to.array(without_inputs.params);
     }
     return to.result();
 }

@@ -69,11 +69,11 @@ void check_pair(const World& world, const InputDef& def, double value) {
     for (const auto& [low, high] : kRangeParams) {
         if (def.param != low && def.param != high) continue;
         const char* const other = def.param == low ? high : low;
-        const double there = d.get(other);
-        if (def.param == low ? value <= there : value >= there) continue;
+        const double other_value = d.get(other);
+        if (def.param == low ? value <= other_value : value >= other_value) continue;
         throw DefError(world::label("input", def.name) + ": value = " + world::number(value) +
                        ": " + low + " would be above " + high + ", as " + other + " is " +
-                       world::number(there) + "; set that first");
+                       world::number(other_value) + "; set that first");
     }
 }
 

@@ -97,11 +97,11 @@ std::array<InteractionId, 2> WorldWires::engage(InteractionId element, Interacti
     world::Wire* wire = m.wire_with(element);
     if (wire == nullptr) world::throw_def_error(where, "it is of no wire");
     const double half = 0.5 * edit::mass_of_element(m.ctx, element.index);
-    std::array<double, 2> given{};
+    std::array<double, 2> moved_mass{};
     for (const std::size_t end : {0U, 1U}) {
         if (world_->body_def(old.body[end]).kind != BodyKind::lump || !(half > 0.0)) continue;
-        given[end] = mass_moved_to_guide(*world_, *wire, element, end, half);
-        if (!(given[end] > 0.0))
+        moved_mass[end] = mass_moved_to_guide(*world_, *wire, element, end, half);
+        if (!(moved_mass[end] > 0.0))
             world::throw_def_error(where, "a node at its end has less than half of it");
     }
     m.check_not_needed(element);
@@ -141,10 +141,10 @@ std::array<InteractionId, 2> WorldWires::engage(InteractionId element, Interacti
                                      edit::attachment_point(m.ctx, out[side].index, 1 - side));
         std::erase_if(wire->bends, [&](InteractionId id) { return !world_->alive(id); });
         for (const std::size_t end : {0U, 1U})
-            if (given[end] > 0.0)
-                set_mass(old.body[end], world_->body_def(old.body[end]).mass - given[end]);
+            if (moved_mass[end] > 0.0)
+                set_mass(old.body[end], world_->body_def(old.body[end]).mass - moved_mass[end]);
         world::apply_lateral_impulse(m.ctx, {out[0].index, out[1].index}, speed,
-                                     0.5 * (given[0] + given[1]));
+                                     0.5 * (moved_mass[0] + moved_mass[1]));
     }
     if (m.listener != nullptr) m.listener->laid_over(element, before, behind);
     return out;
@@ -197,7 +197,7 @@ InteractionId WorldWires::disengage(InteractionId before, InteractionId behind,
     const InteractionDef a = world_->interaction_def(before), b = world_->interaction_def(behind);
     world::Wire& wire = m.wire_on_guide(before, behind, element);
     m.check_not_needed(a.body[2]);
-    const std::string given = std::exchange(element.name, "");
+    const std::string element_name = std::exchange(element.name, "");
     const auto is_free_node = [&](BodyId id) {
         return world_->body_def(id).kind == BodyKind::lump;
     };
@@ -255,7 +255,7 @@ InteractionId WorldWires::disengage(InteractionId before, InteractionId behind,
             if (half > 0.0 && is_free_node(ends[end]))
                 world::divide_momentum(m.ctx, ends[end].index, wheel, end);
     }
-    element.name = given;
+    element.name = element_name;
     if (m.listener != nullptr) m.listener->lifted(before, behind, element);
     return out;
 }

@@ -132,14 +132,15 @@ std::string to_string(const BadLoad& load, const World& world) {
     const std::string who = "system '" + std::string(load.system) + "'";
     if (load.of_edit) return who + ": " + load.reason;
     if (load.of_input) {
-        const bool there = world.alive(load.input);
-        const std::string which = there ? "input '" + world.input_def(load.input).name + "'"
-                                        : "input " + std::to_string(load.input.index);
+        const bool input_exists = world.alive(load.input);
+        const std::string which = input_exists ? "input '" + world.input_def(load.input).name + "'"
+                                               : "input " + std::to_string(load.input.index);
         return who + ": " + which + ": " + load.reason;
     }
-    const bool there = world.alive(load.body);
+    const bool body_exists = world.alive(load.body);
     return who + ": its load" +
-           (there ? " on " + world::label("body", world.body_def(load.body).name) : std::string()) +
+           (body_exists ? " on " + world::label("body", world.body_def(load.body).name)
+                        : std::string()) +
            ": " + load.reason;
 }
 

@@ -189,8 +189,8 @@ std::pair<InteractionId, double> WorldImpl::cut_outside_carried(const world::Wir
     double begin = 0.0, end = 0.0;
     for (std::size_t k = 0; k < last; ++k) {
         const InteractionId element = wire.elements[k];
-        const bool there = in.slots.names(element);
-        const double length = there ? in.rest_length[at(element.index)] : 0.0;
+        const bool exists = in.slots.names(element);
+        const double length = exists ? in.rest_length[at(element.index)] : 0.0;
         if (k < first) begin += length;
         end += length;
     }

@@ -99,8 +99,8 @@ double WorldImpl::bend_stiffness_near(const edit::NodeSurroundings& place,
                in.def[at(id)].get("EA") == in.def[at(place.first)].get("EA");
     };
     const bool first = place.bend[0] >= 0 && (same_line(place.before[0]) || place.bend[2] < 0);
-    const std::int32_t beside = first ? place.bend[0] : place.bend[2];
-    if (beside >= 0) return in.def[at(beside)].get("EI");
+    const std::int32_t adjacent_bend = first ? place.bend[0] : place.bend[2];
+    if (adjacent_bend >= 0) return in.def[at(adjacent_bend)].get("EI");
     return wire != nullptr ? wire->trim.EI : 0.0;
 }
 

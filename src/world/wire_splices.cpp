@@ -111,15 +111,15 @@ Joint WorldImpl::splice(World& world, BodyId a, BodyId b) {
     wires.slots.reserve_more();
     const std::int32_t near[2] = {edit::bend_at_body(ctx, other_end_a.index, a.index),
                                   edit::bend_at_body(ctx, other_end_b.index, b.index)};
-    const std::int32_t beside = near[0] >= 0 ? near[0] : near[1];
+    const std::int32_t adjacent_bend = near[0] >= 0 ? near[0] : near[1];
     InteractionId bend;
     const context::Edited edited = ctx.state.ledger.edited;
     const context::Edited had = edit::splice_energy(ctx, a.index, b.index, ea, eb);
-    if (beside >= 0) {
+    if (adjacent_bend >= 0) {
         const double length = 0.5 * (in.rest_length[at(ea)] + in.rest_length[at(eb)]);
         const SilencedListener silenced(*this);
         bend = world.add_interaction(
-            bend_at_splice(in, beside, one.slot == 1 ? other_end_a : other_end_b, a,
+            bend_at_splice(in, adjacent_bend, one.slot == 1 ? other_end_a : other_end_b, a,
                            one.slot == 1 ? other_end_b : other_end_a, length));
     }
     // No call below throws.

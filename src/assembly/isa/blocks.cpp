@@ -122,8 +122,8 @@ void geometric(const View& view, const Op& op, Place out) {
     if (op.width == 0) return damp_arms(view, op, out);
     const double* rec = view.geo_record + view.geo[op.id].record;
     const bool rigid_a = op.dof_a == 6, rigid_b = op.dof_b == 6;
-    const bool same = op.a == op.b;
-    const double sign = same ? 1.0 : -1.0;
+    const bool diagonal = op.a == op.b;
+    const double sign = diagonal ? 1.0 : -1.0;
     if (const double pair = pair_mass_of(view, op.id); pair != 0.0)
         for (int i = 0; i < 3; ++i) out(i, i) -= sign * pair;
     if (rec[0] != 0.0) {

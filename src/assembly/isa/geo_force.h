@@ -12,8 +12,8 @@ namespace hawser::HAWSER_ISA {
 inline void slot_velocity(const assembly::View& view, const double* v, std::int32_t body, V3& lin,
                           V3& ang) {
     const int dof = view.dof[body];
-    const double* given = v == view.v ? view.v_before : view.v_fixed;
-    const double* p = dof == 0 ? given + 6 * body : v + view.dof_begin[body];
+    const double* fixed_velocities = v == view.v ? view.v_before : view.v_fixed;
+    const double* p = dof == 0 ? fixed_velocities + 6 * body : v + view.dof_begin[body];
     lin = dof == 1 ? V3{0, 0, 0} : load3(p);
     ang = dof == 6 || dof == 0 ? load3(p + 3) : V3{0, 0, 0};
 }

@@ -160,8 +160,8 @@ void condense(const View& view, const LaneOp& op, LaneTarget out) {
 /// blocks.cpp.
 void geometric(const View& view, const LaneOp& op, LaneTarget out) {
     const bool rigid_a = op.dof_a == 6, rigid_b = op.dof_b == 6;
-    const bool same = op.a == op.b;
-    const V8 sign = used_lanes(op) * (same ? 1.0 : -1.0);
+    const bool diagonal = op.a == op.b;
+    const V8 sign = used_lanes(op) * (diagonal ? 1.0 : -1.0);
     if (op.width == 0) {
         const V8 damping = sign * pick(view.jacobian, op.from, model::kArmsDamping);
         for (int i = 3; i < 6; ++i) out.add(i, i, damping);

@@ -168,23 +168,23 @@ double row_losses(const View& view, std::int32_t begin, std::int32_t end, std::i
     const std::int32_t first = view.row_begin[begin];
     const std::int32_t rows = view.row_begin[end - 1] + view.rows[end - 1] - first;
     const bool faded = any_faded(view, first, rows);
-    V8 taken{};
+    V8 loss_sums{};
     *left_count = 0;
     if (!faded && all_plain(view, begin, end, first, rows)) {
-        (void)add_losses<true>(view, first, rows, nullptr, taken);
-        return sum(taken);
+        (void)add_losses<true>(view, first, rows, nullptr, loss_sums);
+        return sum(loss_sums);
     }
     Marks marks;
     *left_count = mark(view, begin, end, first, faded, marks, left);
     marks.set(rows, 0.0, 0.0, 0.0, 0.0, 0.0);
-    if (add_losses<false>(view, first, rows, &marks, taken)) {
+    if (add_losses<false>(view, first, rows, &marks, loss_sums)) {
         for (std::int32_t id = begin; id < end; ++id) {
             const std::int32_t row = view.row_begin[id] - first;
             if (view.rows[id] > 0 && marks.counts[row] != 0.0 && marks.pulls[row] != 0.0)
                 left[(*left_count)++] = id;
         }
     }
-    return sum(taken);
+    return sum(loss_sums);
 }
 
 }  // namespace hawser::HAWSER_ISA

@@ -129,7 +129,7 @@ void segment_polygon(const View& view, const Poly& s, const ProjectedPolygon& po
     const Point2 p = view.project_to_view(s.p[0]), q = view.project_to_view(s.p[1]);
     const unsigned own = first ? 0U : 1U;
     // Two cuts at one corner of the polygon differ only by rounding; the first edge applies.
-    const double same = snap / norm(s.p[1] - s.p[0]);
+    const double parameter_tolerance = snap / norm(s.p[1] - s.p[0]);
     double t[2] = {0.0, 1.0};
     std::uint32_t name[2] = {feature(own, s.vertex[0], 0), feature(own, s.vertex[1], 0)};
     for (int i = 0; i < polygon.count; ++i) {
@@ -143,18 +143,18 @@ void segment_polygon(const View& view, const Poly& s, const ProjectedPolygon& po
         if (d >= -snap && e >= -snap) continue;
         const double cut = d / (d - e);
         const int end = d < e ? 0 : 1;
-        if (end == 0 ? cut > t[0] + same : cut < t[1] - same) {
+        if (end == 0 ? cut > t[0] + parameter_tolerance : cut < t[1] - parameter_tolerance) {
             t[end] = cut;
             name[end] = feature(2, first ? s.edge[0] : polygon.edge[i],
                                 first ? polygon.edge[i] : s.edge[0]);
         }
     }
-    if (t[0] > t[1] + same) return;
+    if (t[0] > t[1] + parameter_tolerance) return;
     for (int end = 0; end < 2; ++end) {
         const V3 on = s.p[0] + t[end] * (s.p[1] - s.p[0]);
         const V3 other = view.point_over_polygon(view.project_to_view(on), polygon);
         add_point(first ? on : other, first ? other : on, view.n, name[end], out);
-        if (t[1] - t[0] <= same) return;
+        if (t[1] - t[0] <= parameter_tolerance) return;
     }
 }
 

@@ -72,14 +72,16 @@ Separation separate(const Convex& a, const Convex& b, double enough) {
         return segment_triangle(segment_of(a), b, closed) ? closed : separate_flat_cores(a, b);
     if (first_thin && b.kind == ShapeKind::cylinder)
         return segment_cylinder(segment_of(a), b, closed) ? closed : separate_from_cylinder(a, b);
-    const GjkResult apart = gjk(a, b, enough);
-    if (apart.separated && apart.distance > enough) return {apart.n, apart.distance};
-    if (!apart.separated && is_flat(a) && is_flat(b)) return separate_flat_cores(a, b);
-    if (!apart.separated) return separate_solid_cores(a, b);
-    const Separation best = polish(a, b, apart.n, apart.distance);
+    const GjkResult gjk_result = gjk(a, b, enough);
+    if (gjk_result.separated && gjk_result.distance > enough)
+        return {gjk_result.n, gjk_result.distance};
+    if (!gjk_result.separated && is_flat(a) && is_flat(b)) return separate_flat_cores(a, b);
+    if (!gjk_result.separated) return separate_solid_cores(a, b);
+    const Separation best = polish(a, b, gjk_result.n, gjk_result.distance);
     // If GJK could not distinguish separation from contact, its normal is inaccurate.
     const double size = a.size + b.size;
-    if (best.s > apart.distance - 1e-6 * size || apart.distance > 1e-3 * size) return best;
+    if (best.s > gjk_result.distance - 1e-6 * size || gjk_result.distance > 1e-3 * size)
+        return best;
     const Separation other =
         is_flat(a) && is_flat(b) ? separate_flat_cores(a, b) : separate_solid_cores(a, b);
     return other.s > best.s ? other : best;

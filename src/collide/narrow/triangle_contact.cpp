@@ -137,9 +137,10 @@ void touch_triangle(const Convex& shape, const SurfaceTriangle& t, double margin
         add_points(shape, triangle, best.n, best.s, margin, found);
     else
         add_points_along_normal(shape, t, n, margin, found);
-    const double same = 4.0 * kSamePoint * (shape.size + shape.rounding + triangle.size);
+    const double same_point_distance =
+        4.0 * kSamePoint * (shape.size + shape.rounding + triangle.size);
     // A shape separated from a two-sided triangle but with deep points lies over its other side.
-    if (!t.solid && best.s > shape.rounding + same && !none_overlaps(found)) return;
+    if (!t.solid && best.s > shape.rounding + same_point_distance && !none_overlaps(found)) return;
     for (int i = 0; i < found.count; ++i) {
         Point p = found.p[i];
         p.feature = name_of(t, p.feature);
@@ -147,7 +148,8 @@ void touch_triangle(const Convex& shape, const SurfaceTriangle& t, double margin
         bool known = false;
         for (int k = 0; k < out.count && !known; ++k) {
             const V3 d = out.p[k].on1 - p.on1;
-            known = dot(d, d) < same * same && dot(out.p[k].normal, p.normal) > kMinGroupCosine;
+            known = dot(d, d) < same_point_distance * same_point_distance &&
+                    dot(out.p[k].normal, p.normal) > kMinGroupCosine;
         }
         if (!known) out.add(p);
     }

@@ -91,12 +91,12 @@ void draw_edges(Drawing& d, const InteractionGraph& g, const Scope& s, bool part
             const bool wide = e.nodes.size() > 2;
             if (pass != (parts && e.cut ? 2 : wide ? 0 : 1)) continue;
             std::vector<Point> at_nodes;
-            bool seen = false;
+            bool any_visible = false;
             for (const std::int32_t n : e.nodes) {
                 at_nodes.push_back(s.to_page(g.nodes[at(n)].position));
-                seen |= s.is_visible(g.nodes[at(n)].position);
+                any_visible |= s.is_visible(g.nodes[at(n)].position);
             }
-            if (!seen) continue;
+            if (!any_visible) continue;
             const Color color = edge_color(g, e, parts);
             const double width = scale * (pass == 2 ? 2.6 : wide ? 4.2 : 1.1);
             for (const Vec3& p : e.fixed) {
@@ -143,25 +143,25 @@ void draw_nodes(Drawing& d, const InteractionGraph& g, const Scope& s, bool part
 
 /// Find dense groups of bodies other than wire nodes, most crowded first.
 std::vector<Bounds> dense_groups(const InteractionGraph& g, double reach, std::size_t most) {
-    std::vector<bool> taken(g.nodes.size(), false);
+    std::vector<bool> assigned(g.nodes.size(), false);
     std::vector<Bounds> out;
     const auto counts = [&](const GraphNode& n) { return n.kind != BodyKind::lump; };
     while (out.size() < most) {
         std::size_t best = 0, best_count = 0;
         for (std::size_t i = 0; i < g.nodes.size(); ++i) {
-            if (taken[i] || !counts(g.nodes[i])) continue;
+            if (assigned[i] || !counts(g.nodes[i])) continue;
             std::size_t near = 0;
             for (std::size_t j = 0; j < g.nodes.size(); ++j)
-                near += !taken[j] && counts(g.nodes[j]) &&
+                near += !assigned[j] && counts(g.nodes[j]) &&
                         (g.nodes[i].position - g.nodes[j].position).norm() < reach;
             if (near > best_count) best_count = near, best = i;
         }
         if (best_count < 4) break;
         Bounds b;
         for (std::size_t j = 0; j < g.nodes.size(); ++j)
-            if (!taken[j] && counts(g.nodes[j]) &&
+            if (!assigned[j] && counts(g.nodes[j]) &&
                 (g.nodes[best].position - g.nodes[j].position).norm() < reach) {
-                taken[j] = true;
+                assigned[j] = true;
                 b.add(g.nodes[j].position);
             }
         out.push_back(b);

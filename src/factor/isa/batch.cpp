@@ -103,11 +103,11 @@ HAWSER_INLINE void solve_below(const Columns<kSides>& m, int c, int r, int h,
 template <int N, int kSides>
 inline void factor_columns(const Columns<kSides> m, int c, int n, V8& bad) {
     Triangle<N, kSides> t[kParts];
-    V8 wrong[N];
-    for (int h = 0; h < kParts; ++h) factor_triangle<N, kSides>(m, c, h, t[h], wrong);
+    V8 wrong_pivots[N];
+    for (int h = 0; h < kParts; ++h) factor_triangle<N, kSides>(m, c, h, t[h], wrong_pivots);
     for (int j = 0; j < N; ++j) {
-        if constexpr (kSides == 2) mark_wrong_pivots(m, c + j, wrong[j]);
-        bad += wrong[j];
+        if constexpr (kSides == 2) mark_wrong_pivots(m, c + j, wrong_pivots[j]);
+        bad += wrong_pivots[j];
     }
     for (int r = c + N; r < n; r += kTile)
         with_size(n - r, [&]<int R>() {

@@ -73,7 +73,7 @@ struct Trapezoid {
 template <int N, int kSides>
 inline int factor_block(const Trapezoid<kSides> t, int k0) {
     const long ld = t.ld;
-    int wrong = 0;
+    int wrong_pivots = 0;
     V8 top[kSides][N];
     double inverse[N], diagonal[N], scaled[kSides][N][N];
     for (int s = 0; s < kSides; ++s)
@@ -85,7 +85,7 @@ inline int factor_block(const Trapezoid<kSides> t, int k0) {
         double d = diagonal[c];
         // The sign is known, see Symbolic::sign. The form !(…) also detects NaN.
         if (!(d * t.sign[k0 + c] > 0) || d - d != 0) {
-            ++wrong;
+            ++wrong_pivots;
             if constexpr (kSides == 2) t.wrong[k0 + c] = 1;
             // In unsymmetric fronts the other sign may be correct, see unsymmetric.h.
             if (kSides == 1 || d == 0 || d - d != 0) d = t.sign[k0 + c];
@@ -124,14 +124,14 @@ inline int factor_block(const Trapezoid<kSides> t, int k0) {
                 }
         }
     }
-    return wrong;
+    return wrong_pivots;
 }
 
 template <int kSides>
 inline int factor_columns(const Trapezoid<kSides> t, int k0, int count) {
-    int wrong = 0;
-    with_count(count, [&]<int N>() { wrong = factor_block<N>(t, k0); });
-    return wrong;
+    int wrong_pivots = 0;
+    with_count(count, [&]<int N>() { wrong_pivots = factor_block<N>(t, k0); });
+    return wrong_pivots;
 }
 
 /// Compute kRegisters registers of rows of C −= L · Wᵀ, or of C = −L · Wᵀ if kFirst.
@@ -235,7 +235,7 @@ inline void update_behind_pivots(const Front& front, double* panel, double* upda
 /// it first receives the updates of all blocks before it.
 template <int kSides>
 inline int factor_deep(const Trapezoid<kSides> t, int d0, int d1) {
-    int wrong = 0;
+    int wrong_pivots = 0;
     for (int k0 = d0; k0 < d1; k0 += kPivotBlock) {
         const int k1 = k0 + kPivotBlock < d1 ? k0 + kPivotBlock : d1;
         Trapezoid<kSides> block = t;
@@ -245,9 +245,9 @@ inline int factor_deep(const Trapezoid<kSides> t, int d0, int d1) {
                                     k0 - d0, k0, k1, static_cast<int>(t.rows));
             block.w[s] += (k0 - d0) * t.ld;
         }
-        wrong += factor_columns(block, k0, k1 - k0);
+        wrong_pivots += factor_columns(block, k0, k1 - k0);
     }
-    return wrong;
+    return wrong_pivots;
 }
 
 template <int kSides>
@@ -266,33 +266,33 @@ inline int factor_front(const FactorView& view, const Front& front, double* scra
         t.wrong = view.wrong + front.offset;
         update[1] = view.upper_update(front.update);
     }
-    int wrong = 0;
+    int wrong_pivots = 0;
     extend_add<true, 0>(view, front, t.panel[0], update[0]);
     if constexpr (kSides == 2) extend_add<true, 1>(view, front, t.panel[1], update[1]);
     for (int d0 = 0; d0 < front.p; d0 += kUnscaledColumns) {
         const int d1 = d0 + kUnscaledColumns < front.p ? d0 + kUnscaledColumns : front.p;
-        wrong += factor_deep(t, d0, d1);
+        wrong_pivots += factor_deep(t, d0, d1);
         for (int s = 0; s < kSides; ++s)
             update_behind_pivots(front, t.panel[s], update[s], t.w[t.other(s)], d0, d1);
     }
     extend_add<false, 0>(view, front, t.panel[0], update[0]);
     if constexpr (kSides == 2) extend_add<false, 1>(view, front, t.panel[1], update[1]);
-    return wrong;
+    return wrong_pivots;
 }
 
 int factor_fronts(const FactorView& view, std::int32_t begin, std::int32_t end,
                   double* scratch) noexcept {
-    int wrong = 0;
+    int wrong_pivots = 0;
     for (std::int32_t f = begin; f < end; ++f) {
         const Front& front = view.fronts[f];
         if (front.batch >= 0) continue;
         if (view.is_unsymmetric(f)) {
-            wrong += factor_front<2>(view, front, scratch);
+            wrong_pivots += factor_front<2>(view, front, scratch);
             continue;
         }
-        wrong += factor_front<1>(view, front, scratch);
+        wrong_pivots += factor_front<1>(view, front, scratch);
     }
-    return wrong;
+    return wrong_pivots;
 }
 
 }  // namespace

@@ -206,10 +206,10 @@ double speed_of_range(const World& world, const InteractionDef& motor,
     const auto axis = [&](const InteractionDef& d) {
         return Vec3(world.pose(d.body[0]).orientation * (d.frame[0] * Vec3::UnitZ()));
     };
-    const double same = axis(motor).dot(axis(range));
-    if (std::abs(same) < 1.0 - 1e-9) return 0.0;
+    const double cosine = axis(motor).dot(axis(range));
+    if (std::abs(cosine) < 1.0 - 1e-9) return 0.0;
     const bool swapped = motor.body[0].index != range.body[0].index;
-    return ((same > 0.0) != swapped ? 1.0 : -1.0) * motor.get("speed");
+    return ((cosine > 0.0) != swapped ? 1.0 : -1.0) * motor.get("speed");
 }
 
 }  // namespace
