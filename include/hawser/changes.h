@@ -30,7 +30,7 @@ struct Structure;  // structure.h
 class ChangeListener {
   public:
     virtual ~ChangeListener() = default;
-    /// Report an added object with its definition as the caller gave it, without filled-in
+    /// Receive an added object with its definition as the caller gave it, without filled-in
     /// defaults.
     virtual void added(const BodyDef& def) noexcept = 0;
     virtual void added(const InteractionDef& def) noexcept = 0;
@@ -38,74 +38,77 @@ class ChangeListener {
     virtual void added(const InputDef& def) noexcept = 0;
     virtual void added(const MaterialDef& def) noexcept = 0;
     virtual void added(const MaterialPairDef& def) noexcept = 0;
-    /// Report the removal of an object. Attached objects that are removed with it are not reported.
+    /// Receive the removal of an object. Attached objects that are removed with it are not
+    /// reported.
     virtual void removed(BodyId id) noexcept = 0;
     virtual void removed(InteractionId id) noexcept = 0;
     virtual void removed(ShapeId id) noexcept = 0;
     virtual void removed(InputId id) noexcept = 0;
-    /// Report World::set_input() with the requested value, before clamping.
+    /// Receive a call of World::set_input() with the requested value, before clamping.
     virtual void set(InputId id, double value) noexcept = 0;
-    /// Report World::set_force().
+    /// Receive a call of World::set_force().
     virtual void set_force(BodyId id, const Vec3& force, const Vec3& torque) noexcept = 0;
-    /// Report World::set_pose().
+    /// Receive a call of World::set_pose().
     virtual void set_pose(BodyId id, const Pose& pose) noexcept = 0;
-    /// Report World::set_velocity().
+    /// Receive a call of World::set_velocity().
     virtual void set_velocity(BodyId id, const Twist& twist) noexcept = 0;
-    /// Report World::wake().
+    /// Receive a call of World::wake().
     virtual void woken(BodyId id) noexcept = 0;
-    /// Report WorldSplits::set_group().
+    /// Receive a call of WorldSplits::set_group().
     virtual void set_group(BodyId id, const std::string& group) noexcept = 0;
-    /// Report WorldSplits::set_groups().
+    /// Receive a call of WorldSplits::set_groups().
     virtual void set_groups(int parts) noexcept = 0;
-    /// Report WorldSplits::follow_groups().
+    /// Receive a call of WorldSplits::follow_groups().
     virtual void follow_groups(int parts, int every) noexcept = 0;
-    /// Report WorldSplits::set_coupling().
+    /// Receive a call of WorldSplits::set_coupling().
     virtual void set_coupling(InteractionId id, Coupling coupling) noexcept = 0;
-    /// Report WorldSolver::degrade_next_step().
+    /// Receive a call of WorldSolver::degrade_next_step().
     virtual void degraded(const Degradation& degradation) noexcept = 0;
-    /// Report that changes could not be reported because allocation failed. A list of changes is
+    /// Receive the notice that changes were lost because allocation failed. A list of changes is
     /// then incomplete.
     virtual void lost() noexcept = 0;
-    /// Report WorldWires::part(). Elements that break by overload are not reported.
+    /// Receive a call of WorldWires::part(). Elements that break by overload are not reported.
     virtual void parted(InteractionId id) noexcept = 0;
-    /// Report WorldWires::insert_node().
+    /// Receive a call of WorldWires::insert_node().
     /// @param mass  Mass as given; NaN: the default.
     virtual void node_inserted(InteractionId element, double share, double mass) noexcept = 0;
-    /// Report WorldWires::remove_node() that removed the node.
+    /// Receive a call of WorldWires::remove_node() that removed the node.
     virtual void node_removed(BodyId node, double bend) noexcept = 0;
-    /// Report WorldWires::set_mass().
+    /// Receive a call of WorldWires::set_mass().
     virtual void set_mass(BodyId lump, double mass) noexcept = 0;
-    /// Report WorldWires::engage(), with definitions as given.
+    /// Receive a call of WorldWires::engage(), with definitions as given.
     virtual void laid_over(InteractionId element, const InteractionDef& before,
                            const InteractionDef& behind) noexcept = 0;
-    /// Report WorldWires::disengage(), with the definition as given.
+    /// Receive a call of WorldWires::disengage(), with the definition as given.
     virtual void lifted(InteractionId before, InteractionId behind,
                         const InteractionDef& element) noexcept = 0;
-    /// Report WorldWires::move_along() that moved the parts.
+    /// Receive a call of WorldWires::move_along() that moved the parts.
     virtual void moved_along(InteractionId before, InteractionId behind, double along,
                              double fed) noexcept = 0;
-    /// Report all forms of WorldWires::cut(), as the cut of an element.
+    /// Receive a call of any form of WorldWires::cut(), converted to the cut of an element.
+    /// @param share  Position of the cut as a fraction of the element length from its first end.
     virtual void cut(InteractionId element, double share) noexcept = 0;
-    /// Report WorldWires::join() and attach().
+    /// Receive a call of WorldWires::join() and attach().
     /// @param a  Node of the free end.
     /// @param b  Node of the other end, or a body.
     /// @param point  Point in the frame of the body b [m].
     virtual void joined(BodyId a, BodyId b, const Vec3& point, const JoinDef& def) noexcept = 0;
-    /// Report all forms of WorldWires::detach(), as the detachment of an element.
+    /// Receive a call of any form of WorldWires::detach(), converted to the detachment of an
+    /// element. @param end  Detached end of the element, 0 or 1.
     virtual void detached(InteractionId element, int end) noexcept = 0;
-    /// Report WorldWires::release().
+    /// Receive a call of WorldWires::release().
     virtual void released(InteractionId hook) noexcept = 0;
-    /// Report a restored state: WorldState::restore(), or copy_from() a world whose save() returns
-    /// these bytes.
+    /// Receive a restored state: a call of WorldState::restore(), or of copy_from() a world whose
+    /// save() returns these bytes.
     virtual void restored(std::span<const std::byte> bytes) noexcept = 0;
-    /// Report WorldState::restore() with another structure.
+    /// Receive a call of WorldState::restore() with another structure.
     /// @param bytes  State of the structure.
     virtual void restored(const Structure& made_of, std::span<const std::byte> bytes) noexcept = 0;
     /// Return a mark of the changes reported until now. The world calls it at the start of each
     /// step, and of each function that makes several changes.
     virtual std::size_t mark() noexcept = 0;
-    /// Report that a step or function failed and its changes are undone. A replay must omit all
-    /// changes that were reported since the mark.
+    /// Receive the notice that a step or function failed and its changes are undone. A replay must
+    /// omit all changes that were reported since the mark.
     virtual void undone(std::size_t mark) noexcept = 0;
 };
 

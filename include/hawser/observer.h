@@ -24,7 +24,7 @@ struct Observer {
     Observer& operator=(Observer&&) = default;
     virtual ~Observer() = default;
 
-    /// Prepare for the step that follows.
+    /// Called before each step. Read here the state that after_step() compares with.
     virtual void before_step(const World&) {}
     /// Process a completed step.
     /// @param events  Events of this step.

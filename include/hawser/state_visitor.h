@@ -31,7 +31,7 @@ class StateVisitor {
     [[nodiscard]] virtual bool around_step() const noexcept { return false; }
 
   protected:
-    /// Visit data as bytes.
+    /// Visit `size` bytes of the state at `data`.
     virtual void bytes(void* data, std::size_t size) = 0;
     /// Visit numbers of the state; by default as bytes.
     virtual void numbers(std::span<double> values) { bytes(values.data(), values.size_bytes()); }
@@ -49,7 +49,7 @@ class StateRules {
     void range(double value, double least, double most, const char* what) noexcept {
         require(value >= least && value <= most, what);
     }
-    /// Require 0 or 1.
+    /// Check that a restored flag is 0 or 1. @param what  Name of the flag in the message.
     void flag(std::int32_t value, const char* what) noexcept {
         require(value == 0 || value == 1, what);
     }

@@ -228,7 +228,7 @@ class Edits {
     void remove_interaction(InteractionId id) noexcept { hands_.remove(id); }
     void remove_shape(ShapeId id) noexcept { hands_.remove(id); }
     void remove_wire(WireId id) noexcept { hands_.remove(id); }
-    /// Break an element of a wire, as WorldWires::part().
+    /// Break an element of a wire, like WorldWires::part().
     void part(InteractionId id) noexcept { hands_.part(id); }
 
   private:
@@ -238,7 +238,7 @@ class Edits {
 /// List of the objects that a system needs and that must not be removed (System::holds()).
 class HoldTable {
   public:
-    /// Add an object to the list.
+    /// Add an object that the system refers to, and that must not be removed.
     void hold(BodyId id) { bodies.push_back(id); }
     void hold(InteractionId id) { interactions.push_back(id); }
     void hold(ShapeId id) { shapes.push_back(id); }
@@ -314,7 +314,7 @@ class NodeEdits {
         virtual bool begin() noexcept = 0;
         /// Report that an edit failed for lack of memory: the step fails.
         virtual void out_of_memory() noexcept = 0;
-        /// Report an event of the step.
+        /// Send an event. Readers of the world receive it after the step has succeeded.
         virtual void tell(const Event& event) noexcept = 0;
 
       protected:
