@@ -137,7 +137,7 @@ void check_exercise_files(const ViewOptions& options, const scene::Scene& scene)
                            {"--summary", options.summary}});
 }
 
-/// Write score, summary and report.
+/// Write the score, the summary and the report of an exercise after its end.
 void close_exercise(const ViewOptions& options, const std::string& recording,
                     const exercise::Exercise& exercise, const exercise::Run& run) {
     const exercise::Result& result = run.result();

@@ -86,7 +86,7 @@ class Playing {
         }
     }
 
-    /// Record that a frame is shown now.
+    /// Store the present time as the time at which a frame was shown.
     void note_shown() noexcept { shown_ = Pace::Clock::now(); }
     /// True if 100 ms have passed since the last frame. A paused scene is sent ten times a second,
     /// so that new clients receive it.

@@ -16,7 +16,7 @@
 namespace hawser::assembly {
 
 struct ContactSlot {
-    std::int32_t dof_begin;  ///< Offset in packed velocities; unused without freedom.
+    std::int32_t dof_begin;  ///< Offset in packed velocities; unused without degrees of freedom.
     std::int32_t body;
     std::int32_t dof;  ///< 6, 3 or 0.
     double weight;     ///< Negative on side 0.

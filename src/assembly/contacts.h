@@ -7,7 +7,7 @@
 /// change the structure at every contact. The structure changes only if two bodies touch for the
 /// first time. The pair becomes a *link*, an edge of the pattern. It stays until it has not been
 /// used for kKeepLinks steps and another link is needed. A contact with the ground needs no link:
-/// it uses the own block of the body.
+/// it uses the diagonal block of the body.
 ///
 /// Memory: while a contact sticks, its tangential rows act as a spring between two anchors. Each is
 /// fixed in the frame of one side. On a segment the anchor is fixed at a position along it; if a
@@ -64,7 +64,7 @@ class Contacts {
     /// Change of the blocks.
     enum class Blocks : std::uint8_t {
         same,
-        own,  ///< Only own blocks of bodies without links were added or removed.
+        own,  ///< Only diagonal blocks of bodies without links were added or removed.
         links
     };
     /// Set the bodies that have shapes. Call if they change. @throws std::bad_alloc.
@@ -182,7 +182,7 @@ class Contacts {
     };
     base::Array<ContactMemory> next_;  ///< Memory of the contacts of this step.
     std::vector<Extra> extra_;
-    std::vector<std::int32_t> own_block_;  ///< By body; −1: no shape or no freedom.
+    std::vector<std::int32_t> own_block_;  ///< By body; −1: no shape or no degrees of freedom.
     std::vector<std::int32_t> touching_, touching_before_;
     std::vector<std::int32_t> needed_;  ///< Block of each pair of slots, 16 per contact.
     std::vector<ContactTerm> terms_;

@@ -49,8 +49,8 @@ class LaneSharer {
     /// input. @param step  Distance of rows. @throws std::bad_alloc.
     void add(const OpParts& op, std::int64_t address, std::int32_t step, int rows,
              std::int32_t from, base::Array<LaneOp>& lane_ops);
-    /// End a step. Ops of several lanes follow `done` in `lane_ops`; ops of a single lane are moved
-    /// to `ops`. @throws std::bad_alloc.
+    /// End a step. Ops that fill several lanes stay in `lane_ops`, after the lane ops of earlier
+    /// steps. Ops of a single lane move to `ops`. @throws std::bad_alloc.
     void end(base::Array<LaneOp>& lane_ops, base::Array<Op>& ops);
     [[nodiscard]] std::size_t bytes() const noexcept;
 

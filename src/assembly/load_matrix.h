@@ -14,7 +14,7 @@ namespace hawser::assembly {
 
 /// Return uᵀ S v for a symmetric matrix S of order n.
 [[nodiscard]] double product(const double* s, int n, const double* u, const double* v) noexcept;
-/// Add factor S v to out.
+/// Add factor · S v to `out`, for a symmetric matrix S of order n.
 void add_product(const double* s, int n, double factor, const double* v, double* out) noexcept;
 /// True if a matrix is finite and positive semi-definite, independent of the units of its rows.
 /// Uses L D Lᵀ of the matrix scaled to a unit diagonal.

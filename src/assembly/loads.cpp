@@ -32,8 +32,8 @@ bool all_finite(const double* v, int n) noexcept {
     return true;
 }
 
-/// Return model::late_fraction(z). For a small z, as most loads of nodes have, a series is used,
-/// which needs neither an exponential nor a division. Its next term is below 1e-15.
+/// Return the fraction θ of a damper (model::late_fraction(z)). Small z, as in most loads of nodes,
+/// use a series without exponential and division. The first omitted term is below 1e-15.
 double late_fraction_of(double z) noexcept {
     if (!(z > 0.0 && z < 0.3)) return model::late_fraction(z);
     const double s = z * z;

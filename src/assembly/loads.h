@@ -125,8 +125,8 @@ class LoadStore {
     /// Return the impulses h f of loads times the change of velocities in the step [J].
     [[nodiscard]] double gain(const model::Bodies& bodies, double h, const double* v,
                               const double* next) const noexcept;
-    /// Add the measured energies to the sums after a successful step. @return energy absorbed by D
-    /// [J].
+    /// Add the energies of measure() to the sums `work`, `water` and `added` after a successful
+    /// step. @return energy absorbed by the damping D of the loads [J].
     double count() noexcept;
     /// Return ½ vᵀA v after the solved step, for A of the last step [J].
     [[nodiscard]] double added_after() const noexcept {

@@ -11,7 +11,7 @@ namespace {
 std::size_t body_key(std::int32_t body) noexcept { return 2 * at(body); }
 std::size_t interaction_key(std::int32_t id) noexcept { return 2 * at(id) + 1; }
 
-/// True if a precedes b in the sort order: own blocks of bodies precede links.
+/// True if a precedes b in the sort order: diagonal blocks of bodies precede links.
 bool before(const ContactBlock& a, const ContactBlock& b) noexcept {
     const bool link_a = a.a != a.b, link_b = b.a != b.b;
     if (link_a != link_b) return link_b;

@@ -46,8 +46,9 @@ struct OpSources {
 
 class OpHistory {
   public:
-    /// Compare the sources of a new list of ops with those of the last one, and store them. @throws
-    /// std::bad_alloc. Without a call of done(), the next call finds no equal part.
+    /// Compare the sources of a new list of ops (contributions to the matrix) with the stored
+    /// sources, then store the new ones. Call done() when the list is complete; otherwise the next
+    /// comparison finds no unchanged part. @throws std::bad_alloc.
     void follow(const OpSources& now);
     /// Mark the new list of ops as complete, so that the next follow() compares with it.
     void done() noexcept { has_list_ = true; }

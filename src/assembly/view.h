@@ -21,8 +21,8 @@
 
 namespace hawser::assembly {
 
-/// Doubles of the own block of a body: one symmetric 3×3 matrix per three freedoms. It starts at
-/// twice the offset of its first velocity.
+/// Doubles of the diagonal block of a body: one symmetric 3×3 matrix per three degrees of freedom.
+/// The block starts at twice the offset of its first velocity.
 inline constexpr int kBodyBlock = 12;
 [[nodiscard, gnu::always_inline]] inline constexpr std::int64_t block_offset(
     std::int32_t dof_begin) {
@@ -230,7 +230,7 @@ struct View {
     const double* coupling;
 
     // Permuted vector of the solver.
-    const std::int32_t* body_offset;         ///< By body; −1 without freedom.
+    const std::int32_t* body_offset;         ///< By body; −1 without degrees of freedom.
     const std::int32_t* interaction_offset;  ///< By interaction; −1 if condensed.
     double* solution;
 };

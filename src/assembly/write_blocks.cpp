@@ -32,7 +32,7 @@ void System::write_skew(const View& view, std::int64_t begin, std::int64_t end,
         if (contacts.block_skew[at(op.id)] == 0) continue;
         const double* lower =
             view.contact_block + static_cast<std::ptrdiff_t>(kContactBlock) * op.id;
-        // The own block of a body is square: the other half is its transpose.
+        // The diagonal block of a body is square: the other half is its transpose.
         const bool own = contacts.blocks[at(op.id)].a == contacts.blocks[at(op.id)].b;
         const double* other = own ? lower : lower + (op.a ? 0 : 36);
         const double* mine = own ? lower : lower + (op.a ? 36 : 0);

@@ -25,7 +25,8 @@
 
 namespace hawser::HAWSER_ISA {
 
-/// Return b(y) above. T is double, or a vector with one lane per body; y ≥ 0.
+/// Return the function b(y) of the formula at the top of this file, for y = a² ≥ 0. T is double, or
+/// a vector with one lane per body.
 template <class T>
 inline T turn_bend(const T& y) {
     constexpr double kValue = 0.642092615934330703, kSlope = -0.385095155751530605;  // s₁, s₁'

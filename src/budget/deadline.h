@@ -63,7 +63,7 @@ class Rate {
     [[nodiscard]] int samples() const noexcept { return samples_; }
     [[nodiscard]] bool known() const noexcept { return samples_ > 0; }
     [[nodiscard]] double upper_estimate() const noexcept { return mean_ + 2.0 * deviation_; }
-    /// Lower the estimate slightly if there are no new samples.
+    /// Lower the estimate by 1 % if it exceeds `least`. Call in a step without a new sample.
     void lower_estimate(double least) noexcept;
 
   private:

@@ -101,8 +101,8 @@ class Collider {
         last_awake_count_ = found_awake_;
     }
     /// Move contacts of sleeping bodies behind the others. Both bodies of such a contact sleep or
-    /// have no freedom. @param asleep  1 for a sleeping body. @return false if memory could not
-    /// grow.
+    /// have no degrees of freedom. @param asleep  1 for a sleeping body. @return false if memory
+    /// could not grow.
     [[nodiscard]] bool set_aside(ContactSet& out, const base::Array<std::uint8_t>& asleep) noexcept;
     /// Return the contacts of the last completed step, in the order of its set. A restored world
     /// needs them to continue with the same bits.

@@ -23,7 +23,7 @@ struct Surface {
 };
 
 /// One contact point. Slots name the bodies that it acts on: first the bodies of side 0, then the
-/// bodies of side 1. Bodies without freedom have slots too.
+/// bodies of side 1. Bodies without degrees of freedom have slots too.
 ///
 /// The velocity of side s at the point is Σ weight (v + ω × (point − x)) over its slots. If the
 /// side has a node and a body that holds the segment, it is Σ weight v + ω × (point − Σ weight x).

@@ -46,8 +46,8 @@ struct Manifold {
 /// Compute the points at which two shapes are closer than `margin` [m, > 0], in the order of
 /// `feature`. There are enough points for friction to support a resting shape (a lying capsule:
 /// two, a box on a face: four). One of them has the smallest gap of the two shapes, along the
-/// normal of their distance. Two shapes that cannot touch (plane and plane, two without freedom)
-/// have none.
+/// normal of their distance. Two shapes that cannot touch (plane and plane, two without degrees of
+/// freedom) have none.
 using Collide = void (*)(const Geometry& a, const Placement& pa, const Geometry& b,
                          const Placement& pb, double margin, Manifold& out);
 

@@ -15,7 +15,7 @@ namespace hawser::collide {
 class Materials {
   public:
     Materials();
-    /// Add a checked definition. @return its index.
+    /// Add a material definition that has been checked. @return its index.
     std::int32_t add(const MaterialDef& def);
     /// Add a pair of materials. It replaces an earlier pair of the same materials.
     void add_pair(const MaterialPairDef& def);

@@ -30,7 +30,7 @@ struct Shape {
     double margin;  ///< Own margin [m]; applies if larger than the common one.
     /// Depth above which a shape inside it leaves on the far side [m]; infinite: never.
     double thickness;
-    bool moves;  ///< True if at least one of its bodies has freedom.
+    bool moves;  ///< True if at least one of its bodies has degrees of freedom.
     [[nodiscard]] bool segment() const noexcept { return body[1] >= 0; }
     /// True if the shape was removed and its slot is vacant.
     [[nodiscard]] bool is_removed() const noexcept { return body[0] < 0; }

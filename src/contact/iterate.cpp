@@ -198,7 +198,7 @@ double contacts_merit(const context::Model& model, const context::Newton& newton
 
 namespace {
 
-/// Return the larger value, or NaN.
+/// Return the larger of two values; NaN if one of them is NaN.
 double nan_or_more(double a, double b) noexcept { return b <= a || a != a ? a : b; }
 
 }  // namespace

@@ -8,7 +8,8 @@
 
 namespace hawser::contact {
 
-/// Apply Newton::laws to the contacts and to the matrix, in blocks that change.
+/// Copy the linear contact laws of this iteration (Newton::laws) to the contacts, and update the
+/// matrix blocks that change.
 /// @param first  True: all blocks.
 void adopt_laws(context::Model& model, const context::Newton& newton, runtime::Pool& pool,
                 bool first) noexcept;

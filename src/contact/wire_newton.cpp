@@ -91,7 +91,8 @@ bool read_elements(const context::Model& model, context::Newton& newton, const V
     return true;
 }
 
-/// Add the blocks of the nodes. Fixed nodes keep their velocity.
+/// Add the diagonal block of each node to the matrix of a chain. A fixed node gets the identity,
+/// which keeps its velocity.
 void read_nodes(const context::Newton& newton, context::WireNewton& wire, const View& v,
                 std::int32_t chain, const context::Model& model) noexcept {
     const context::WireChains& chains = newton.chains;
@@ -125,7 +126,7 @@ std::int32_t chain_of_contact(const context::WireChains& chains,
     return -1;
 }
 
-/// List the contacts of each chain, ascending.
+/// List the contacts of each chain of wire elements, by ascending index.
 void list_wire_contacts(const context::Model& model, context::Newton& newton) noexcept {
     const assembly::Contacts& contacts = model.system.contacts;
     context::WireNewton& wire = newton.wire;

@@ -28,7 +28,7 @@ struct Wires {
     std::vector<std::int32_t> wire_of;  ///< Wire of each interaction, −1: none.
     std::vector<std::int32_t> place;    ///< Index of each interaction in `element`.
     std::vector<std::int32_t> element;  ///< Interactions, by wire.
-    std::vector<std::int32_t> lump;     ///< Bodies, by wire.
+    std::vector<std::int32_t> lump;     ///< Bodies of the nodes, by wire.
     std::vector<WirePart> parts;        ///< Parts, by wire.
 
     // Data by wire. Part of the state:

@@ -52,8 +52,8 @@ void WireReader::read_cable(std::size_t index, const record::Frame& frame, WireL
     }
 }
 
-/// Read a wire whose nodes differ from the start. If the wire lies on a wheel between two pieces, a
-/// chord joins them, with the tension of the previous piece.
+/// Read a wire whose nodes have changed since the start of the recording. If a wheel lies between
+/// two pieces of the wire, a chord with the tension of the first piece joins them.
 void WireReader::read_wire(const record::RecordedWire& wire, const record::Frame& frame,
                            const std::vector<float>& pulls, WireLine& out) {
     for (std::size_t i = 0; i < wire.pieces.size(); ++i) {

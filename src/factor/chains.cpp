@@ -95,7 +95,9 @@ double ChainFinder::plan_cost(int size, double most) {
     return total + 0.5 * longest;
 }
 
-/// Compute the properties of a run of wire bodies that determine its cost: reach, scalars, hubs.
+/// Compute the properties of a run of wire bodies that determine the cost of its elimination:
+/// distance of coupled bodies (`reach`), scalars per body (`unit`), and rows of the neighbours
+/// outside of the run (hubs).
 ChainFinder::Stretch ChainFinder::describe(const Pattern& pattern, const BodyGraph& graph,
                                            const Wires& wires, std::int32_t begin,
                                            std::int32_t end) {

@@ -39,7 +39,7 @@ class SymmetricNumeric {
 
     /// Set all panels to zero.
     void clear(const Symbolic& symbolic, base::Executor& executor) noexcept;
-    /// Set the panels of a part to zero.
+    /// Set the panels of the changed parts `dirty` to zero.
     void clear(const Symbolic& symbolic, const DirtyParts& dirty,
                base::Executor& executor) noexcept;
 

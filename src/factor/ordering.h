@@ -45,7 +45,7 @@ class Orderer {
     /// Find chains, then order the other nodes by minimum degree.
     /// @throws std::bad_alloc.
     void plan(const Pattern& pattern, std::vector<std::int32_t>& order, Chains& chains);
-    /// Move rows behind bodies by place_rows_after_bodies().
+    /// Reorder so that each row is eliminated after its bodies (place_rows_after_bodies()).
     void place_rows(const Pattern& pattern, std::vector<std::int32_t>& order);
     [[nodiscard]] std::size_t bytes() const noexcept;
 

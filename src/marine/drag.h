@@ -32,7 +32,7 @@ namespace hawser::marine {
 struct Sym3 {
     double m[6] = {};
 
-    /// Add c a aᵀ to the matrix.
+    /// Add c a aᵀ to the symmetric matrix.
     void add(double c, const Vec3& a) noexcept {
         const double x = c * a.x(), y = c * a.y(), z = c * a.z();
         m[0] += x * a.x();

@@ -156,7 +156,8 @@ class Words {
         std::getline(in_, rest);
         ++line_;
     }
-    /// Rest of the line, and the next one.
+    /// Return the next number of the text, on this line or a later one. @param what  Name of the
+    /// number in the message.
     double number(const char* what) {
         std::string word;
         for (int c = in_.peek(); c != EOF && std::isspace(c) != 0; c = in_.peek()) {

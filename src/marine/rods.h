@@ -23,7 +23,7 @@ class RodWater {
     [[nodiscard]] int chunks() const noexcept { return static_cast<int>(parts_.size()); }
     /// Compute the water loads on the segments of a task.
     void load(const WaterField& field, bool convective, int chunk) noexcept;
-    /// Sum the parts of the tasks.
+    /// Sum the loads that the tasks of load() have computed.
     void finish() noexcept;
     [[nodiscard]] BodyId body() const noexcept { return def_.body; }
     [[nodiscard]] bool any() const noexcept { return any_; }

@@ -10,7 +10,7 @@
 
 namespace hawser::methods {
 
-/// Reserve the arrays of the method. @throws std::bad_alloc.
+/// Reserve the arrays of the Gauss-Seidel method for `contacts` contacts. @throws std::bad_alloc.
 void reserve_gauss_seidel(const context::Model& model, context::Newton& newton,
                           std::size_t contacts);
 

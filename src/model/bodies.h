@@ -27,10 +27,11 @@ struct Bodies {
     base::Array<BodyKind> kind;
     /// Number of entries of v reserved at dof_begin, independent of the present body.
     base::Array<std::uint8_t> room;
-    base::Array<std::int32_t> dof_begin;  ///< Offset in v; unused for bodies without freedom.
-    std::vector<std::int32_t> moving;     ///< Indices of bodies with freedom, ascending.
-    std::vector<std::int32_t> rigid;      ///< Indices of rigid bodies, ascending.
-    std::vector<std::int32_t> driven;     ///< Indices of kinematic bodies, ascending.
+    base::Array<std::int32_t>
+        dof_begin;  ///< Offset in v; unused for bodies without degrees of freedom.
+    std::vector<std::int32_t> moving;  ///< Indices of bodies with degrees of freedom, ascending.
+    std::vector<std::int32_t> rigid;   ///< Indices of rigid bodies, ascending.
+    std::vector<std::int32_t> driven;  ///< Indices of kinematic bodies, ascending.
 
     base::Array<double> x;  ///< Position, 3 entries per body [m].
     base::Array<double> q;  ///< Quaternion w, x, y, z, 4 entries per body.

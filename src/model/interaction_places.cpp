@@ -149,7 +149,7 @@ void Interactions::write(int id, InteractionDef filled, Bodies& bodies_in, doubl
     enlist(id, bodies_in);
 }
 
-/// Write the row data of a definition.
+/// Compute the constants of the rows of an interaction from its definition.
 void Interactions::write_rows(int id, const Bodies& bodies_in, double h) {
     InteractionDef& d = def[at(id)];
     generic::RowSpec spec[kMaxInteractionRows];

@@ -32,7 +32,7 @@ void complete(InteractionDef& def, const Vec3* positions, double distance) {
     });
 }
 
-/// Write the Data of an interaction to its pool.
+/// Write the data record of an interaction to the pool of its kind.
 void Interactions::write_data(int id) noexcept {
     const InteractionDef& d = def[at(id)];
     Pool& p = pool[static_cast<std::size_t>(d.kind)];

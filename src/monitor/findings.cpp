@@ -13,7 +13,7 @@
 namespace hawser::monitor {
 namespace {
 
-/// Return the interaction of a row.
+/// Return the interaction that a row belongs to.
 std::int32_t owner_of(const context::Model& model, std::int32_t row) noexcept {
     const auto& begin = model.interactions.row_begin;
     const auto end = begin.begin() + context::interaction_count(model);

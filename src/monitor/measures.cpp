@@ -102,7 +102,8 @@ double elastic_energy_from_force(const View& v, std::int32_t row) noexcept {
     return 0.5 * v.force_of_row[row] * v.force_of_row[row] * v.epsilon[row];
 }
 
-/// Add the elastic energies ½ g²/ε of an interaction half a step before the poses to a sample.
+/// Add the elastic energies ½ g²/ε of the rows of an interaction (violation g, compliance ε) to the
+/// sample p. @param half  Time of the violations before the poses [s]: h/2 or 0.
 void measure_elastic(context::Model& model, const View& v, std::int32_t id, bool between_points,
                      double half, context::MonitorPart& p) noexcept {
     // For a wire use its true length, as the guard does.

@@ -142,11 +142,12 @@ void report_incomplete(context::StepContext& ctx) noexcept {
     left = kMemoryTicks;
 }
 
-/// Return the rise of the ledger from the start to the first sample under constant forces, less
-/// half of the work of the first step. That half is the work before the start in follow_energy().
+/// Return the energy that the first sample contains in excess of the start, less half of the work
+/// of the first step. Forces are constant in the first step. follow_energy() counts the other half
+/// as work before the start.
 ///
-/// With v₋ and v₊ half a step before and after the start, forces F that do work, and forces N of
-/// gravity and springs. Their energy counts at the midpoint between poses:
+/// Let v₋ and v₊ be the velocities half a step before and after the start. Forces F do work; the
+/// potential energy of the forces N of gravity and springs counts at the midpoint between poses:
 /// ```
 ///     W(−h/2 … 0) = (h/8) F·(3v₋ + v₊) = W(−h/2 … h/2)/2 − (h/8) F·(v₊ − v₋)
 ///     (x₀ + x₁)/2 = x(h/2) + (h/8)(v₊ − v₋)

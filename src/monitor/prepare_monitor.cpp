@@ -20,7 +20,8 @@ double size_of(const model::Bodies& b, std::int32_t body) noexcept {
     return std::sqrt(2.0 * (s[0] + s[4] + s[8]) / b.mass[at(body)]);
 }
 
-/// Return the inverse of the largest tolerated gap of a joint row. @param size  Size of the smaller
+/// Return the factor that scales the gap of a joint row to its limit: 1 over the largest tolerated
+/// gap [1/m, 1/rad]. @param size  Size of the smaller
 /// body [m]. @param turns  True for a row of an angle.
 double allowance(double size, bool turns) noexcept {
     const double arm = std::isfinite(size) ? 0.5 * size : 0.0;

@@ -9,7 +9,7 @@ double off_diagonal(std::size_t n, const ChainRow* rows, std::size_t k) noexcept
     return k + 1 < n ? rows[k].next : 0.0;
 }
 
-/// Return row k of M z₀.
+/// Return component k of M z₀: tridiagonal matrix M, start vector z₀.
 double start_product(std::size_t n, const ChainRow* rows, std::size_t k) noexcept {
     double sum = rows[k].diagonal * rows[k].start;
     if (k > 0) sum += rows[k - 1].next * rows[k - 1].start;

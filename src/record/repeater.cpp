@@ -117,7 +117,7 @@ void Repeater::read_sea(ByteReader& in) {
         *input = get_finite(in);
 }
 
-/// Read the load of a body.
+/// Read one recorded load on a body.
 void Repeater::read_load(ByteReader& in, const World& world, Load& load) const {
     const bool all = recording_.format == kAllLoadsVersion;
     load.body.index = in.get<std::int32_t>();

@@ -103,7 +103,8 @@ Json energy(const Energy& e) {
             {"elastic", e.elastic}};
 }
 
-/// Return the error of the kinematics of waves; null: no sums in single precision.
+/// Return the error of the wave kinematics in single precision; null if no wave was summed in
+/// single precision.
 Json sea_figures(const SeaAccuracy& sea) {
     if (sea.points == 0) return {};
     return {{"significant_velocity", sea.significant},

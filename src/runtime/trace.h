@@ -42,7 +42,7 @@ class Trace {
         ring.node = node;
         ring.begun = now();
     }
-    /// Run a task and store its span.
+    /// Run the task f. Store its start and end in the trace.
     template <class F>
     void task(TraceSpan span, F&& f) noexcept {
         Ring& ring = ring_[static_cast<std::size_t>(span.thread)];

@@ -105,8 +105,8 @@ struct CableWater {
 
 /// An item of a section (sections.h): a system that is added to the world last.
 struct SectionItem {
-    std::string name{};    ///< Full name in copy 0.
-    std::string prefix{};  ///< Prefix of all names in its copy of the scene; "" in copy 0.
+    std::string name{};    ///< Full name in the first copy of the scene.
+    std::string prefix{};  ///< Prefix of all names in its copy of the scene; "" in the first.
     SourceLocation location{};
     /// Add the system. Names that it refers to begin with `prefix`. @throws DefError.
     std::function<void(World&, const std::string& prefix, const std::string& name)> add;
@@ -303,7 +303,7 @@ void expand_cranes(Description& out, const Scope& scope);
 /// (routes.cpp).
 void expand_routes(Description& out, const Scope& scope);
 /// Read the sea. All bodies must have been read (sea.cpp). @param waters  Number of cables in water
-/// of copy 0.
+/// in the first copy of the scene.
 void expand_sea(Description& out, const Document& document, std::size_t waters);
 /// Store the water data of a cable if a section of it is in water (sea.cpp).
 void store_water(Description& out, const CableWater& water);
@@ -318,7 +318,8 @@ void expand_sections(Description& out, const Scope& scope);
 /// its wire, because the number of elements can change. @param world  World with the wires of the
 /// scene.
 [[nodiscard]] OutputDef output_of(const Description& scene, std::size_t output, const World& world);
-/// Set the stored poses (state.cpp) of the bodies of copy 0, or of the cables that join copies.
+/// Set the poses and velocities of the scene key `state` (state.cpp). The bodies are those of the
+/// first copy of the scene, or of the cables that join copies.
 void apply_state(Description& out, const Document& document);
 /// Make the copies of all parts that have been read, and the cables that join them (repeat.cpp).
 void expand_copies(Description& out, const Document& document);

@@ -24,7 +24,7 @@ void add_display(std::vector<Field>& fields, const char* unit_fallback) {
     fields.push_back({"description", text("a text"), false, "", "", "Remarks."});
 }
 
-/// Add the fields of an output's source.
+/// Add the schema fields that name the body, interaction or signal of an output.
 void add_target(std::vector<Field>& fields, std::vector<std::vector<std::string>>& alternatives,
                 const OutputKindInfo& kind) {
     const bool drum = kind.kind == OutputKind::drum;

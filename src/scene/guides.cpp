@@ -67,7 +67,7 @@ std::size_t nearest(Description& out, const Cable& cable, const GuideDef& def,
     return best;
 }
 
-/// Return the section of an element.
+/// Return the section of a cable that contains an element.
 CableSection& section_of(Cable& cable, std::size_t element) {
     std::size_t k = 0;
     for (; k + 1 < cable.sections.size() && element >= cable.sections[k].elements; ++k)

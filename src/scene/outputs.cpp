@@ -51,7 +51,7 @@ void read_target(OutputDef& def, Description& out, const Scope& scope, const Jso
     }
 }
 
-/// Read "cable" of a tension or a drum.
+/// Read the key "cable" of an output of a tension or of a drum.
 void read_cable(OutputDef& def, const Description& out, const Scope& scope, const Json& json,
                 const SourceLocation& location) {
     const Cable& cable =

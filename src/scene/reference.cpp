@@ -98,7 +98,7 @@ class Page {
         }
     }
 
-    /// Write the objects inside an object below it, in the order of their keys.
+    /// Write the nested objects of an object as sections after it, in the order of their keys.
     void inner(const Shape& shape) {
         if (shape.type == Type::object) {
             std::string title = shape.what.substr(shape.what.find(' ') + 1);

@@ -10,7 +10,7 @@
 namespace hawser::scene {
 namespace {
 
-/// Size of each list of the description in copy 0.
+/// Size of each list of the description in the first copy of the scene (copy 0).
 struct Extent {
     std::size_t bodies, interactions, inputs, outputs, cables, shapes, winches, guides, posts,
         stoppers, pins, hooks, chasers, resolutions, cranes, levers, vessels, anchors, gauges,
@@ -25,8 +25,8 @@ void rename(std::string& name, const std::string& prefix) {
     }
 }
 
-/// Return the stored state of a body of a copy. It replaces the shifted state of copy 0. Return
-/// null if no state is stored under this name.
+/// Return the stored state of a body of a copy; null if no state is stored under this name. The
+/// stored state replaces the shifted state of the same body in the first copy.
 const Json* stored_state(const Document& document, const std::string& name) {
     const auto state = document.root.find("state");
     if (state == document.root.end()) {

@@ -57,7 +57,7 @@ WaterRod read_rod(const Json& json) {
     return rod;
 }
 
-/// Reads the sea. Objects on bodies of copy 0 are repeated for the other copies.
+/// Reads the sea. Objects on bodies of the first copy of the scene are repeated for the others.
 class SeaReader {
   public:
     SeaReader(Description& out, const Document& document, const Json& sea)

@@ -32,7 +32,7 @@
 
 namespace hawser::solve {
 
-/// Reserve memory for the existing rows.
+/// Reserve memory for the bounded rows of the model.
 /// @throws std::bad_alloc.
 void reserve_bounds(const context::Model& model, context::Newton& newton);
 

@@ -57,7 +57,7 @@ assembly::Turning complete_block(const context::Model& model, const assembly::Vi
 /// @return the change of the right-hand sides.
 context::IterationChange renew_completed(context::StepContext& ctx) noexcept;
 
-/// Apply the right-hand sides that renew_completed() has computed.
+/// Make the right-hand sides that renew_completed() has computed the current ones.
 void adopt_completed(context::StepContext& ctx) noexcept;
 
 /// Store the number of coming steps in which each joint is linearised only once. Call after a

@@ -22,7 +22,7 @@
 
 namespace hawser::solve {
 
-/// Reserve memory for the existing runs.
+/// Reserve memory for the runs of turning points in the model.
 /// @throws std::bad_alloc.
 void reserve_runs(const context::Model& model, context::Newton& newton);
 

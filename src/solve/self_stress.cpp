@@ -66,7 +66,7 @@ void solve_loaded(context::StepContext& ctx, const View& v) noexcept {
     ++ctx.work.stats.substitutions;
 }
 
-/// Read λ' of one joint from the solution.
+/// Read the filtered impulses λ' of the rows of one joint from the solution of solve_loaded().
 void read_filtered(const View& v, std::int32_t id, double* out) noexcept {
     double buffer[model::kArmBufferSize];
     const double* jac = packed_rows(v, id, buffer);

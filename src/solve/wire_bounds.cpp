@@ -108,7 +108,9 @@ void add_chain(const context::Model& model, context::WireChains& chains, std::in
     number_nodes(model, chains, first);
 }
 
-/// Sum the contact terms Σ w² Eᵀ S E of each node, without the unsymmetric part of S.
+/// Sum the contact terms Σ w² Eᵀ S E of each node: weight w of the node at the contact, contact
+/// axes E, slope S of the contact law. The coupling of normal and tangential directions in S is
+/// omitted, because it is not symmetric.
 void add_contacts_to_nodes(const context::Model& model, context::WireChains& chains) noexcept {
     std::fill(chains.block.begin(), chains.block.end(), std::array<double, 9>{});
     const assembly::Contacts& contacts = model.system.contacts;

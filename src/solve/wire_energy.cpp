@@ -91,7 +91,7 @@ void measure_wires(context::Model& model, runtime::Pool& pool) noexcept {
         g.noise += w.part_gain[i].noise;
         g.unbooked += w.part_gain[i].unbooked;
     }
-    // Leave out the part along the rows, which the ledger counts as damped.
+    // Leave out the part along the rows, which the energy account counts as damped.
     for (std::size_t k = 0; k < w.count(); ++k)
         if (w.fast[k] && may_touch(model, static_cast<std::int32_t>(k)))
             w.gain[k].gain = -w.gain[k].unbooked;

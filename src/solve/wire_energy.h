@@ -15,8 +15,8 @@
 /// ```
 /// plus ½ k (h w/2)² if it was slack and becomes taut. This has either sign and may be a thousand
 /// times the kinetic energy of a stiff element. It vanishes within a few steps, because the damping
-/// τ = 2h is beyond critical. The ledger counts it as damped (losses.h). With this part, a line
-/// that slides on a deck and becomes taut was rejected in step after step. The bound of
+/// τ = 2h is beyond critical. The energy account counts it as damped (losses.h). With this part, a
+/// line that slides on a deck and becomes taut was rejected in step after step. The bound of
 /// wire_plan.cpp then turned it into speeds along the line, which the bound preserves, and which
 /// were rejected again.
 

@@ -41,7 +41,7 @@ void copy_from_original(model::Interactions& in, const context::Cut& cut) noexce
 }
 
 /// Return the velocity of a line's end at the velocities v of the bodies; `given` holds the
-/// velocities of bodies without freedom.
+/// velocities of bodies without degrees of freedom.
 Vec3 end_velocity(const assembly::View& v, std::int32_t body, const double* velocity,
                   const double* given, const double* arm) noexcept {
     const int dof = v.dof[body];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file split.h
-/// Declare splits for all other rooms, which include no other header of this room. Interactions
+/// Declare splits for all other folders, which include no other header of `split/`. Interactions
 /// between groups of bodies may be *cut*, so that the groups become independent islands
 /// (docs/partition.md; docs/theory/splits.md). A step calls these functions:
 /// ```

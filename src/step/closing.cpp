@@ -78,7 +78,7 @@ void move(context::Model& model, const View& v, double time) noexcept {
     }
 }
 
-/// Return the potential energy of gravity [J].
+/// Return the potential energy of all bodies in gravity [J].
 double height(const context::Model& model) noexcept {
     const model::Bodies& b = model.bodies;
     double sum = 0.0;

@@ -22,8 +22,8 @@ enum class Phase : std::uint8_t {
 /// bodies are in contact for the first time, analyse the system.
 [[nodiscard]] Status start_contacts(context::StepContext& ctx, Phase phase) noexcept;
 
-/// Add the energy that contacts absorbed from bodies in this step to the ledger. Call before bodies
-/// move.
+/// Add the energy that contacts absorbed from bodies in this step to the energy account (ledger.h).
+/// Call before bodies move.
 void count_contact_work(context::StepContext& ctx) noexcept;
 
 /// Store the friction memory of contacts, and the output for readers. Call before bodies move.

@@ -76,7 +76,7 @@ std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t body) noexc
     return body;
 }
 
-/// Connect bodies with freedom. @param first  −1, or a body already seen.
+/// Connect bodies with degrees of freedom. @param first  −1, or a body already seen.
 void connect(const context::Model& model, std::vector<std::int32_t>& parent, std::int32_t body,
              std::int32_t& first) noexcept {
     if (body < 0 || model.bodies.dof(body) == 0) return;
@@ -85,7 +85,7 @@ void connect(const context::Model& model, std::vector<std::int32_t>& parent, std
     first = root_of(parent, body);
 }
 
-/// Connect the bodies of joints and closed contacts.
+/// Join the bodies that joints and closed contacts connect, in the union-find forest `parent`.
 void connect_bodies(context::StepContext& ctx) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     std::vector<std::int32_t>& parent = ctx.work.impact.parent;
@@ -103,7 +103,7 @@ void connect_bodies(context::StepContext& ctx) noexcept {
     }
 }
 
-/// Return a body with freedom of a contact.
+/// Return the first body of a contact that has degrees of freedom; −1: none.
 std::int32_t moving_body(const context::Model& model, const collide::Contact& c) noexcept {
     for (int i = 0; i < c.slots; ++i)
         if (model.bodies.dof(c.body[i]) > 0) return c.body[i];

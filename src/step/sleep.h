@@ -4,12 +4,12 @@
 /// Sleep of islands at rest: steps omit them until they are disturbed.
 ///
 /// A body is *at rest* if √(2T/m) < WorldDef::sleep_speed, T its kinetic energy, at the end of
-/// certified steps (with method newton). An *island* consists of bodies with freedom that are
-/// connected by interactions, loads of their friction, contacts and segments of wires. Fixed and
-/// kinematic bodies do not join islands. An island falls asleep once all of its bodies have been at
-/// rest for WorldDef::sleep_after. It stays awake while a moving kinematic body belongs to
-/// one of its interactions or contacts. The system is then analysed with the bodies of the island
-/// as fixed ones.
+/// certified steps (with method newton). An *island* consists of bodies with degrees of freedom
+/// that are connected by interactions, loads of their friction, contacts and segments of wires.
+/// Fixed and kinematic bodies do not join islands. An island falls asleep once all of its bodies
+/// have been at rest for WorldDef::sleep_after. It stays awake while a moving kinematic body
+/// belongs to one of its interactions or contacts. The system is then analysed with the bodies of
+/// the island as fixed ones.
 ///
 /// Exactness. The state does not change while an island sleeps. Poses, velocities (which are not
 /// exactly zero), λ, anchors and friction memory keep their bits. The first step after waking

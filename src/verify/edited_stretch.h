@@ -23,7 +23,7 @@ namespace hawser::verify {
 
 class EditedStretch {
   public:
-    /// Measure the wires before a step.
+    /// Store the elastic energy of the wires before a step.
     void before_step(const World& world) { before_ = elastic_energy(world); }
     /// Return ΔV of a step that edited wires [J]. @param pose  Poses of all bodies before the step,
     /// by index; of nodes and slides they are computed.

@@ -21,7 +21,7 @@ class SeaVerifier {
     /// Restart after another state was restored. The memories of hulls then start with those of the
     /// library.
     void restart() noexcept { history_.clear(); }
-    /// Read inputs and time of the next step.
+    /// Store the inputs of the sea and the time of the step that follows.
     void before_step(const World& world);
     /// Compare the loads of a step.
     /// @param pose, before  Poses and twists of all bodies at the start of the step.

@@ -19,7 +19,7 @@ class Surface {
     /// Create the surface from the sea of the world. Without propulsors that ventilate it is not
     /// used.
     Surface(const World& world, const VesselDef& def);
-    /// Set the time of the waves.
+    /// Set the time at which height() evaluates the waves.
     void update(const World& world, double time) noexcept;
     /// Return the height z of the water surface [m].
     [[nodiscard]] double height(double x, double y) const noexcept;

@@ -23,7 +23,7 @@ class Observer {
     /// @param mass  Diagonal of M with added mass. @param damping  Diagonal of D. @param period
     ///         Period of the waves [s].
     Observer(const Vec3& mass, const Vec3& damping, double period);
-    /// Start the observer at a measured motion.
+    /// Initialise the estimates of the observer with a measured motion.
     void start(const Planar& measured) noexcept;
     /// Advance by one step. @param force  τ that acts on the ship [N, N, N m].
     void step(const Planar& measured, const Vec3& force, double h) noexcept;

@@ -100,13 +100,15 @@ void set_s175_stern(SonNomotoStern& s, double length) {
     s.hull_x = -0.48;
 }
 
-/// Add a term c² = 0.605 u n + 38.2 n², times more variables.
+/// Add the terms of value · c² · (variables in `more`), with the squared speed of the slipstream
+/// c² = 0.605 u n + 38.2 n².
 void add_slipstream(std::vector<HullTerm>& terms, HullAxis axis, double value, const char* more) {
     terms.push_back({axis, std::string("un") + more, 0.605 * value});
     terms.push_back({axis, std::string("nn") + more, 38.2 * value});
 }
 
-/// Add the thrust L g_T = −0.00695 u² − 0.00063 L u n + 0.0000354 L² |n| n.
+/// Add the terms of value · (L g_T), with the thrust L g_T = −0.00695 u² − 0.00063 L u n +
+/// 0.0000354 L² |n| n.
 void add_thrust(std::vector<HullTerm>& terms, HullAxis axis, double value, double length) {
     terms.push_back({axis, "uu", -0.00695 * value});
     terms.push_back({axis, "un", -0.00063 * length * value});

@@ -94,7 +94,8 @@ double StabilitySystem::read_towline(const World& world, Vec3& along) const noex
     return 0.0;
 }
 
-/// Return the forces of the other wires on the ship, where they cross the plane of the pin [N].
+/// Return the sum of the forces of the other wires on the ship, at the points where they cross the
+/// transverse plane through the towing pin [N].
 Vec3 StabilitySystem::other_wire_forces(const World& world) const noexcept {
     const StabilityDef& def = curve_->def();
     const Vec3 pin = world.world_point(def.body, def.pin);

@@ -24,7 +24,8 @@ Mat3 cross_matrix(const Vec3& a) noexcept {
     return out;
 }
 
-/// Return the matrix from velocities of the centre of mass to velocities of O, in the marine frame.
+/// Return the matrix that transforms the velocity of the centre of mass into the velocity of the
+/// origin O of the ship, in the marine frame. @param arm  From the centre of mass to O [m].
 Matrix6 to_origin(const Vec3& arm) noexcept {
     Matrix6 out = Matrix6::Identity();
     out.topRightCorner<3, 3>() = -cross_matrix(arm);

@@ -72,7 +72,9 @@ struct Feed {
 };
 
 /// Insert a node on the element.
-/// @param at  Material length of the element [m], which the node reduces.
+/// @param there  Unstretched length of the element before the insertion [m].
+/// @param at  Length of material that no node carries [m]; reduced by the part that the node
+/// carries.
 /// @return true if a node was inserted.
 bool insert_feed_node(NodeEdits& nodes, const Feed& feed, double there, double& at) noexcept;
 

@@ -151,7 +151,8 @@ class Joint {
     void set_frame(std::size_t slot, const Quat& frame) {
         out.frame[slot] = (pose_[slot].orientation.conjugate() * frame).normalized();
     }
-    /// Set the frames of both sides about an axis, with the angle and distance of the coordinates.
+    /// Set the joint frames of both bodies with z along an axis. The frames differ by the initial
+    /// coordinates: the angle `turned` about the axis and the distance `separation` along it.
     void set_axis(const Vec3& axis, double turned, double separation) {
         if (!std::isfinite(turned) || !std::isfinite(separation))
             throw_def_error("its coordinate is not a finite number");

@@ -80,7 +80,7 @@ struct WorldImpl final : private world::InputAccess {
     struct Mark {
         std::int32_t bodies, interactions, shapes;  ///< Array sizes.
         std::size_t noted;                          ///< Number of entries of context::Edits.
-        context::Edited edited;                     ///< Edits of the energy ledger.
+        context::Edited edited;                     ///< Energy of edits (context/ledger.h).
         context::Changed changed;
         bool any_edit, stale;
         BodyId end[2];          ///< Touched bodies …
@@ -226,7 +226,7 @@ struct WorldImpl final : private world::InputAccess {
 
     /// Definitions, ids and names before the first edit of a system within a step.
     struct StepUndo {
-        bool holds = false;
+        bool holds = false;  ///< True if the members below are saved.
         state::ModelUndo model;
         std::vector<BodyDef> body_defs;
         std::vector<ShapeDef> shape_defs;

@@ -154,7 +154,7 @@ void reserve_name_for(Names& names, const std::string& name, std::int32_t index,
     }
 }
 
-/// Release the name of a removed object.
+/// Remove the name of a removed object from the index of names.
 inline void release(Names& names, const std::string& name) noexcept {
     if (!name.empty()) names.erase(name);
 }

@@ -64,8 +64,8 @@ bool WorldWires::move_along(InteractionId before, InteractionId behind, double a
     check_move(*world_, in, before, behind, along, fed);
     if (!world_->intact(before) || !world_->intact(behind)) return false;
     const std::array<Part, 2> parts{part_at(c, before, 1), part_at(c, behind, 0)};
-    // The ledger has its energies half a step before the poses. The energy added by a move must
-    // also be found if a part becomes much longer, which elastic() leaves out.
+    // The energy account has its energies half a step before the poses. The energy added by a move
+    // must also be found if a part becomes much longer, which elastic() leaves out.
     struct Held {
         double ledger = 0.0, posed = 0.0;  ///< [J]
     };

@@ -134,7 +134,7 @@ struct SavedState {
                const Header& header);
     /// Return the size of all arrays of the state [bytes].
     [[nodiscard]] std::uint64_t size();
-    /// Read all arrays from size() bytes.
+    /// Read all arrays from a saved state of size() bytes.
     void read(std::span<const std::byte> from);
 
     struct {

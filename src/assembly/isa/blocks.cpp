@@ -117,7 +117,8 @@ inline M3 product(const M3& p, const M3& q) {
     return o;
 }
 
-/// Add the blocks of geo.h: line part Aᵀ k A with A = ±[E, −r̂], and damping.
+/// Add the geometric stiffness of an interaction (geo.h) to the block of its bodies a and b. The
+/// line part is ±A_aᵀ k A_b with A = [E, −r̂] for the arm r (+: a = b). Add the rotational damping.
 void geometric(const View& view, const Op& op, Place out) {
     if (op.width == 0) return damp_arms(view, op, out);
     const double* rec = view.geo_record + view.geo[op.id].record;
@@ -182,7 +183,7 @@ void kept(const View& view, const Op& op, Place out) {
         for (int j = 0; j < dof; ++j) g(r, j) += on * jac[r * width + j];
 }
 
-/// Add K_ab or K_ba of a pair of bodies in contact.
+/// Add the block K_ab, or K_ba, of the contact stiffness between two bodies a and b.
 void contact(const View& view, const Op& op, Place out) {
     if (view.contact_block_used[op.id] == 0) return;
     const double* block =

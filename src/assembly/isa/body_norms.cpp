@@ -55,7 +55,8 @@ double inverse_mass_norm(const View& view, std::int32_t body, const double* p) {
     return norm;
 }
 
-/// Add the norms of one body. @param residual  Momentum residual of the body.
+/// Add the contribution of one body to the residual norms and the work of the step. @param residual
+/// Momentum residual of the body.
 void one_body(const View& view, std::int32_t body, const double* residual, Norms& n) {
     const int dof = view.dof[body];
     const std::int32_t begin = view.dof_begin[body];

@@ -110,7 +110,7 @@ void add_geometric(const View& view, std::int32_t body) {
         const double* force = view.geo_force + in.geo_force + 6;
         add3(a, load3(force));
         if (dof < 6) continue;
-        // The stiffness of arms affects only this body and is added to its own block.
+        // The stiffness of arms affects only this body and is added to its diagonal block.
         const double* arm = view.geo_record + in.geo_arm;
         for (int i = 0; i < 6; ++i) block[6 + i] += arm[i];
         add3(a + 3, load3(force + 3) + mul6(arm, load3(v + 3)));
@@ -129,7 +129,8 @@ Spin<W8> eight_spins(const View& view, std::int32_t body, const WM3& r, const W3
                       load_bodies9(view.inv_inertia + 9L * body), r, w, change, h);
 }
 
-/// Store the own blocks of eight rigid bodies: lower triangles of the linear and the angular part.
+/// Store the diagonal blocks of eight rigid bodies: lower triangles of the linear and the angular
+/// part.
 HAWSER_INLINE void store_blocks(const View& view, std::int32_t body, const WM3& lin,
                                 const WM3& world) {
     V8 low[kLanes] = {lin.a[0], lin.a[1], lin.a[2],   lin.a[4],

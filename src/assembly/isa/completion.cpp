@@ -91,11 +91,14 @@ void keep_rate(const View& view, std::int32_t row) {
         (view.c[row] / view.upsilon[row] + 4.0 / view.h * view.g[row]) / view.recall[row];
 }
 
-/// Compute the rows of a compact joint. Let a = h ω/2 of a body. The end of its arm r moves beyond
-/// h ω × r by
-///     (2/h) (a × (a × r) − a² (1 − s b) a × r)/(s² + a²)    [m/s],
-/// with s and b of base/turn.h.
-/// Thus c = −(g/h + term of body 1 − term of body 0) needs neither poses nor a difference.
+/// Compute the right-hand sides c with which the rows of a compact joint hold at the end of the
+/// step. Let a = h ω/2 of a body. The finite rotation moves the end of its arm r by h t more than
+/// h ω × r. With s and b of base/turn.h, and the violation g at the start of the step:
+/// ```
+///     t = (2/h) (a × (a × r) − a² (1 − s b) a × r)/(s² + a²)    [m/s]
+///     c = −(g/h + t of body 1 − t of body 0)
+/// ```
+/// This needs no poses at the end of the step, and no difference of nearly equal positions.
 void complete_arms(const View& view, std::int32_t id, const Asked& asked, Turning& t) {
     const ArmsT<double> arms = load_arms(view.jacobian + view.jac_begin[id]);
     const std::int32_t* body = view.body + kSlots * id;

@@ -22,7 +22,7 @@ inline void subtract_coupled(const double* b, const double* v, double* out) {
             out[j] -= c * v[3 + i];
         }
 }
-/// True if any of `count` bodies from `body` on has a coupling.
+/// True if a load couples translation and rotation of any of `count` bodies from `body` on.
 inline bool any_coupled(const assembly::View& view, std::int32_t body, int count) {
     if (view.coupled == nullptr) return false;
     for (int l = 0; l < count; ++l)

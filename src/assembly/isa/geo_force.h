@@ -8,7 +8,7 @@
 
 namespace hawser::HAWSER_ISA {
 
-/// Read the velocity of a slot from a packed array. Bodies without freedom use v_fixed.
+/// Read the velocity of a slot from a packed array. Bodies without degrees of freedom use v_fixed.
 inline void slot_velocity(const assembly::View& view, const double* v, std::int32_t body, V3& lin,
                           V3& ang) {
     const int dof = view.dof[body];

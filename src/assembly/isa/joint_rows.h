@@ -154,7 +154,8 @@ class JointRows {
             if (view_.parted[id_ + l]) view_.active[id_ + l] = 0.0;
     }
 
-    /// Write the arms records of the eight joints. @return their geometric terms.
+    /// Write the compact Jacobians (model/arms.h) of the eight joints. @return their terms of
+    /// geometric stiffness.
     HAWSER_INLINE JointTerms<W8> record(const W3 (&arm)[2]) const {
         const W8 on = (1.0 / view_.h) * W8(load(view_.active + id_));
         const W3 f = on * load_threes(view_.lambda + view_.row_begin[id_]);

@@ -30,12 +30,13 @@ class NodeRows {
         return view.among_nodes[id] != 0 && view.rows[id] == R && view.bodies[id] == B &&
                view.interaction_offset[id] < 0 && (view.geo[id].record >= 0) == kLine;
     }
-    /// Collect an interaction. Update a complete group.
+    /// Add an interaction to the present group. Update the group when it has one interaction per
+    /// lane.
     HAWSER_INLINE void add(std::int32_t id) {
         id_[count_++] = id;
         if (count_ == kLanes) update();
     }
-    /// Update the interactions that are left.
+    /// Update the last, incomplete group.
     void finish() {
         if (count_ > 0) update();
     }

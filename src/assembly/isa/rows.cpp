@@ -178,9 +178,9 @@ std::int32_t evaluate_lanes(const View& view, const std::int32_t* ids, const typ
     }
 }
 
-/// Speeds of the rows of one interaction. For bodies with freedom: G v at the velocity before the
-/// step and at the initial velocity of the solve. For prescribed bodies: G v in this step and in
-/// the one before.
+/// Speeds of the rows of one interaction. For bodies with degrees of freedom: G v at the velocity
+/// before the step and at the initial velocity of the solve. For prescribed bodies: G v in this
+/// step and in the one before.
 template <int R>
 struct Speeds {
     double now[R] = {}, start[R] = {}, prescribed[R] = {}, before[R] = {};

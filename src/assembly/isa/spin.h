@@ -18,7 +18,7 @@ template <class T>
 HAWSER_INLINE V3T<T> operator*(const Principal<T>& i, const V3T<T>& v) {
     return {i.moment[0] * v.x, i.moment[1] * v.y, i.moment[2] * v.z};
 }
-/// Return R I Rᵀ: an inertia in the world frame.
+/// Return R I Rᵀ, the inertia I of a body in the world frame, for its rotation R.
 template <class T>
 HAWSER_INLINE M3T<T> in_world(const M3T<T>& r, const M3T<T>& inertia) {
     return congruence(r, inertia.a);
@@ -51,7 +51,7 @@ HAWSER_INLINE M3T<T> turned(const Principal<T>& inertia, const V3T<T>& u) {
     return {{i[0], -z * i[1], y * i[2], z * i[0], i[1], -x * i[2], -y * i[0], x * i[1], i[2]}};
 }
 
-/// Return the inertia times a factor.
+/// Return a matrix of inertia times a factor.
 template <class T>
 HAWSER_INLINE M3T<T> scaled(const M3T<T>& inertia, const T& factor) {
     M3T<T> o;

@@ -179,7 +179,7 @@ inline void update_block(double* c, long ldc, const double* l, const double* w, 
     if (end > j) with_count(end - j, columns);
 }
 
-/// Compute to(0..rows, 0..columns) += from(0..rows, 0..columns).
+/// Add the block `from` of rows × columns entries to the block `to`.
 inline void add_block(double* to, long ld_to, const double* from, long ld_from, int rows,
                       int columns) {
     for (int i = 0; i < rows; i += 8)

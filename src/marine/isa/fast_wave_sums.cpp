@@ -31,7 +31,7 @@ HAWSER_FAST Floats with_sign(Floats x, FloatBits sign) {
 typedef float Four __attribute__((vector_size(16)));
 typedef int FourBits __attribute__((vector_size(16)));
 
-/// Add up the quarters of a vector.
+/// Return the sum of the groups of four lanes of a vector.
 HAWSER_FAST Four quarters_of(Floats v) {
 #if defined(__AVX512F__)
     return (__builtin_shufflevector(v, v, 0, 1, 2, 3) + __builtin_shufflevector(v, v, 4, 5, 6, 7)) +

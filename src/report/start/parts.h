@@ -52,8 +52,8 @@ void check_hulls(const World& world, Findings& out);
 void check_tensions(const record::SceneInfo& scene, const World& world, Findings& out);
 /// Check for shapes inside each other (overlaps.cpp).
 void check_overlaps(const record::SceneInfo& scene, const World& world, Findings& out);
-/// Find joints that are open at the start or whose velocities are inconsistent (joints.cpp). Rows
-/// are those of the world.
+/// Find joints that are open at the start or whose velocities are inconsistent (joints.cpp).
+/// @param rows  Rows of the joints of the world.
 void check_gaps(const World& world, const JointRows& rows, Findings& out);
 /// Find joints, motors and prescribed motions that are redundant or contradictory
 /// (repetitions.cpp).
