@@ -40,11 +40,12 @@ HostNames host_names(const std::string& address, std::uint16_t port, const std::
 }
 
 bool host_allowed(const HostNames& names, std::string_view host) {
-    const std::string asked = lower_case(host);
-    if (std::find(names.names.begin(), names.names.end(), asked) != names.names.end()) return true;
+    const std::string lower_host = lower_case(host);
+    if (std::find(names.names.begin(), names.names.end(), lower_host) != names.names.end())
+        return true;
     const std::string port = ":" + std::to_string(names.port);
-    return names.any_number && asked.ends_with(port) &&
-           is_number(std::string_view(asked).substr(0, asked.size() - port.size()));
+    return names.any_number && lower_host.ends_with(port) &&
+           is_number(std::string_view(lower_host).substr(0, lower_host.size() - port.size()));
 }
 
 bool origin_allowed(std::string_view origin, std::string_view host) {

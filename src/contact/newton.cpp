@@ -171,13 +171,13 @@ Status store_next_iterate(context::StepContext& ctx, const NewtonOptions& course
 /// @return the number of such rows.
 std::int32_t switch_rows(context::StepContext& ctx, bool stop, bool last) noexcept {
     const std::int32_t most = last ? 0 : solve::kAnyRows;
-    const std::int32_t asking =
+    const std::int32_t switch_count =
         solve::switch_bounds(ctx.model, ctx.work, ctx.model.contact_floor, stop ? 0 : most);
-    if (stop && asking == 0)
+    if (stop && switch_count == 0)
         (void)solve::switch_bounds(ctx.model, ctx.work, ctx.model.contact_floor, most);
-    if (asking > 0 && !stop && !last && !ctx.work.newton.convex)
+    if (switch_count > 0 && !stop && !last && !ctx.work.newton.convex)
         solve::settle_wire_bounds(ctx.model, ctx.work);
-    return asking;
+    return switch_count;
 }
 
 /// Enter the convex phase after kExactMost exact iterations, or after kAscentMost that were
@@ -220,8 +220,8 @@ Status run_iterations(context::StepContext& ctx, double tolerance, const NewtonO
         const bool last = p.iteration + 1 >= ctx.model.def.contact_iterations;
         const double moved = solve::bounds_map(ctx.model, newton);
         const bool stop = course.may_exit_early && !fits_budget(ctx.work);
-        const std::int32_t asking = switch_rows(ctx, stop, last);
-        p.rows_switched = asking > 0;
+        const std::int32_t switch_count = switch_rows(ctx, stop, last);
+        p.rows_switched = switch_count > 0;
         if (p.rows_switched || moved > 0.0) forget_best(newton);  // other rows, or impulses
         stats.natural_map = std::max(largest_residual(ctx.model, ctx.work.solve, ctx.pool), moved);
         if (!std::isfinite(stats.natural_map)) return Status::not_finite;
@@ -236,11 +236,12 @@ Status run_iterations(context::StepContext& ctx, double tolerance, const NewtonO
         if (cut || last) {
             // Contact statuses follow from the iterate alone.
             newton.convex = false;
-            stats.flips_left = linearise(ctx.model, ctx.work, ctx.pool, LastLaws::none) + asking;
+            stats.flips_left =
+                linearise(ctx.model, ctx.work, ctx.pool, LastLaws::none) + switch_count;
             return Status::ok;
         }
         if (!course.begun) choose_phase(ctx.model, ctx.work, p);
-        stats.flips_left = linearise(ctx.model, ctx.work, ctx.pool, LastLaws::known) + asking;
+        stats.flips_left = linearise(ctx.model, ctx.work, ctx.pool, LastLaws::known) + switch_count;
         if (!newton.convex && !stop) settle_wire_contacts(ctx.model, ctx.work);
         p.stored_merit = merit(ctx.model, newton, 0.0);
     }
@@ -478,10 +479,10 @@ Status solve_newton(context::StepContext& ctx, bool settled_later) noexcept {
     // For the final state of the step.
     state_certificate(ctx.model, ctx.work, ctx.pool);
     if (early) {
-        const std::int32_t asking =
+        const std::int32_t switch_count =
             solve::asking_rows(ctx.model, ctx.work, ctx.model.contact_floor);
-        ctx.work.newton.switch_after_step = may_exit_early && asking > 0;
-        ctx.work.stats.flips_left += asking;
+        ctx.work.newton.switch_after_step = may_exit_early && switch_count > 0;
+        ctx.work.stats.flips_left += switch_count;
         return Status::ok;
     }
     if (refines) status = certify(ctx);

@@ -238,18 +238,19 @@ void save_wire_iterate(context::WireNewton& wire, std::size_t contacts, double t
 /// @return number of such elements.
 std::int32_t switch_elements(const context::Model& model, const View& v,
                              context::WireNewton& wire) noexcept {
-    std::int32_t asking = 0;
+    std::int32_t switch_count = 0;
     for (std::int32_t k = 0; k + 1 < wire.nodes; ++k) {
         context::WireElement& e = wire.elements[at(k)];
         if (v.parted[e.id] != 0) continue;
         const double scale = e.sigma + (wire.convex ? context::kConvexFraction : 1.0) * e.mobility;
-        const double wanted = std::min(0.0, (e.active ? e.from.lambda : 0.0) + e.from.r / scale);
-        if ((wanted < 0.0) == e.active) continue;
-        if (std::fabs(wanted - e.from.lambda) <= model.contact_floor) continue;
+        const double target_impulse =
+            std::min(0.0, (e.active ? e.from.lambda : 0.0) + e.from.r / scale);
+        if ((target_impulse < 0.0) == e.active) continue;
+        if (std::fabs(target_impulse - e.from.lambda) <= model.contact_floor) continue;
         e.active = !e.active;
-        ++asking;
+        ++switch_count;
     }
-    return asking;
+    return switch_count;
 }
 
 double largest_wire_residual(const context::Model& model, const context::WireNewton& wire,
@@ -286,10 +287,10 @@ bool iterate_wire(const context::Model& model, context::Work& work, const View& 
         if (!solve_wire(model, wire, chain)) return false;
         save_wire_iterate(wire, contacts, wire_line_search(wire, contacts, before));
         const double map = largest_wire_residual(model, wire, contacts);
-        const std::int32_t asking = switch_elements(model, v, wire);
+        const std::int32_t switch_count = switch_elements(model, v, wire);
         if (!std::isfinite(map)) return false;
-        const bool done = map <= tolerance && asking == 0;
-        if (wire.convex && map <= kWireConvexEnd && asking == 0) {
+        const bool done = map <= tolerance && switch_count == 0;
+        if (wire.convex && map <= kWireConvexEnd && switch_count == 0) {
             wire.convex = false;
             exact = 0;
             for (std::size_t i = 0; i < contacts; ++i) wire.contacts[i].changes = 0;

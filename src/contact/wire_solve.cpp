@@ -70,9 +70,9 @@ void complete_chain_solution(const context::Model& model, context::WireNewton& w
         double speed = 0.0;
         for (int i = 0; i < 3; ++i)
             speed += e.g[0][i] * wire.matrix[at(k)].x[i] + e.g[1][i] * wire.matrix[at(k) + 1].x[i];
-        const double asked = e.from.r + e.sigma * e.from.lambda - speed;
-        e.to =
-            e.active ? context::BoundedRow{asked / e.sigma, 0.0} : context::BoundedRow{0.0, asked};
+        const double right_side = e.from.r + e.sigma * e.from.lambda - speed;
+        e.to = e.active ? context::BoundedRow{right_side / e.sigma, 0.0}
+                        : context::BoundedRow{0.0, right_side};
     }
     for (std::size_t i = 0; i < chain_contact_count(wire, chain); ++i) {
         context::WireContact& c = wire.contacts[i];

@@ -185,22 +185,22 @@ void CraneSystem::drive(Prestep& now, int motion) noexcept {
     const Drive& d = parts_.drives[i];
     if (!d.exists) return;
     Order& o = orders_[i];
-    double wanted = std::clamp(o.wanted, -d.max_speed, d.max_speed);
-    const double going = wanted != 0.0 ? wanted : o.ramped;
+    double target_speed = std::clamp(o.wanted, -d.max_speed, d.max_speed);
+    const double going = target_speed != 0.0 ? target_speed : o.ramped;
     const bool cut = definition_.rating.cut_out && step_ == 2 && raises_moment(motion, going);
     if (cut) cut_ = 1.0;
     if (cut || at_end(now.world, motion, going)) {
-        wanted = 0.0;
+        target_speed = 0.0;
         if (!cut) o.ramped = 0.0;
     }
     const double change =
         definition_.ramp > 0.0 ? d.max_speed * now.step / definition_.ramp : 2.0 * d.max_speed;
-    o.ramped += std::clamp(wanted - o.ramped, -change, change);
+    o.ramped += std::clamp(target_speed - o.ramped, -change, change);
     const double speed = d.ratio * o.ramped;
     if (speed != o.speed) now.set_input(d.speed, speed);
     o.speed = speed;
     if (!d.friction_id.valid()) return;
-    const std::int32_t is_braked = wanted == 0.0 && o.ramped == 0.0 ? 1 : 0;
+    const std::int32_t is_braked = target_speed == 0.0 && o.ramped == 0.0 ? 1 : 0;
     if (is_braked == o.is_braked) return;
     o.is_braked = is_braked;
     now.set_input(d.bound, is_braked != 0 ? d.brake : d.friction);
@@ -247,9 +247,9 @@ void CraneSystem::detach_load(Prestep& now) noexcept {
 void CraneSystem::update_attachment(Prestep& now) noexcept {
     const int load_count = static_cast<int>(definition_.loads.size());
     // A modified state may hold any value.
-    const int wanted = attach_request_ >= 0.0 && attach_request_ <= load_count
-                           ? static_cast<int>(std::lround(attach_request_))
-                           : 0;
+    const int load_number = attach_request_ >= 0.0 && attach_request_ <= load_count
+                                ? static_cast<int>(std::lround(attach_request_))
+                                : 0;
     if (attached_load_ < 0 || attached_load_ > load_count) attached_load_ = 0;
     if (attached_load_ != 0) {
         // The load may have been removed by others.
@@ -259,10 +259,10 @@ void CraneSystem::update_attachment(Prestep& now) noexcept {
             const InteractionId sling = now.world.find_interaction(sling_names_[i]);
             exists = exists || (now.world.alive(sling) && now.world.intact(sling));
         }
-        if (wanted != attached_load_ || !exists) detach_load(now);
-    } else if (wanted > 0 &&
-               in_reach(now.world, definition_.loads[static_cast<std::size_t>(wanted - 1)])) {
-        attach_load(now, wanted);
+        if (load_number != attached_load_ || !exists) detach_load(now);
+    } else if (load_number > 0 &&
+               in_reach(now.world, definition_.loads[static_cast<std::size_t>(load_number - 1)])) {
+        attach_load(now, load_number);
     }
     attached_output_ = attached_load_;
 }

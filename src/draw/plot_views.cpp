@@ -55,10 +55,10 @@ Layout arrange_two_panels(Bounds b) {
     // Add margins; no panel is thinner than a seventh of its length.
     const double least = std::max(1e-3, extent.maxCoeff() / 7.0);
     for (int k = 0; k < 3; ++k) {
-        const double wanted = std::max(extent[k] * 1.12, least);
+        const double required_span = std::max(extent[k] * 1.12, least);
         const double middle = 0.5 * (b.low[k] + b.high[k]);
-        b.low[k] = middle - 0.5 * wanted;
-        b.high[k] = middle + 0.5 * wanted;
+        b.low[k] = middle - 0.5 * required_span;
+        b.high[k] = middle + 0.5 * required_span;
     }
     const Vec3 size = b.high - b.low;
     const double wide = size[across], deep = size[1 - across], high = size.z();

@@ -22,9 +22,9 @@ Range range_of(std::span<const double> values) {
 }
 
 Range widened(Range range, double fraction, double least) {
-    const double wanted = std::max(range.span() * (1.0 + 2.0 * fraction), least);
+    const double required_span = std::max(range.span() * (1.0 + 2.0 * fraction), least);
     const double middle = 0.5 * (range.low + range.high);
-    return {middle - 0.5 * wanted, middle + 0.5 * wanted};
+    return {middle - 0.5 * required_span, middle + 0.5 * required_span};
 }
 
 namespace {

@@ -178,10 +178,12 @@ bool Splitter::start_from_previous(const Partition& before) {
     for (std::size_t v = 0; v < cluster_.size(); ++v) {
         if (cluster_[v] < 0) continue;
         std::int32_t& part = part_[at(cluster_[v])];
-        const std::int32_t wanted = before.part[v];
+        const std::int32_t previous_part = before.part[v];
         // The partition may come from a caller, so it is checked.
-        if (wanted < 0 || wanted >= options_.parts || (part >= 0 && part != wanted)) return false;
-        part = wanted;
+        if (previous_part < 0 || previous_part >= options_.parts ||
+            (part >= 0 && part != previous_part))
+            return false;
+        part = previous_part;
         const std::int32_t group = group_part_[at(cluster_[v])];
         if (group >= 0 && part != group) return false;
     }

@@ -151,15 +151,15 @@ void Splitter::assign_clusters(bool together) {
             continue;
         }
         // Use the part that the cluster's fraction of the total capacity falls into.
-        const double wanted = static_cast<double>(middle) /
-                              static_cast<double>(std::max<std::int64_t>(1, left)) *
-                              static_cast<double>(capacities);
+        const double capacity_position = static_cast<double>(middle) /
+                                         static_cast<double>(std::max<std::int64_t>(1, left)) *
+                                         static_cast<double>(capacities);
         double sum = 0.0;
         std::int32_t part = 0;
         for (std::size_t p = 0; p < free_capacity_.size(); ++p) {
             if (free_capacity_[p] > 0) part = static_cast<std::int32_t>(p);
             sum += static_cast<double>(free_capacity_[p]);
-            if (sum >= wanted) break;
+            if (sum >= capacity_position) break;
         }
         assign_part(c, part);
     }

@@ -64,9 +64,9 @@ std::map<std::int32_t, std::int32_t> open_edges(const HullMesh& mesh) {
 
 Flotation float_hull(const HullMesh& mesh, double mass, double density, double heel, bool trims) {
     Flotation out;
-    const double wanted = mass / density;
+    const double required_volume = mass / density;
     out.pose.orientation = heeled(heel);
-    out.floats = find_sinkage(mesh, wanted, out);
+    out.floats = find_sinkage(mesh, required_volume, out);
     if (!out.floats) return out;
     // If B is forward of G, the bow rises by the lever over the longitudinal metacentric height.
     for (int i = 0; trims && i < 60; ++i) {
@@ -76,7 +76,7 @@ Flotation float_hull(const HullMesh& mesh, double mass, double density, double h
         if (std::abs(lever) <= 1e-13 * std::cbrt(s.volume) || !(height > 0.0)) break;
         out.trim -= std::clamp(lever / height, -0.1, 0.1);
         out.pose.orientation = heeled(heel) * trimmed(out.trim);
-        out.floats = find_sinkage(mesh, wanted, out);
+        out.floats = find_sinkage(mesh, required_volume, out);
         if (!out.floats) return out;
     }
     const HullStatics& s = out.statics;

@@ -56,11 +56,11 @@ class Spreading {
                 integral(density, angle_of(i), angle_of(i + 1), 1);
     }
     [[nodiscard]] double angle(double fraction) const {
-        const double wanted = fraction * sum_.back();
-        const auto above = std::upper_bound(sum_.begin() + 1, sum_.end() - 1, wanted);
+        const double target_sum = fraction * sum_.back();
+        const auto above = std::upper_bound(sum_.begin() + 1, sum_.end() - 1, target_sum);
         const auto cell = static_cast<int>(above - sum_.begin()) - 1;
         const double low = *(above - 1), high = *above;
-        return angle_of(cell + (high > low ? (wanted - low) / (high - low) : 0.5));
+        return angle_of(cell + (high > low ? (target_sum - low) / (high - low) : 0.5));
     }
 
   private:

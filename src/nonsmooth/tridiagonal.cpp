@@ -56,14 +56,14 @@ bool solve_chain(std::size_t n, ChainRow* rows) noexcept {
     for (std::size_t k = 0; k < n; ++k) rows[k].active = rows[k].active && !rows[k].fixed;
     for (std::size_t sweep = 0; sweep < 4 * n + 8; ++sweep) {
         solve_active(n, rows);
-        bool asked = false;
+        bool any_switched = false;
         for (std::size_t k = 0; k < n; ++k) {
             if (!row_in_wrong_set(n, rows, k)) continue;
-            asked = true;
+            any_switched = true;
             rows[k].active = !rows[k].active;
             if (sweep >= 2 * n) break;
         }
-        if (!asked) return true;
+        if (!any_switched) return true;
     }
     return false;
 }

@@ -62,13 +62,14 @@ void Recording::add_cut(const RecordedCut& cut) {
 /// Check the number of steps from the last frame to the new one. A gap longer than one stride of
 /// frames is rejected.
 void Recording::check_gap(std::int64_t step, bool frame) const {
-    const bool begins = frames_.size() == (takes.empty() ? 0 : takes.back().frames);
-    const std::int64_t before = !begins         ? frame_head(frames_.size() - 1).step
+    const bool begins_branch = frames_.size() == (takes.empty() ? 0 : takes.back().frames);
+    const std::int64_t before = !begins_branch  ? frame_head(frames_.size() - 1).step
                                 : takes.empty() ? start_step
                                                 : takes.back().to;
     const std::int64_t gap = step - before;
     const bool first = frames_.empty() && frame;
-    if (gap > settings.stride || gap < 0 || (first && gap != 0) || (frame && !begins && gap == 0))
+    if (gap > settings.stride || gap < 0 || (first && gap != 0) ||
+        (frame && !begins_branch && gap == 0))
         throw BadBytes("frames are not in the order of time");
 }
 

@@ -27,12 +27,12 @@ bool has_edges(const ShapeDef& shape) {
 const ShapeDef& shape_with_edges(const Description& out, BodyId body, const Json& json,
                                  const SourceLocation& location) {
     const std::string on = out.body(body).name, lead = on + "/";
-    const std::string wanted = text_or(json, "shape", "");
+    const std::string shape_name = text_or(json, "shape", "");
     std::vector<const ShapeDef*> candidates;
     std::vector<std::string> known;
     for (const ShapeDef& shape : out.shapes) {
         if (shape.body != body) continue;
-        if (!wanted.empty() && shape.name == lead + wanted) {
+        if (!shape_name.empty() && shape.name == lead + shape_name) {
             if (!has_edges(shape))
                 throw_error(location / "shape", "a " + std::string(to_string(shape.kind)) +
                                                     " has no edges; name a box, hull or mesh");
@@ -42,9 +42,9 @@ const ShapeDef& shape_with_edges(const Description& out, BodyId body, const Json
         candidates.push_back(&shape);
         if (shape.name.starts_with(lead)) known.push_back(shape.name.substr(lead.size()));
     }
-    if (!wanted.empty())
-        throw_error(location / "shape", in_quotes(on) + " has no shape " + in_quotes(wanted) +
-                                            " with edges" + suggestion(wanted, known));
+    if (!shape_name.empty())
+        throw_error(location / "shape", in_quotes(on) + " has no shape " + in_quotes(shape_name) +
+                                            " with edges" + suggestion(shape_name, known));
     if (candidates.empty())
         throw_error(location, in_quotes(on) +
                                   " has no shape with edges; give its \"shapes\" a box, hull "

@@ -210,13 +210,13 @@ class Builder {
     /// Check that each lever has an input of a system. @throws SceneError.
     void check_signal_inputs(const World& world) {
         for (std::size_t i = 0; i < description_.levers.size() && numbered_; ++i) {
-            const std::string& wanted = description_.levers[i].input.signal;
+            const std::string& signal_name = description_.levers[i].input.signal;
             if (description_.sea && world.find_system("sea") == nullptr &&
-                wanted.starts_with("sea."))
+                signal_name.starts_with("sea."))
                 continue;  // The sea was refused.
             const std::span<const SystemSignal> signals = world.system_signals();
             const auto found = std::find_if(signals.begin(), signals.end(), [&](const auto& s) {
-                return s.input && s.system + "." + s.name == wanted;
+                return s.input && s.system + "." + s.name == signal_name;
             });
             if (found != signals.end()) {
                 (void)attempt(description_.mistakes, [&] {
@@ -230,8 +230,8 @@ class Builder {
                 if (s.input) known.push_back(s.system + "." + s.name);
             (void)attempt(description_.mistakes, [&] {
                 throw_error(description_.signal_input_location(i) / "signal",
-                            "there is no signal " + in_quotes(wanted) + " that may be set" +
-                                suggestion(wanted, known));
+                            "there is no signal " + in_quotes(signal_name) + " that may be set" +
+                                suggestion(signal_name, known));
             });
         }
     }

@@ -104,8 +104,8 @@ void finish_preparation(context::StepContext& ctx) {
 }
 
 void prepare_alone(context::StepContext& ctx) {
-    assembly::System::Kept before;
-    ctx.model.system.keep(before);
+    assembly::System::Kept saved_system;
+    ctx.model.system.keep(saved_system);
     try {
         context::wake_all(ctx.model, ctx.work.stats);
         make_wires(ctx.model, ctx.state, ctx.work.wires);
@@ -113,7 +113,7 @@ void prepare_alone(context::StepContext& ctx) {
         analyse_system(ctx.model, ctx.work, ctx.pool, nullptr);
         finish_preparation(ctx);
     } catch (...) {
-        ctx.model.system.go_back(before);
+        ctx.model.system.go_back(saved_system);
         throw;
     }
 }

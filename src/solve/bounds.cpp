@@ -204,12 +204,12 @@ double bounds_slope(const context::Model& model, const context::Newton& newton, 
                                   p = along(newton, i, t);
         // c − G v = r + Σλ. A row without compliance is at a bound or has the impulse of the
         // solution.
-        const double asked = p.r + sigma * p.lambda;
+        const double right_side = p.r + sigma * p.lambda;
         double impulse = p.lambda;
         if (sigma > 0.0)
-            impulse = std::clamp(asked / sigma, range.low, range.high);
-        else if (asked != 0.0)
-            impulse = asked > 0.0 ? range.high : range.low;
+            impulse = std::clamp(right_side / sigma, range.low, range.high);
+        else if (right_side != 0.0)
+            impulse = right_side > 0.0 ? range.high : range.low;
         const double change = from.r + sigma * from.lambda - to.r - sigma * to.lambda;
         sum += (p.lambda - impulse) * change;
     }
@@ -275,7 +275,7 @@ void extrapolate_bounds(context::Model& model, context::Work& work) noexcept {
 std::int32_t switch_bounds(context::Model& model, context::Work& work, double floor,
                            std::int32_t most) noexcept {
     const View v = context::row_view(model);
-    std::int32_t asking = 0;
+    std::int32_t switch_count = 0;
     const bool follows = most > 0 && !work.newton.loaded.empty();
     const bool runs = most == kAnyRows && !model.system.capstans.empty();
     if (runs) note_runs(model);
@@ -294,7 +294,7 @@ std::int32_t switch_bounds(context::Model& model, context::Work& work, double fl
             const double least =
                 work.newton.on_scalar[i] != 0 ? std::min(floor, model.scalar_floor) : floor;
             if (std::fabs(wish.projected - p.lambda) <= least) continue;
-            if (asking++ >= most) continue;
+            if (switch_count++ >= most) continue;
         }
         if (most == 0) continue;
         work.solve.losses_known = false;
@@ -303,10 +303,10 @@ std::int32_t switch_bounds(context::Model& model, context::Work& work, double fl
         held = wish.projected;
         v.lambda[row] = wish.projected;
     }
-    if (asking > 0 && runs) settle_runs(model, work.newton);
-    if (follows && asking == 0) extrapolate_bounds(model, work);
-    if (asking > 0) work.newton.follow.restart();
-    return asking;
+    if (switch_count > 0 && runs) settle_runs(model, work.newton);
+    if (follows && switch_count == 0) extrapolate_bounds(model, work);
+    if (switch_count > 0) work.newton.follow.restart();
+    return switch_count;
 }
 
 bool any_row_requests_switch(const context::Model& model, const context::Newton& newton,

@@ -273,9 +273,9 @@ Status settle_iterations(context::StepContext& ctx, bool measured) noexcept {
     if (!measured)
         if (const Status status = measure(ctx); status != Status::ok) return status;
     const double good = ctx.model.def.solution_tolerance;
-    const bool wanted =
+    const bool needs_correction =
         ctx.work.stats.momentum_residual > good || ctx.work.stats.constraint_residual > good;
-    return wanted && ctx.model.def.refinements > 0 ? refine(ctx) : Status::ok;
+    return needs_correction && ctx.model.def.refinements > 0 ? refine(ctx) : Status::ok;
 }
 
 Status measure(context::StepContext& ctx) noexcept {

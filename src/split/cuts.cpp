@@ -139,17 +139,17 @@ void make_cuts(context::Model& model) {
     cuts.grouped = std::any_of(cuts.group.begin(), cuts.group.end(),
                                [&](std::int32_t g) { return g != cuts.group[0]; });
     if (!cuts.grouped) return;
-    std::vector<std::int32_t> wanted;
+    std::vector<std::int32_t> cut_interactions;
     for (std::int32_t id = 0; id < count; ++id)
         if (cuts.coupling[at(id)] != Coupling::exact && can_cut(model, id) &&
             groups_of_interaction(model, id).size() > 1)
-            wanted.push_back(id);
-    if (wanted.empty()) return;
+            cut_interactions.push_back(id);
+    if (cut_interactions.empty()) return;
     cuts.bodies = bodies;
     cuts.interactions = count;
     std::unordered_map<std::int32_t, std::int32_t> ghost;
-    const auto interface = number_interfaces(model, wanted);
-    for (const std::int32_t id : wanted) {
+    const auto interface = number_interfaces(model, cut_interactions);
+    for (const std::int32_t id : cut_interactions) {
         const std::vector<std::int32_t> sides = groups_of_interaction(model, id);
         cuts.list.push_back(
             {id, model.interactions.count(), static_cast<std::int32_t>(sides.size()), true});

@@ -111,11 +111,11 @@ std::uint64_t open_interfaces(const context::Model& model) noexcept {
 
 void remove_cut_interactions(context::Model& model, std::uint64_t interfaces,
                              assembly::System& beside) {
-    const std::uint64_t asked = std::exchange(model.cuts.asked, interfaces);
+    const std::uint64_t previous_request = std::exchange(model.cuts.asked, interfaces);
     (void)open_cuts(model);
     beside.left_out = model.system.left_out;
     beside.sides = model.system.sides;
-    model.cuts.asked = asked;
+    model.cuts.asked = previous_request;
     (void)open_cuts(model);
 }
 

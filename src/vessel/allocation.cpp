@@ -220,9 +220,9 @@ void Allocation::thrust_at_fixed_angles(const Vec3& tau, const ThrusterNow* now,
     const bool solved = program_.solve();
     total_.setZero();
     for (std::size_t i = 0; i < thrusters_.size(); ++i) {
-        const double wanted =
+        const double solved_thrust =
             solved ? force_ * program_.solution()[static_cast<Eigen::Index>(i)] : 0.0;
-        thrusts[i] = std::clamp(wanted, now[i].thrust_min, now[i].thrust_max);
+        thrusts[i] = std::clamp(solved_thrust, now[i].thrust_min, now[i].thrust_max);
         const double fx = thrusts[i] * std::cos(now[i].angle);
         const double fy = thrusts[i] * std::sin(now[i].angle);
         total_ += Vec3(fx, fy, thrusters_[i].x * fy - thrusters_[i].y * fx);

@@ -87,18 +87,18 @@ void Control::engage(ControlMode mode, const ControlSense& sense,
 
 void Control::choose_mode(Prestep& now, const ControlSense& sense,
                           const ControlledActuators& act) noexcept {
-    const double wanted = std::round(mode_input_);
-    if (wanted == active_mode_) {
+    const double requested_mode = std::round(mode_input_);
+    if (requested_mode == active_mode_) {
         mode_input_ = active_mode_;
         return;
     }
-    const auto mode = static_cast<ControlMode>(static_cast<int>(wanted));
-    if (wanted != mode_input_ || *rejection_reason(mode) != '\0') {
+    const auto mode = static_cast<ControlMode>(static_cast<int>(requested_mode));
+    if (requested_mode != mode_input_ || *rejection_reason(mode) != '\0') {
         now.tell(EventKind::mode_refused, def_.body, mode_input_);
         mode_input_ = active_mode_;
         return;
     }
-    active_mode_ = wanted;
+    active_mode_ = requested_mode;
     engage(mode, sense, act);
     // Discard the orders of the previous mode.
     if (mode == ControlMode::off)
@@ -198,10 +198,10 @@ void Control::steer(const ControlSense& sense, ControlledActuators act, double h
         const double max_rps =
             def_.steering.most_rps > 0.0 ? def_.steering.most_rps : 2.0 * def_.steering.rps;
         const double error = speed_order_ - sense.surge, gain = 0.2 * def_.steering.rps;
-        const double wanted = speed_sum_ + gain * error;
-        if (std::abs(wanted) < max_rps || wanted * error < 0.0)
+        const double rps_demand = speed_sum_ + gain * error;
+        if (std::abs(rps_demand) < max_rps || rps_demand * error < 0.0)
             speed_sum_ += h * gain * error / 60.0;
-        act.rps_order = std::clamp(wanted, -max_rps, max_rps);
+        act.rps_order = std::clamp(rps_demand, -max_rps, max_rps);
     }
     if (!steers_by_rudder(sense)) {
         act.rudder_order = 0.0;
@@ -210,15 +210,15 @@ void Control::steer(const ControlSense& sense, ControlledActuators act, double h
     }
     const double time = length_ / std::max(sense.surge, kRudderSpeed);
     const double error = -heading_error();
-    const double wanted =
+    const double steer_demand =
         error - kSteerDerivative * time * observer_.low_frequency_motion().motion[2] + steer_sum_;
     const double max_angle = def_.steering.most_angle;
-    if (std::abs(wanted) < max_angle || wanted * error < 0.0)
+    if (std::abs(steer_demand) < max_angle || steer_demand * error < 0.0)
         steer_sum_ += h * error / (kSteerIntegral * time);
-    act.rudder_order = std::clamp(wanted, -max_angle, max_angle);
+    act.rudder_order = std::clamp(steer_demand, -max_angle, max_angle);
     for (std::size_t i = 0; i < act.rudders.size(); ++i)
         act.rudders[i].order =
-            std::clamp(wanted, -def_.rudders[i].most_angle, def_.rudders[i].most_angle);
+            std::clamp(steer_demand, -def_.rudders[i].most_angle, def_.rudders[i].most_angle);
 }
 
 /// Compute the available fraction of each propulsor's thrust, from its available power to the power
@@ -280,8 +280,8 @@ void Control::limit_thruster(const PropulsorState& s, std::size_t i, double h) n
 /// Order the propulsors: azimuths to the angles of the allocation, thrusts within their rates. A
 /// propulsor that has failed or has no power gets no order.
 void Control::order_thrusters(const Vec3& tau, ControlledActuators act, double h) noexcept {
-    const Vec3 wanted = tau - uncontrolled_;
-    allocation_.allocate(wanted, available_.data(), sectors_.data());
+    const Vec3 thrust_demand = tau - uncontrolled_;
+    allocation_.allocate(thrust_demand, available_.data(), sectors_.data());
     for (std::size_t i = 0; i < act.propulsors.size(); ++i) {
         PropulsorState& s = act.propulsors[i];
         const AllocatedThruster& t = allocation_.thrusters()[i];
@@ -290,7 +290,7 @@ void Control::order_thrusters(const Vec3& tau, ControlledActuators act, double h
         if (t.is_azimuth) order_angle(s, i);
         limit_thruster(s, i, h);
     }
-    allocation_.thrust_at_fixed_angles(wanted, present_thrust_.data(), thrusts_.data());
+    allocation_.thrust_at_fixed_angles(thrust_demand, present_thrust_.data(), thrusts_.data());
     allocated_ = allocation_.total() + uncontrolled_;
     for (std::size_t i = 0; i < act.propulsors.size(); ++i) {
         const AllocatedThruster& t = allocation_.thrusters()[i];
@@ -313,9 +313,9 @@ void Control::analyse_failure(Prestep& now, double h) noexcept {
             spare_[i] = sectors_[i];
             remaining_[i] = failures_[k][i] != 0 ? 0.0 : available_[i];
         }
-        const Vec3 wanted = mean_ - uncontrolled_;
-        allocation_.allocate(wanted, remaining_.data(), spare_.data());
-        shortfalls_[k] = allocation_.scaled_norm(Vec3(wanted - allocation_.total())) / size;
+        const Vec3 thrust_demand = mean_ - uncontrolled_;
+        allocation_.allocate(thrust_demand, remaining_.data(), spare_.data());
+        shortfalls_[k] = allocation_.scaled_norm(Vec3(thrust_demand - allocation_.total())) / size;
     }
     next_failure_ = k + 1 < shortfalls_.size() ? next_failure_ + 1 : 0;
     const auto worst = std::max_element(shortfalls_.begin(), shortfalls_.end());

@@ -130,17 +130,17 @@ void PowerBus::distribute(double capacity, int board) noexcept {
     double left = available_fraction_ * capacity, taken = 0.0;
     for (std::size_t first = 0; first < order_.size();) {
         const int priority = consumers_[order_[first]].priority;
-        double asked = 0.0;
+        double total_demand = 0.0;
         std::size_t end = first;
         for (; end < order_.size() && consumers_[order_[end]].priority == priority; ++end)
-            if (served(consumers_[order_[end]])) asked += consumers_[order_[end]].demand;
-        const double part = asked > left ? left / asked : 1.0;
+            if (served(consumers_[order_[end]])) total_demand += consumers_[order_[end]].demand;
+        const double part = total_demand > left ? left / total_demand : 1.0;
         for (std::size_t i = first; i < end; ++i) {
             Consumer& c = consumers_[order_[i]];
             if (served(c)) c.granted = part * c.demand;
         }
-        left = std::max(0.0, left - asked);
-        taken += part * asked;
+        left = std::max(0.0, left - total_demand);
+        taken += part * total_demand;
         first = end;
     }
     for (std::size_t b = 0; b < boards_.size(); ++b) {

@@ -40,12 +40,12 @@ void PinSystem::prestep(Prestep& now, Loads&) noexcept {
     const double way = now.world.coordinate(drive_.motor);
     height_ = 1.0 + way / drive_.length;
     const double left = (up_ - 1.0) * drive_.length - way;
-    const double wanted =
+    const double target_speed =
         std::abs(left) < kTargetTolerance
             ? 0.0
             : std::clamp(0.5 * left / now.step, -drive_.max_speed, drive_.max_speed);
-    if (wanted != speed_) now.set_input(drive_.speed, wanted);
-    speed_ = wanted;
+    if (target_speed != speed_) now.set_input(drive_.speed, target_speed);
+    speed_ = target_speed;
 }
 
 }  // namespace wire

@@ -133,10 +133,10 @@ double feed_element_length(const World& world, const WinchDef& def) {
     for (const InteractionId id : elements)
         if (world.alive(id) && !kind_info(world.interaction_def(id).kind).is(kWoundUp))
             mass = std::max(mass, world.interaction_def(id).get("mass"));
-    const bool asked = !std::isnan(def.element);
-    if (asked && def.element == 0.0) return 0.0;
-    if (asked) check_number(def, "element", def.element, 0.0, true);
-    if (asked && def.element < def.wire_diameter)
+    const bool has_element_length = !std::isnan(def.element);
+    if (has_element_length && def.element == 0.0) return 0.0;
+    if (has_element_length) check_number(def, "element", def.element, 0.0, true);
+    if (has_element_length && def.element < def.wire_diameter)
         throw_def_error(
             def, "element = " + number(def.element) + " m is shorter than its wire is thick, " +
                      number(def.wire_diameter) +
@@ -144,8 +144,8 @@ double feed_element_length(const World& world, const WinchDef& def) {
                      "0 for an element that grows");
     const bool wound = kind_info(world.interaction_def(at_drum).kind).is(kWoundUp);
     const bool single = wound && elements.size() == 1;  // the drum's element is the whole wire
-    if ((!(mass > 0.0) && !(asked && single)) || !(def.mass_per_length > 0.0)) {
-        if (!asked) return 0.0;
+    if ((!(mass > 0.0) && !(has_element_length && single)) || !(def.mass_per_length > 0.0)) {
+        if (!has_element_length) return 0.0;
         throw_def_error(
             def,
             mass > 0.0 || single
@@ -157,7 +157,7 @@ double feed_element_length(const World& world, const WinchDef& def) {
             def,
             "a wire of one element is wound up from its first end; name its ends the other "
             "way round, or give it two elements");
-    return asked ? def.element : world.interaction_def(at_drum).get("length");
+    return has_element_length ? def.element : world.interaction_def(at_drum).get("length");
 }
 
 /// An input that the system drives: its field, the interaction, its parameter and its name.

@@ -241,9 +241,9 @@ void GuideSystem::stop(Prestep& now) noexcept {
     // The weight at the guide adds to the pressure like the tensions of the elements.
     const double exponent = def_.friction * std::max(0.0, angle_) - std::log(def_.efficiency);
     const double least = std::tanh(0.5 * exponent) * std::max(0.0, half_element_weight_);
-    const double wanted = used_up_side_ >= 0 ? kUnbounded : least;
-    if (wanted != bound_) now.set_input(stop_, wanted);
-    bound_ = wanted;
+    const double required_bound = used_up_side_ >= 0 ? kUnbounded : least;
+    if (required_bound != bound_) now.set_input(stop_, required_bound);
+    bound_ = required_bound;
 }
 
 void GuideSystem::prestep(Prestep& now, Loads& loads) noexcept {

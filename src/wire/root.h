@@ -28,9 +28,9 @@ double growing_root(F&& f, double low, double high, double guess, double small, 
         if (!g.above && std::abs(g.value) <= small) return at;
         (g.above || g.value > 0.0 ? high : low) = at;
         double next = g.above ? high : at - g.value / g.slope;
-        const bool slow = i % 4 == 3 && high - low > 0.5 * last;
+        const bool bracket_halves_slowly = i % 4 == 3 && high - low > 0.5 * last;
         if (i % 4 == 3) last = high - low;
-        if (!(next > low && next < high) || slow) {
+        if (!(next > low && next < high) || bracket_halves_slowly) {
             next = !positive || (low > 0.0 && high < 4.0 * low) ? 0.5 * (low + high)
                    : low > 0.0                                  ? std::sqrt(low) * std::sqrt(high)
                                                                 : 1e-3 * high;

@@ -31,12 +31,12 @@ double sideways_balance(const Crossing& c, double s) noexcept {
 double sideways_displacement(const Crossing& c, double bound) noexcept {
     const double now = sideways_balance(c, 0.0);
     if (std::abs(now) <= bound) return 0.0;
-    const double wanted = now > 0.0 ? bound : -bound;
+    const double signed_bound = now > 0.0 ? bound : -bound;
     const double whole = c.across[0] + c.across[1];
     const double shortest = (c.along[0] * c.across[1] + c.along[1] * c.across[0]) / whole;
     double inside = shortest, outside = 0.0, s = shortest;
     for (int i = 0; i < kWayRounds; ++i) {
-        const double over = sideways_balance(c, s) - wanted;
+        const double over = sideways_balance(c, s) - signed_bound;
         ((over > 0.0) == (now > 0.0) ? outside : inside) = s;
         double next = s - over / sideways_balance_slope(c, s);
         if (!(next > std::min(inside, outside) && next < std::max(inside, outside)))

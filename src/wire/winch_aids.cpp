@@ -119,8 +119,8 @@ void WinchSystem::follow_heave(const Prestep& now) noexcept {
     constexpr double kReturnTime = 1.0;  // [s]
     a.error = def_.heave_falls * (height - a.height) - (paid - a.paid);
     const double most = def_.heave_speed, change = def_.heave_acceleration * now.step;
-    const double wanted = std::clamp(rises + a.error / kReturnTime, -most, most);
-    a.speed = std::clamp(wanted, a.speed - change, a.speed + change);
+    const double target_speed = std::clamp(rises + a.error / kReturnTime, -most, most);
+    a.speed = std::clamp(target_speed, a.speed - change, a.speed + change);
     a.paid += speed_ * now.step;
 }
 

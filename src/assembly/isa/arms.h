@@ -112,9 +112,9 @@ inline void first_joints_rhs(const assembly::View& view, std::int32_t id, bool m
     for (int k = 0; k < 3; ++k) {
         const std::int32_t r = view.row_begin[id] + kLanes * k;
         const V8 speed = moving ? load(view.residual + r) : none;
-        const V8 asked = on[k] * (load(view.c + r) - speed);
-        store(view.residual + r, asked + load(view.sigma + r) * inactive[k]);
-        store(view.multiplier + r, load(view.inv_sigma + r) * asked + inactive[k]);
+        const V8 right_side = on[k] * (load(view.c + r) - speed);
+        store(view.residual + r, right_side + load(view.sigma + r) * inactive[k]);
+        store(view.multiplier + r, load(view.inv_sigma + r) * right_side + inactive[k]);
     }
 }
 

@@ -84,11 +84,11 @@ void first_rhs(const View& view, std::int32_t begin, std::int32_t end, bool movi
         for (int r = 0; r < view.rows[id]; ++r) {
             const double inactive = r == 0 ? held : 0.0;
             const double speed = moving ? view.residual[row + r] : 0.0;
-            const double asked = on * (view.c[row + r] - speed);
-            double residual = asked;
+            const double right_side = on * (view.c[row + r] - speed);
+            double residual = right_side;
             if (held != 0.0) residual += view.sigma[row + r] * inactive;
             view.residual[row + r] = residual;
-            view.multiplier[row + r] = view.inv_sigma[row + r] * asked + inactive;
+            view.multiplier[row + r] = view.inv_sigma[row + r] * right_side + inactive;
             if (view.interaction_offset[id] >= 0)
                 view.solution[view.interaction_offset[id] + r] = residual;
         }

@@ -199,10 +199,10 @@ void draw_insets(Drawing& d, const InteractionGraph& g, const Scope& main, const
 }
 
 void draw_scale(Drawing& d, const Scope& s) {
-    const double wanted = 0.25 * 2.0 * s.half;
-    double length = std::pow(10.0, std::floor(std::log10(wanted)));
+    const double target_size = 0.25 * 2.0 * s.half;
+    double length = std::pow(10.0, std::floor(std::log10(target_size)));
     for (const double f : {5.0, 2.0})
-        if (f * length <= wanted) {
+        if (f * length <= target_size) {
             length *= f;
             break;
         }

@@ -165,19 +165,19 @@ class Search {
             const Joint& one = joint(static_cast<std::size_t>(j));
             if (!one.motor) continue;
             const InteractionDef& def = world_.interaction_def(one.id);
-            const double wanted = def.get("speed");
+            const double motor_speed = def.get("speed");
             const bool unlimited =
                 def.get("force_max") >= kUnlimited && def.get("force_min") <= -kUnlimited;
-            if (wanted == 0.0) continue;
+            if (motor_speed == 0.0) continue;
             std::vector<std::string> others;
             for (const std::string& name : names)
                 if (name != record::interaction_label(world_, one.id))
                     others.push_back(record::name_in_quotes(name));
             out_.add(
-                unlimited, FindingKind::motor, names, std::abs(wanted),
+                unlimited, FindingKind::motor, names, std::abs(motor_speed),
                 fmt::format(
                     "{} wants {:.3g} {} where {} otherwise: {}",
-                    record::interaction_in_words(world_, one.id), wanted, unit_of(one, 0),
+                    record::interaction_in_words(world_, one.id), motor_speed, unit_of(one, 0),
                     record::names_in_words(others) +
                         (others.size() == 1 ? " holds still or drives" : " hold still or drive"),
                     unlimited ? "without a limit of its force none of them can yield; give it "
