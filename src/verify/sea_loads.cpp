@@ -276,7 +276,7 @@ double SeaVerifier::after_step(const World& world, const std::vector<Pose>& pose
     load_.assign(numbered(world.body_count()), Load{});
     double variance = 0.0;
     for (const Wave& wave : waves_) variance += 0.5 * wave.of.amplitude * wave.of.amplitude;
-    // Of the significant height; and the rounding of coordinates.
+    // The permitted error is relative to the significant height. Coordinates have a rounding.
     surface_error_ = limit() * 4.0 * std::abs(inputs_.waves) * std::sqrt(variance) + 1e-12;
     add_lines(world, pose, before);
     for (const WaterBody& b : def_->bodies)
