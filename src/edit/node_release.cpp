@@ -175,7 +175,7 @@ class ReleaseNeighbourhood {
     base::SymmetricEigen<kMomentumRows> eigen_;
 };
 
-/// Move the free nodes so that the centre of mass of the chain stays as it was in `was`.
+/// Move the free nodes of chain `now` so that its centre of mass equals that of chain `was`.
 void preserve_mass_centre(NodeChain& now, const NodeChain& was) noexcept {
     Vec3 moment = Vec3::Zero();
     double mass = 0.0;
